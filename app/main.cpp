@@ -2,18 +2,18 @@
 #include "app/classroom/classroom_mode.h"
 #include "app/commands/command_line.h"
 #include "app/document/document.h"
+#include "app/headset/simulator_controller.h"
 #include "app/import/assimp_import.h"
 #include "app/import/sandboxed_importer.h"
-#include "app/recovery/recovery_store.h"
 #include "app/platform/process_signals.h"
-#include "app/headset/simulator_controller.h"
+#include "app/recovery/recovery_store.h"
 #include "app/window/connections.h"
 
-#include "ui/window/main_window.h"
 #include "ui/scene/scene.h"
 #include "ui/settings/settings.h"
-#include "ui/widgets/theme.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/theme.h"
+#include "ui/window/main_window.h"
 #include "vr/openxr/runtime_thread.h"
 
 #include <QAction>
@@ -54,7 +54,8 @@ void chooseTextSize(ui::TextSize size)
     QApplication::setFont(ui::scaled(QApplication::font(), ui::factorOf(size)));
 }
 
-/// Our own words, and Qt's for its dialogs, in the place of those before. They must outlive the texts: they belong to the application.
+/// Our own words, and Qt's for its dialogs, in the place of those before. They must outlive the texts: they belong to
+/// the application.
 void loadTranslations(QCoreApplication& application)
 {
     qDeleteAll(application.findChildren<QTranslator*>());
@@ -70,7 +71,8 @@ void loadTranslations(QCoreApplication& application)
 
 bool hasWord(int argc, char* argv[], const char* word)
 {
-    return std::any_of(argv + std::min(1, argc), argv + argc, [word](const char* argument) { return qstrcmp(argument, word) == 0; });
+    return std::any_of(argv + std::min(1, argc), argv + argc,
+                       [word](const char* argument) { return qstrcmp(argument, word) == 0; });
 }
 
 /// The simulator takes its pictures by GLX, which is X11's.
@@ -80,14 +82,15 @@ void preferX11()
         qputenv("QT_QPA_PLATFORM", "xcb");
 }
 
-/// Qt ends a program without a display by abort(). Where X11 or Wayland would be used, we look first and say it in words.
+/// Qt ends a program without a display by abort(). Where X11 or Wayland would be used, we look first and say it in
+/// words.
 bool canHaveWindow(int argc, char* argv[])
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
     if (hasWord(argc, argv, "-platform") || hasWord(argc, argv, "--platform"))
         return true;
-    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
-           || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 #else
     Q_UNUSED(argc)
     Q_UNUSED(argv)
@@ -104,16 +107,18 @@ void onlyTellOfMissingDisplay(QtMsgType type, const QMessageLogContext&, const Q
     std::_Exit(app::BadInput);
 }
 
-/// With fonts, though never on a display. What Qt misses of a desktop meanwhile is nobody's business, but for the platform itself.
+/// With fonts, though never on a display. What Qt misses of a desktop meanwhile is nobody's business, but for the
+/// platform itself.
 std::unique_ptr<QCoreApplication> applicationWithFonts(int& argc, char* argv[])
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QtMessageHandler usual = qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString&) {
-        if (type != QtFatalMsg)
-            return;
-        std::fputs("fettle: pages cannot be drawn, because Qt's platform \"offscreen\" is not installed\n", stderr);
-        std::_Exit(app::BadInput);
-    });
+    const QtMessageHandler usual =
+        qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString&) {
+            if (type != QtFatalMsg)
+                return;
+            std::fputs("fettle: pages cannot be drawn, because Qt's platform \"offscreen\" is not installed\n", stderr);
+            std::_Exit(app::BadInput);
+        });
     auto application = std::make_unique<QGuiApplication>(argc, argv);
     qInstallMessageHandler(usual);
     return application;
@@ -121,7 +126,8 @@ std::unique_ptr<QCoreApplication> applicationWithFonts(int& argc, char* argv[])
 
 int runCommand(int argc, char* argv[], bool needsFonts)
 {
-    const auto application = needsFonts ? applicationWithFonts(argc, argv) : std::make_unique<QCoreApplication>(argc, argv);
+    const auto application =
+        needsFonts ? applicationWithFonts(argc, argv) : std::make_unique<QCoreApplication>(argc, argv);
     loadTranslations(*application);
     return app::CommandLine::run(QCoreApplication::arguments().mid(1));
 }
@@ -130,7 +136,8 @@ int runCommand(int argc, char* argv[], bool needsFonts)
 void enterVrOnce(const app::Document& document, ui::MainWindow& window)
 {
     const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
-    QObject::connect(&document, &app::Document::opened, window.action(QStringLiteral("vr.enter")), &QAction::trigger, how);
+    QObject::connect(&document, &app::Document::opened, window.action(QStringLiteral("vr.enter")), &QAction::trigger,
+                     how);
 }
 
 /// If that is wanted, before anything asks for VR. Throws CommandFailure.
@@ -143,7 +150,8 @@ std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
     return app::Simulator::open();
 }
 
-/// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and what kept it.
+/// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and
+/// what kept it.
 int showWindow(const app::WindowStart& start)
 {
     std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
@@ -169,7 +177,8 @@ int showWindow(const app::WindowStart& start)
     return QApplication::exec();
 }
 
-/// Journals, settings and words are the class's own: what pupils change is not the teacher's. Each start begins as a new user's.
+/// Journals, settings and words are the class's own: what pupils change is not the teacher's. Each start begins as a
+/// new user's.
 int showClass(QApplication& application, const app::WindowStart& start)
 {
     const ui::Classroom classroom = app::ClassFile::read(start.classFile);
@@ -229,7 +238,8 @@ int runWindow(int argc, char* argv[])
         app::CommandLine::printError(error.sentence);
         return app::BadInput;
     }
-    if (vr::RuntimeThread::hasAbandonedWork()) { // it still draws with what Qt and OpenXR keep, should the headset's program wake just now
+    if (vr::RuntimeThread::hasAbandonedWork()) { // it still draws with what Qt and OpenXR keep, should the headset's
+                                                 // program wake just now
         std::fflush(nullptr);
         std::_Exit(status);
     }
@@ -247,5 +257,6 @@ int main(int argc, char* argv[])
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
-    return app::CommandLine::isCommand(arguments) ? runCommand(argc, argv, app::CommandLine::needsFonts(arguments)) : runWindow(argc, argv);
+    return app::CommandLine::isCommand(arguments) ? runCommand(argc, argv, app::CommandLine::needsFonts(arguments))
+                                                  : runWindow(argc, argv);
 }

@@ -6,8 +6,8 @@
 #include "app/model/model_loader.h"
 
 #include "core/util/atomic_file.h"
-#include "ui/util/error_messages.h"
 #include "ui/settings/stored_values.h"
+#include "ui/util/error_messages.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -42,7 +42,8 @@ QString bytesToText(const QString& path)
     const QByteArray bytes = file.read(maxBytes + 1);
     const QString text = decoder(bytes);
     if (bytes.size() > maxBytes || decoder.hasError() || text.contains(QChar::Null))
-        fail(ClassFile::tr("%1 is no class file: it is no text in UTF-8, or too long.").arg(QDir::toNativeSeparators(path)));
+        fail(ClassFile::tr("%1 is no class file: it is no text in UTF-8, or too long.")
+                 .arg(QDir::toNativeSeparators(path)));
     return text;
 }
 
@@ -96,7 +97,8 @@ public:
     {
         ui::Classroom read;
         read.title = text("title");
-        read.folder = QDir::cleanPath(QFileInfo(m_path).absoluteDir().absoluteFilePath(QDir::fromNativeSeparators(text("folder"))));
+        read.folder = QDir::cleanPath(
+            QFileInfo(m_path).absoluteDir().absoluteFilePath(QDir::fromNativeSeparators(text("folder"))));
         for (const qsizetype i : choices("starters", starterWords()))
             read.starters << core::starters[i];
         for (const qsizetype i : choices("tools", toolWords()))
@@ -186,7 +188,8 @@ private:
 
     void failUnknown() const
     {
-        const auto first = std::min_element(m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) { return a.line < b.line; });
+        const auto first = std::min_element(m_entries.begin(), m_entries.end(),
+                                            [](const Entry& a, const Entry& b) { return a.line < b.line; });
         failIn(first->line, ClassFile::tr("%1 is no key of a class file.").arg(first.key()));
     }
 
@@ -201,7 +204,7 @@ private:
 
     QString m_path;
     QHash<QString, Entry> m_entries; ///< that were not taken yet
-    int m_line = 0; ///< of the key that was taken last; 0: it is not there
+    int m_line = 0;                  ///< of the key that was taken last; 0: it is not there
 };
 
 QString textOf(const ui::Classroom& classroom)
@@ -211,16 +214,18 @@ QString textOf(const ui::Classroom& classroom)
         starters << QString::fromUtf8(core::name(starter));
     for (const core::Tool tool : classroom.tools)
         tools << QString::fromUtf8(core::name(tool));
-    const std::pair<const char*, QString> lines[] = {{"title", classroom.title},
-                                                     {"folder", QDir::toNativeSeparators(classroom.folder)},
-                                                     {"starters", wordList(starters)},
-                                                     {"tools", wordList(tools)},
-                                                     {"turn_minutes", QString::number(classroom.turnMinutes)},
-                                                     {"warning_minutes", QString::number(classroom.warningMinutes)},
-                                                     {"full_screen", classroom.fullScreen ? QStringLiteral("yes") : QStringLiteral("no")},
-                                                     {"language", ui::stored::wordFor(classroom.language, ui::languages)},
-                                                     {"pin", classroom.pin}};
-    QString text = ClassFile::tr("# A class for Fettle. It begins with: fettle --classroom and the name of this file.") + u'\n';
+    const std::pair<const char*, QString> lines[] = {
+        {"title", classroom.title},
+        {"folder", QDir::toNativeSeparators(classroom.folder)},
+        {"starters", wordList(starters)},
+        {"tools", wordList(tools)},
+        {"turn_minutes", QString::number(classroom.turnMinutes)},
+        {"warning_minutes", QString::number(classroom.warningMinutes)},
+        {"full_screen", classroom.fullScreen ? QStringLiteral("yes") : QStringLiteral("no")},
+        {"language", ui::stored::wordFor(classroom.language, ui::languages)},
+        {"pin", classroom.pin}};
+    QString text =
+        ClassFile::tr("# A class for Fettle. It begins with: fettle --classroom and the name of this file.") + u'\n';
     for (const auto& [key, value] : lines)
         text += QStringLiteral("%1 = %2\n").arg(QLatin1StringView(key), value);
     return text;

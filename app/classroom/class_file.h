@@ -12,14 +12,15 @@ struct ClassFileError
     QString sentence;
 };
 
-/// The file that a teacher makes for a class: UTF-8, a line for each key, "key = value", lines that begin with # or ; or [ left out.
-/// Any thread.
+/// The file that a teacher makes for a class: UTF-8, a line for each key, "key = value", lines that begin with # or ;
+/// or [ left out. Any thread.
 class ClassFile
 {
     Q_DECLARE_TR_FUNCTIONS(app::ClassFile)
 
 public:
-    /// A folder that is named relatively is sought from the file; whether it is there is not asked. Throws ClassFileError.
+    /// A folder that is named relatively is sought from the file; whether it is there is not asked. Throws
+    /// ClassFileError.
     static ui::Classroom read(const QString& path);
     /// Whole or not at all: empty, or what is wrong. The title has no line break.
     static QString write(const QString& path, const ui::Classroom& classroom);

@@ -31,8 +31,10 @@ PinRecord parse(const QString& text)
     const int count = parts[1].toInt(&isNumber);
     const auto bytes = [](const QString& hex) { return QByteArray::fromHex(hex.toLatin1()); };
     const PinRecord record{count, bytes(parts[2]), bytes(parts[3])};
-    const bool isHex = QString::fromLatin1(record.salt.toHex()) == parts[2] && QString::fromLatin1(record.key.toHex()) == parts[3];
-    const bool isWhole = isNumber && count > 0 && count <= maxRounds && !record.salt.isEmpty() && record.key.size() == keyBytes;
+    const bool isHex =
+        QString::fromLatin1(record.salt.toHex()) == parts[2] && QString::fromLatin1(record.key.toHex()) == parts[3];
+    const bool isWhole =
+        isNumber && count > 0 && count <= maxRounds && !record.salt.isEmpty() && record.key.size() == keyBytes;
     return isHex && isWhole ? record : PinRecord();
 }
 

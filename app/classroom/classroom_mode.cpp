@@ -4,10 +4,10 @@
 #include "app/document/document.h"
 #include "app/model/model_loader.h"
 
-#include "ui/window/main_window.h"
-#include "ui/classroom/pupil_name_panel.h"
 #include "ui/classroom/pin_dialog.h"
+#include "ui/classroom/pupil_name_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -39,10 +39,12 @@ QString nameOf(const ClassTurn& turn)
 ClassPlaces ClassPlaces::of(const QString& classFile)
 {
     const QByteArray path = QFileInfo(classFile).canonicalFilePath().toUtf8();
-    const QString key = QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(keyLength));
-    const QString own = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fettle/classes/") + key;
-    return {JournalShelf::usualRoot().parent_path() / "class-journals" / key.toStdString(), own + QStringLiteral("/waiting"),
-            own + QStringLiteral("/turn.json")};
+    const QString key =
+        QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(keyLength));
+    const QString own = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+                        QStringLiteral("/fettle/classes/") + key;
+    return {JournalShelf::usualRoot().parent_path() / "class-journals" / key.toStdString(),
+            own + QStringLiteral("/waiting"), own + QStringLiteral("/turn.json")};
 }
 
 qint64 ClassroomMode::monotonicMs()
@@ -55,14 +57,16 @@ qint64 ClassroomMode::monotonicMs()
     return clock.elapsed();
 }
 
-ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places, std::function<qint64()> nowMs)
+ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places,
+                             std::function<qint64()> nowMs)
     : m_program(program)
     , m_classroom(std::move(classroom))
     , m_places(std::move(places))
     , m_nowMs(std::move(nowMs))
     , m_bar(new ui::ClassBar(m_classroom.title, program.window))
     , m_panel(new ui::NamePanel(m_classroom.starters, program.window->commands(), program.window->centralWidget()))
-    , m_gate(new ui::PinGate([record = m_classroom.pin](const QString& text) { return isPin(text, record); }, program.window))
+    , m_gate(new ui::PinGate([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
+                             program.window))
 {
     program.window->setClassroom(m_classroom);
     program.window->installEventFilter(this);
@@ -114,7 +118,7 @@ QString ClassroomMode::newId()
     return QUuid::createUuid().toString(QUuid::WithoutBraces);
 }
 
-// --- what a program before left ---------------------------------------------------------------------------------------------------
+// --- what a program before left
 
 /// The first says what there is; the others come while the shelf's are taken.
 void ClassroomMode::takeOffer(const RecoveryOffer& offer)
@@ -129,7 +133,8 @@ void ClassroomMode::recoverNext()
     if (m_offer.id == 0)
         return ask();
     const RecoveryOffer offer = m_offer;
-    openThen([this, offer] { m_program.document->recover(offer.id, offer.name); }, [this, offer] { keepRecovered(offer); });
+    openThen([this, offer] { m_program.document->recover(offer.id, offer.name); },
+             [this, offer] { keepRecovered(offer); });
 }
 
 /// Of one that was resumed what came before is not known any more.
@@ -144,7 +149,7 @@ void ClassroomMode::keepRecovered(const RecoveryOffer& offer)
     keepThen(turn, [this] { recoverNext(); });
 }
 
-// --- turns ---------------------------------------------------------------------------------------------------------------------------
+// --- turns
 
 /// The next turn's clay is there at once; who works with it, and whether it is to be another, is asked over it.
 void ClassroomMode::ask()
@@ -153,7 +158,8 @@ void ClassroomMode::ask()
     m_turn = {};
     m_recordBefore.emplace();
     m_panel->open();
-    openThen([this] { m_program.document->openStarter(m_classroom.starters.constFirst()); }, [this] { m_program.window->beginTurn(); });
+    openThen([this] { m_program.document->openStarter(m_classroom.starters.constFirst()); },
+             [this] { m_program.window->beginTurn(); });
     show();
 }
 
@@ -195,17 +201,22 @@ void ClassroomMode::resume()
     ended.turn.isResumed = true;
     const auto make = [archive = archive(), ended](const core::JobControl& control) {
         LoadedModel model;
-        for (int attempt = 0; attempt < 2 && !model.sculptor && !control.isCancelled(); ++attempt) // between look and reading it may be delivered
-            model = ModelLoader::load(archive.whereIs(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {}, control);
+        for (int attempt = 0; attempt < 2 && !model.sculptor && !control.isCancelled();
+             ++attempt) // between look and reading it may be delivered
+            model = ModelLoader::load(archive.whereIs(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {},
+                                      control);
         model.path.clear();
         model.name = ended.turn.pupil;
         return model;
     };
-    openThen([this, ended, make] { m_program.document->openMade({tr("Opening the work of %1").arg(nameOf(ended.turn)), make, {}, false}); },
-             [this, ended] {
-                 m_ended.reset();
-                 startTurn(ended.turn, ended.record);
-             });
+    openThen(
+        [this, ended, make] {
+            m_program.document->openMade({tr("Opening the work of %1").arg(nameOf(ended.turn)), make, {}, false});
+        },
+        [this, ended] {
+            m_ended.reset();
+            startTurn(ended.turn, ended.record);
+        });
 }
 
 /// One after the other, so that what came is what was asked for.
@@ -240,7 +251,7 @@ void ClassroomMode::noteStep()
     show();
 }
 
-// --- keeping the work -----------------------------------------------------------------------------------------------------------------
+// --- keeping the work
 
 /// `then` only if it is safe; else the model stays open, and that is said.
 void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
@@ -250,10 +261,12 @@ void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
     m_program.window->viewport()->finish();
     const auto ended = std::make_shared<Ended>(Ended{turn, {}, {}});
     const auto problem = std::make_shared<QString>();
-    const auto keep = [archive = archive(), turn, before = m_recordBefore, ended, problem](const Document::Present& present) {
+    const auto keep = [archive = archive(), turn, before = m_recordBefore, ended,
+                       problem](const Document::Present& present) {
         const QDateTime end = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
         ended->record = joined(before, present.deeds);
-        const KeptWork kept = archive.keep({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh, present.hash, present.metadata, ended->record});
+        const KeptWork kept = archive.keep({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh,
+                                            present.hash, present.metadata, ended->record});
         ended->folder = kept.folder;
         *problem = kept.problem;
         return kept.problem.isEmpty();
@@ -279,7 +292,8 @@ void ClassroomMode::takeKept(const Ended& ended, const QString& problem, const s
     m_stage = m_before;
     if (!problem.isEmpty()) {
         m_mayLeave = false;
-        return m_program.window->showProblem(tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(problem, nameOf(ended.turn)));
+        return m_program.window->showProblem(
+            tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(problem, nameOf(ended.turn)));
     }
     m_ended = ended;
     m_ended->turn.ended = {};
@@ -289,20 +303,25 @@ void ClassroomMode::takeKept(const Ended& ended, const QString& problem, const s
 
 void ClassroomMode::deliver()
 {
-    m_aside.run([archive = archive()] { return archive.deliver(); }, [this](const Delivery& delivery) {
-        if (m_ended)
-            m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
-        m_bar->setWaiting(delivery.waiting, tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_places.waiting)));
-        const bool isNews = std::exchange(m_waiting, delivery.waiting) != delivery.waiting;
-        if (delivery.waiting == 0)
-            return;
-        if (isNews)
-            Q_EMIT noticed(tr("%1 The work is kept on this computer and goes there as soon as that is possible.").arg(delivery.problem));
-        m_deliverAgain.start(deliverAgainMs);
-    });
+    m_aside.run(
+        [archive = archive()] { return archive.deliver(); },
+        [this](const Delivery& delivery) {
+            if (m_ended)
+                m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
+            m_bar->setWaiting(
+                delivery.waiting,
+                tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_places.waiting)));
+            const bool isNews = std::exchange(m_waiting, delivery.waiting) != delivery.waiting;
+            if (delivery.waiting == 0)
+                return;
+            if (isNews)
+                Q_EMIT noticed(tr("%1 The work is kept on this computer and goes there as soon as that is possible.")
+                                   .arg(delivery.problem));
+            m_deliverAgain.start(deliverAgainMs);
+        });
 }
 
-// --- the way out ----------------------------------------------------------------------------------------------------------------------
+// --- the way out
 
 bool ClassroomMode::mayClose()
 {
@@ -335,7 +354,7 @@ bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-// --- the clock ------------------------------------------------------------------------------------------------------------------------
+// --- the clock
 
 qint64 ClassroomMode::leftMs() const
 {
@@ -357,7 +376,8 @@ void ClassroomMode::tick()
             m_isWarned = true;
             Q_EMIT noticed(tr("The time is up. Finish what you are doing; then it is the next one's turn."));
         } else if (left <= m_classroom.warningMinutes * msAMinute && !std::exchange(m_isWarned, true)) {
-            Q_EMIT noticed(tr("%n minutes are left: come to an end soon.", nullptr, static_cast<int>((left + msAMinute - 1) / msAMinute)));
+            Q_EMIT noticed(tr("%n minutes are left: come to an end soon.", nullptr,
+                              static_cast<int>((left + msAMinute - 1) / msAMinute)));
         }
     }
     show();
@@ -369,6 +389,7 @@ void ClassroomMode::show()
     m_bar->setPupil(isTurn ? std::optional(m_turn.pupil) : std::nullopt);
     m_bar->setResumable(m_ended && m_stage != Stage::Recovering ? std::optional(nameOf(m_ended->turn)) : std::nullopt);
     const bool hasEnd = isTurn && m_classroom.turnMinutes > 0;
-    m_bar->setTime(hasEnd ? std::optional(ui::TurnTime{static_cast<int>((leftMs() + 999) / 1000), m_isWarned}) : std::nullopt);
+    m_bar->setTime(hasEnd ? std::optional(ui::TurnTime{static_cast<int>((leftMs() + 999) / 1000), m_isWarned})
+                          : std::nullopt);
 }
 } // namespace app

@@ -36,8 +36,8 @@ struct ClassPlaces
 
 /// A class in the window: turn after turn, each kept before the next begins. Gui thread.
 ///
-/// A turn's work is in its journal, which is the class's own, until it is in the archive; what a program that ended otherwise left there is
-/// archived before the first turn.
+/// A turn's work is in its journal, which is the class's own, until it is in the archive; what a program that ended
+/// otherwise left there is archived before the first turn.
 class ClassroomMode : public QObject
 {
     Q_OBJECT
@@ -50,8 +50,10 @@ public:
         JournalShelf* shelf; ///< of ClassPlaces::journals
     };
 
-    /// None is owned, and all outlive the mode but the window, which may be just going. Of `nowMs` only differences count.
-    ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places, std::function<qint64()> nowMs = monotonicMs);
+    /// None is owned, and all outlive the mode but the window, which may be just going. Of `nowMs` only differences
+    /// count.
+    ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places,
+                  std::function<qint64()> nowMs = monotonicMs);
     ~ClassroomMode() override;
 
     static qint64 monotonicMs();
@@ -113,11 +115,11 @@ private:
     Stage m_before = Stage::Recovering; ///< of Keeping
     RecoveryOffer m_offer;
     bool m_hasLooked = false; ///< for what was left
-    ClassTurn m_turn; ///< of Sculpting; else nobody's
+    ClassTurn m_turn;         ///< of Sculpting; else nobody's
     qint64 m_startMs = 0;
     bool m_isWarned = false, m_isOver = false;
     bool m_mayLeave = false;
-    TurnRecord m_recordBefore; ///< of what was done before the document's history begins
+    TurnRecord m_recordBefore;    ///< of what was done before the document's history begins
     std::optional<Ended> m_ended; ///< the turn before, while it can be resumed
     std::function<void()> m_then; ///< when the model is there that is being opened
     bool m_isOpened = false;      ///< it is there, and that goes on next

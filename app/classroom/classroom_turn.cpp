@@ -11,7 +11,8 @@ namespace app
 {
 namespace
 {
-const QString idKey = QStringLiteral("id"), nameKey = QStringLiteral("name"), begunKey = QStringLiteral("begun"), resumedKey = QStringLiteral("resumed");
+const QString idKey = QStringLiteral("id"), nameKey = QStringLiteral("name"), begunKey = QStringLiteral("begun"),
+              resumedKey = QStringLiteral("resumed");
 } // namespace
 
 TurnRecord joined(const TurnRecord& before, const TurnRecord& after)
@@ -29,7 +30,11 @@ void writeTurnNote(const QString& path, const ClassTurn& turn)
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return;
-    file.write(QJsonDocument(QJsonObject{{idKey, turn.id}, {nameKey, turn.pupil}, {begunKey, turn.begun.toString(Qt::ISODate)}, {resumedKey, turn.isResumed}}).toJson());
+    file.write(QJsonDocument(QJsonObject{{idKey, turn.id},
+                                         {nameKey, turn.pupil},
+                                         {begunKey, turn.begun.toString(Qt::ISODate)},
+                                         {resumedKey, turn.isResumed}})
+                   .toJson());
     file.commit();
 }
 
@@ -39,8 +44,12 @@ std::optional<ClassTurn> readTurnNote(const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         return {};
     const QJsonObject note = QJsonDocument::fromJson(file.readAll()).object();
-    const ClassTurn turn{note.value(idKey).toString(), note.value(nameKey).toString(), QDateTime::fromString(note.value(begunKey).toString(), Qt::ISODate),
-                         0, {}, note.value(resumedKey).toBool()};
+    const ClassTurn turn{note.value(idKey).toString(),
+                         note.value(nameKey).toString(),
+                         QDateTime::fromString(note.value(begunKey).toString(), Qt::ISODate),
+                         0,
+                         {},
+                         note.value(resumedKey).toBool()};
     return turn.id.isEmpty() || !turn.begun.isValid() ? std::nullopt : std::optional(turn);
 }
 } // namespace app

@@ -22,12 +22,13 @@ struct ClassTurn
     QString id;
     QString pupil;
     QDateTime begun;
-    qint64 usedMs = 0; ///< before it was interrupted
-    QDateTime ended = {}; ///< invalid: it goes on
+    qint64 usedMs = 0;      ///< before it was interrupted
+    QDateTime ended = {};   ///< invalid: it goes on
     bool isResumed = false; ///< it did not begin with a starter
 };
 
-/// What of a turn must outlive the program, beside its journal. A file that cannot be written or read only costs the time of its beginning.
+/// What of a turn must outlive the program, beside its journal. A file that cannot be written or read only costs the
+/// time of its beginning.
 void writeTurnNote(const QString& path, const ClassTurn& turn);
 std::optional<ClassTurn> readTurnNote(const QString& path);
 } // namespace app

@@ -1,8 +1,8 @@
 #include "app/classroom/report_controller.h"
 
-#include "app/worker/background_job.h"
-#include "app/model/model_loader.h"
 #include "app/classroom/report_writer.h"
+#include "app/model/model_loader.h"
+#include "app/worker/background_job.h"
 
 #include "core/io/mesh_io.h"
 #include "ui/util/error_messages.h"
@@ -37,7 +37,8 @@ void ReportDesk::write(const QString& folder, const QString& path)
         return Q_EMIT refused(ui::Messages::notAReport(path));
     if (m_work->isBusy()) // it began while the dialogs were open
         return Q_EMIT noticed(tr("The class report has to wait until this is done; ask for it again then."));
-    const core::JobControl control = m_work->beginStoppable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));
+    const core::JobControl control =
+        m_work->beginStoppable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));
     auto work = [order = ReportOrder{toPath(folder), toPath(path)}, control] { return outcomeOf(order, control); };
     m_work->run(work, [self = QPointer(this), path](const ReportOutcome& outcome) {
         if (self)
@@ -51,6 +52,7 @@ void ReportDesk::finish(const QString& path, const ReportOutcome& outcome)
     m_work->end();
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
-    Q_EMIT noticed((outcome.isWritten ? tr("%1 was written.") : tr("%1 was not written.")).arg(QDir::toNativeSeparators(path)));
+    Q_EMIT noticed(
+        (outcome.isWritten ? tr("%1 was written.") : tr("%1 was not written.")).arg(QDir::toNativeSeparators(path)));
 }
 } // namespace app

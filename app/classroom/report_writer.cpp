@@ -1,11 +1,11 @@
 #include "app/classroom/report_writer.h"
 
-#include "core/io/mesh_io.h"
 #include "core/drawing/model_thumbnail.h"
 #include "core/geometry/scale_mesh.h"
+#include "core/io/mesh_io.h"
+#include "ui/files/thumbnail_maker.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
-#include "ui/files/thumbnail_maker.h"
 
 #include <new>
 

@@ -14,15 +14,15 @@ struct ReportOrder
     double unit = 1;            ///< that the models are measured in, mm
 };
 
-/// Looks at every model of a folder and writes the class report. Any thread; as long as `check` takes, and a picture for each. Needs a
-/// QGuiApplication, whose fonts a PDF uses.
+/// Looks at every model of a folder and writes the class report. Any thread; as long as `check` takes, and a picture
+/// for each. Needs a QGuiApplication, whose fonts a PDF uses.
 class ReportMaker
 {
     Q_DECLARE_TR_FUNCTIONS(app::ReportMaker)
 
 public:
-    /// A model that cannot be read has its row, too. Throws core::FileError if the folder cannot be read or the report not be written, and
-    /// core::ReadingCancelled if it was stopped: then nothing is written.
+    /// A model that cannot be read has its row, too. Throws core::FileError if the folder cannot be read or the report
+    /// not be written, and core::ReadingCancelled if it was stopped: then nothing is written.
     static void run(const ReportOrder& order, const core::JobControl& control = {});
 
 private:

@@ -1,13 +1,13 @@
-// A work is written into a hidden folder, file by file, each of them down to the disk; then the folder gets its name. So a name that can be
-// seen has a whole work behind it.
+// A work is written into a hidden folder, file by file, each of them down to the disk; then the folder gets its name.
+// So a name that can be seen has a whole work behind it.
 
 #include "app/classroom/work_archive.h"
 
 #include "app/model/model_loader.h"
 
-#include "core/util/atomic_file.h"
-#include "core/io/mesh_io.h"
 #include "core/drawing/model_thumbnail.h"
+#include "core/io/mesh_io.h"
+#include "core/util/atomic_file.h"
 #include "ui/util/error_messages.h"
 
 #include <QBuffer>
@@ -25,7 +25,7 @@ namespace app
 {
 namespace
 {
-constexpr int pictureSize = 512; ///< pixels a side
+constexpr int pictureSize = 512;   ///< pixels a side
 constexpr int mostNameLength = 40; ///< characters of a nickname in a folder's name
 constexpr int mostNumber = 10'000;
 constexpr int staleHours = 24;
@@ -54,7 +54,8 @@ QByteArray pictureOf(const core::TriangleMesh& mesh)
     QByteArray png;
     if (!picture || picture->rgba.empty())
         return png;
-    const QImage image(reinterpret_cast<const uchar*>(picture->rgba.data()), picture->width, picture->height, QImage::Format_RGBA8888_Premultiplied);
+    const QImage image(reinterpret_cast<const uchar*>(picture->rgba.data()), picture->width, picture->height,
+                       QImage::Format_RGBA8888_Premultiplied);
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
@@ -101,7 +102,9 @@ void copyWork(const QString& from, const QString& to)
 class HiddenFolder
 {
 public:
-    explicit HiddenFolder(const QString& root) : m_root(root), m_path(root + u'/' + unfinished + QUuid::createUuid().toString(QUuid::WithoutBraces))
+    explicit HiddenFolder(const QString& root)
+        : m_root(root)
+        , m_path(root + u'/' + unfinished + QUuid::createUuid().toString(QUuid::WithoutBraces))
     {
         std::error_code problem;
         std::filesystem::create_directory(toPath(m_path), problem);
@@ -129,7 +132,10 @@ public:
         throw core::FileError(core::FileErrorKind::WriteFailed, toPath(m_root + u'/' + name));
     }
 
-    static QString numbered(const QString& name, int number) { return number == 1 ? name : QStringLiteral("%1-%2").arg(name).arg(number); }
+    static QString numbered(const QString& name, int number)
+    {
+        return number == 1 ? name : QStringLiteral("%1-%2").arg(name).arg(number);
+    }
 
 private:
     QString m_root, m_path;
@@ -184,7 +190,8 @@ void removeWork(const QString& root, const QString& name)
 QString deliverOne(const QString& waiting, const QString& classFolder, const QString& name)
 {
     const QString from = waiting + u'/' + name;
-    QString to = placeOf(classFolder, name, [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
+    QString to = placeOf(classFolder, name,
+                         [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
     if (to.isEmpty())
         to = makeFolder(classFolder, name, [&from](const QString& folder) { copyWork(from, folder); });
     removeWork(waiting, name);
@@ -193,7 +200,8 @@ QString deliverOne(const QString& waiting, const QString& classFolder, const QSt
 
 bool isSign(char32_t c)
 {
-    return QChar::isLetterOrNumber(c) || QChar::isMark(c) || QChar::category(c) == QChar::Symbol_Other || c == U'-' || c == U'_';
+    return QChar::isLetterOrNumber(c) || QChar::isMark(c) || QChar::category(c) == QChar::Symbol_Other || c == U'-' ||
+           c == U'_';
 }
 } // namespace
 
@@ -241,7 +249,9 @@ QString ClassArchive::whereIs(const QString& folder, const QString& id) const
 {
     if (QFileInfo::exists(folder))
         return folder;
-    const auto isTurn = [&id](const QByteArray& turn) { return QJsonDocument::fromJson(turn).object().value(turnIdKey).toString() == id; };
+    const auto isTurn = [&id](const QByteArray& turn) {
+        return QJsonDocument::fromJson(turn).object().value(turnIdKey).toString() == id;
+    };
     const QString delivered = placeOf(m_classFolder, QFileInfo(folder).fileName(), isTurn);
     return delivered.isEmpty() ? folder : delivered;
 }
@@ -250,7 +260,8 @@ void ClassArchive::sweep() const
 {
     const QDateTime stale = QDateTime::currentDateTime().addSecs(-3600 * staleHours);
     for (const QString& root : {m_waiting, m_classFolder})
-        for (const QFileInfo& part : QDir(root).entryInfoList({unfinished + u'*'}, QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot))
+        for (const QFileInfo& part :
+             QDir(root).entryInfoList({unfinished + u'*'}, QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot))
             if (root == m_waiting || part.lastModified() < stale)
                 QDir(part.filePath()).removeRecursively();
 }

@@ -1,10 +1,11 @@
-// check: is a model in order? One file: a few lines, or one JSON object. Several, or a folder: a table, or an object a line.
+// check: is a model in order? One file: a few lines, or one JSON object. Several, or a folder: a table, or an object a
+// line.
 #include "app/commands/command_models.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/text_table.h"
 
-#include "core/io/mesh_io.h"
 #include "core/analysis/print_check.h"
+#include "core/io/mesh_io.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
 
@@ -34,9 +35,9 @@ struct CheckOptions
 {
     CommandModels models;
     bool json = false, csv = false;
-    bool table = false; ///< several files, or a folder
-    int nameColumns = 0; ///< of the table
-    double unit = 1; ///< of the files, in mm
+    bool table = false;                     ///< several files, or a folder
+    int nameColumns = 0;                    ///< of the table
+    double unit = 1;                        ///< of the files, in mm
     std::optional<core::PrintLimits> print; ///< asked for
     bool hasBed = false;
 
@@ -139,7 +140,8 @@ QString word(const Json& value)
     if (value.is_number_float())
         return QString::number(value.get<double>(), 'g', 7);
     if (value.is_array())
-        return value[0].is_null() ? word(value[0]) : QStringLiteral("%1 x %2 x %3").arg(word(value[0]), word(value[1]), word(value[2]));
+        return value[0].is_null() ? word(value[0])
+                                  : QStringLiteral("%1 x %2 x %3").arg(word(value[0]), word(value[1]), word(value[2]));
     return QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
@@ -177,7 +179,8 @@ QString page(const QString& file, const Json& json, const core::MeshReport& repo
     QString text;
     for (const auto& [key, value] : json.items())
         text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(word(value));
-    text += report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file) : ui::Messages::refusal(file, report);
+    text +=
+        report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file) : ui::Messages::refusal(file, report);
     if (report.volume)
         if (const QString doubt = ui::Messages::unitDoubt(*report.volume); !doubt.isEmpty())
             text += QLatin1Char('\n') + doubt;
@@ -191,7 +194,8 @@ QString rowOf(const CheckOptions& options, const QStringList& fields)
 
 QStringList tableHead(const CheckOptions& options)
 {
-    QStringList head = {CheckWords::tr("file"), CheckWords::tr("faces"), CheckWords::tr("size, mm"), CheckWords::tr("print-ready")};
+    QStringList head = {CheckWords::tr("file"), CheckWords::tr("faces"), CheckWords::tr("size, mm"),
+                        CheckWords::tr("print-ready")};
     if (options.print)
         head << CheckWords::tr("wall, mm") << CheckWords::tr("overhang") << CheckWords::tr("base, mm²");
     if (options.print && options.hasBed)
@@ -201,15 +205,18 @@ QStringList tableHead(const CheckOptions& options)
 
 QStringList tableFields(const CheckOptions& options, const QString& file, const Json& json)
 {
-    QStringList fields = {shortened(file, options.nameColumns), word(json["faces"]), word(json["size_mm"]), word(json["print_ready"])};
+    QStringList fields = {shortened(file, options.nameColumns), word(json["faces"]), word(json["size_mm"]),
+                          word(json["print_ready"])};
     const auto rounded = [](const Json& value, int decimals) {
         return value.is_null() ? QStringLiteral("-") : QString::number(value.get<double>(), 'f', decimals);
     };
     const auto percent = [](const Json& share) {
-        return share.is_null() ? QStringLiteral("-") : QString::number(100 * share.get<double>(), 'f', 1) + QStringLiteral(" %");
+        return share.is_null() ? QStringLiteral("-")
+                               : QString::number(100 * share.get<double>(), 'f', 1) + QStringLiteral(" %");
     };
     if (options.print)
-        fields << rounded(json["min_wall_balls_mm"], 2) << percent(json["overhang_share"]) << rounded(json["base_area_mm2"], 1);
+        fields << rounded(json["min_wall_balls_mm"], 2) << percent(json["overhang_share"])
+               << rounded(json["base_area_mm2"], 1);
     if (options.print && options.hasBed)
         fields << word(json["fits_bed"]);
     return fields;
@@ -219,11 +226,13 @@ QStringList tableFields(const CheckOptions& options, const QString& file, const 
 void printReport(const CheckOptions& options, const QString& file, const Json& json, bool isFirst)
 {
     if (options.json)
-        CommandLine::print(QString::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + QLatin1Char('\n'));
+        CommandLine::print(QString::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+                           QLatin1Char('\n'));
     else if (options.csv)
         CommandLine::print((isFirst ? csvLine(json, true) : QString()) + csvLine(json, false));
     else
-        CommandLine::print((isFirst ? rowOf(options, tableHead(options)) : QString()) + rowOf(options, tableFields(options, file, json)));
+        CommandLine::print((isFirst ? rowOf(options, tableHead(options)) : QString()) +
+                           rowOf(options, tableFields(options, file, json)));
 }
 
 Checked check(const CheckOptions& options, const std::filesystem::path& file)
@@ -258,7 +267,8 @@ PrintBed bedOf(const QString& text)
     const QStringList sides = text.split(QLatin1Char(','));
     if (sides.size() != 3)
         CommandLine::fail(problem.arg(text));
-    return {numberOf(sides[0], minLength, maxSide, problem), numberOf(sides[1], minLength, maxSide, problem), numberOf(sides[2], minLength, maxSide, problem)};
+    return {numberOf(sides[0], minLength, maxSide, problem), numberOf(sides[1], minLength, maxSide, problem),
+            numberOf(sides[2], minLength, maxSide, problem)};
 }
 
 std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
@@ -267,17 +277,19 @@ std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
     const QString nozzle = parser.value(QStringLiteral("nozzle")), bed = parser.value(QStringLiteral("bed")),
                   overhang = parser.value(QStringLiteral("overhang"));
     if (!parser.isSet(QStringLiteral("print"))) {
-        if (parser.isSet(QStringLiteral("nozzle")) || parser.isSet(QStringLiteral("bed")) || parser.isSet(QStringLiteral("overhang")))
+        if (parser.isSet(QStringLiteral("nozzle")) || parser.isSet(QStringLiteral("bed")) ||
+            parser.isSet(QStringLiteral("overhang")))
             CommandLine::fail(CheckWords::tr("check: --nozzle, --overhang and --bed need --print."));
         return std::nullopt;
     }
     core::PrintLimits limits;
     if (parser.isSet(QStringLiteral("nozzle")))
-        limits.minWall = core::PrintLimits::linesPerWall
-                           * numberOf(nozzle, minLength, mostNozzle, CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
+        limits.minWall =
+            core::PrintLimits::linesPerWall *
+            numberOf(nozzle, minLength, mostNozzle, CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
     if (parser.isSet(QStringLiteral("overhang")))
-        limits.overhang = numberOf(overhang, 0, 90,
-                                   CheckWords::tr("check: --overhang %1 is no angle from 0 to 90 degrees."));
+        limits.overhang =
+            numberOf(overhang, 0, 90, CheckWords::tr("check: --overhang %1 is no angle from 0 to 90 degrees."));
     if (parser.isSet(QStringLiteral("bed")))
         limits.bed = bedOf(bed);
     return limits;
@@ -285,16 +297,21 @@ std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
 
 void addOptions(QCommandLineParser& parser)
 {
-    parser.setApplicationDescription(CheckWords::tr("Says whether models are closed, manifold, oriented, free of self-intersections, "
-                                                    "and bound a solid. Status 0: all are; 1: not all."));
+    parser.setApplicationDescription(
+        CheckWords::tr("Says whether models are closed, manifold, oriented, free of self-intersections, "
+                       "and bound a solid. Status 0: all are; 1: not all."));
     parser.addPositionalArgument(QStringLiteral("FILE..."), CheckWords::tr("Models, or folders of models."));
-    parser.addOptions({{QStringLiteral("unit"), CheckWords::tr("What the files are measured in; else mm."), CommandUnit::words()},
-                       {QStringLiteral("json"), CheckWords::tr("One JSON object per file, each on its line.")},
-                       {QStringLiteral("csv"), CheckWords::tr("Comma-separated values, with a head line.")},
-                       {QStringLiteral("print"), CheckWords::tr("Measures walls, overhangs, and what stands on the bed, too.")},
-                       {QStringLiteral("nozzle"), CheckWords::tr("Walls are to be two lines of this width thick; else of 0.4."), QStringLiteral("MM")},
-                       {QStringLiteral("overhang"), CheckWords::tr("So far faces may lean out from the vertical; else 45."), QStringLiteral("DEGREES")},
-                       {QStringLiteral("bed"), CheckWords::tr("Width, depth and height that the printer holds."), QStringLiteral("X,Y,Z")}});
+    parser.addOptions(
+        {{QStringLiteral("unit"), CheckWords::tr("What the files are measured in; else mm."), CommandUnit::words()},
+         {QStringLiteral("json"), CheckWords::tr("One JSON object per file, each on its line.")},
+         {QStringLiteral("csv"), CheckWords::tr("Comma-separated values, with a head line.")},
+         {QStringLiteral("print"), CheckWords::tr("Measures walls, overhangs, and what stands on the bed, too.")},
+         {QStringLiteral("nozzle"), CheckWords::tr("Walls are to be two lines of this width thick; else of 0.4."),
+          QStringLiteral("MM")},
+         {QStringLiteral("overhang"), CheckWords::tr("So far faces may lean out from the vertical; else 45."),
+          QStringLiteral("DEGREES")},
+         {QStringLiteral("bed"), CheckWords::tr("Width, depth and height that the printer holds."),
+          QStringLiteral("X,Y,Z")}});
 }
 
 /// As many as the longest name needs, but few enough that the rest is seen, too.

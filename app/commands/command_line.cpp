@@ -89,7 +89,8 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments)
     if (arguments.size() > 1) {
         if (const Command command = commandNamed(arguments.at(1)))
             return command({QStringLiteral("--help")});
-        fail(tr("There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.").arg(arguments.at(1)));
+        fail(tr("There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.")
+                 .arg(arguments.at(1)));
     }
     print(help());
     return Done;
@@ -197,22 +198,29 @@ QString CommandLine::help()
 {
     return tr("Fettle sculpts closed models that stay ready to print.\n"
               "\n"
-              "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it\n"
-              "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands\n"
+              "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR "
+              "with it\n"
+              "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and "
+              "keys are head and wands\n"
               "  fettle [--vr] --classroom CLASS.ini\n"
               "                                   begin a class in turns, as its teacher set it up (Edit > Classroom)\n"
               "  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]\n"
               "                                   say whether models are in order; several files or a folder: a table\n"
               "  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]\n"
-              "                                   write a model in another format or size, mended, or with fewer triangles\n"
-              "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]\n"
+              "                                   write a model in another format or size, mended, or with fewer "
+              "triangles\n"
+              "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify "
+              "local|full|none]\n"
               "                                   play recorded strokes on a model\n"
               "  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]\n"
-              "                                   a class report: picture, size, print-ready or why not, strokes and time of each model\n"
+              "                                   a class report: picture, size, print-ready or why not, strokes and "
+              "time of each model\n"
               "  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]\n"
               "                                   drawings of models or folders to scale, a page each\n"
-              "  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]\n"
-              "                                   check a lesson by playing it to its end, or a pupil's model by one of its steps\n"
+              "  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures "
+              "FOLDER] [--out FILE]\n"
+              "                                   check a lesson by playing it to its end, or a pupil's model by one "
+              "of its steps\n"
               "  fettle help COMMAND              the options of one of them\n"
               "  fettle --version\n"
               "\n"

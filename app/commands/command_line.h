@@ -27,7 +27,7 @@ struct WindowStart
     QString file; ///< absolute; empty: the ball
     bool entersVr = false;
     bool simulatesVr = false; ///< it enters the simulator
-    QString classFile; ///< absolute; empty: it is no class
+    QString classFile;        ///< absolute; empty: it is no class
 };
 
 /// The command line. Works without a display; standard output carries only answers.
@@ -36,8 +36,8 @@ class CommandLine
     Q_DECLARE_TR_FUNCTIONS(app::CommandLine)
 
 public:
-    /// Whether the arguments (without the program's name) name a subcommand, --help or --version. These words win over file
-    /// names.
+    /// Whether the arguments (without the program's name) name a subcommand, --help or --version. These words win over
+    /// file names.
     static bool isCommand(const QStringList& arguments);
     /// Whether it draws letters on pages: run() needs a QGuiApplication then, on whatever platform.
     static bool needsFonts(const QStringList& arguments);

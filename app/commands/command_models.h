@@ -13,7 +13,8 @@ struct CommandModels
 {
     QList<std::filesystem::path> files; ///< each may be missing or unreadable
     bool hasFolder = false;             ///< there was a folder among the arguments
-    ExitStatus status = Done;           ///< BadInput: there was one that could not be read, or held no model; standard error says which
+    /// BadInput: there was one that could not be read, or held no model; standard error says which.
+    ExitStatus status = Done;
 };
 
 /// A folder stands for the models in it, by name. Throws CommandFailure if no argument was given.

@@ -1,15 +1,16 @@
-// convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written, or legalised if asked to.
+// convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written, or
+// legalised if asked to.
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
 #include "app/model/model_loader.h"
 
-#include "core/operations/decimate.h"
-#include "core/repair/repair.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
-#include "ui/util/repair_messages.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/decimate.h"
+#include "core/repair/repair.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/repair_messages.h"
 
 #include <QLocale>
 
@@ -31,8 +32,8 @@ struct ConvertOptions
     QString in, out;
     std::optional<double> unit; ///< of IN, in mm
     std::optional<double> size; ///< of OUT's longest side, mm
-    std::optional<UpAxis> up; ///< of IN
-    std::size_t triangles = 0; ///< OUT has at most so many; 0: all
+    std::optional<UpAxis> up;   ///< of IN
+    std::size_t triangles = 0;  ///< OUT has at most so many; 0: all
     std::optional<core::RepairOptions> legalise;
 };
 
@@ -41,7 +42,8 @@ double sizeFrom(const QString& word)
     bool isNumber = false;
     const double size = QLocale::c().toDouble(word, &isNumber);
     if (!isNumber || !std::isfinite(size) || size <= 0)
-        CommandLine::fail(ConvertWords::tr("convert: --size is a length in millimetres, more than 0, not %1.").arg(word));
+        CommandLine::fail(
+            ConvertWords::tr("convert: --size is a length in millimetres, more than 0, not %1.").arg(word));
     return size;
 }
 
@@ -72,22 +74,26 @@ bool isFirstOf(const QString& option, const QString& first, const QString& secon
 std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
 {
     const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
-                  triangles = QStringLiteral("triangles"),
-                  legalise = QStringLiteral("legalise"), largeHoles = QStringLiteral("large-holes"),
-                  innerParts = QStringLiteral("inner-parts"), fill = QStringLiteral("fill"),
-                  refuse = QStringLiteral("refuse"), hollow = QStringLiteral("hollow");
+                  triangles = QStringLiteral("triangles"), legalise = QStringLiteral("legalise"),
+                  largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts"),
+                  fill = QStringLiteral("fill"), refuse = QStringLiteral("refuse"), hollow = QStringLiteral("hollow");
     QCommandLineParser parser;
     parser.setApplicationDescription(ConvertWords::tr("Writes a model in another format, unit or size."));
     parser.addPositionalArgument(QStringLiteral("IN"), ConvertWords::tr("The model to read."));
     parser.addPositionalArgument(QStringLiteral("OUT"), ConvertWords::tr("Where it goes; the ending says the format."));
-    parser.addOptions({{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
-                       {size, ConvertWords::tr("How long the longest side becomes."), QStringLiteral("MM")},
-                       {up, ConvertWords::tr("Which axis of IN points up; else z for STL and 3MF, y for others."), QStringLiteral("y|z")},
-                       {triangles, ConvertWords::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
-                        QStringLiteral("N")},
-                       {legalise, ConvertWords::tr("Mends a model that is not in order, and says what changed.")},
-                       {largeHoles, ConvertWords::tr("With --legalise: holes longer than a quarter of the model; else fill."), QStringLiteral("fill|refuse")},
-                       {innerParts, ConvertWords::tr("With --legalise: parts inside of others that face outwards; else fill."), QStringLiteral("fill|hollow")}});
+    parser.addOptions(
+        {{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
+         {size, ConvertWords::tr("How long the longest side becomes."), QStringLiteral("MM")},
+         {up, ConvertWords::tr("Which axis of IN points up; else z for STL and 3MF, y for others."),
+          QStringLiteral("y|z")},
+         {triangles,
+          ConvertWords::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
+          QStringLiteral("N")},
+         {legalise, ConvertWords::tr("Mends a model that is not in order, and says what changed.")},
+         {largeHoles, ConvertWords::tr("With --legalise: holes longer than a quarter of the model; else fill."),
+          QStringLiteral("fill|refuse")},
+         {innerParts, ConvertWords::tr("With --legalise: parts inside of others that face outwards; else fill."),
+          QStringLiteral("fill|hollow")}});
     if (!CommandLine::parse(parser, QStringLiteral("convert"), arguments))
         return std::nullopt;
     const QStringList files = parser.positionalArguments();
@@ -118,7 +124,8 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
 {
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.printReady())
-        throw CommandFailure{ui::Messages::refusal(file, report) + u' ' + ConvertWords::tr("--legalise may mend it."), AnswerIsNo};
+        throw CommandFailure{ui::Messages::refusal(file, report) + u' ' + ConvertWords::tr("--legalise may mend it."),
+                             AnswerIsNo};
 }
 
 /// What was done is the answer. A model that is in order stays as it is.

@@ -1,13 +1,14 @@
-// lesson: a lesson played to its end without a window, and each of its checkpoints judged; or a pupil's model judged by one of them.
+// lesson: a lesson played to its end without a window, and each of its checkpoints judged; or a pupil's model judged by
+// one of them.
 #include "app/commands/command_line.h"
-#include "app/lesson/lesson_saving.h"
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_messages.h"
+#include "app/lesson/lesson_saving.h"
 #include "app/model/model_loader.h"
 
+#include "core/io/mesh_io.h"
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/io/mesh_io.h"
 
 #include "ui/util/error_messages.h"
 
@@ -35,31 +36,49 @@ struct LessonOptions
 std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(LessonCommandWords::tr("Plays a lesson to its end and says whether each step meets its checkpoint. "
-                                                            "Status 0: all do; 1: not all. Without a lesson: lists those of the program."));
-    parser.addPositionalArgument(QStringLiteral("LESSON"), LessonCommandWords::tr("A folder or a zip, or the name of a lesson of the program."),
+    parser.setApplicationDescription(
+        LessonCommandWords::tr("Plays a lesson to its end and says whether each step meets its checkpoint. "
+                               "Status 0: all do; 1: not all. Without a lesson: lists those of the program."));
+    parser.addPositionalArgument(QStringLiteral("LESSON"),
+                                 LessonCommandWords::tr("A folder or a zip, or the name of a lesson of the program."),
                                  QStringLiteral("[LESSON]"));
-    parser.addOptions({{QStringLiteral("language"), LessonCommandWords::tr("Of the lesson's titles; else as the system has it."), QStringLiteral("CODE")},
-                       {QStringLiteral("model"), LessonCommandWords::tr("Judges this model, a pupil's, instead of playing."), QStringLiteral("FILE")},
-                       {QStringLiteral("step"), LessonCommandWords::tr("By which step's checkpoint; else the last."), QStringLiteral("N")},
-                       {QStringLiteral("pack"), LessonCommandWords::tr("Where the lesson goes as one file, if all is well."), QStringLiteral("OUT.zip")},
-                       {QStringLiteral("unpack"), LessonCommandWords::tr("Where the lesson goes as a folder that can be changed."), QStringLiteral("FOLDER")},
-                       {QStringLiteral("pictures"), LessonCommandWords::tr("Where a picture of what each step leaves goes, as step-1.png and so on."),
-                        QStringLiteral("FOLDER")},
-                       {QStringLiteral("out"), LessonCommandWords::tr("Where the model goes that the last step leaves."), QStringLiteral("FILE")}});
+    parser.addOptions(
+        {{QStringLiteral("language"), LessonCommandWords::tr("Of the lesson's titles; else as the system has it."),
+          QStringLiteral("CODE")},
+         {QStringLiteral("model"), LessonCommandWords::tr("Judges this model, a pupil's, instead of playing."),
+          QStringLiteral("FILE")},
+         {QStringLiteral("step"), LessonCommandWords::tr("By which step's checkpoint; else the last."),
+          QStringLiteral("N")},
+         {QStringLiteral("pack"), LessonCommandWords::tr("Where the lesson goes as one file, if all is well."),
+          QStringLiteral("OUT.zip")},
+         {QStringLiteral("unpack"), LessonCommandWords::tr("Where the lesson goes as a folder that can be changed."),
+          QStringLiteral("FOLDER")},
+         {QStringLiteral("pictures"),
+          LessonCommandWords::tr("Where a picture of what each step leaves goes, as step-1.png and so on."),
+          QStringLiteral("FOLDER")},
+         {QStringLiteral("out"), LessonCommandWords::tr("Where the model goes that the last step leaves."),
+          QStringLiteral("FILE")}});
     if (!CommandLine::parse(parser, QStringLiteral("lesson"), arguments))
         return std::nullopt;
     const QStringList lessons = parser.positionalArguments();
     if (lessons.size() > 1)
-        CommandLine::fail(LessonCommandWords::tr("lesson: one lesson at a time can be played, not %1 as well.").arg(lessons.at(1)));
-    LessonOptions options{lessons.value(0), parser.value(QStringLiteral("language")), parser.value(QStringLiteral("model")),
-                          parser.value(QStringLiteral("pack")), parser.value(QStringLiteral("unpack")), parser.value(QStringLiteral("pictures")),
-                          parser.value(QStringLiteral("out")), {}};
+        CommandLine::fail(
+            LessonCommandWords::tr("lesson: one lesson at a time can be played, not %1 as well.").arg(lessons.at(1)));
+    LessonOptions options{lessons.value(0),
+                          parser.value(QStringLiteral("language")),
+                          parser.value(QStringLiteral("model")),
+                          parser.value(QStringLiteral("pack")),
+                          parser.value(QStringLiteral("unpack")),
+                          parser.value(QStringLiteral("pictures")),
+                          parser.value(QStringLiteral("out")),
+                          {}};
     if (options.language.isEmpty())
         options.language = QLocale().name();
-    const QStringList ofPlaying{QStringLiteral("pack"), QStringLiteral("unpack"), QStringLiteral("pictures"), QStringLiteral("out")};
+    const QStringList ofPlaying{QStringLiteral("pack"), QStringLiteral("unpack"), QStringLiteral("pictures"),
+                                QStringLiteral("out")};
     const bool plays = std::ranges::any_of(ofPlaying, [&](const QString& option) { return parser.isSet(option); });
-    if (options.lesson.isEmpty() && (plays || parser.isSet(QStringLiteral("model")) || parser.isSet(QStringLiteral("step"))))
+    if (options.lesson.isEmpty() &&
+        (plays || parser.isSet(QStringLiteral("model")) || parser.isSet(QStringLiteral("step"))))
         CommandLine::fail(LessonCommandWords::tr("lesson: no lesson was given."));
     if (plays && !options.model.isEmpty())
         CommandLine::fail(LessonCommandWords::tr("lesson: --model excludes --pack, --unpack, --pictures and --out."));
@@ -72,7 +91,8 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
     if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
         CommandLine::fail(LessonCommandWords::tr("lesson: %1 does not end in .zip.").arg(options.pack));
     if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
-        CommandLine::fail(LessonCommandWords::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
+        CommandLine::fail(
+            LessonCommandWords::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
     return options;
 }
 
@@ -85,7 +105,9 @@ void list(const LessonOptions& options)
 {
     for (const QString& name : shippedLessons()) {
         const core::Lesson lesson = readLesson(name);
-        CommandLine::print(QStringLiteral("%1  %2: %3\n").arg(name, -12).arg(inLanguage(lesson.title, options), inLanguage(lesson.summary, options)));
+        CommandLine::print(QStringLiteral("%1  %2: %3\n")
+                               .arg(name, -12)
+                               .arg(inLanguage(lesson.title, options), inLanguage(lesson.summary, options)));
     }
 }
 
@@ -93,12 +115,15 @@ void list(const LessonOptions& options)
 bool print(const core::CheckpointVerdict& verdict)
 {
     const auto line = [](bool holds, const QString& asked, const QString& found) {
-        CommandLine::print(QStringLiteral("   %1  %2 (%3)\n").arg(holds ? LessonCommandWords::tr("yes") : LessonCommandWords::tr("no"), -4).arg(asked, found));
+        CommandLine::print(QStringLiteral("   %1  %2 (%3)\n")
+                               .arg(holds ? LessonCommandWords::tr("yes") : LessonCommandWords::tr("no"), -4)
+                               .arg(asked, found));
     };
     for (const core::FactVerdict& fact : verdict.facts)
         line(fact.holds, LessonWords::asked(fact.asked), LessonWords::found(fact));
     if (verdict.target)
-        line(verdict.target->holds, LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}), LessonWords::found(*verdict.target));
+        line(verdict.target->holds, LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
+             LessonWords::found(*verdict.target));
     return verdict.isMet();
 }
 
@@ -111,8 +136,8 @@ void printHead(const core::LessonStep& step, std::size_t index, const LessonOpti
                            .arg(index + 1)
                            .arg(inLanguage(step.title, options))
                            .arg(step.strokes.size())
-                           .arg(tools.isEmpty() ? LessonCommandWords::tr("all") : tools.join(QStringLiteral(", ")))
-                       + QLatin1Char('\n'));
+                           .arg(tools.isEmpty() ? LessonCommandWords::tr("all") : tools.join(QStringLiteral(", "))) +
+                       QLatin1Char('\n'));
 }
 
 void draw(const core::TriangleMesh& mesh, const QString& path)
@@ -149,7 +174,9 @@ ExitStatus judgeModel(const core::Lesson& lesson, core::LessonPlayback& playback
 {
     const std::size_t step = options.step.value_or(lesson.steps.size() - 1);
     if (step >= lesson.steps.size())
-        CommandLine::fail(LessonCommandWords::tr("lesson: there is no step %1: the lesson has %2.").arg(step + 1).arg(lesson.steps.size()));
+        CommandLine::fail(LessonCommandWords::tr("lesson: there is no step %1: the lesson has %2.")
+                              .arg(step + 1)
+                              .arg(lesson.steps.size()));
     if (lesson.steps[step].checkpoint.asksNothing())
         CommandLine::fail(LessonCommandWords::tr("lesson: step %1 has no checkpoint.").arg(step + 1));
     const core::TriangleMesh model = core::readMesh(toPath(options.model));

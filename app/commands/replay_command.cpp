@@ -1,20 +1,21 @@
-// replay: strokes and commands from a file on a model from a file, or on the paper's sphere; what came of it to files. In
-// order: judge all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing is written when anything is wrong.
+// replay: strokes and commands from a file on a model from a file, or on the paper's sphere; what came of it to files.
+// In order: judge all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing
+// is written when anything is wrong.
 #include "app/commands/command_line.h"
-#include "app/model/model_loader.h"
-#include "app/model/model_change_job.h"
-#include "app/model/command_names.h"
-#include "app/platform/process_usage.h"
 #include "app/commands/replay_stats.h"
 #include "app/commands/stroke_assets.h"
-#include "app/model/stroke_file_messages.h"
 #include "app/document/time_lapse.h"
+#include "app/model/command_names.h"
+#include "app/model/model_change_job.h"
+#include "app/model/model_loader.h"
+#include "app/model/stroke_file_messages.h"
+#include "app/platform/process_usage.h"
 
-#include "core/geometry/face_geometry.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/analysis/mesh_check.h"
+#include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
 #include "core/io/stroke/stroke_file.h"
+#include "core/mesh/mesh_builder.h"
 #include "ui/util/error_messages.h"
 
 #include <QFile>
@@ -22,7 +23,6 @@
 #include <filesystem>
 #include <map>
 #include <utility>
-
 
 namespace app
 {
@@ -71,29 +71,41 @@ std::optional<RecoveryOptions> parseReplayOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(ReplayWords::tr("Plays recorded strokes on a model, or on the paper's sphere."));
-    parser.addOptions({{QStringLiteral("strokes"), ReplayWords::tr("The strokes, JSON."), QStringLiteral("S.json")},
-                       {QStringLiteral("in"), ReplayWords::tr("The model; without it, a sphere of 2562 vertices, radius 1."), QStringLiteral("FILE")},
-                       {QStringLiteral("out"), ReplayWords::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
-                       {QStringLiteral("stats"), ReplayWords::tr("Where cost and outcome of each dab go, JSON."), QStringLiteral("T.json")},
-                       {QStringLiteral("frames"), ReplayWords::tr("A folder for pictures of the model, PNG, at the start and after each stroke."), QStringLiteral("FOLDER")},
-                       {QStringLiteral("every"), ReplayWords::tr("Strokes from one picture to the next."), QStringLiteral("N")},
-                       {QStringLiteral("verify"),
-                        ReplayWords::tr("local: what changed (as in the window); full: the whole mesh after each dab as well; none: for measurements, excludes --out."),
-                        QStringLiteral("local|full|none"), QStringLiteral("local")}});
+    parser.addOptions(
+        {{QStringLiteral("strokes"), ReplayWords::tr("The strokes, JSON."), QStringLiteral("S.json")},
+         {QStringLiteral("in"), ReplayWords::tr("The model; without it, a sphere of 2562 vertices, radius 1."),
+          QStringLiteral("FILE")},
+         {QStringLiteral("out"), ReplayWords::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
+         {QStringLiteral("stats"), ReplayWords::tr("Where cost and outcome of each dab go, JSON."),
+          QStringLiteral("T.json")},
+         {QStringLiteral("frames"),
+          ReplayWords::tr("A folder for pictures of the model, PNG, at the start and after each stroke."),
+          QStringLiteral("FOLDER")},
+         {QStringLiteral("every"), ReplayWords::tr("Strokes from one picture to the next."), QStringLiteral("N")},
+         {QStringLiteral("verify"),
+          ReplayWords::tr("local: what changed (as in the window); full: the whole mesh after each dab as well; none: "
+                          "for measurements, excludes --out."),
+          QStringLiteral("local|full|none"), QStringLiteral("local")}});
     if (!CommandLine::parse(parser, QStringLiteral("replay"), arguments))
         return std::nullopt;
-    RecoveryOptions options{parser.value(QStringLiteral("strokes")), parser.value(QStringLiteral("in")),
-                          parser.value(QStringLiteral("out")), parser.value(QStringLiteral("stats")),
-                          parser.value(QStringLiteral("frames")), everyNamed(parser.value(QStringLiteral("every"))),
-                          verifyNamed(parser.value(QStringLiteral("verify")))};
+    RecoveryOptions options{parser.value(QStringLiteral("strokes")),
+                            parser.value(QStringLiteral("in")),
+                            parser.value(QStringLiteral("out")),
+                            parser.value(QStringLiteral("stats")),
+                            parser.value(QStringLiteral("frames")),
+                            everyNamed(parser.value(QStringLiteral("every"))),
+                            verifyNamed(parser.value(QStringLiteral("verify")))};
     if (!parser.positionalArguments().isEmpty())
-        CommandLine::fail(ReplayWords::tr("replay: %1 is no option; the model is given with --in.").arg(parser.positionalArguments().first()));
+        CommandLine::fail(ReplayWords::tr("replay: %1 is no option; the model is given with --in.")
+                              .arg(parser.positionalArguments().first()));
     if (options.strokes.isEmpty())
         CommandLine::fail(ReplayWords::tr("replay: --strokes is missing."));
     if (options.frames.isEmpty() && parser.isSet(QStringLiteral("every")))
-        CommandLine::fail(ReplayWords::tr("replay: --every says how many strokes there are to a picture, and needs --frames."));
+        CommandLine::fail(
+            ReplayWords::tr("replay: --every says how many strokes there are to a picture, and needs --frames."));
     if (options.verify == Verify::None && parser.isSet(QStringLiteral("out")))
-        CommandLine::fail(ReplayWords::tr("replay: --verify none and --out exclude each other: what is not verified is not kept."));
+        CommandLine::fail(
+            ReplayWords::tr("replay: --verify none and --out exclude each other: what is not verified is not kept."));
     return options;
 }
 
@@ -112,7 +124,8 @@ void requireDifferentFiles(const RecoveryOptions& options)
         const std::filesystem::path path = std::filesystem::weakly_canonical(toPath(file), problem);
         const auto [other, isNew] = seen.emplace(path, option);
         if (!isNew && !path.empty())
-            CommandLine::fail(ReplayWords::tr("replay: %1 and %2 name the same file, %3.").arg(other->second, option, file));
+            CommandLine::fail(
+                ReplayWords::tr("replay: %1 and %2 name the same file, %3.").arg(other->second, option, file));
     }
 }
 
@@ -181,8 +194,10 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
 void requireDone(const core::ModelChange& change, const core::FileCommand& entry, std::size_t index)
 {
     if (change.refusal != core::ModelRefusal::None)
-        throw CommandFailure{ReplayWords::tr("replay: strokes[%1]: %2").arg(index)
-                                 .arg(ModelWords::refusal(change, QFile::decodeName(entry.file.c_str()))), AnswerIsNo};
+        throw CommandFailure{ReplayWords::tr("replay: strokes[%1]: %2")
+                                 .arg(index)
+                                 .arg(ModelWords::refusal(change, QFile::decodeName(entry.file.c_str()))),
+                             AnswerIsNo};
 }
 
 /// As the Model menu does it.
@@ -233,11 +248,14 @@ Replayed play(core::Sculptor& sculptor, const Entries& entries, const RecoveryOp
 }
 
 /// As large as the model is at its start or at its end, so that all is in one view.
-void writeFrames(const RecoveryOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes, const core::Box& box)
+void writeFrames(const RecoveryOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes,
+                 const core::Box& box)
 {
-    const ModelPast past{ModelTrial::copyOf(mesh), 0, static_cast<int>(changes.size()),
-                         [&changes](int index) { return std::optional(std::move(changes[static_cast<std::size_t>(index)])); }};
-    const TimeLapseOutcome outcome = TimeLapse::run({options.frames, options.every, core::viewOf(box, frameWidth, frameHeight)}, past, {});
+    const ModelPast past{ModelTrial::copyOf(mesh), 0, static_cast<int>(changes.size()), [&changes](int index) {
+                             return std::optional(std::move(changes[static_cast<std::size_t>(index)]));
+                         }};
+    const TimeLapseOutcome outcome =
+        TimeLapse::run({options.frames, options.every, core::viewOf(box, frameWidth, frameHeight)}, past, {});
     if (!outcome.problem.isEmpty())
         CommandLine::fail(outcome.problem);
 }
@@ -253,7 +271,8 @@ void run(const RecoveryOptions& options, Entries& entries)
     if (!options.out.isEmpty())
         core::AtomicFile trial(toPath(options.out));
     if (!options.frames.isEmpty()) {
-        const QString obstacle = TimeLapse::obstacle(options.frames, TimeLapse::frameNames(0, static_cast<int>(entries.size()), options.every));
+        const QString obstacle = TimeLapse::obstacle(
+            options.frames, TimeLapse::frameNames(0, static_cast<int>(entries.size()), options.every));
         if (!obstacle.isEmpty())
             CommandLine::fail(obstacle);
     }

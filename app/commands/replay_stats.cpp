@@ -36,8 +36,9 @@ Json toJson(const ReplayedDab& dab)
             {"capped", report.capped},
             {"longest_edge", quality([](const core::SelectionQuality& q) { return q.longestEdge; })},
             {"conforming_share", quality([](const core::SelectionQuality& q) { return q.conformingShare; })},
-            {"smallest_angle_deg",
-             quality([](const core::SelectionQuality& q) { return std::asin(std::min(q.smallestAngleSine, 1.0)) * 180 / std::numbers::pi; })},
+            {"smallest_angle_deg", quality([](const core::SelectionQuality& q) {
+                 return std::asin(std::min(q.smallestAngleSine, 1.0)) * 180 / std::numbers::pi;
+             })},
             {"outcome", std::string(core::name(report.outcome))}};
 }
 

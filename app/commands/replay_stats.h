@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/util/atomic_file.h"
-#include "core/sculpt/sculptor.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/sculpt/sculptor.h"
+#include "core/util/atomic_file.h"
 
 #include <vector>
 

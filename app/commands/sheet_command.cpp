@@ -3,12 +3,12 @@
 #include "app/commands/command_unit.h"
 #include "app/model/model_loader.h"
 
-#include "core/mesh/draw_arrays.h"
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/draw_arrays.h"
+#include "ui/drawing/sheet_book.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
-#include "ui/drawing/sheet_book.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -36,8 +36,9 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
 {
     const QString name = QStringLiteral("sheet"), unit = QStringLiteral("unit"), shaded = QStringLiteral("shaded");
     QCommandLineParser parser;
-    parser.setApplicationDescription(SheetWords::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. "
-                                                    "Status 1: not all of them have one."));
+    parser.setApplicationDescription(
+        SheetWords::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. "
+                       "Status 1: not all of them have one."));
     parser.addPositionalArgument(QStringLiteral("FILE..."), SheetWords::tr("Models, or folders of models."));
     CommandLine::addOutput(parser, QStringLiteral("OUT.pdf"));
     parser.addOptions({{unit, SheetWords::tr("What the files are measured in; else mm."), CommandUnit::words()},
@@ -65,7 +66,8 @@ DrawingSheet sheetOf(const SheetOptions& options, const std::filesystem::path& f
         CommandUnit::scale(name, mesh, options.unit);
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.closed || !report.oriented)
-        CommandLine::fail(SheetWords::tr("%1 has no sheet, because its surface does not enclose anything (%2).").arg(name, ui::Messages::faults(report)));
+        CommandLine::fail(SheetWords::tr("%1 has no sheet, because its surface does not enclose anything (%2).")
+                              .arg(name, ui::Messages::faults(report)));
     auto drawing = core::drawLines(core::drawArraysOf(mesh), ui::sheetDetail(options.shaded), {});
     return {ui::shownName(file.filename()), QDate::currentDate(), *std::move(drawing), options.shaded};
 }
@@ -100,7 +102,8 @@ ExitStatus sheetCommand(const QStringList& arguments)
         ui::SheetBook book(toPath(options->out), QFileInfo(options->out).completeBaseName());
         const ExitStatus status = addSheets(book, *options);
         if (book.isEmpty())
-            CommandLine::fail(SheetWords::tr("%1 was not written: there is no model that has a sheet.").arg(QDir::toNativeSeparators(options->out)));
+            CommandLine::fail(SheetWords::tr("%1 was not written: there is no model that has a sheet.")
+                                  .arg(QDir::toNativeSeparators(options->out)));
         book.commit();
         return status;
     } catch (const core::FileError& error) {

@@ -34,17 +34,20 @@ private:
     {
         core::StrokeFileError place(core::StrokeFileError::Kind::UnknownValue);
         place.stroke = index;
-        const QString sentence = tr("%1: %2: %3", "file: place: reason").arg(m_strokes, StrokeWords::place(place), reason);
+        const QString sentence =
+            tr("%1: %2: %3", "file: place: reason").arg(m_strokes, StrokeWords::place(place), reason);
         CommandLine::fail(sentence);
     }
 
     QString pathOf(const std::string& file) const
     {
-        return QString::fromStdU16String((toPath(m_strokes).parent_path() / toPath(QString::fromStdString(file))).u16string());
+        return QString::fromStdU16String(
+            (toPath(m_strokes).parent_path() / toPath(QString::fromStdString(file))).u16string());
     }
 
     template <class What, class Reader>
-    void resolve(std::shared_ptr<const What>& what, const core::StrokeNeed& need, std::size_t index, Read<What>& before, Reader reader)
+    void resolve(std::shared_ptr<const What>& what, const core::StrokeNeed& need, std::size_t index, Read<What>& before,
+                 Reader reader)
     {
         if (need.file.empty())
             return;
@@ -55,7 +58,8 @@ private:
             fail(index, found->second.problem);
         what = found->second.what;
         if (!need.fingerprint.empty() && what->fingerprint() != need.fingerprint)
-            fail(index, tr("%1 is not what it was when this stroke was recorded.").arg(QString::fromStdString(need.file)));
+            fail(index,
+                 tr("%1 is not what it was when this stroke was recorded.").arg(QString::fromStdString(need.file)));
     }
 
     QString m_strokes;

@@ -17,7 +17,8 @@ bool isWide(char32_t sign)
     case QChar::Script_Bopomofo:
         return true;
     default: // punctuation of those, full-width letters, pictures
-        return (sign >= 0x3000 && sign <= 0x303f) || (sign >= 0xff01 && sign <= 0xff60) || (sign >= 0x1f300 && sign <= 0x1faff);
+        return (sign >= 0x3000 && sign <= 0x303f) || (sign >= 0xff01 && sign <= 0xff60) ||
+               (sign >= 0x1f300 && sign <= 0x1faff);
     }
 }
 

@@ -7,13 +7,14 @@
 
 namespace app
 {
-/// Lines for a terminal, in columns. Chinese, Japanese and Korean signs are two columns wide there, marks on letters none.
+/// Lines for a terminal, in columns. Chinese, Japanese and Korean signs are two columns wide there, marks on letters
+/// none.
 int columnsOf(const QString& text);
 
 /// Cuts a text in its middle, which then is "…", to so many columns. What would break a line is a space.
 QString shortened(const QString& text, int columns);
 
-/// A line break follows. `widths`: so many columns; below 0: words begin at the left; else figures end at the right. What is longer stays whole
-/// and moves the rest.
+/// A line break follows. `widths`: so many columns; below 0: words begin at the left; else figures end at the right.
+/// What is longer stays whole and moves the rest.
 QString tableLine(const QStringList& fields, const std::vector<int>& widths);
 } // namespace app

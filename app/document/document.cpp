@@ -1,9 +1,9 @@
 #include "app/document/document.h"
 
-#include "app/model/model_loader.h"
-#include "app/model/model_change_job.h"
-#include "app/model/command_names.h"
 #include "app/document/stroke_command.h"
+#include "app/model/command_names.h"
+#include "app/model/model_change_job.h"
+#include "app/model/model_loader.h"
 #include "app/worker/stroke_step.h"
 
 #include "core/journal/journal.h"
@@ -15,7 +15,9 @@
 namespace app
 {
 Document::Document(SculptWorker* worker, QObject* parent)
-    : QObject(parent), m_worker(worker), m_history([worker](auto job) { worker->post(std::move(job)); })
+    : QObject(parent)
+    , m_worker(worker)
+    , m_history([worker](auto job) { worker->post(std::move(job)); })
 {
     connect(&m_work, &LongWork::busy, this, &Document::busy);
     connect(&m_work, &LongWork::stoppable, this, &Document::stoppable);
@@ -59,7 +61,7 @@ bool Document::mayDiscard(const std::function<void()>& goOn) const
     return !isModified() || !m_mayDiscard || m_mayDiscard(goOn);
 }
 
-// --- the whole model ---------------------------------------------------------------------------------------------------
+// --- the whole model
 
 void Document::apply(const core::ModelCommand& command)
 {
@@ -93,9 +95,12 @@ void Document::startChange(core::ModelCommand command, const ui::Insertion& inse
     m_worker->post([this, command = std::move(command), insertion, control](core::Sculptor& sculptor) {
         auto copy = ModelTrial::copyOf(sculptor.mesh());
         auto work = [this, copy = std::move(copy), command, insertion, control]() mutable {
-            return ModelTrial::run(copy, command, insertion, [this](const QString& what) { m_work.rename(what); }, control);
+            return ModelTrial::run(
+                copy, command, insertion, [this](const QString& what) { m_work.rename(what); }, control);
         };
-        m_work.run(std::move(work), [this, command, insertion](ModelOutcome outcome) { finishChange(command, insertion, std::move(outcome)); });
+        m_work.run(std::move(work), [this, command, insertion](ModelOutcome outcome) {
+            finishChange(command, insertion, std::move(outcome));
+        });
     });
 }
 
@@ -105,8 +110,11 @@ void Document::finishChange(const core::ModelCommand& command, const ui::Inserti
         return endChange(command, insertion, outcome);
     m_work.keep();
     auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
-    const StepMarks marks{ModelWords::icon(command), 0, 0, std::make_shared<const core::FileEntry>(core::FileCommand{command, insertion.path.toStdString()})};
-    m_worker->post([delta, step = StrokeStep::forJournal(ModelWords::name(command), marks), journal = m_journal](core::Sculptor& sculptor) {
+    const StepMarks marks{
+        ModelWords::icon(command), 0, 0,
+        std::make_shared<const core::FileEntry>(core::FileCommand{command, insertion.path.toStdString()})};
+    m_worker->post([delta, step = StrokeStep::forJournal(ModelWords::name(command), marks),
+                    journal = m_journal](core::Sculptor& sculptor) {
         sculptor.swap(*delta);
         if (journal)
             journal->changed(sculptor.mesh(), *delta, step);
@@ -146,7 +154,8 @@ void Document::endChange(const core::ModelCommand& command, const ui::Insertion&
     runRequests();
 }
 
-void Document::tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome)
+void Document::tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion,
+                           const ModelOutcome& outcome)
 {
     if (std::holds_alternative<core::Insert>(command) && outcome.isMendable && !insertion.mend)
         return Q_EMIT insertionMendable(insertion, outcome.problem);
@@ -160,7 +169,7 @@ void Document::tellOutcome(const core::ModelCommand& command, const ui::Insertio
         Q_EMIT insertedMended(QFileInfo(insertion.path).fileName(), outcome.mended);
 }
 
-// --- strokes and history -----------------------------------------------------------------------------------------------
+// --- strokes and history
 
 void Document::beginStroke(const core::StrokeSettings& settings)
 {
@@ -245,7 +254,8 @@ void Document::strokeRequest(std::function<void()> run)
 
 void Document::runRequests()
 {
-    while (!m_requests.empty() && !(m_requests.front().afterReports && (hasUnreported() || m_isInstalling || m_isChanging))) {
+    while (!m_requests.empty() &&
+           !(m_requests.front().afterReports && (hasUnreported() || m_isInstalling || m_isChanging))) {
         const auto run = std::move(m_requests.front().run);
         m_requests.pop_front();
         run();
@@ -319,7 +329,8 @@ void Document::loseHistory()
         m_worker->post([journal = m_journal](core::Sculptor&) { journal->forget(); });
     describeToJournal();
     tellState();
-    Q_EMIT refused(tr("The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order."));
+    Q_EMIT refused(
+        tr("The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order."));
 }
 
 bool Document::isModified() const

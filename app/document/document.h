@@ -1,13 +1,13 @@
 #pragma once
 
 #include "app/document/history_store.h"
-#include "app/worker/background_job.h"
-#include "app/model/model_history.h"
-#include "app/worker/sculpt_worker.h"
 #include "app/document/work_timer.h"
+#include "app/model/model_history.h"
+#include "app/worker/background_job.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "core/operations/starter_models.h"
 #include "core/io/stroke/stroke_file.h"
+#include "core/operations/starter_models.h"
 #include "ui/model/insert_request.h"
 #include "ui/settings/model_info.h"
 
@@ -35,12 +35,13 @@ struct ExportOrder;
 struct ExportOutcome;
 struct KeptBrush;
 
-/// The model that is open: its name, its history, what may be done with it. Gui thread; what takes long is done elsewhere,
-/// and signals say when it is.
+/// The model that is open: its name, its history, what may be done with it. Gui thread; what takes long is done
+/// elsewhere, and signals say when it is.
 ///
-/// Undo, redo and jumps are done in the order in which they were asked for, among strokes too: they wait until every stroke
-/// before them has reported, and strokes after them wait for them. Nobody waits by blocking. A change comes to the undo stack when it is
-/// done and would survive the program, and not before that a way along the stack counts as gone: modifiedChanged(), isSettled().
+/// Undo, redo and jumps are done in the order in which they were asked for, among strokes too: they wait until every
+/// stroke before them has reported, and strokes after them wait for them. Nobody waits by blocking. A change comes to
+/// the undo stack when it is done and would survive the program, and not before that a way along the stack counts as
+/// gone: modifiedChanged(), isSettled().
 class Document : public QObject
 {
     Q_OBJECT
@@ -51,7 +52,8 @@ public:
     /// Stops the worker, whose jobs know the document.
     ~Document() override;
 
-    /// Asked before changes are lost: false keeps the present model, and `goOn` may be called later, when they are saved.
+    /// Asked before changes are lost: false keeps the present model, and `goOn` may be called later, when they are
+    /// saved.
     using MayDiscard = std::function<bool(const std::function<void()>& goOn)>;
     void setMayDiscard(MayDiscard mayDiscard);
     /// Asked when a file is about to be written: adds what others than the document know.
@@ -69,7 +71,8 @@ public:
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
-    /// What takes long and is not of the document may go on there, too: busy(), progressed() and idle() tell of it, and stop() ends it.
+    /// What takes long and is not of the document may go on there, too: busy(), progressed() and idle() tell of it, and
+    /// stop() ends it.
     LongWork* longWork() { return &m_work; }
     /// Another model is on its way: what is done to the present one now is lost if that comes.
     bool isOpening() const { return m_isLoading; }
@@ -90,11 +93,14 @@ public:
         quint64 hash = 0;
         core::DocumentMetadata metadata;
         int step = 0;
-        std::optional<std::vector<core::FileEntry>> deeds; ///< what was done to the model since it was opened; nothing: it is not known
+        /// What was done to the model since it was opened; nothing: it is not known.
+        std::optional<std::vector<core::FileEntry>> deeds;
     };
-    /// `keep` puts it somewhere, in a thread of its own, and says whether it is safe there; then it counts as saved. Nobody sculpts from when it
-    /// is copied until `done`, which hears the answer, has returned. False: something else is going on, and nothing is done.
-    bool handOver(const QString& what, std::function<bool(const Present& present)> keep, std::function<void(bool isKept)> done);
+    /// `keep` puts it somewhere, in a thread of its own, and says whether it is safe there; then it counts as saved.
+    /// Nobody sculpts from when it is copied until `done`, which hears the answer, has returned. False: something else
+    /// is going on, and nothing is done.
+    bool handOver(const QString& what, std::function<bool(const Present& present)> keep,
+                  std::function<void(bool isKept)> done);
     /// A step of the history that is a stroke.
     struct LastStroke
     {
@@ -107,12 +113,15 @@ public:
     std::optional<LastStroke> lastStroke() const;
     /// Hears what came of it; nothing: the stroke is not the last step any more, or another hand sculpts.
     using TakeAgain = std::function<void(const std::optional<StrokeReport>& report)>;
-    /// Does another stroke in the place of the last, or of what was done in its place already: one step, as before. Where that changes nothing the
-    /// step stays taken back. Null, or if it is stopped before it is done: the last stroke as it was, bit for bit.
-    void redoStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke, const std::stop_token& stop, TakeAgain done);
+    /// Does another stroke in the place of the last, or of what was done in its place already: one step, as before.
+    /// Where that changes nothing the step stays taken back. Null, or if it is stopped before it is done: the last
+    /// stroke as it was, bit for bit.
+    void redoStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke, const std::stop_token& stop,
+                    TakeAgain done);
 
-    /// `look` sees the states of the model from the first that is kept to the present, in a thread of its own, `done` comes when it has; nobody
-    /// sculpts meanwhile, and the model stays as it is. stop() is told to `look`. False: something else is going on, and nothing is done.
+    /// `look` sees the states of the model from the first that is kept to the present, in a thread of its own, `done`
+    /// comes when it has; nobody sculpts meanwhile, and the model stays as it is. stop() is told to `look`. False:
+    /// something else is going on, and nothing is done.
     using LookBack = std::function<void(const ModelPast& past, const core::JobControl& control)>;
     bool lookBack(const QString& what, LookBack look, std::function<void()> done);
 
@@ -153,11 +162,11 @@ public Q_SLOTS:
     void loseFile();
     /// To a file that from now on is the model's own.
     void save(const QString& path);
-    /// Beside that path, under the first number after all that are there: a GLB, which from now on is the model's own, and an STL. No file
-    /// is overwritten.
+    /// Beside that path, under the first number after all that are there: a GLB, which from now on is the model's own,
+    /// and an STL. No file is overwritten.
     void saveNumbered(const QString& path);
-    /// To some other file, with at most so many triangles (0: all), which is read back and judged, perhaps by an installed slicer, too: changes
-    /// stay unsaved.
+    /// To some other file, with at most so many triangles (0: all), which is read back and judged, perhaps by an
+    /// installed slicer, too: changes stay unsaved.
     void exportTo(const QString& path, quint64 mostTriangles = 0, bool slices = false);
 
     /// To a file that brushes are read from: keptAsBrush(). The model and its own file stay what they are.
@@ -245,7 +254,8 @@ private:
     core::DocumentMetadata notesNow() const;
     void saveBy(const QString& name, const Write& write);
     void finishSaving(int index, const SavedFile& saved);
-    void startHandingOver(const std::function<bool(const Present& present)>& keep, const std::function<void(bool isKept)>& done);
+    void startHandingOver(const std::function<bool(const Present& present)>& keep,
+                          const std::function<void(bool isKept)>& done);
     void finishHandingOver(int index, bool isKept, const std::function<void(bool isKept)>& done);
     void setSaved(int index);
     void startExport(const ExportOrder& order, const core::JobControl& control);
@@ -276,25 +286,27 @@ private:
     MayDiscard m_mayDiscard;
     std::function<void(core::DocumentMetadata&)> m_completeNotes;
     JournalShelf* m_shelf = nullptr;
-    std::shared_ptr<core::Journal> m_journal; ///< null: nothing is recorded
+    std::shared_ptr<core::Journal> m_journal;             ///< null: nothing is recorded
     std::shared_ptr<core::RecoveredDocument> m_recovered; ///< of the model that is being installed
 
     std::deque<Request> m_requests;
     std::deque<Request> m_afterStroke; ///< asked for while a stroke is open
     bool m_strokeOpen = false;         ///< as the person sees it: not yet posted, perhaps
-    QString m_lastStep; ///< the name of the stroke that began last
+    QString m_lastStep;                ///< the name of the stroke that began last
     quint64 m_reported = 0;            ///< strokes
-    std::optional<StrokeReport> m_lastReport; ///< of the step that was done last, without its change; none: it was no stroke
-    int m_lastIndex = 0;                      ///< and where that stands
+    /// Of the step that was done last, without its change; none: it was no stroke.
+    std::optional<StrokeReport> m_lastReport;
+    int m_lastIndex = 0;   ///< and where that stands
     TakeAgain m_takeAgain; ///< while a stroke is done again
     quint64 m_savings = 0;
     WorkClock m_clock;
-    std::optional<Choice> m_next;      ///< to be opened once what goes on has ended
+    std::optional<Choice> m_next; ///< to be opened once what goes on has ended
     bool m_isLoading = false;
-    bool m_letGo = false; ///< the changes, by the person, for what is being opened; there are no others since
-    bool m_isInstalling = false;       ///< the worker has another model than the undo stack knows
-    bool m_isChanging = false; ///< the whole model, aside
-    int m_moves = 0;           ///< along the undo stack, whose index is there already, that the mesh thread has to confirm
+    bool m_letGo = false;        ///< the changes, by the person, for what is being opened; there are no others since
+    bool m_isInstalling = false; ///< the worker has another model than the undo stack knows
+    bool m_isChanging = false;   ///< the whole model, aside
+    /// Along the undo stack, whose index is there already, that the mesh thread has to confirm.
+    int m_moves = 0;
     std::deque<std::function<void()>> m_unconfirmed;
     bool m_changedBeyondHistory = false;
     bool m_isHistoryWhole = true; ///< its first step was done to the model as it was opened

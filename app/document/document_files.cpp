@@ -3,11 +3,11 @@
 #include "app/document/document.h"
 
 #include "app/model/brush_export.h"
-#include "app/recovery/recovery_store.h"
+#include "app/model/model_change_job.h"
 #include "app/model/model_export.h"
 #include "app/model/model_loader.h"
 #include "app/model/model_saving.h"
-#include "app/model/model_change_job.h"
+#include "app/recovery/recovery_store.h"
 
 #include "core/mesh/mesh_builder.h"
 #include "ui/settings/settings.h"
@@ -46,8 +46,9 @@ void Document::openMended(const QString& path, const core::RepairOptions& option
 {
     const QString name = QFileInfo(path).fileName();
     const auto tell = [this](const QString& next) { m_work.rename(next); };
-    openFrom({tr("Opening %1").arg(name),
-              [path, options, tell](const core::JobControl& control) { return ModelLoader::loadMended(path, options, tell, control); }});
+    openFrom({tr("Opening %1").arg(name), [path, options, tell](const core::JobControl& control) {
+                  return ModelLoader::loadMended(path, options, tell, control);
+              }});
 }
 
 void Document::openSphere()
@@ -71,7 +72,8 @@ void Document::openMade(const Made& made)
               made.losesChanges});
 }
 
-/// Changes are what they are when all strokes have reported. Who let them go for a model that does not come need not be asked again.
+/// Changes are what they are when all strokes have reported. Who let them go for a model that does not come need not be
+/// asked again.
 void Document::openFrom(const Choice& choice)
 {
     if (m_work.isBusy() && !m_isLoading)
@@ -145,7 +147,8 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_facts.unitGuess = model->unitGuess;
     m_start = std::exchange(model->start, nullptr);
     m_recovered = std::exchange(model->recovered, nullptr);
-    giveWorker(std::exchange(model->sculptor, nullptr), m_recovered ? m_shelf->goOn(model->offer, *m_recovered) : model->journal);
+    giveWorker(std::exchange(model->sculptor, nullptr),
+               m_recovered ? m_shelf->goOn(model->offer, *m_recovered) : model->journal);
     if (!model->notice.isEmpty())
         Q_EMIT noticed(model->notice);
     if (!model->mended.isEmpty())
@@ -203,9 +206,10 @@ core::DocumentMetadata Document::notesNow() const
 void Document::save(const QString& path)
 {
     const int kept = ui::Settings().preferences().keepsVersions ? ui::keptVersions : 0;
-    saveBy(QFileInfo(path).fileName(), [path, kept](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
-        return ModelSaving::save(path, mesh, metadata, kept);
-    });
+    saveBy(QFileInfo(path).fileName(),
+           [path, kept](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
+               return ModelSaving::save(path, mesh, metadata, kept);
+           });
 }
 
 void Document::saveNumbered(const QString& path)
@@ -247,7 +251,9 @@ void Document::exportTo(const QString& path, quint64 mostTriangles, bool slices)
     if (m_work.isBusy())
         return;
     const core::JobControl control = m_work.beginStoppable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
-    request([this, path, mostTriangles, slices, control] { startExport({path, mostTriangles, slices, notesNow()}, control); });
+    request([this, path, mostTriangles, slices, control] {
+        startExport({path, mostTriangles, slices, notesNow()}, control);
+    });
 }
 
 void Document::startExport(const ExportOrder& order, const core::JobControl& control)
@@ -255,8 +261,12 @@ void Document::startExport(const ExportOrder& order, const core::JobControl& con
     m_worker->post([this, order = order, control](core::Sculptor& sculptor) mutable {
         order.mesh = ModelTrial::copyOf(sculptor.mesh());
         order.metadata.frame = sculptor.mesh().frame();
-        auto work = [this, order, control] { return ModelExport::run(order, [this](const QString& what) { m_work.rename(what); }, control); };
-        m_work.run(std::move(work), [this, path = order.path](const ExportOutcome& outcome) { finishExport(path, outcome); });
+        auto work = [this, order, control] {
+            return ModelExport::run(
+                order, [this](const QString& what) { m_work.rename(what); }, control);
+        };
+        m_work.run(std::move(work),
+                   [this, path = order.path](const ExportOutcome& outcome) { finishExport(path, outcome); });
     });
 }
 
@@ -279,7 +289,9 @@ void Document::keepAsBrush()
     const core::JobControl control = m_work.beginStoppable(tr("Making a brush of %1").arg(m_facts.name));
     request([this, control] {
         m_worker->post([this, control, name = m_facts.name](core::Sculptor& sculptor) {
-            auto work = [copy = ModelTrial::copyOf(sculptor.mesh()), name, control] { return BrushKeeper::keep(copy, name, control); };
+            auto work = [copy = ModelTrial::copyOf(sculptor.mesh()), name, control] {
+                return BrushKeeper::keep(copy, name, control);
+            };
             m_work.run(std::move(work), [this](const KeptBrush& kept) { finishBrush(kept); });
         });
     });
@@ -317,7 +329,8 @@ void Document::setSaved(int index)
         m_journal->saved(static_cast<std::uint32_t>(index));
 }
 
-bool Document::handOver(const QString& what, std::function<bool(const Present& present)> keep, std::function<void(bool isKept)> done)
+bool Document::handOver(const QString& what, std::function<bool(const Present& present)> keep,
+                        std::function<void(bool isKept)> done)
 {
     if (m_work.isBusy())
         return false;
@@ -326,16 +339,19 @@ bool Document::handOver(const QString& what, std::function<bool(const Present& p
     return true;
 }
 
-void Document::startHandingOver(const std::function<bool(const Present& present)>& keep, const std::function<void(bool isKept)>& done)
+void Document::startHandingOver(const std::function<bool(const Present& present)>& keep,
+                                const std::function<void(bool isKept)>& done)
 {
     if (!m_worker->hold()) // another hand was faster
         return request([this, keep, done] { startHandingOver(keep, done); });
     m_isChanging = true; // what is asked for waits
-    m_worker->post([this, keep, done, present = Present{nullptr, 0, notesNow(), m_stack.index(), deedsNow()}](core::Sculptor& sculptor) mutable {
+    m_worker->post([this, keep, done, present = Present{nullptr, 0, notesNow(), m_stack.index(), deedsNow()}](
+                       core::Sculptor& sculptor) mutable {
         present.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
         present.hash = sculptor.mesh().meshHash();
         present.metadata.frame = sculptor.mesh().frame();
-        m_work.run([keep, present] { return keep(present); }, [this, done, index = present.step](bool isKept) { finishHandingOver(index, isKept, done); });
+        m_work.run([keep, present] { return keep(present); },
+                   [this, done, index = present.step](bool isKept) { finishHandingOver(index, isKept, done); });
     });
 }
 

@@ -24,7 +24,8 @@ bool Document::lookBack(const QString& what, LookBack look, std::function<void()
     return true;
 }
 
-void Document::startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobControl& control)
+void Document::startLookingBack(const LookBack& look, const std::function<void()>& done,
+                                const core::JobControl& control)
 {
     if (!m_worker->hold()) // another hand was faster
         return request([this, look, done, control] { startLookingBack(look, done, control); });
@@ -33,7 +34,8 @@ void Document::startLookingBack(const LookBack& look, const std::function<void()
     std::vector<std::shared_ptr<StoredDelta>> changes;
     for (int i = past.first; i < past.present; ++i)
         changes.push_back(m_history.at(i));
-    past.change = [worker = m_worker, changes, first = past.first, stop = control.stop](int index) -> std::optional<core::MeshDelta> {
+    past.change = [worker = m_worker, changes, first = past.first,
+                   stop = control.stop](int index) -> std::optional<core::MeshDelta> {
         auto answer = std::make_shared<std::promise<std::optional<core::MeshDelta>>>();
         auto copied = answer->get_future();
         const auto change = changes.at(static_cast<std::size_t>(index - first));

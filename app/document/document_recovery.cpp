@@ -2,10 +2,10 @@
 
 #include "app/document/document.h"
 
-#include "app/recovery/recovery_store.h"
-#include "app/model/model_loader.h"
-#include "app/model/model_change_job.h"
 #include "app/document/stroke_command.h"
+#include "app/model/model_change_job.h"
+#include "app/model/model_loader.h"
+#include "app/recovery/recovery_store.h"
 #include "app/worker/stroke_step.h"
 
 #include <utility>
@@ -22,7 +22,8 @@ void Document::keepJournals(JournalShelf* shelf)
 
 void Document::recover(quint64 offer, const QString& name)
 {
-    openFrom({tr("Recovering %1").arg(name), [shelf = m_shelf, offer](const core::JobControl& control) { return shelf->recover(offer, control); }});
+    openFrom({tr("Recovering %1").arg(name),
+              [shelf = m_shelf, offer](const core::JobControl& control) { return shelf->recover(offer, control); }});
 }
 
 /// With its journal, which may be none. That of the model before goes when nobody writes to it any more.
@@ -99,7 +100,8 @@ core::JournalHistory Document::historyNow() const
     history.saved.reset();
     history.isWhole = m_isHistoryWhole;
     for (int i = 0; i < m_stack.count(); ++i)
-        history.steps.push_back(StrokeStep::forJournal(m_stack.text(i), static_cast<const StrokeCommand*>(m_stack.command(i))->marks()));
+        history.steps.push_back(
+            StrokeStep::forJournal(m_stack.text(i), static_cast<const StrokeCommand*>(m_stack.command(i))->marks()));
     history.present = static_cast<std::uint32_t>(m_stack.index());
     if (m_stack.cleanIndex() >= 0)
         history.saved = static_cast<std::uint32_t>(m_stack.cleanIndex());

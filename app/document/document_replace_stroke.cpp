@@ -10,13 +10,16 @@ namespace app
 {
 std::optional<Document::LastStroke> Document::lastStroke() const
 {
-    if (!m_lastReport || m_stack.index() != m_stack.count() || m_stack.count() != m_lastIndex + 1 || !m_history.canUndo(m_stack.index()))
+    if (!m_lastReport || m_stack.index() != m_stack.count() || m_stack.count() != m_lastIndex + 1 ||
+        !m_history.canUndo(m_stack.index()))
         return std::nullopt;
-    return LastStroke{*m_lastReport, m_history.at(m_lastIndex), m_lastIndex, isModified() ? std::nullopt : std::optional(m_savings)};
+    return LastStroke{*m_lastReport, m_history.at(m_lastIndex), m_lastIndex,
+                      isModified() ? std::nullopt : std::optional(m_savings)};
 }
 
 /// From the one to the other nobody sculpts, and nobody sees the model without either.
-void Document::redoStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke, const std::stop_token& stop, TakeAgain done)
+void Document::redoStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke,
+                          const std::stop_token& stop, TakeAgain done)
 {
     request([this, last, stroke = std::move(stroke), stop, done = std::move(done)] {
         const bool isLast = m_stack.count() == last.index + 1 && m_stack.index() >= last.index;
@@ -31,7 +34,9 @@ void Document::redoStroke(const LastStroke& last, std::shared_ptr<const core::St
         m_worker->hidePatches();
         if (m_stack.index() > last.index)
             comeTo(last.index);
-        m_worker->redoStroke({last.report, [change = last.change](core::Sculptor& sculptor) { return change->swap(sculptor); }, stroke, stop});
+        m_worker->redoStroke({last.report,
+                              [change = last.change](core::Sculptor& sculptor) { return change->swap(sculptor); },
+                              stroke, stop});
         m_worker->release();
         tellState();
     });

@@ -8,8 +8,8 @@ namespace app
 {
 class Document;
 
-/// Takes the document to the state that was wanted last, by a few steps at a time, so that one who drags and turns back does not wait for what
-/// is not wanted any more. Gui thread.
+/// Takes the document to the state that was wanted last, by a few steps at a time, so that one who drags and turns back
+/// does not wait for what is not wanted any more. Gui thread.
 class HistoryScrubber : public QObject
 {
     Q_OBJECT

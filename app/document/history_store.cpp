@@ -90,9 +90,10 @@ std::size_t StoredDelta::bytesInMemory() const
 }
 
 HistoryStore::HistoryStore(Post post, QObject* parent)
-    : QObject(parent), m_post(std::move(post)), m_meshSide(std::make_shared<MeshSide>())
-{
-}
+    : QObject(parent)
+    , m_post(std::move(post))
+    , m_meshSide(std::make_shared<MeshSide>())
+{}
 
 HistoryStore::~HistoryStore() = default;
 
@@ -227,7 +228,8 @@ void HistoryStore::makeOwnFolder()
 
 void HistoryStore::spillFailed(const std::shared_ptr<StoredDelta>& delta)
 {
-    const auto found = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.delta == delta; });
+    const auto found =
+        std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.delta == delta; });
     if (found != m_entries.end())
         expire(static_cast<int>(found - m_entries.begin()));
 }

@@ -41,9 +41,9 @@ private:
     std::string m_file;
 };
 
-/// Keeps the deltas of the undo stack within a number of bytes: those farthest from the present are spilled to disk, and if
-/// that is impossible they expire, from the far end on. Gui thread; the deltas themselves are touched by jobs that it posts
-/// to the mesh thread, in order with the strokes.
+/// Keeps the deltas of the undo stack within a number of bytes: those farthest from the present are spilled to disk,
+/// and if that is impossible they expire, from the far end on. Gui thread; the deltas themselves are touched by jobs
+/// that it posts to the mesh thread, in order with the strokes.
 class HistoryStore : public QObject
 {
     Q_OBJECT

@@ -22,7 +22,10 @@ std::vector<core::Slot> liveVertices(const core::Mesh& mesh)
 }
 } // namespace
 
-RestingModel::RestingModel(Document* document, SculptWorker* worker) : QObject(document), m_document(document), m_worker(worker)
+RestingModel::RestingModel(Document* document, SculptWorker* worker)
+    : QObject(document)
+    , m_document(document)
+    , m_worker(worker)
 {
     m_rest.setSingleShot(true);
     m_rest.setInterval(restMs);

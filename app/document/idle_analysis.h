@@ -20,8 +20,9 @@ struct ModelCopy
     std::vector<core::Slot> slots;
 };
 
-/// Has the whole model looked at whenever somebody wants to know, after it has rested for a moment: a copy is made by the mesh thread,
-/// and a change of the model ends the looking. Gui thread. Must be gone after the worker has stopped: a child of the document is.
+/// Has the whole model looked at whenever somebody wants to know, after it has rested for a moment: a copy is made by
+/// the mesh thread, and a change of the model ends the looking. Gui thread. Must be gone after the worker has stopped:
+/// a child of the document is.
 class RestingModel : public QObject
 {
     Q_OBJECT

@@ -37,7 +37,8 @@ void PrintInquiry::look(const std::shared_ptr<ModelCopy>& copy, const std::stop_
     };
     m_aside.run(
         [copy, stop, tell] {
-            return std::make_shared<const Measured>(core::measureForPrint(std::move(copy->mesh), {stop, tell}), std::move(copy->slots));
+            return std::make_shared<const Measured>(core::measureForPrint(std::move(copy->mesh), {stop, tell}),
+                                                    std::move(copy->slots));
         },
         [this, stop](std::shared_ptr<const Measured> measured) { take(std::move(measured), stop); });
 }

@@ -2,8 +2,8 @@
 
 #include "app/document/idle_analysis.h"
 
-#include "core/mesh/footprint.h"
 #include "core/analysis/print_check.h"
+#include "core/mesh/footprint.h"
 #include "ui/util/background_thread.h"
 
 #include <optional>
@@ -31,7 +31,8 @@ Q_SIGNALS:
     /// 0 to 1, while it is measured.
     void progressed(double share);
     /// `shades`: of the vertices, as ui::PrintScale has them; null if no picture is wished for.
-    void answered(const core::MeshReport& mesh, const core::PrintReport& print, const std::shared_ptr<const core::Footprint>& shades);
+    void answered(const core::MeshReport& mesh, const core::PrintReport& print,
+                  const std::shared_ptr<const core::Footprint>& shades);
 
 private:
     struct Measured

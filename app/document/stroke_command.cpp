@@ -5,9 +5,11 @@
 namespace app
 {
 StrokeCommand::StrokeCommand(const QString& text, StepMarks marks, HistoryStore* store, int index)
-    : QUndoCommand(text), m_marks(std::move(marks)), m_store(store), m_index(index)
-{
-}
+    : QUndoCommand(text)
+    , m_marks(std::move(marks))
+    , m_store(store)
+    , m_index(index)
+{}
 
 void StrokeCommand::undo()
 {

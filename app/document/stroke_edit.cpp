@@ -1,8 +1,8 @@
 #include "app/document/stroke_edit.h"
 
 #include "ui/settings/brush_settings.h"
-#include "ui/window/main_window.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 
@@ -16,12 +16,16 @@ namespace
 constexpr int mostMs = 250;
 } // namespace
 
-StrokeEdit::StrokeEdit(ui::MainWindow& window, Document& document) : QObject(&document), m_window(&window), m_document(&document)
+StrokeEdit::StrokeEdit(ui::MainWindow& window, Document& document)
+    : QObject(&document)
+    , m_window(&window)
+    , m_document(&document)
 {
     QAction* action = window.action(QStringLiteral("edit.lastStroke"));
     action->setEnabled(false);
     connect(action, &QAction::triggered, this, [this] { m_document->inTurn([this] { begin(); }); });
-    connect(m_document, &Document::historyChanged, action, [this, action] { action->setEnabled(m_document->lastStroke().has_value()); });
+    connect(m_document, &Document::historyChanged, action,
+            [this, action] { action->setEnabled(m_document->lastStroke().has_value()); });
     connect(m_document, &Document::historyChanged, this, &StrokeEdit::watch);
     connect(m_document, &Document::opened, this, &StrokeEdit::end);
     connect(window.viewport(), &ui::Viewport::strokeBegan, this, &StrokeEdit::finish);
@@ -49,7 +53,8 @@ QList<ui::OfferedTool> StrokeEdit::offeredTools() const
         const core::Tool tool = core::toolNamed(name).value_or(m_present.tool);
         if (tool != m_present.tool && !m_window->brush()->isOffered(tool))
             continue;
-        tools.append({tool, m_window->action(QStringLiteral("tool.") + QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())))});
+        tools.append({tool, m_window->action(QStringLiteral("tool.") +
+                                             QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())))});
     }
     return tools;
 }
@@ -99,8 +104,9 @@ void StrokeEdit::redo(const core::BrushChange& brush)
         m_bar->setHint({});
     const core::Stroke& before = *m_stroke->report.stroke();
     const bool isAsItWas = brush == core::brushOf(before.settings);
-    m_document->redoStroke(*m_stroke, isAsItWas ? nullptr : std::make_shared<const core::Stroke>(core::changed(before, brush)), m_stop.get_token(),
-                           [this](const std::optional<StrokeReport>& report) { take(report); });
+    m_document->redoStroke(*m_stroke,
+                           isAsItWas ? nullptr : std::make_shared<const core::Stroke>(core::changed(before, brush)),
+                           m_stop.get_token(), [this](const std::optional<StrokeReport>& report) { take(report); });
 }
 
 void StrokeEdit::take(const std::optional<StrokeReport>& report)

@@ -15,8 +15,9 @@ class MainWindow;
 
 namespace app
 {
-/// Changes the brush of the last stroke after the fact: Edit > Edit Last Stroke. Each change takes the stroke back and does it again, as one step;
-/// of those that come while one is under way only the newest is done. Whatever else is done to the model ends it. Gui thread.
+/// Changes the brush of the last stroke after the fact: Edit > Edit Last Stroke. Each change takes the stroke back and
+/// does it again, as one step; of those that come while one is under way only the newest is done. Whatever else is done
+/// to the model ends it. Gui thread.
 class StrokeEdit : public QObject
 {
     Q_OBJECT

@@ -1,11 +1,12 @@
-// From the present back to the first state: draw it where a frame is due -> take the next step back. The frames' numbers are known before.
+// From the present back to the first state: draw it where a frame is due -> take the next step back. The frames'
+// numbers are known before.
 
 #include "app/document/time_lapse.h"
 
 #include "app/model/model_loader.h"
 
-#include "core/util/atomic_file.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/util/atomic_file.h"
 #include "ui/util/error_messages.h"
 
 #include <QBuffer>
@@ -68,7 +69,8 @@ QString TimeLapse::obstacle(const QString& folder, const QStringList& frames)
         return tr("%1 is no folder, so no pictures can be written there.").arg(QDir::toNativeSeparators(folder));
     for (const QString& name : frames)
         if (QFileInfo::exists(QDir(folder).filePath(name)))
-            return tr("%1 has a %2 already, and nothing was written over it: choose an empty folder.").arg(QDir::toNativeSeparators(folder), name);
+            return tr("%1 has a %2 already, and nothing was written over it: choose an empty folder.")
+                .arg(QDir::toNativeSeparators(folder), name);
     return {};
 }
 
@@ -93,7 +95,8 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& pa
                 const auto picture = core::drawThumbnail(core::extractMesh(*past.mesh), order.view, control.stop);
                 if (!picture)
                     break;
-                const QString path = QDir(order.folder).filePath(names[framesBetween(past.first, state, order.every) - 1]);
+                const QString path =
+                    QDir(order.folder).filePath(names[framesBetween(past.first, state, order.every) - 1]);
                 if (QFileInfo::exists(path)) // since it began
                     return without(obstacle(order.folder, {QFileInfo(path).fileName()}));
                 write(path, pngOf(*picture));
@@ -104,7 +107,8 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& pa
                 return {{}, static_cast<int>(written.size())};
             auto change = past.change(state - 1);
             if (!change && !control.isCancelled())
-                return without(tr("The earlier steps of the model cannot be read any more, so there is no time-lapse of them."));
+                return without(
+                    tr("The earlier steps of the model cannot be read any more, so there is no time-lapse of them."));
             if (change)
                 past.mesh->swap(*change);
         }

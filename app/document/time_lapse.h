@@ -2,8 +2,8 @@
 
 #include "app/model/model_history.h"
 
-#include "core/util/job_control.h"
 #include "core/drawing/model_thumbnail.h"
+#include "core/util/job_control.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -25,8 +25,8 @@ struct TimeLapseOutcome
     int frames = 0;
 };
 
-/// The states of a model as numbered PNG files, frame-0001.png and so on: opaque, the model on a light grey. A file that is there is never written
-/// over. Any thread.
+/// The states of a model as numbered PNG files, frame-0001.png and so on: opaque, the model on a light grey. A file
+/// that is there is never written over. Any thread.
 class TimeLapse
 {
     Q_DECLARE_TR_FUNCTIONS(app::TimeLapse)
@@ -34,7 +34,8 @@ class TimeLapse
 public:
     /// From `first` to `last`, which are both among them.
     static QStringList frameNames(int first, int last, int every);
-    /// One sentence if the frames cannot be written there: there is no such folder, or one of them is there already. Else empty.
+    /// One sentence if the frames cannot be written there: there is no such folder, or one of them is there already.
+    /// Else empty.
     static QString obstacle(const QString& folder, const QStringList& frames);
     /// Uses the past's mesh up.
     static TimeLapseOutcome run(const TimeLapseOrder& order, const ModelPast& past, const core::JobControl& control);

@@ -2,11 +2,11 @@
 
 #include "app/document/document.h"
 
+#include "ui/history/time_lapse_dialog.h"
+#include "ui/settings/settings.h"
+#include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/main_window.h"
-#include "ui/settings/settings.h"
-#include "ui/history/time_lapse_dialog.h"
-#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QDir>
@@ -33,7 +33,10 @@ core::ThumbnailView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseCho
 }
 } // namespace
 
-TimeLapseDesk::TimeLapseDesk(ui::MainWindow& window, Document& document) : QObject(&document), m_window(&window), m_document(&document)
+TimeLapseDesk::TimeLapseDesk(ui::MainWindow& window, Document& document)
+    : QObject(&document)
+    , m_window(&window)
+    , m_document(&document)
 {
     connect(window.action(QStringLiteral("file.timeLapse")), &QAction::triggered, this, &TimeLapseDesk::ask);
 }
@@ -42,7 +45,8 @@ void TimeLapseDesk::ask()
 {
     const int steps = m_document->undoStack().index() - m_document->history().firstIndex();
     ui::askForTimeLapse(m_window, steps, [this](const ui::TimeLapseChoice& choice) {
-        ui::askForFolder(m_window, ui::Settings().lastFolder(), [this, choice](const QString& folder) { write(choice, folder); });
+        ui::askForFolder(m_window, ui::Settings().lastFolder(),
+                         [this, choice](const QString& folder) { write(choice, folder); });
     });
 }
 
@@ -52,8 +56,11 @@ void TimeLapseDesk::write(const ui::TimeLapseChoice& choice, const QString& fold
         return;
     const TimeLapseOrder order{folder, choice.every, viewOf(m_window->viewport()->camera(), choice)};
     const auto outcome = std::make_shared<TimeLapseOutcome>();
-    const auto look = [order, outcome](const ModelPast& past, const core::JobControl& control) { *outcome = TimeLapse::run(order, past, control); };
-    if (!m_document->lookBack(tr("Drawing the time-lapse"), look, [this, folder, outcome] { finish(folder, *outcome); }))
+    const auto look = [order, outcome](const ModelPast& past, const core::JobControl& control) {
+        *outcome = TimeLapse::run(order, past, control);
+    };
+    if (!m_document->lookBack(tr("Drawing the time-lapse"), look,
+                              [this, folder, outcome] { finish(folder, *outcome); }))
         m_window->showNotice(tr("The time-lapse has to wait until this is done; ask for it again then."));
 }
 

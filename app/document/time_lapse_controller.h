@@ -15,7 +15,8 @@ namespace app
 {
 class Document;
 
-/// File > Export Time-Lapse: the steps of the document as pictures, seen as the window sees the model. Nobody sculpts meanwhile. Gui thread.
+/// File > Export Time-Lapse: the steps of the document as pictures, seen as the window sees the model. Nobody sculpts
+/// meanwhile. Gui thread.
 class TimeLapseDesk : public QObject
 {
     Q_OBJECT

@@ -7,9 +7,9 @@
 
 namespace app
 {
-/// Counts what is done by hand: each finished stroke, and the time from one to the next. Who paused for longer than `longestPause` was
-/// not at work, and none of that pause counts; nor does what comes before the first stroke. A value of one document; any clock that
-/// never goes back.
+/// Counts what is done by hand: each finished stroke, and the time from one to the next. Who paused for longer than
+/// `longestPause` was not at work, and none of that pause counts; nor does what comes before the first stroke. A value
+/// of one document; any clock that never goes back.
 class WorkClock
 {
 public:

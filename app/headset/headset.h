@@ -22,7 +22,8 @@ public:
     /// See HeadsetDesk.
     Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);
 
-    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; that a visit is stuck is told.
+    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; that a visit is
+    /// stuck is told.
     void enter();
     void leave();
     /// One sentence, to be read in the headset; nowhere if nobody wears it.

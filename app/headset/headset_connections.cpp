@@ -1,15 +1,15 @@
 #include "app/headset/headset_connections.h"
 
 #include "app/document/document.h"
-#include "app/headset/headset.h"
-#include "app/headset/handedness_actions.h"
-#include "app/headset/runtime_probe.h"
 #include "app/headset/avatar.h"
+#include "app/headset/handedness_actions.h"
+#include "app/headset/headset.h"
+#include "app/headset/runtime_probe.h"
 #include "app/worker/sculpt_worker.h"
 
-#include "ui/window/main_window.h"
 #include "ui/headset/partner_bar.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 #include "vr/sculpt/sculpt_client.h"
 
 #include <QAction>
@@ -18,7 +18,8 @@ namespace app
 {
 namespace
 {
-std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetSettings& choice)
+std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port,
+                                            const vr::HeadsetSettings& choice)
 {
     return std::make_shared<vr::SculptClient>(port, choice);
 }
@@ -34,16 +35,18 @@ void wireVisits(ui::MainWindow& window, Headset* headset)
     using ui::MainWindow;
     QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
     QObject::connect(&window, &MainWindow::leaveVrRequested, headset, &Headset::leave);
-    QObject::connect(headset, &Headset::leaving, &window, [&window] { window.setHeadset(ui::HeadsetState::Changing, Headset::tr("Leaving VR…")); });
+    QObject::connect(headset, &Headset::leaving, &window,
+                     [&window] { window.setHeadset(ui::HeadsetState::Changing, Headset::tr("Leaving VR…")); });
     QObject::connect(headset, &Headset::noticed, &window, &MainWindow::showNotice);
     QObject::connect(headset, &Headset::reported, &window, [&window](const vr::HeadsetReport& report) {
         window.setHeadset(stateOf(report), report.text);
         if (report.isEnded() && !report.text.isEmpty())
             window.showNotice(report.text);
     });
-    QObject::connect(headset, &Headset::seen, window.viewport(), [&window](const std::optional<vr::AvatarState>& presence) {
-        window.viewport()->showWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
-    });
+    QObject::connect(headset, &Headset::seen, window.viewport(),
+                     [&window](const std::optional<vr::AvatarState>& presence) {
+                         window.viewport()->showWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+                     });
 }
 
 /// What the one at the desktop does for the one in the headset.
@@ -62,7 +65,8 @@ void wireRefusals(ui::MainWindow& window, const Document& document, SculptWorker
 {
     QObject::connect(&worker, &SculptWorker::strokeRefused, &window, [&window, &document](Source source) {
         if (source == Source::Desktop && !document.isBusy())
-            window.showNotice(Headset::tr("Somebody is sculpting in the headset: your turn comes when that stroke has ended."));
+            window.showNotice(
+                Headset::tr("Somebody is sculpting in the headset: your turn comes when that stroke has ended."));
     });
 }
 } // namespace
@@ -71,12 +75,13 @@ Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& w
 {
     auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
     auto* inquiry = new HeadsetInquiry(&window);
-    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, [&window, headset, inquiry] {
-        if (headset->isStuck())
-            window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding).text);
-        else
-            inquiry->ask();
-    });
+    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry,
+                     [&window, headset, inquiry] {
+                         if (headset->isStuck())
+                             window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding).text);
+                         else
+                             inquiry->ask();
+                     });
     QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
     wireHeadsetHands(window, headset);
     wireVisits(window, headset);

@@ -4,11 +4,11 @@
 
 #include "app/document/document.h"
 
-#include "ui/settings/brush_settings.h"
 #include "ui/brush/color_panel.h"
-#include "ui/window/main_window.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QFileInfo>
 
@@ -22,8 +22,8 @@ namespace
 /// What the headset takes from the window: not the radius, which is a length of its own there.
 auto chosen(const core::StrokeSettings& brush)
 {
-    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.radial, brush.color.r, brush.color.g,
-                      brush.color.b, brush.falloff, brush.strength, brush.detail, brush.fusion,
+    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.radial, brush.color.r,
+                      brush.color.g, brush.color.b, brush.falloff, brush.strength, brush.detail, brush.fusion,
                       brush.alpha, brush.alphaFollows, brush.model);
 }
 } // namespace

@@ -22,8 +22,8 @@ namespace app
 {
 class Document;
 
-/// The gui thread's side of visits to the headset: tells how document and brush are, obeys wishes in their order, and hears where the person
-/// is. Gui thread.
+/// The gui thread's side of visits to the headset: tells how document and brush are, obeys wishes in their order, and
+/// hears where the person is. Gui thread.
 class HeadsetDesk : public QObject
 {
     Q_OBJECT
@@ -50,7 +50,8 @@ public:
     void tellNotice(const QString& sentence);
     /// Where somebody at the window points; nothing: nowhere.
     void point(const std::optional<core::SurfaceHit>& place);
-    /// The window alone changes the model, until it gives back or the visit ends. A stroke of the headset that is open ends as it is.
+    /// The window alone changes the model, until it gives back or the visit ends. A stroke of the headset that is open
+    /// ends as it is.
     void setTakenOver(bool isTakenOver);
 
 Q_SIGNALS:
@@ -105,7 +106,7 @@ private:
     ui::MainWindow* m_window;
     ui::ColorPanel* m_colors;
     std::shared_ptr<HeadsetPort> m_port; ///< of the visit; null: there is none
-    vr::DocumentUpdate m_news;             ///< what of it is not to be found elsewhere
+    vr::DocumentUpdate m_news;           ///< what of it is not to be found elsewhere
     bool m_isChoosing = false;           ///< the headset's brush
     QPointer<ui::LessonPanel> m_lessons;
     bool m_isTakenOver = false;
@@ -114,7 +115,7 @@ private:
     quint64 m_radiusModel = 0;        ///< whose share the next is
     double m_radiusShare = 0;         ///< of the window's brush, as it was told
     bool m_isRadiusNew = false;
-    bool m_isStepNew = false; ///< of a lesson, which has tools of its own
+    bool m_isStepNew = false;  ///< of a lesson, which has tools of its own
     double m_wearerRadius = 0; ///< mm; 0: not known
     QTimer m_choice;           ///< runs while the window's choice may still go on
     bool m_tellsSoon = false;

@@ -5,11 +5,11 @@
 #include "app/document/document.h"
 #include "app/worker/stroke_step.h"
 
-#include "ui/settings/brush_settings.h"
-#include "ui/lesson/lesson_panel.h"
-#include "ui/window/main_window.h"
 #include "ui/headset/partner_bar.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 
@@ -27,7 +27,8 @@ static_assert(static_cast<int>(vr::LessonRequest::Next) == static_cast<int>(ui::
 
 vr::LessonPanel lessonOf(const ui::LessonShown& shown)
 {
-    vr::LessonPanel panel{shown.page.lesson, shown.page.title, shown.page.text, shown.page.step, shown.page.steps, {}, shown.page.isShown, shown.isPlaying};
+    vr::LessonPanel panel{shown.page.lesson,  shown.page.title, shown.page.text, shown.page.step, shown.page.steps, {},
+                          shown.page.isShown, shown.isPlaying};
     for (const ui::LessonMark& mark : shown.marks)
         panel.marks.append({mark.text, mark.holds});
     return panel;
@@ -98,7 +99,8 @@ void HeadsetDesk::tellChoice()
     const double radius = isRadiusNew || m_wearerRadius <= 0 ? brush.radius : m_wearerRadius;
     if (brush.tool != before.tool || isRadiusNew)
         //: %1: a tool; %2: a length
-        tellNotice(tr("Your partner chose %1, %2 mm.").arg(StrokeStep::textOf(brush.tool), ui::PartnerBar::figures(radius)));
+        tellNotice(
+            tr("Your partner chose %1, %2 mm.").arg(StrokeStep::textOf(brush.tool), ui::PartnerBar::figures(radius)));
     else if (brush.strength != before.strength)
         tellNotice(tr("Your partner chose a strength of %1 %.").arg(std::lround(brush.strength * 100)));
 }
@@ -121,7 +123,8 @@ void HeadsetDesk::setTakenOver(bool isTakenOver)
 /// What changes the model, or the brush that both have.
 bool HeadsetDesk::isForbidden(const vr::DocumentRequest& wish) const
 {
-    return m_isTakenOver && !std::holds_alternative<vr::HeadsetSettings>(wish) && !std::holds_alternative<vr::SaveModel>(wish);
+    return m_isTakenOver && !std::holds_alternative<vr::HeadsetSettings>(wish) &&
+           !std::holds_alternative<vr::SaveModel>(wish);
 }
 
 /// The brush is told back, too.

@@ -3,8 +3,8 @@
 #include "app/headset/headset_controller.h"
 
 #include "app/document/document.h"
-#include "app/headset/headset_settings.h"
 #include "app/headset/avatar.h"
+#include "app/headset/headset_settings.h"
 
 #include "ui/settings/brush_settings.h"
 #include "ui/window/main_window.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/files/file_jobs.h"
-#include "ui/util/background_thread.h"
 #include "ui/files/thumbnail_maker.h"
+#include "ui/util/background_thread.h"
 
 #include "vr/panels/panel_content.h"
 
@@ -13,8 +13,8 @@
 
 namespace app
 {
-/// The models of a folder with their pictures, as the headset shows them. The disk is asked and pictures are made in other threads, and only
-/// while somebody looks. Gui thread.
+/// The models of a folder with their pictures, as the headset shows them. The disk is asked and pictures are made in
+/// other threads, and only while somebody looks. Gui thread.
 class HeadsetFiles : public QObject
 {
     Q_OBJECT

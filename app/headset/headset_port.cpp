@@ -6,7 +6,7 @@ namespace app
 {
 HeadsetPort::HeadsetPort(SculptWorker* worker) : m_worker(worker) {}
 
-// --- the gui thread's side ---------------------------------------------------------------------------------------------
+// --- the gui thread's side
 
 /// The worker's signals come on the mesh thread, the last ones perhaps while the visit ends.
 void HeadsetPort::begin()
@@ -80,7 +80,7 @@ void HeadsetPort::setTakenOver(bool isTakenOver)
     endOpenStroke();
 }
 
-// --- what comes and goes -----------------------------------------------------------------------------------------------
+// --- what comes and goes
 
 std::optional<core::MeshPatch> HeadsetPort::takePatch()
 {
@@ -150,7 +150,7 @@ void HeadsetPort::ring(bool isNew)
         Q_EMIT mailCame();
 }
 
-// --- strokes -----------------------------------------------------------------------------------------------------------
+// --- strokes
 
 bool HeadsetPort::beginStroke(const core::StrokeSettings& settings)
 {

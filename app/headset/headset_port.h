@@ -19,12 +19,12 @@ struct HeadsetMail
 {
     std::deque<vr::DocumentRequest> wishes;
     std::optional<vr::AvatarState> presence; ///< the newest
-    bool wasRefused = false;              ///< a stroke, because somebody at the window has taken over
+    bool wasRefused = false;                 ///< a stroke, because somebody at the window has taken over
 };
 
-/// The document of one visit to the headset. Strokes go straight to the mesh thread, wishes to the gui thread. A stroke that begins after a
-/// wish that changes or saves the model is held here until that is done, so that both come in the order in which they were made, and
-/// nobody waits.
+/// The document of one visit to the headset. Strokes go straight to the mesh thread, wishes to the gui thread. A stroke
+/// that begins after a wish that changes or saves the model is held here until that is done, so that both come in the
+/// order in which they were made, and nobody waits.
 class HeadsetPort : public QObject, public vr::DocumentPort, public std::enable_shared_from_this<HeadsetPort>
 {
     Q_OBJECT
@@ -37,8 +37,8 @@ public:
 
     /// From now on the worker's patches and answers come here.
     void begin();
-    /// A stroke that is open ends. What is held goes to the worker when its wish is done. Whatever the headset's thread calls from now
-    /// on, as that of a visit that was given up may, comes to nothing.
+    /// A stroke that is open ends. What is held goes to the worker when its wish is done. Whatever the headset's thread
+    /// calls from now on, as that of a visit that was given up may, comes to nothing.
     void end();
     void tell(vr::DocumentUpdate news);
     HeadsetMail takeMail();
@@ -47,7 +47,8 @@ public:
     static bool holdsStrokes(const vr::DocumentRequest& wish);
     /// While another model is on its way: no stroke begins.
     void setRefusing(bool refuses);
-    /// While somebody at the window has taken over: no stroke begins, and an open one ends as it is. What was drawn before is done all the same.
+    /// While somebody at the window has taken over: no stroke begins, and an open one ends as it is. What was drawn
+    /// before is done all the same.
     void setTakenOver(bool isTakenOver);
 
     // The headset's thread.

@@ -10,8 +10,9 @@ namespace
 namespace stored = ui::stored;
 using stored::number, stored::wordFor, stored::yesNo;
 
-constexpr std::array<ui::Named<vr::ButtonPreset>, 3> presets{
-    {{vr::ButtonPreset::Paper, "paper"}, {vr::ButtonPreset::Studio, "studio"}, {vr::ButtonPreset::OneHand, "one-hand"}}};
+constexpr std::array<ui::Named<vr::ButtonPreset>, 3> presets{{{vr::ButtonPreset::Paper, "paper"},
+                                                              {vr::ButtonPreset::Studio, "studio"},
+                                                              {vr::ButtonPreset::OneHand, "one-hand"}}};
 constexpr std::array<ui::Named<vr::Side>, 2> sides{{{vr::Side::Left, "left"}, {vr::Side::Right, "right"}}};
 constexpr std::array<const char*, vr::sensationCount> sensations{"contact", "texture",  "fusion",
                                                                  "refusal", "menuStep", "hold"}; ///< by Sensation
@@ -35,7 +36,8 @@ vr::HeadsetSettings HeadsetSettings::choice() const
     choice.wands.preset = stored::choice(m_settings, presetKey, presets, choice.wands.preset);
     choice.wands.sculpting = stored::choice(m_settings, sculptingKey, sides, choice.wands.sculpting);
     using Panel = vr::SettingsPanel;
-    choice.heightOffset = number(m_settings, raisedKey, -Panel::maxHeightOffset, Panel::maxHeightOffset, choice.heightOffset);
+    choice.heightOffset =
+        number(m_settings, raisedKey, -Panel::maxHeightOffset, Panel::maxHeightOffset, choice.heightOffset);
     choice.turnRate = number(m_settings, turnsKey, Panel::minTurnRate, Panel::maxTurnRate, choice.turnRate);
     choice.showsFloor = yesNo(m_settings, floorKey, choice.showsFloor);
     choice.showsPerformance = yesNo(m_settings, performanceKey, choice.showsPerformance);

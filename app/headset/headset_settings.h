@@ -6,8 +6,8 @@
 
 namespace app
 {
-/// What a person has chosen about the headset, stored beside the window's preferences (ui::Settings). What is missing or makes no sense is
-/// as it is at first. Gui thread.
+/// What a person has chosen about the headset, stored beside the window's preferences (ui::Settings). What is missing
+/// or makes no sense is as it is at first. Gui thread.
 class HeadsetSettings
 {
 public:

@@ -6,7 +6,8 @@
 
 namespace app
 {
-/// Asks for the headset without letting the window wait for a runtime to start, or the program for one that does not answer. Gui thread.
+/// Asks for the headset without letting the window wait for a runtime to start, or the program for one that does not
+/// answer. Gui thread.
 class HeadsetInquiry : public QObject
 {
     Q_OBJECT

@@ -32,7 +32,8 @@ QJsonObject script()
 {
     const auto degrees = [](double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; };
     const double side = degrees(ui::SimulatedPerson::sideTangent), up = degrees(ui::SimulatedPerson::upTangent);
-    const QJsonObject aim{{QStringLiteral("position"), QJsonArray{0, 0, 0}}, {QStringLiteral("rotation"), QJsonArray{0, 0, 0, 1}}};
+    const QJsonObject aim{{QStringLiteral("position"), QJsonArray{0, 0, 0}},
+                          {QStringLiteral("rotation"), QJsonArray{0, 0, 0, 1}}};
     return {{QStringLiteral("start"), QJsonObject{{QStringLiteral("pace"), QStringLiteral("live")},
                                                   {QStringLiteral("hz"), hertz},
                                                   {QStringLiteral("size"), QJsonArray{pixelsAside, pixelsUp}},
@@ -45,7 +46,8 @@ QJsonObject script()
 QString folderOf(const QString& program)
 {
     for (const char* way : {"/" FETTLE_SIMULATOR_FOLDER, "/../" FETTLE_SIMULATOR_FOLDER})
-        if (const QString folder = program + QLatin1StringView(way); QFile::exists(folder + QStringLiteral("/fettle_simulator.json")))
+        if (const QString folder = program + QLatin1StringView(way);
+            QFile::exists(folder + QStringLiteral("/fettle_simulator.json")))
             return QDir::cleanPath(folder);
     return {};
 }
@@ -62,7 +64,8 @@ std::unique_ptr<Simulator> Simulator::open(const QString& program)
 {
     const QString folder = folderOf(program);
     if (folder.isEmpty())
-        throw CommandFailure{tr("The VR simulator is not installed with this program: there is no folder %1 beside it with fettle_simulator.json.")
+        throw CommandFailure{tr("The VR simulator is not installed with this program: there is no folder %1 beside it "
+                                "with fettle_simulator.json.")
                                  .arg(QStringLiteral(FETTLE_SIMULATOR_FOLDER))};
     QLibrary library(folder + QStringLiteral("/libfettle_simulator"));
     Functions functions;

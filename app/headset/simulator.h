@@ -10,15 +10,16 @@ struct FettleXrPicture;
 
 namespace app
 {
-/// The VR simulator in this process: an OpenXR runtime of our own (vr/simulator), which takes a headset's place. It stays to the end of the
-/// process. Gui thread.
+/// The VR simulator in this process: an OpenXR runtime of our own (vr/simulator), which takes a headset's place. It
+/// stays to the end of the process. Gui thread.
 class Simulator
 {
     Q_DECLARE_TR_FUNCTIONS(app::Simulator)
 
 public:
-    /// Loads what lies beside the program, or where it is installed, and makes it the OpenXR runtime of this process; before VR is first
-    /// asked for. `program`: the folder of the program. Throws CommandFailure where it is missing or cannot be loaded.
+    /// Loads what lies beside the program, or where it is installed, and makes it the OpenXR runtime of this process;
+    /// before VR is first asked for. `program`: the folder of the program. Throws CommandFailure where it is missing or
+    /// cannot be loaded.
     static std::unique_ptr<Simulator> open(const QString& program = QCoreApplication::applicationDirPath());
 
     /// How head and wands are from the next frame on, in the words of vr/simulator/control_api.h.

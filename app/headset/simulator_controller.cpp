@@ -2,9 +2,9 @@
 
 #include "app/headset/headset.h"
 
-#include "ui/window/main_window.h"
 #include "ui/headset/simulator_view.h"
 #include "ui/headset/simulator_window.h"
+#include "ui/window/main_window.h"
 #include "vr/openxr/wand_state.h"
 
 #include <QJsonArray>
@@ -19,7 +19,8 @@ using Eigen::Isometry3d;
 using ui::SimulatedHand;
 
 constexpr int ticksApart = 16; ///< milliseconds: about a frame of the simulated headset
-/// A press is told when that before it was seen by a frame for certain: the next picture may be of one that had begun before.
+/// A press is told when that before it was seen by a frame for certain: the next picture may be of one that had begun
+/// before.
 constexpr int picturesApart = 2;
 
 QJsonObject poseOf(const Isometry3d& pose)
@@ -99,8 +100,8 @@ void SimulatorDesk::noteButtons()
     m_waiting.push_back({person.buttons(SimulatedHand::Left), person.buttons(SimulatedHand::Right)});
 }
 
-/// Head and wands are as they are now. Buttons go one change after the other, each for a frame at least: a click may be quicker than a frame
-/// that is drawn in software.
+/// Head and wands are as they are now. Buttons go one change after the other, each for a frame at least: a click may be
+/// quicker than a frame that is drawn in software.
 void SimulatorDesk::move()
 {
     const ui::SimulatedPerson& person = m_window->view()->person();

@@ -22,7 +22,8 @@ namespace app
 {
 class Headset;
 
-/// The VR simulator's window during visits to VR: brings what mouse and keys do to the simulated headset, and its pictures back. Gui thread.
+/// The VR simulator's window during visits to VR: brings what mouse and keys do to the simulated headset, and its
+/// pictures back. Gui thread.
 class SimulatorDesk : public QObject
 {
     Q_OBJECT

@@ -26,7 +26,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Lets Assimp read in one folder, links followed, and write nowhere. What it asks for elsewhere is noted in `outside`, by name.
+/// Lets Assimp read in one folder, links followed, and write nowhere. What it asks for elsewhere is noted in `outside`,
+/// by name.
 class OneFolder : public Assimp::DefaultIOSystem
 {
 public:
@@ -46,7 +47,8 @@ private:
         const fs::path path = fs::canonical(file, problem);
         if (problem)
             return false;
-        const bool isWithin = std::mismatch(m_folder.begin(), m_folder.end(), path.begin(), path.end()).first == m_folder.end();
+        const bool isWithin =
+            std::mismatch(m_folder.begin(), m_folder.end(), path.begin(), path.end()).first == m_folder.end();
         if (!isWithin)
             m_outside = fs::path(file).filename().string();
         return isWithin;
@@ -59,11 +61,13 @@ private:
 std::string lowerEnding(const fs::path& path)
 {
     std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return ending;
 }
 
-constexpr std::string_view endingsInMetres[] = {".dae", ".zae", ".x3d", ".x3db", ".lwo", ".ifc"}; ///< as their specifications have it
+/// As their specifications have it.
+constexpr std::string_view endingsInMetres[] = {".dae", ".zae", ".x3d", ".x3db", ".lwo", ".ifc"};
 
 /// Millimetres in the unit of what Assimp gives, and Z made Y where it leaves that to us.
 Eigen::Matrix4d placeOf(const aiScene& scene, const std::string& ending)
@@ -125,7 +129,8 @@ public:
 private:
     void addMesh(const aiMesh& from, const Eigen::Matrix4d& transform)
     {
-        if (mesh.points.size() + from.mNumVertices > m_limits.points || mesh.triangles.size() + from.mNumFaces > m_limits.triangles)
+        if (mesh.points.size() + from.mNumVertices > m_limits.points ||
+            mesh.triangles.size() + from.mNumFaces > m_limits.triangles)
             throw std::bad_alloc();
         const auto first = static_cast<core::Slot>(mesh.points.size());
         for (unsigned i = 0; i < from.mNumVertices; ++i) {
@@ -148,7 +153,9 @@ private:
 
     static core::Rgb colorOf(const aiColor4D& color)
     {
-        const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(std::isnan(x) ? 0 : x, 0.0F, 1.0F))); };
+        const auto byte = [](float x) {
+            return static_cast<std::uint8_t>(std::lround(255 * std::clamp(std::isnan(x) ? 0 : x, 0.0F, 1.0F)));
+        };
         return {byte(color.r), byte(color.g), byte(color.b)};
     }
 
@@ -194,7 +201,8 @@ int import(const fs::path& path, const ForeignLimits& limits)
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* const scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
     if (!scene || !scene->mRootNode)
-        return outside.empty() ? refuse(ForeignHead::Outcome::Refused, importer.GetErrorString()) : refuse(ForeignHead::Outcome::Outside, outside);
+        return outside.empty() ? refuse(ForeignHead::Outcome::Refused, importer.GetErrorString())
+                               : refuse(ForeignHead::Outcome::Outside, outside);
     SceneReader reader(*scene, limits);
     reader.add(*scene->mRootNode, placeOf(*scene, lowerEnding(path)));
     if (reader.mesh.triangles.empty() && !outside.empty())

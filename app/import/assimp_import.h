@@ -7,8 +7,9 @@ namespace app
 /// The word that makes the program such a process: "fettle read-foreign FILE", which nobody is told of.
 inline constexpr const char* foreignWord = "read-foreign";
 
-/// Reads the file with Assimp, and answers on standard output (import_protocol.h). Before that it takes from itself what it does not need: memory
-/// and time beyond ForeignLimits, other programs, the network, files to write. Nothing outside of the file's folder is opened. The exit status.
+/// Reads the file with Assimp, and answers on standard output (import_protocol.h). Before that it takes from itself
+/// what it does not need: memory and time beyond ForeignLimits, other programs, the network, files to write. Nothing
+/// outside of the file's folder is opened. The exit status.
 int importForeign(const char* file);
 
 /// Whether files with that ending are measured in a unit of their own.

@@ -5,8 +5,8 @@
 
 namespace app
 {
-/// What the process that reads foreign formats answers: this head, then points, colours and triangles as core has them, then foreignEnd.
-/// Both ends are the same program on the same machine.
+/// What the process that reads foreign formats answers: this head, then points, colours and triangles as core has them,
+/// then foreignEnd. Both ends are the same program on the same machine.
 struct ForeignHead
 {
     enum class Outcome : std::uint32_t { Read, Refused, OutOfMemory, Outside };

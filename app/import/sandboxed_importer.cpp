@@ -1,8 +1,8 @@
 #include "app/import/sandboxed_importer.h"
 
-#include "app/platform/child_process.h"
-#include "app/import/import_protocol.h"
 #include "app/import/assimp_import.h"
+#include "app/import/import_protocol.h"
+#include "app/platform/child_process.h"
 
 #include "core/util/file_error.h"
 
@@ -17,10 +17,12 @@ using core::FileError;
 using core::FileErrorKind;
 using core::TriangleMesh;
 
-/// Of those that Assimp 5.2 reads: what holds surfaces, and whose ending means nothing else to most people (no raw, scn, xml, mesh).
+/// Of those that Assimp 5.2 reads: what holds surfaces, and whose ending means nothing else to most people (no raw,
+/// scn, xml, mesh).
 constexpr std::array<std::string_view, 40> endings{
-    "fbx",  "dae", "3ds", "x3d", "x3db", "amf", "blend", "lwo", "lws", "lxo", "dxf",  "ifc", "ac",  "ac3d", "acc", "ase", "b3d", "cob", "hmp", "iqm",
-    "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "ndo", "nff", "enff", "ogex", "pmx", "q3o", "q3s", "sib", "smd", "x", "xgl", "zae", "zgl"};
+    "fbx", "dae",  "3ds",  "x3d", "x3db", "amf", "blend",   "lwo", "lws", "lxo",     "dxf", "ifc", "ac",   "ac3d",
+    "acc", "ase",  "b3d",  "cob", "hmp",  "iqm", "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "ndo",
+    "nff", "enff", "ogex", "pmx", "q3o",  "q3s", "sib",     "smd", "x",   "xgl",     "zae", "zgl"};
 
 FileError errorOf(FileErrorKind kind, const std::filesystem::path& path, std::uint64_t expected = 0)
 {
@@ -39,7 +41,8 @@ public:
     {
         if (size > m_rest.size())
             return false;
-        std::copy_n(m_rest.data(), size, static_cast<char*>(to)); // std::memcpy() may not be given a null pointer, not even for nothing
+        std::copy_n(m_rest.data(), size,
+                    static_cast<char*>(to)); // std::memcpy() may not be given a null pointer, not even for nothing
         m_rest.remove_prefix(size);
         return true;
     }
@@ -89,13 +92,17 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
     core::ReadResult result;
     std::uint32_t end = 0;
     const bool isWhole = answer.take(result.mesh.points, head.points) && answer.take(result.mesh.colors, head.colors) &&
-                         answer.take(result.mesh.triangles, head.triangles) && answer.take(&end, sizeof end) && end == foreignEnd && answer.atEnd();
+                         answer.take(result.mesh.triangles, head.triangles) && answer.take(&end, sizeof end) &&
+                         end == foreignEnd && answer.atEnd();
     if (!isWhole || !isSound(result.mesh))
         throw errorOf(FileErrorKind::ReaderDied, path);
     for (const core::Vec3f& point : result.mesh.points)
         if (!point.allFinite())
             throw errorOf(FileErrorKind::NotANumber, path);
-    result.remarks = {.objects = head.objects, .materials = head.materials != 0, .textures = head.textures != 0, .poses = head.poses != 0};
+    result.remarks = {.objects = head.objects,
+                      .materials = head.materials != 0,
+                      .textures = head.textures != 0,
+                      .poses = head.poses != 0};
     return result;
 }
 
@@ -104,16 +111,21 @@ core::ReadResult read(const std::string& program, const std::filesystem::path& p
     const ForeignLimits limits(std::filesystem::file_size(path));
     ChildOrder order{{program, foreignWord, std::filesystem::absolute(path).string()}};
     order.time = std::chrono::seconds(2 * limits.seconds);
-    order.maxBytes = sizeof(ForeignHead) + sizeof foreignEnd + limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb)) +
-                      limits.triangles * sizeof(core::Triangle);
+    order.maxBytes = sizeof(ForeignHead) + sizeof foreignEnd +
+                     limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb)) +
+                     limits.triangles * sizeof(core::Triangle);
     order.stop = stop;
     const ChildAnswer answer = runChild(order);
     switch (answer.end) {
-    case ChildAnswer::End::Stopped: throw core::ReadingCancelled();
-    case ChildAnswer::End::TooSlow: throw errorOf(FileErrorKind::ReaderTooSlow, path, limits.seconds);
+    case ChildAnswer::End::Stopped:
+        throw core::ReadingCancelled();
+    case ChildAnswer::End::TooSlow:
+        throw errorOf(FileErrorKind::ReaderTooSlow, path, limits.seconds);
     case ChildAnswer::End::Died:
-    case ChildAnswer::End::NotStarted: throw errorOf(FileErrorKind::ReaderDied, path);
-    case ChildAnswer::End::Exited: break;
+    case ChildAnswer::End::NotStarted:
+        throw errorOf(FileErrorKind::ReaderDied, path);
+    case ChildAnswer::End::Exited:
+        break;
     }
     return resultOf(answer.bytes, path, limits);
 }
@@ -121,7 +133,8 @@ core::ReadResult read(const std::string& program, const std::filesystem::path& p
 
 core::ExternalReader foreignReaderBy(std::string program)
 {
-    return {{endings.begin(), endings.end()}, [program = std::move(program)](const std::filesystem::path& path, const std::stop_token& stop) {
+    return {{endings.begin(), endings.end()},
+            [program = std::move(program)](const std::filesystem::path& path, const std::stop_token& stop) {
                 return read(program, path, stop);
             }};
 }

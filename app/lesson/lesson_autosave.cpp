@@ -1,7 +1,7 @@
 #include "app/lesson/lesson_autosave.h"
 
-#include "core/util/file_error.h"
 #include "core/lesson/lesson_file.h"
+#include "core/util/file_error.h"
 
 #include <algorithm>
 #include <new>
@@ -21,10 +21,18 @@ core::LessonDraft filled(core::LessonDraft draft)
     using Required = core::LessonDraft::Required;
     while (const auto missing = draft.missing()) {
         switch (missing->what) {
-        case Required::Title: draft.setTitle(standInLanguage, standIn); break;
-        case Required::Steps: draft.addStep(); break;
-        case Required::StepTitle: draft.setStepTitle(missing->step, standInLanguage, standIn); break;
-        case Required::StepText: draft.setStepText(missing->step, standInLanguage, standIn); break;
+        case Required::Title:
+            draft.setTitle(standInLanguage, standIn);
+            break;
+        case Required::Steps:
+            draft.addStep();
+            break;
+        case Required::StepTitle:
+            draft.setStepTitle(missing->step, standInLanguage, standIn);
+            break;
+        case Required::StepText:
+            draft.setStepText(missing->step, standInLanguage, standIn);
+            break;
         }
     }
     return draft;
@@ -44,7 +52,9 @@ struct LessonKeeper::Place
 };
 
 LessonKeeper::LessonKeeper(const std::filesystem::path& root, Unsaved unsaved)
-    : m_root(root), m_unsaved(std::move(unsaved)), m_left(core::JournalFolder::abandoned(root))
+    : m_root(root)
+    , m_unsaved(std::move(unsaved))
+    , m_left(core::JournalFolder::abandoned(root))
 {
     std::erase_if(m_left, [](const auto& folder) {
         std::error_code problem;
@@ -90,7 +100,9 @@ core::Lesson LessonKeeper::withoutStandIns(core::Lesson lesson)
 
 void LessonKeeper::takeOver(const QString& file)
 {
-    const auto found = std::ranges::find_if(m_left, [&](const auto& folder) { return folder->path() / fileName == std::filesystem::path(file.toStdU16String()); });
+    const auto found = std::ranges::find_if(m_left, [&](const auto& folder) {
+        return folder->path() / fileName == std::filesystem::path(file.toStdU16String());
+    });
     if (found == m_left.end())
         return;
     m_place = std::make_shared<Place>(Place{std::move(*found)});

@@ -15,8 +15,8 @@
 
 namespace app
 {
-/// Keeps the lesson in the making in a file, a few seconds behind, until it is saved or given up: what ends the program leaves it there for the
-/// next one. Where nothing can be written nothing is kept. Gui thread; never throws.
+/// Keeps the lesson in the making in a file, a few seconds behind, until it is saved or given up: what ends the program
+/// leaves it there for the next one. Where nothing can be written nothing is kept. Gui thread; never throws.
 class LessonKeeper : public QObject
 {
 public:

@@ -17,7 +17,8 @@ std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, c
     shades->slots = std::move(slots);
     shades->weights.reserve(target.distances.size());
     for (const float distance : target.distances)
-        shades->weights.push_back(static_cast<std::uint8_t>(std::clamp(128 * static_cast<double>(distance) / target.tolerance, 0.0, 255.0)));
+        shades->weights.push_back(
+            static_cast<std::uint8_t>(std::clamp(128 * static_cast<double>(distance) / target.tolerance, 0.0, 255.0)));
     return shades;
 }
 } // namespace

@@ -3,8 +3,8 @@
 #include "app/document/idle_analysis.h"
 
 #include "core/lesson/checkpoint.h"
-#include "core/mesh/footprint.h"
 #include "core/lesson/lesson.h"
+#include "core/mesh/footprint.h"
 #include "ui/util/background_thread.h"
 
 #include <filesystem>
@@ -29,7 +29,8 @@ public:
     void setPlace(const Place& place);
 
 Q_SIGNALS:
-    /// `shades`: of the model's vertices as ui::PrintScale has them, 128 at the tolerance; null where there is no target.
+    /// `shades`: of the model's vertices as ui::PrintScale has them, 128 at the tolerance; null where there is no
+    /// target.
     void answered(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades);
 
 private:

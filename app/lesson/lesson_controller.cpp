@@ -1,14 +1,14 @@
 #include "app/lesson/lesson_controller.h"
 
 #include "app/document/document.h"
-#include "app/lesson/lesson_model.h"
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_messages.h"
+#include "app/lesson/lesson_model.h"
 
-#include "ui/widgets/file_dialogs.h"
-#include "ui/window/main_window.h"
 #include "ui/help/start_page.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 
@@ -17,20 +17,23 @@ namespace app
 namespace
 {
 constexpr int tickMs = 16;
-constexpr quint64 mostWaiting = 3; ///< samples that the mesh thread may be behind: so none is ever dropped
+constexpr quint64 mostWaiting = 3;  ///< samples that the mesh thread may be behind: so none is ever dropped
 constexpr double longestTick = 0.1; ///< s: a window that was held up does not make up for it
 
 QImage pictureOf(const core::Lesson& lesson, const std::string& name)
 {
     const auto found = lesson.files.find(name);
-    return found == lesson.files.end() ? QImage() : QImage::fromData(reinterpret_cast<const uchar*>(found->second.data()), static_cast<int>(found->second.size()));
+    return found == lesson.files.end() ? QImage()
+                                       : QImage::fromData(reinterpret_cast<const uchar*>(found->second.data()),
+                                                          static_cast<int>(found->second.size()));
 }
 
 ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
 {
     const core::LessonStep& step = lesson.steps[index];
-    return {inOurLanguage(lesson.title), inOurLanguage(step.title), inOurLanguage(step.text), pictureOf(lesson, step.picture),
-            static_cast<int>(index), static_cast<int>(lesson.steps.size()), !step.strokes.empty(), step.checkpoint.target.has_value()};
+    return {inOurLanguage(lesson.title),     inOurLanguage(step.title),         inOurLanguage(step.text),
+            pictureOf(lesson, step.picture), static_cast<int>(index),           static_cast<int>(lesson.steps.size()),
+            !step.strokes.empty(),           step.checkpoint.target.has_value()};
 }
 
 /// Of the lessons that are inside of the program.
@@ -40,15 +43,20 @@ QList<ui::LessonCard> cards()
     for (const QString& name : shippedLessons()) {
         const std::shared_ptr<const core::Lesson> lesson = tryToReadLesson(name).lesson;
         if (lesson)
-            all.append({name, inOurLanguage(lesson->title), inOurLanguage(lesson->summary), pictureOf(*lesson, lesson->steps.back().picture)});
+            all.append({name, inOurLanguage(lesson->title), inOurLanguage(lesson->summary),
+                        pictureOf(*lesson, lesson->steps.back().picture)});
     }
     return all;
 }
 } // namespace
 
 LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker& worker)
-    : QObject(&document), m_window(&window), m_panel(window.findChild<ui::LessonPanel*>()), m_document(&document), m_worker(&worker),
-      m_inquiry(new LessonInquiry(&document, &worker))
+    : QObject(&document)
+    , m_window(&window)
+    , m_panel(window.findChild<ui::LessonPanel*>())
+    , m_document(&document)
+    , m_worker(&worker)
+    , m_inquiry(new LessonInquiry(&document, &worker))
 {
     using ui::LessonPanel;
     m_timer.setInterval(tickMs);
@@ -58,7 +66,8 @@ LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker&
     offerAtStart(lessons);
     connect(&m_timer, &QTimer::timeout, this, &LessonDesk::tick);
     connect(m_panel, &LessonPanel::lessonChosen, this, &LessonDesk::read);
-    connect(m_panel, &LessonPanel::fileWanted, this, [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
+    connect(m_panel, &LessonPanel::fileWanted, this,
+            [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
     connect(m_panel, &LessonPanel::stepWanted, this, &LessonDesk::goTo);
     connect(m_panel, &LessonPanel::playWanted, this, &LessonDesk::playOrPause);
     connect(m_panel, &LessonPanel::oneWanted, this, &LessonDesk::playOne);
@@ -104,7 +113,9 @@ void LessonDesk::take(std::shared_ptr<const core::Lesson> lesson, const std::fil
 {
     m_coming = lesson;
     m_comingPath = path;
-    const auto make = [model = LessonModel{lesson, path}](const core::JobControl& control) { return model.load(control); };
+    const auto make = [model = LessonModel{lesson, path}](const core::JobControl& control) {
+        return model.load(control);
+    };
     m_document->openMade({tr("Opening %1").arg(inOurLanguage(lesson->title)), make, lesson});
 }
 
@@ -311,10 +322,14 @@ void LessonDesk::tell(const core::CheckpointVerdict& verdict, const std::shared_
     if (m_player && !m_player->step().strokes.empty() && !(verdict.facts.empty() && !verdict.target))
         marks.append({m_document->undoStack().index() > m_starts.back(), tr("something sculpted in this step")});
     for (const core::FactVerdict& fact : verdict.facts)
-        marks.append({fact.holds, tr("%1 (%2)", "what is asked; what is").arg(LessonWords::asked(fact.asked), LessonWords::found(fact))});
+        marks.append(
+            {fact.holds,
+             tr("%1 (%2)", "what is asked; what is").arg(LessonWords::asked(fact.asked), LessonWords::found(fact))});
     if (verdict.target)
-        marks.append({verdict.target->holds, tr("%1 (%2)", "what is asked; what is")
-                                                 .arg(LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}), LessonWords::found(*verdict.target))});
+        marks.append(
+            {verdict.target->holds, tr("%1 (%2)", "what is asked; what is")
+                                        .arg(LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
+                                             LessonWords::found(*verdict.target))});
     if (m_player)
         m_panel->setMarks(marks);
     m_shades = shades;

@@ -17,8 +17,8 @@ class MainWindow;
 
 namespace app
 {
-/// Gives a lesson in the window: its start is the document, the teacher's strokes are steps to undo, and what the pupil does is the pupil's own.
-/// A stroke of the hand ends the teacher's. Gui thread.
+/// Gives a lesson in the window: its start is the document, the teacher's strokes are steps to undo, and what the pupil
+/// does is the pupil's own. A stroke of the hand ends the teacher's. Gui thread.
 class LessonDesk : public QObject
 {
     Q_OBJECT

@@ -1,18 +1,18 @@
 #include "app/lesson/lesson_editor_controller.h"
 
 #include "app/document/document.h"
-#include "app/lesson/lesson_model.h"
 #include "app/lesson/lesson_library.h"
+#include "app/lesson/lesson_model.h"
 #include "app/model/command_names.h"
 #include "app/worker/stroke_step.h"
 
 #include "core/lesson/checkpoint.h"
 #include "core/mesh/mesh_builder.h"
-#include "ui/widgets/file_dialogs.h"
 #include "ui/lesson/lesson_panel.h"
-#include "ui/window/main_window.h"
 #include "ui/util/error_messages.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -31,7 +31,8 @@ ui::LessonStroke describe(const core::FileEntry& entry)
 {
     if (const auto* const command = std::get_if<core::FileCommand>(&entry))
         return {LessonSaving::nameOf(entry), ModelWords::icon(command->command)};
-    return {LessonSaving::lineOf(std::get<core::Stroke>(entry)), StrokeStep::iconOf(std::get<core::Stroke>(entry).settings.tool)};
+    return {LessonSaving::lineOf(std::get<core::Stroke>(entry)),
+            StrokeStep::iconOf(std::get<core::Stroke>(entry).settings.tool)};
 }
 
 /// Of no draft.
@@ -67,7 +68,12 @@ std::vector<core::FactBounds> factsOf(const core::TriangleMesh& mesh)
 } // namespace
 
 LessonEditorDesk::LessonEditorDesk(ui::MainWindow& window, Document& document, SculptWorker& worker)
-    : QObject(&document), m_window(&window), m_panel(window.findChild<ui::LessonEditor*>()), m_document(&document), m_worker(&worker), m_recorder(document)
+    : QObject(&document)
+    , m_window(&window)
+    , m_panel(window.findChild<ui::LessonEditor*>())
+    , m_document(&document)
+    , m_worker(&worker)
+    , m_recorder(document)
 {
     m_panel->setDescribe(describe);
     showLessons();
@@ -80,7 +86,8 @@ void LessonEditorDesk::keepLessons(const std::filesystem::path& root)
     m_keeper = std::make_unique<LessonKeeper>(root, [this] { return hasChanges() ? &m_draft : nullptr; });
     showLessons();
     if (m_window && !m_keeper->left().isEmpty())
-        m_window->showNotice(tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
+        m_window->showNotice(
+            tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
 }
 
 /// Those that were not saved first.
@@ -119,7 +126,7 @@ void LessonEditorDesk::connectAll()
     });
 }
 
-// --- what is worked on -----------------------------------------------------------------------------------------------------------------
+// --- what is worked on
 
 void LessonEditorDesk::start(const std::optional<core::Starter>& starter)
 {
@@ -209,7 +216,7 @@ void LessonEditorDesk::leave()
     m_written = 0;
 }
 
-// --- recording -------------------------------------------------------------------------------------------------------------------------
+// --- recording
 
 void LessonEditorDesk::record(bool on)
 {
@@ -266,7 +273,7 @@ void LessonEditorDesk::takeFacts()
     });
 }
 
-// --- writing ---------------------------------------------------------------------------------------------------------------------------
+// --- writing
 
 void LessonEditorDesk::save()
 {
@@ -281,20 +288,23 @@ void LessonEditorDesk::save()
                 return attempt(path, m_draft, {});
             m_worker->post([this, path, draft = m_draft](core::Sculptor& sculptor) {
                 const std::uint64_t hash = sculptor.mesh().meshHash();
-                QMetaObject::invokeMethod(this, [this, path, draft, hash] { attempt(path, draft, hash); }, Qt::QueuedConnection);
+                QMetaObject::invokeMethod(
+                    this, [this, path, draft, hash] { attempt(path, draft, hash); }, Qt::QueuedConnection);
             });
         });
     });
 }
 
-void LessonEditorDesk::attempt(const QString& path, const core::LessonDraft& draft, const std::optional<std::uint64_t>& hash)
+void LessonEditorDesk::attempt(const QString& path, const core::LessonDraft& draft,
+                               const std::optional<std::uint64_t>& hash)
 {
     LongWork* work = m_document->longWork();
     if (work->isBusy())
         return m_window ? m_window->showNotice(tr("Not yet: other work on the model is not done.")) : void();
     const core::JobControl control = work->beginStoppable(tr("Playing the lesson to its end"));
-    work->run([draft, path, hash, control] { return LessonSaving::attempt(draft, toPath(path), hash, control); },
-              [this, path, revision = draft.revision()](const TriedLesson& tried) { takeAttempt(path, tried, revision); });
+    work->run(
+        [draft, path, hash, control] { return LessonSaving::attempt(draft, toPath(path), hash, control); },
+        [this, path, revision = draft.revision()](const TriedLesson& tried) { takeAttempt(path, tried, revision); });
 }
 
 void LessonEditorDesk::takeAttempt(const QString& path, const TriedLesson& tried, std::uint64_t revision)
@@ -312,7 +322,8 @@ void LessonEditorDesk::takeAttempt(const QString& path, const TriedLesson& tried
     QStringList remarks = tried.remarks.mid(0, mostRemarks);
     if (tried.remarks.size() > mostRemarks)
         remarks << tr("And %n more.", nullptr, static_cast<int>(tried.remarks.size() - mostRemarks));
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Save the lesson"), tr("Not everything is as the lesson asks for."), QMessageBox::Cancel, m_window);
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Save the lesson"),
+                                tr("Not everything is as the lesson asks for."), QMessageBox::Cancel, m_window);
     box->setObjectName(QStringLiteral("lessonRemarks"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
@@ -326,7 +337,8 @@ void LessonEditorDesk::takeAttempt(const QString& path, const TriedLesson& tried
     box->open();
 }
 
-void LessonEditorDesk::write(const QString& path, const std::shared_ptr<const core::Lesson>& lesson, std::uint64_t revision)
+void LessonEditorDesk::write(const QString& path, const std::shared_ptr<const core::Lesson>& lesson,
+                             std::uint64_t revision)
 {
     LongWork* work = m_document->longWork();
     if (work->isBusy())
@@ -345,7 +357,7 @@ void LessonEditorDesk::write(const QString& path, const std::shared_ptr<const co
               });
 }
 
-// --- what would be lost ----------------------------------------------------------------------------------------------------------------
+// --- what would be lost
 
 bool LessonEditorDesk::hasChanges() const
 {
@@ -356,8 +368,9 @@ void LessonEditorDesk::askThen(std::function<void()> then)
 {
     if (!hasChanges())
         return then();
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved lesson"), tr("The lesson has changes that were not saved."),
-                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Unsaved lesson"), tr("The lesson has changes that were not saved."),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     box->setObjectName(QStringLiteral("lessonQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);

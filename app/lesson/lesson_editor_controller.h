@@ -63,11 +63,11 @@ private:
     SculptWorker* m_worker;
     core::LessonDraft m_draft;
     LessonRecorder m_recorder;
-    QString m_path;               ///< of the lesson that was opened, or where it was written; empty: neither
-    std::uint64_t m_written = 0;  ///< revision of the draft that is in a file
+    QString m_path;              ///< of the lesson that was opened, or where it was written; empty: neither
+    std::uint64_t m_written = 0; ///< revision of the draft that is in a file
     std::shared_ptr<const core::Lesson> m_coming; ///< at whose end recording begins once its model is there; null: none
-    bool m_isOurs = false;        ///< what was done to the document is all in the lesson
-    std::unique_ptr<LessonKeeper> m_keeper; ///< null: nothing is kept
-    ui::SideThread m_aside;       ///< last
+    bool m_isOurs = false;                        ///< what was done to the document is all in the lesson
+    std::unique_ptr<LessonKeeper> m_keeper;       ///< null: nothing is kept
+    ui::SideThread m_aside;                       ///< last
 };
 } // namespace app

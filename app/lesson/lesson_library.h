@@ -10,7 +10,7 @@ namespace app
 /// The lessons that come with the program (resources/lessons), by the names of their folders, the easiest first.
 QStringList shippedLessons();
 
-/// A lesson by its path, or by the name of one that comes with the program; a file or folder of that name goes first. Throws core::LessonError
-/// and core::FileError.
+/// A lesson by its path, or by the name of one that comes with the program; a file or folder of that name goes first.
+/// Throws core::LessonError and core::FileError.
 core::Lesson readLesson(const QString& pathOrName);
 } // namespace app

@@ -26,7 +26,8 @@ QString millimetres(double length)
 
 QString LessonWords::sentence(const core::LessonError& error)
 {
-    const QString path = QDir::toNativeSeparators(QString::fromStdU16String(error.path.u16string())), where = place(error);
+    const QString path = QDir::toNativeSeparators(QString::fromStdU16String(error.path.u16string())),
+                  where = place(error);
     return where.isEmpty() ? tr("%1: %2", "file: reason").arg(path, reason(error))
                            : tr("%1: %2: %3", "file: place: reason").arg(path, where, reason(error));
 }
@@ -58,24 +59,41 @@ QString LessonWords::json(const core::LessonError& error)
 {
     const QString key = QString::fromStdString(error.key);
     switch (error.kind) {
-    case Kind::NotALesson: return tr("its lesson.json is no lesson of this program");
-    case Kind::Newer: return tr("this lesson was made for a newer version of the program (format %1; this one reads format 1)").arg(error.version);
-    case Kind::Syntax: return tr("its lesson.json is not JSON");
-    case Kind::TooDeep: return tr("its lesson.json nests deeper than a lesson does");
-    case Kind::DuplicateKey: return tr("\"%1\" stands there twice").arg(key);
-    case Kind::UnknownKey: return tr("unknown key %1").arg(key);
-    case Kind::MissingKey: return tr("\"%1\" is missing").arg(key);
-    case Kind::WrongType: return tr("\"%1\" is of the wrong type, or holds nothing that a lesson can use").arg(key);
-    case Kind::UnknownValue: return tr("unknown value, %1").arg(key);
+    case Kind::NotALesson:
+        return tr("its lesson.json is no lesson of this program");
+    case Kind::Newer:
+        return tr("this lesson was made for a newer version of the program (format %1; this one reads format 1)")
+            .arg(error.version);
+    case Kind::Syntax:
+        return tr("its lesson.json is not JSON");
+    case Kind::TooDeep:
+        return tr("its lesson.json nests deeper than a lesson does");
+    case Kind::DuplicateKey:
+        return tr("\"%1\" stands there twice").arg(key);
+    case Kind::UnknownKey:
+        return tr("unknown key %1").arg(key);
+    case Kind::MissingKey:
+        return tr("\"%1\" is missing").arg(key);
+    case Kind::WrongType:
+        return tr("\"%1\" is of the wrong type, or holds nothing that a lesson can use").arg(key);
+    case Kind::UnknownValue:
+        return tr("unknown value, %1").arg(key);
     case Kind::OutOfRange:
-        return tr("\"%1\" is out of range, %2 to %3").arg(key, QString::number(error.min, 'g', 6), QString::number(error.max, 'g', 6));
-    case Kind::NoWords: return tr("\"%1\" has no words in some language").arg(key);
-    case Kind::TooLong: return tr("\"%1\" is too long: at most %2 of text are read").arg(key, bytes(error.max));
+        return tr("\"%1\" is out of range, %2 to %3")
+            .arg(key, QString::number(error.min, 'g', 6), QString::number(error.max, 'g', 6));
+    case Kind::NoWords:
+        return tr("\"%1\" has no words in some language").arg(key);
+    case Kind::TooLong:
+        return tr("\"%1\" is too long: at most %2 of text are read").arg(key, bytes(error.max));
     case Kind::TooMany:
-        return key.isEmpty() ? tr("it holds too many files: at most %1 are read").arg(QLocale().toString(error.max, 'f', 0))
-                             : tr("\"%1\" has too many entries: at most %2 are read").arg(key, QLocale().toString(error.max, 'f', 0));
-    case Kind::BadName: return tr("it names a file outside of its folder, or by no plain name: %1").arg(key);
-    default: return {};
+        return key.isEmpty()
+                   ? tr("it holds too many files: at most %1 are read").arg(QLocale().toString(error.max, 'f', 0))
+                   : tr("\"%1\" has too many entries: at most %2 are read")
+                         .arg(key, QLocale().toString(error.max, 'f', 0));
+    case Kind::BadName:
+        return tr("it names a file outside of its folder, or by no plain name: %1").arg(key);
+    default:
+        return {};
     }
 }
 
@@ -83,31 +101,48 @@ QString LessonWords::json(const core::LessonError& error)
 QString LessonWords::files(const core::LessonError& error)
 {
     switch (error.kind) {
-    case Kind::NoLesson: return tr("there is no lesson.json in it: a lesson is a folder or a zip with that file");
-    case Kind::MissingFile: return tr("this file is named, but not there");
-    case Kind::TooLarge: return tr("this is too large for a lesson: at most %1 are read").arg(bytes(error.max));
-    case Kind::NotAPicture: return tr("this is no PNG or JPEG picture");
+    case Kind::NoLesson:
+        return tr("there is no lesson.json in it: a lesson is a folder or a zip with that file");
+    case Kind::MissingFile:
+        return tr("this file is named, but not there");
+    case Kind::TooLarge:
+        return tr("this is too large for a lesson: at most %1 are read").arg(bytes(error.max));
+    case Kind::NotAPicture:
+        return tr("this is no PNG or JPEG picture");
     case Kind::Unsound:
-        return error.report.printReady() ? ui::Messages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
-                                         : ui::Messages::refusal(QString::fromStdString(error.file), error.report);
-    case Kind::Strokes: return error.strokes ? StrokeWords::reason(*error.strokes) : QString();
-    case Kind::NamesFiles: return tr("the strokes of a lesson cannot need other images or models");
-    case Kind::Refused: return tr("this command cannot be done soundly on the model that it comes to");
-    default: return {};
+        return error.report.printReady()
+                   ? ui::Messages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
+                   : ui::Messages::refusal(QString::fromStdString(error.file), error.report);
+    case Kind::Strokes:
+        return error.strokes ? StrokeWords::reason(*error.strokes) : QString();
+    case Kind::NamesFiles:
+        return tr("the strokes of a lesson cannot need other images or models");
+    case Kind::Refused:
+        return tr("this command cannot be done soundly on the model that it comes to");
+    default:
+        return {};
     }
 }
 
 QString LessonWords::name(core::Fact fact)
 {
     switch (fact) {
-    case core::Fact::Genus: return tr("holes");
-    case core::Fact::Components: return tr("parts");
-    case core::Fact::Height: return tr("height");
-    case core::Fact::Width: return tr("width");
-    case core::Fact::Depth: return tr("depth");
-    case core::Fact::Volume: return tr("volume");
-    case core::Fact::Faces: return tr("triangles");
-    case core::Fact::PrintReady: break;
+    case core::Fact::Genus:
+        return tr("holes");
+    case core::Fact::Components:
+        return tr("parts");
+    case core::Fact::Height:
+        return tr("height");
+    case core::Fact::Width:
+        return tr("width");
+    case core::Fact::Depth:
+        return tr("depth");
+    case core::Fact::Volume:
+        return tr("volume");
+    case core::Fact::Faces:
+        return tr("triangles");
+    case core::Fact::PrintReady:
+        break;
     }
     return tr("ready to print");
 }
@@ -117,10 +152,14 @@ QString LessonWords::figure(core::Fact fact, double value)
     switch (fact) {
     case core::Fact::Height:
     case core::Fact::Width:
-    case core::Fact::Depth: return tr("%1 mm").arg(millimetres(value));
-    case core::Fact::Volume: return tr("%1 mm³").arg(QLocale().toString(value, 'f', 0));
-    case core::Fact::PrintReady: return value > 0 ? tr("yes") : tr("no");
-    default: return QLocale().toString(value, 'f', 0);
+    case core::Fact::Depth:
+        return tr("%1 mm").arg(millimetres(value));
+    case core::Fact::Volume:
+        return tr("%1 mm³").arg(QLocale().toString(value, 'f', 0));
+    case core::Fact::PrintReady:
+        return value > 0 ? tr("yes") : tr("no");
+    default:
+        return QLocale().toString(value, 'f', 0);
     }
 }
 
@@ -132,7 +171,8 @@ QString LessonWords::asked(const core::FactBounds& bounds)
     if (bounds.max == core::FactBounds::unbounded)
         return tr("%1: at least %2").arg(name(bounds.fact), least);
     const QString most = figure(bounds.fact, bounds.max);
-    return bounds.min > 0 ? tr("%1: %2 to %3").arg(name(bounds.fact), least, most) : tr("%1: at most %2").arg(name(bounds.fact), most);
+    return bounds.min > 0 ? tr("%1: %2 to %3").arg(name(bounds.fact), least, most)
+                          : tr("%1: at most %2").arg(name(bounds.fact), most);
 }
 
 QString LessonWords::asked(const core::CheckpointTarget& target)

@@ -3,8 +3,8 @@
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_messages.h"
 
-#include "core/lesson/lesson_playback.h"
 #include "core/io/mesh_io.h"
+#include "core/lesson/lesson_playback.h"
 #include "ui/util/error_messages.h"
 
 #include <QFile>

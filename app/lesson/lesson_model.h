@@ -6,7 +6,8 @@
 
 namespace app
 {
-/// A lesson's model for the window, to the bit what core::LessonPlayback has: what its first `steps` steps leave, or its start. Like ModelLoader.
+/// A lesson's model for the window, to the bit what core::LessonPlayback has: what its first `steps` steps leave, or
+/// its start. Like ModelLoader.
 struct LessonModel
 {
     std::shared_ptr<const core::Lesson> lesson;
@@ -16,7 +17,8 @@ struct LessonModel
     LoadedModel load(const core::JobControl& control) const;
 };
 
-/// What the file holds that a lesson begins with, if it begins with this model: to be named lessonStart. Throws FileError.
+/// What the file holds that a lesson begins with, if it begins with this model: to be named lessonStart. Throws
+/// FileError.
 std::string lessonStartOf(const core::TriangleMesh& mesh);
 inline constexpr char lessonStart[] = "start.glb";
 

@@ -16,7 +16,8 @@ bool needsFile(const core::FileEntry& entry)
         return std::holds_alternative<core::Insert>(command->command);
     const core::Stroke& stroke = std::get<core::Stroke>(entry);
     const core::StrokeSettings& settings = stroke.settings;
-    return settings.model || (settings.alpha && !settings.alpha->isBuiltIn()) || !stroke.model.file.empty() || !stroke.alpha.file.empty();
+    return settings.model || (settings.alpha && !settings.alpha->isBuiltIn()) || !stroke.model.file.empty() ||
+           !stroke.alpha.file.empty();
 }
 } // namespace
 

@@ -8,8 +8,8 @@ namespace app
 {
 class Document;
 
-/// Writes what is done to the document, by whatever hand, into the last step of a lesson, in step with the undo stack: what is undone is out of
-/// the lesson, what is redone in it again. Gui thread.
+/// Writes what is done to the document, by whatever hand, into the last step of a lesson, in step with the undo stack:
+/// what is undone is out of the lesson, what is redone in it again. Gui thread.
 class LessonRecorder : public QObject
 {
     Q_OBJECT
@@ -19,8 +19,8 @@ public:
     explicit LessonRecorder(Document& document);
 
     bool isOn() const { return m_draft != nullptr; }
-    /// The document has just come, as the draft's steps leave it, of which there is one at least. What is done to the draft meanwhile leaves the
-    /// order of its steps and their strokes as they are; it must live until end().
+    /// The document has just come, as the draft's steps leave it, of which there is one at least. What is done to the
+    /// draft meanwhile leaves the order of its steps and their strokes as they are; it must live until end().
     void begin(core::LessonDraft* draft);
     void end();
 

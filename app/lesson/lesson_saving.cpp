@@ -4,9 +4,9 @@
 #include "app/model/command_names.h"
 #include "app/worker/stroke_step.h"
 
-#include "core/lesson/lesson_file.h"
-#include "core/lesson/lesson_check.h"
 #include "core/drawing/model_thumbnail.h"
+#include "core/lesson/lesson_check.h"
+#include "core/lesson/lesson_file.h"
 #include "ui/util/error_messages.h"
 
 #include <QBuffer>
@@ -17,7 +17,7 @@ namespace app
 {
 namespace
 {
-constexpr int pictureSide = 160; ///< pixels
+constexpr int pictureSide = 160;      ///< pixels
 constexpr double afterPlaying = 0.95; ///< share of the time
 
 std::string pngOf(const QImage& image)
@@ -35,7 +35,8 @@ core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::pa
     const std::map<std::string, std::string> files = core::filesOf(lesson);
     return core::readLesson({path, [&files](const std::string& name, std::size_t most) -> std::optional<std::string> {
                                  const auto found = files.find(name);
-                                 return found == files.end() ? std::nullopt : std::optional(found->second.substr(0, most + 1));
+                                 return found == files.end() ? std::nullopt
+                                                             : std::optional(found->second.substr(0, most + 1));
                              }});
 }
 } // namespace
@@ -43,7 +44,8 @@ core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::pa
 QImage lessonPicture(const core::TriangleMesh& mesh)
 {
     const core::ModelThumbnail picture = core::drawThumbnail(mesh, pictureSide, {}).value();
-    return QImage(picture.rgba.data()->data(), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied).copy();
+    return QImage(picture.rgba.data()->data(), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied)
+        .copy();
 }
 
 QString LessonSaving::missing(const core::LessonDraft& draft)
@@ -52,10 +54,14 @@ QString LessonSaving::missing(const core::LessonDraft& draft)
     if (!missing)
         return {};
     switch (missing->what) {
-    case core::LessonDraft::Required::Title: return tr("The lesson has no title yet.");
-    case core::LessonDraft::Required::Steps: return tr("The lesson has no steps yet.");
-    case core::LessonDraft::Required::StepTitle: return tr("Step %1 has no title yet.").arg(missing->step + 1);
-    case core::LessonDraft::Required::StepText: return tr("Step %1 has no text yet.").arg(missing->step + 1);
+    case core::LessonDraft::Required::Title:
+        return tr("The lesson has no title yet.");
+    case core::LessonDraft::Required::Steps:
+        return tr("The lesson has no steps yet.");
+    case core::LessonDraft::Required::StepTitle:
+        return tr("Step %1 has no title yet.").arg(missing->step + 1);
+    case core::LessonDraft::Required::StepText:
+        return tr("Step %1 has no text yet.").arg(missing->step + 1);
     }
     return {};
 }
@@ -64,7 +70,10 @@ QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t in
 {
     QStringList remarks;
     for (const std::size_t stroke : trial.idle)
-        remarks << tr("Step %1, stroke %2 (%3) changes nothing any more.").arg(index + 1).arg(stroke + 1).arg(nameOf(step.strokes[stroke]));
+        remarks << tr("Step %1, stroke %2 (%3) changes nothing any more.")
+                       .arg(index + 1)
+                       .arg(stroke + 1)
+                       .arg(nameOf(step.strokes[stroke]));
     const auto fault = [&](const QString& asked, const QString& found) {
         //: a step's number; what it asks for; what the teacher's own model has
         remarks << tr("Step %1 is not met: %2 (%3).").arg(index + 1).arg(asked, found);
@@ -73,7 +82,8 @@ QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t in
         if (!fact.holds)
             fault(LessonWords::asked(fact.asked), LessonWords::found(fact));
     if (trial.verdict.target && !trial.verdict.target->holds)
-        fault(LessonWords::asked(core::CheckpointTarget{{}, trial.verdict.target->tolerance}), LessonWords::found(*trial.verdict.target));
+        fault(LessonWords::asked(core::CheckpointTarget{{}, trial.verdict.target->tolerance}),
+              LessonWords::found(*trial.verdict.target));
     return remarks;
 }
 
@@ -88,15 +98,17 @@ QString LessonSaving::lineOf(const core::Stroke& stroke)
 {
     const double radius = stroke.settings.radius;
     //: a stroke's tool and radius
-    return tr("%1, %2 mm").arg(StrokeStep::textOf(stroke.settings.tool), QLocale().toString(radius, 'f', radius < 10 ? 1 : 0));
+    return tr("%1, %2 mm")
+        .arg(StrokeStep::textOf(stroke.settings.tool), QLocale().toString(radius, 'f', radius < 10 ? 1 : 0));
 }
 
-TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::filesystem::path& path, const std::optional<std::uint64_t>& hash,
-                                  const core::JobControl& control)
+TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::filesystem::path& path,
+                                  const std::optional<std::uint64_t>& hash, const core::JobControl& control)
 {
     TriedLesson tried;
     try {
-        core::LessonPlayback playback(std::make_shared<const core::Lesson>(readAsWritten(draft.complete({}), path)), path);
+        core::LessonPlayback playback(std::make_shared<const core::Lesson>(readAsWritten(draft.complete({}), path)),
+                                      path);
         std::vector<std::string> pictures(draft.steps());
         const auto draw = [&](std::size_t step, const core::TriangleMesh& mesh) {
             if (draft.makesPicture(step))
@@ -128,7 +140,8 @@ QString LessonSaving::write(const core::Lesson& lesson, const std::filesystem::p
         core::writeLesson(path, lesson);
     } catch (const core::FileError& error) {
         if (error.systemError == EEXIST)
-            return tr("%1 is there already; a lesson's folder gets a name of its own.").arg(QDir::toNativeSeparators(QString::fromStdU16String(path.u16string())));
+            return tr("%1 is there already; a lesson's folder gets a name of its own.")
+                .arg(QDir::toNativeSeparators(QString::fromStdU16String(path.u16string())));
         return ui::Messages::sentence(error);
     }
     return {};

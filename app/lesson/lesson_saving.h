@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/util/job_control.h"
 #include "core/lesson/lesson_draft.h"
+#include "core/util/job_control.h"
 
 #include <QCoreApplication>
 #include <QImage>
@@ -24,9 +24,10 @@ QImage lessonPicture(const core::TriangleMesh& mesh);
 /// A lesson that was played to its end.
 struct TriedLesson
 {
-    std::shared_ptr<const core::Lesson> lesson; ///< as it is to be written, with its pictures; null: it cannot be, or was stopped
-    QString problem;                            ///< why not: one sentence; empty if it was stopped
-    QStringList remarks;                        ///< what is not as it should be, step by step
+    /// As it is to be written, with its pictures; null: it cannot be, or was stopped.
+    std::shared_ptr<const core::Lesson> lesson;
+    QString problem;     ///< why not: one sentence; empty if it was stopped
+    QStringList remarks; ///< what is not as it should be, step by step
 };
 
 /// A teacher's lesson to its file, in words for people. Any thread. Never throws.
@@ -37,9 +38,10 @@ class LessonSaving
 public:
     /// What it lacks, one sentence; empty: it can be tried.
     static QString missing(const core::LessonDraft& draft);
-    /// By the strict reader, on the very bytes that are to be written, and played. `hash`: of the model that its strokes are to leave; nothing: any.
-    static TriedLesson attempt(const core::LessonDraft& draft, const std::filesystem::path& path, const std::optional<std::uint64_t>& hash,
-                               const core::JobControl& control);
+    /// By the strict reader, on the very bytes that are to be written, and played. `hash`: of the model that its
+    /// strokes are to leave; nothing: any.
+    static TriedLesson attempt(const core::LessonDraft& draft, const std::filesystem::path& path,
+                               const std::optional<std::uint64_t>& hash, const core::JobControl& control);
     /// Empty, or what is wrong; then nothing has changed on disk.
     static QString write(const core::Lesson& lesson, const std::filesystem::path& path);
 

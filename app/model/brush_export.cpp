@@ -2,8 +2,8 @@
 
 #include "app/model/model_loader.h"
 
-#include "core/operations/decimate.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/decimate.h"
 #include "ui/brush/brush_files.h"
 
 #include <QDir>
@@ -28,7 +28,8 @@ QString BrushKeeper::folder()
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/brushes");
 }
 
-KeptBrush BrushKeeper::keep(const std::shared_ptr<core::Mesh>& copy, const QString& name, const core::JobControl& control)
+KeptBrush BrushKeeper::keep(const std::shared_ptr<core::Mesh>& copy, const QString& name,
+                            const core::JobControl& control)
 {
     try {
         if (!copy)

@@ -14,11 +14,12 @@ QString ModelWords::name(const core::ModelCommand& command)
 
 QString ModelWords::icon(const core::ModelCommand& command)
 {
-    static const QString icons[] = {QStringLiteral("move"),   QStringLiteral("rotate"),   QStringLiteral("scale"),
-                                    QStringLiteral("mirror"), QStringLiteral("recentre"), QStringLiteral("insert"),
-                                    QStringLiteral("fill"),   QStringLiteral("remesh"),   QStringLiteral("symmetrize"),
-                                    QStringLiteral("reset"),  QStringLiteral("place-on-bed"), QStringLiteral("flatten-base"),
-                                    QStringLiteral("mask")};
+    static const QString icons[] = {
+        QStringLiteral("move"),   QStringLiteral("rotate"),       QStringLiteral("scale"),
+        QStringLiteral("mirror"), QStringLiteral("recentre"),     QStringLiteral("insert"),
+        QStringLiteral("fill"),   QStringLiteral("remesh"),       QStringLiteral("symmetrize"),
+        QStringLiteral("reset"),  QStringLiteral("place-on-bed"), QStringLiteral("flatten-base"),
+        QStringLiteral("mask")};
     static_assert(std::size(icons) == std::variant_size_v<core::ModelCommand>);
     return icons[command.index()];
 }
@@ -68,15 +69,24 @@ ModelWords::Words ModelWords::wordsOf(const core::MaskOperation& change)
     using How = core::MaskOperation::Kind;
     const QString doing = tr("Changing the mask");
     switch (change.how) {
-    case How::Invert: return {tr("Invert Mask", "undo step"), doing};
-    case How::Clear: return {tr("Clear Mask", "undo step"), doing};
-    case How::Blur: return {tr("Blur Mask", "undo step"), doing};
-    case How::Sharpen: return {tr("Sharpen Mask", "undo step"), doing};
-    case How::Grow: return {tr("Grow Mask", "undo step"), doing};
-    case How::Shrink: return {tr("Shrink Mask", "undo step"), doing};
-    case How::Cavity: return {tr("Mask Cavities", "undo step"), doing};
-    case How::Color: return {tr("Mask by Colour", "undo step"), doing};
-    case How::Part: return {tr("Mask Whole Parts", "undo step"), doing};
+    case How::Invert:
+        return {tr("Invert Mask", "undo step"), doing};
+    case How::Clear:
+        return {tr("Clear Mask", "undo step"), doing};
+    case How::Blur:
+        return {tr("Blur Mask", "undo step"), doing};
+    case How::Sharpen:
+        return {tr("Sharpen Mask", "undo step"), doing};
+    case How::Grow:
+        return {tr("Grow Mask", "undo step"), doing};
+    case How::Shrink:
+        return {tr("Shrink Mask", "undo step"), doing};
+    case How::Cavity:
+        return {tr("Mask Cavities", "undo step"), doing};
+    case How::Color:
+        return {tr("Mask by Colour", "undo step"), doing};
+    case How::Part:
+        return {tr("Mask Whole Parts", "undo step"), doing};
     }
     return {};
 }
@@ -122,7 +132,8 @@ QString ModelWords::refusal(const core::ModelChange& change, const QString& inse
     case core::ModelRefusal::None:
         return {};
     case core::ModelRefusal::FacesMeet:
-        return tr("The model stays as it is, because some of its faces would meet on the program's working grid (faces: %1).")
+        return tr("The model stays as it is, because some of its faces would meet on the program's working grid "
+                  "(faces: %1).")
             .arg(faces);
     case core::ModelRefusal::TooFar:
         return tr("The model stays as it is: nothing may lie farther from the origin than four times its size.");
@@ -131,7 +142,9 @@ QString ModelWords::refusal(const core::ModelChange& change, const QString& inse
     case core::ModelRefusal::Unsound:
         return ui::Messages::refusal(inserted, change.report);
     case core::ModelRefusal::Inside:
-        return tr("%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a void.").arg(file);
+        return tr("%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a "
+                  "void.")
+            .arg(file);
     case core::ModelRefusal::Touching:
         return tr("%1 was not inserted, because there it would touch the model.").arg(file);
     case core::ModelRefusal::EmptyHalf:
@@ -139,7 +152,8 @@ QString ModelWords::refusal(const core::ModelChange& change, const QString& inse
     case core::ModelRefusal::HalvesMeet:
         return tr("The model stays as it is, because the half and its mirror image would not make one sound surface.");
     case core::ModelRefusal::NoBase:
-        return tr("The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.");
+        return tr("The model stays as it is, because a cut at this height would not leave one sound surface; another "
+                  "height may do.");
     case core::ModelRefusal::TooFine:
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
     }

@@ -1,12 +1,12 @@
 #include "app/model/model_change_job.h"
 
-#include "app/model/model_loader.h"
 #include "app/model/command_names.h"
+#include "app/model/model_loader.h"
 
-#include "core/io/mesh_io.h"
 #include "core/geometry/scale_mesh.h"
-#include "ui/util/repair_messages.h"
+#include "core/io/mesh_io.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/repair_messages.h"
 
 #include <QFileInfo>
 
@@ -28,8 +28,8 @@ std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
     }
 }
 
-ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const ui::Insertion& insertion, const Tell& tell,
-                             const core::JobControl& control)
+ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
+                             const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control)
 {
     ModelOutcome outcome;
     core::JobControl trial = control;
@@ -46,7 +46,10 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
         outcome.change = core::applyToCopy(std::move(*copy), command, trial);
         outcome.problem = ModelWords::refusal(outcome.change, insertion.path);
         if (outcome.change.changes && outcome.change.report.volume)
-            outcome.notice = QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion, *outcome.change.report.volume)}).join(u' ').trimmed();
+            outcome.notice =
+                QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion, *outcome.change.report.volume)})
+                    .join(u' ')
+                    .trimmed();
         outcome.isMendable = outcome.change.refusal == core::ModelRefusal::Unsound;
     } catch (const core::ReadingCancelled&) {
     } catch (const core::FileError& error) {
@@ -58,7 +61,8 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
 }
 
 /// Mended or not, it comes as its file has it: a model that lay far from the origin goes back there.
-void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control)
+void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell,
+                      const core::JobControl& control)
 {
     auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = control.stop});
     const QString name = QFileInfo(insertion.path).fileName();

@@ -33,10 +33,11 @@ public:
     /// What is going on, while it does.
     using Tell = std::function<void(const QString& what)>;
     /// Uses the copy up. What is to be inserted is read first.
-    static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const ui::Insertion& insertion, const Tell& tell,
-                            const core::JobControl& control);
+    static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
+                            const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control);
 
 private:
-    static void read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control);
+    static void read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell,
+                     const core::JobControl& control);
 };
 } // namespace app

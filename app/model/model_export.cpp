@@ -3,9 +3,9 @@
 #include "app/model/model_loader.h"
 #include "app/model/slicer_check.h"
 
-#include "core/operations/decimate.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/decimate.h"
 #include "ui/util/error_messages.h"
 
 #include <QDir>
@@ -31,7 +31,8 @@ ExportOutcome ModelExport::run(ExportOrder order, const Tell& tell, const core::
         if (!decimates)
             return write(order, core::extractMesh(*order.mesh), tell, control);
         tell(tr("Reducing the triangles"));
-        const core::Decimated few = core::decimate(std::move(*order.mesh), order.mostTriangles, control.part(0, afterDecimating));
+        const core::Decimated few =
+            core::decimate(std::move(*order.mesh), order.mostTriangles, control.part(0, afterDecimating));
         if (control.isCancelled())
             return {};
         order.metadata = {}; // they are of the whole model
@@ -43,7 +44,8 @@ ExportOutcome ModelExport::run(ExportOrder order, const Tell& tell, const core::
     }
 }
 
-ExportOutcome ModelExport::write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell, const core::JobControl& control)
+ExportOutcome ModelExport::write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell,
+                                 const core::JobControl& control)
 {
     tell(tr("Exporting %1").arg(QFileInfo(order.path).fileName()));
     const QString problem = ModelLoader::save(order.path, mesh, order.metadata);
@@ -59,15 +61,18 @@ ExportOutcome ModelExport::write(const ExportOrder& order, const core::TriangleM
     return outcome;
 }
 
-ExportOutcome ModelExport::judge(const ExportOrder& order, const core::TriangleMesh& mesh, const core::JobControl& control)
+ExportOutcome ModelExport::judge(const ExportOrder& order, const core::TriangleMesh& mesh,
+                                 const core::JobControl& control)
 {
     try {
         const core::ExportVerdict verdict = core::checkExport(toPath(order.path), mesh, control);
         if (control.isCancelled())
             throw core::ReadingCancelled();
         if (!verdict.sameCorners || !verdict.sameColors)
-            return {tr("%1 was written, but it does not hold what was written. The disk may be failing, or another program changes the file.")
-                        .arg(QDir::toNativeSeparators(order.path)), {}};
+            return {tr("%1 was written, but it does not hold what was written. The disk may be failing, or another "
+                       "program changes the file.")
+                        .arg(QDir::toNativeSeparators(order.path)),
+                    {}};
         if (!verdict.report.printReady())
             return {ui::Messages::refusal(order.path, verdict.report), {}};
         return {{}, word(order, verdict.report, !mesh.colors.empty() && !ModelLoader::holdsColors(order.path))};
@@ -81,7 +86,8 @@ QString ModelExport::word(const ExportOrder& order, const core::MeshReport& repo
     const QLocale locale;
     const auto side = [&](int axis) { return locale.toString(report.size[axis], 'f', 1); };
     QString line = tr("%1: %2 × %3 × %4 mm, %5 triangles; read back bit for bit, in fine fettle.")
-                       .arg(QDir::toNativeSeparators(order.path), side(0), side(1), side(2), locale.toString(static_cast<qulonglong>(report.faces)));
+                       .arg(QDir::toNativeSeparators(order.path), side(0), side(1), side(2),
+                            locale.toString(static_cast<qulonglong>(report.faces)));
     if (losesColors)
         line += u' ' + tr("Its format does not hold the colours; GLB and 3MF do.");
     if (order.mostTriangles > 0 && report.faces > order.mostTriangles)

@@ -15,11 +15,11 @@ namespace app
 /// What is to be written.
 struct ExportOrder
 {
-    QString path;                            ///< the ending says the format
-    quint64 mostTriangles = 0;               ///< 0: all
-    bool slices = false;                     ///< an installed slicer tries the file then
-    core::DocumentMetadata metadata = {};          ///< of the mesh; a file with fewer triangles has none
-    std::shared_ptr<core::Mesh> mesh = {};   ///< a copy; null: there was not enough memory
+    QString path;                          ///< the ending says the format
+    quint64 mostTriangles = 0;             ///< 0: all
+    bool slices = false;                   ///< an installed slicer tries the file then
+    core::DocumentMetadata metadata = {};  ///< of the mesh; a file with fewer triangles has none
+    std::shared_ptr<core::Mesh> mesh = {}; ///< a copy; null: there was not enough memory
 };
 
 /// What became of it.
@@ -29,7 +29,8 @@ struct ExportOutcome
     QString verdict; ///< one line, of the file; empty: it was stopped before there was one
 };
 
-/// Writes a model that stays what it is, with fewer triangles if asked to, and judges what the file holds. Any thread; never throws.
+/// Writes a model that stays what it is, with fewer triangles if asked to, and judges what the file holds. Any thread;
+/// never throws.
 class ModelExport
 {
     Q_DECLARE_TR_FUNCTIONS(app::ModelExport)
@@ -42,8 +43,10 @@ public:
     static ExportOutcome run(ExportOrder order, const Tell& tell, const core::JobControl& control);
 
 private:
-    static ExportOutcome write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell, const core::JobControl& control);
-    static ExportOutcome judge(const ExportOrder& order, const core::TriangleMesh& mesh, const core::JobControl& control);
+    static ExportOutcome write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell,
+                               const core::JobControl& control);
+    static ExportOutcome judge(const ExportOrder& order, const core::TriangleMesh& mesh,
+                               const core::JobControl& control);
     static QString word(const ExportOrder& order, const core::MeshReport& report, bool losesColors);
 };
 } // namespace app

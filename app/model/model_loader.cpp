@@ -3,14 +3,14 @@
 #include "app/import/assimp_import.h"
 
 #include "core/geometry/face_geometry.h"
-#include "core/util/numbered_backup.h"
 #include "core/geometry/lattice_placement.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/util/numbered_backup.h"
 #include "ui/model/insert_request.h"
+#include "ui/util/error_messages.h"
 #include "ui/util/number_format.h"
 #include "ui/util/repair_messages.h"
-#include "ui/util/error_messages.h"
 
 #include <QFileInfo>
 
@@ -22,7 +22,7 @@ namespace
 {
 constexpr int paperSubdivisions = 4;
 constexpr double afterReading = 0.1, afterMending = 0.8; ///< shares of the time
-}
+} // namespace
 
 std::filesystem::path toPath(const QString& path)
 {
@@ -31,13 +31,15 @@ std::filesystem::path toPath(const QString& path)
 
 LoadedModel ModelLoader::load(const QString& path, const Tell& tell, const core::JobControl& control)
 {
-    return read(path, tell, control, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& part) {
-        build(loaded, mesh, false, part);
-        loaded.isMendable = !loaded.problem.isEmpty();
-    });
+    return read(path, tell, control,
+                [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& part) {
+                    build(loaded, mesh, false, part);
+                    loaded.isMendable = !loaded.problem.isEmpty();
+                });
 }
 
-LoadedModel ModelLoader::loadMended(const QString& path, const core::RepairOptions& options, const Tell& tell, const core::JobControl& control)
+LoadedModel ModelLoader::loadMended(const QString& path, const core::RepairOptions& options, const Tell& tell,
+                                    const core::JobControl& control)
 {
     return read(path, tell, control, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
         if (!mend(loaded, mesh, options, tell, part.part(0, afterMending)))
@@ -48,7 +50,8 @@ LoadedModel ModelLoader::loadMended(const QString& path, const core::RepairOptio
     });
 }
 
-bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options, const Tell& tell, const core::JobControl& control)
+bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
+                       const Tell& tell, const core::JobControl& control)
 {
     core::RepairStepCallback doing;
     if (tell)
@@ -85,7 +88,9 @@ LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core:
         control.reportProgress(afterReading);
         take(loaded, mesh, control.part(afterReading, 1));
         if (loaded.sculptor)
-            loaded.notice = QStringList({ui::Messages::remarks(loaded.name, remarks), loaded.notice}).join(QLatin1Char(' ')).trimmed();
+            loaded.notice = QStringList({ui::Messages::remarks(loaded.name, remarks), loaded.notice})
+                                .join(QLatin1Char(' '))
+                                .trimmed();
     } catch (const core::ReadingCancelled&) {
         return {};
     } catch (const core::FileError& error) {
@@ -96,7 +101,8 @@ LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core:
     return loaded;
 }
 
-void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobControl& control)
+void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace,
+                        const core::JobControl& control)
 {
     core::BuildResult result = core::buildMesh(mesh, !inPlace, control, loaded.metadata.frame);
     if (control.isCancelled())
@@ -106,7 +112,8 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
     else if (!result.mesh)
         loaded.problem = ui::Messages::tooFine(loaded.path, result.unsnappable);
     else if (inPlace && !result.moved.isZero(0))
-        loaded.problem = tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
+        loaded.problem =
+            tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
     else
         take(loaded, std::move(result.mesh));
     if (loaded.sculptor && !result.moved.isZero(0) && core::isFarFromOrigin(boxOf(mesh)))
@@ -119,7 +126,8 @@ QString ModelLoader::insertedUnitNotice(const ui::Insertion& insertion, double v
 {
     if (insertion.unit != 1 || holdsUnit(insertion.path) || core::unitDoubtOf(volume) == core::UnitDoubt::None)
         return {};
-    return tr("%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.")
+    return tr("%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you "
+              "insert it again.")
         .arg(QFileInfo(insertion.path).fileName(), ui::volumeText(volume));
 }
 
@@ -182,7 +190,8 @@ bool ModelLoader::holdsColors(const QString& path)
     return format && core::holdsColors(*format);
 }
 
-QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata, int keptVersions)
+QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
+                          int keptVersions)
 {
     try {
         core::NumberedBackup before(toPath(path), keptVersions);

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/analysis/print_check.h"
 #include "core/io/document_metadata.h"
+#include "core/operations/model_command.h"
+#include "core/operations/starter_models.h"
+#include "core/repair/repair.h"
+#include "core/sculpt/sculptor.h"
 #include "core/util/file_error.h"
 #include "core/util/job_control.h"
-#include "core/repair/repair.h"
-#include "core/operations/model_command.h"
-#include "core/analysis/print_check.h"
-#include "core/sculpt/sculptor.h"
-#include "core/operations/starter_models.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -30,21 +30,22 @@ namespace app
 /// A model that may be sculpted, or the reason why not.
 struct LoadedModel
 {
-    std::shared_ptr<core::Sculptor> sculptor; ///< null: refused
+    std::shared_ptr<core::Sculptor> sculptor;    ///< null: refused
     std::shared_ptr<const core::Snapshot> start; ///< of its mesh; null: refused
-    QString problem;                          ///< then: one sentence with file, place or counts, and reason
-    bool isMendable = false;                  ///< then: loadMended() may take it
-    QStringList mended;                       ///< what was done to it; empty: nothing
-    bool isUnsaved = false;                   ///< it is in no file as it is
-    QString notice;                           ///< what the person should know of a model that was taken; may be empty
+    QString problem;                             ///< then: one sentence with file, place or counts, and reason
+    bool isMendable = false;                     ///< then: loadMended() may take it
+    QStringList mended;                          ///< what was done to it; empty: nothing
+    bool isUnsaved = false;                      ///< it is in no file as it is
+    QString notice; ///< what the person should know of a model that was taken; may be empty
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< of a model whose file has none
     QString name;
-    QString path; ///< empty: from no file
-    core::DocumentMetadata metadata; ///< that the file keeps beside it
+    QString path;                           ///< empty: from no file
+    core::DocumentMetadata metadata;        ///< that the file keeps beside it
     std::shared_ptr<core::Journal> journal; ///< that was begun for it; may be null
-    std::shared_ptr<core::RecoveredDocument> recovered; ///< of a model out of such a journal: its history; the mesh is the sculptor's
-    quint64 offer = 0;                                  ///< that it was
-    std::shared_ptr<const void> mark = {};              ///< of who had it made
+    /// Of a model out of such a journal: its history; the mesh is the sculptor's.
+    std::shared_ptr<core::RecoveredDocument> recovered;
+    quint64 offer = 0;                     ///< that it was
+    std::shared_ptr<const void> mark = {}; ///< of who had it made
 };
 
 /// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.
@@ -67,8 +68,10 @@ public:
     /// The paper's sphere, 2562 vertices.
     static LoadedModel sphere(double radius);
     static LoadedModel starter(core::Starter starter);
-    /// Empty, or what is wrong; then no file has changed. `keptVersions`: so many of what the file held before stay (core/util/numbered_backup.h).
-    static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata, int keptVersions = 0);
+    /// Empty, or what is wrong; then no file has changed. `keptVersions`: so many of what the file held before stay
+    /// (core/util/numbered_backup.h).
+    static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
+                        int keptVersions = 0);
 
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);
@@ -81,8 +84,10 @@ private:
     static QString name(core::Starter starter);
     using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& control)>;
     static LoadedModel read(const QString& path, const Tell& tell, const core::JobControl& control, const Take& take);
-    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options, const Tell& tell, const core::JobControl& control);
-    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobControl& control);
+    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
+                     const Tell& tell, const core::JobControl& control);
+    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace,
+                      const core::JobControl& control);
 };
 
 std::filesystem::path toPath(const QString& path);

@@ -34,11 +34,14 @@ QString SlicerTrial::run(const QString& model, const core::JobControl& control)
     slicer.start(ui::installedSlicer(), {QStringLiteral("--export-gcode"), QStringLiteral("--output"), gcode, model});
     QElapsedTimer time;
     time.start();
-    while (!slicer.waitForFinished(askSlicerEveryMs) && slicer.state() != QProcess::NotRunning && !control.isCancelled() && !time.hasExpired(patienceMs)) {}
+    while (!slicer.waitForFinished(askSlicerEveryMs) && slicer.state() != QProcess::NotRunning &&
+           !control.isCancelled() && !time.hasExpired(patienceMs)) {
+    }
     if (slicer.state() != QProcess::NotRunning) {
         slicer.kill();
         slicer.waitForFinished();
-        return control.isCancelled() ? tr("PrusaSlicer was stopped.") : tr("PrusaSlicer took longer than three minutes and was stopped.");
+        return control.isCancelled() ? tr("PrusaSlicer was stopped.")
+                                     : tr("PrusaSlicer took longer than three minutes and was stopped.");
     }
     if (slicer.exitStatus() != QProcess::NormalExit || slicer.exitCode() != 0 || !QFile::exists(gcode))
         return tr("PrusaSlicer does not slice it: %1").arg(lastLineOf(slicer.readAll()));

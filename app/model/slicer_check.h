@@ -13,8 +13,9 @@ class SlicerTrial
     Q_DECLARE_TR_FUNCTIONS(app::SlicerTrial)
 
 public:
-    /// Slices in a child process, which is ended after three minutes, or when the watch is stopped. One sentence: layers and time, or what
-    /// the slicer complains of. Any thread; blocks it, at most about 50 ms longer than the process lives.
+    /// Slices in a child process, which is ended after three minutes, or when the watch is stopped. One sentence:
+    /// layers and time, or what the slicer complains of. Any thread; blocks it, at most about 50 ms longer than the
+    /// process lives.
     static QString run(const QString& model, const core::JobControl& control);
 
 private:

@@ -30,7 +30,10 @@ QString StrokeWords::place(const core::StrokeFileError& error)
     if (error.stroke && error.sample)
         //: counted from 1; in brackets as in the file, counted from 0
         places << tr("stroke %1, sample %2 (strokes[%3].samples[%4])")
-                      .arg(*error.stroke + 1).arg(*error.sample + 1).arg(*error.stroke).arg(*error.sample);
+                      .arg(*error.stroke + 1)
+                      .arg(*error.sample + 1)
+                      .arg(*error.stroke)
+                      .arg(*error.sample);
     else if (error.stroke)
         places << tr("stroke %1 (strokes[%2])").arg(*error.stroke + 1).arg(*error.stroke);
     return places.join(QStringLiteral(", "));
@@ -44,19 +47,28 @@ QString StrokeWords::reason(const core::StrokeFileError& error)
     case Kind::CannotRead:
         if (error.systemError == 0)
             return tr("this file cannot be read");
-        return error.systemError == ENOENT ? tr("there is no such file")
-                                           : tr("this file cannot be read (%1)").arg(qt_error_string(error.systemError));
+        return error.systemError == ENOENT
+                   ? tr("there is no such file")
+                   : tr("this file cannot be read (%1)").arg(qt_error_string(error.systemError));
     case Kind::TooLarge:
         return tr("this file is too large for a stroke file: at most %1 are read")
             .arg(QLocale().formattedDataSize(static_cast<qint64>(error.max.value_or(0))));
-    case Kind::Syntax: return tr("this is not JSON");
-    case Kind::DuplicateKey: return tr("\"%1\" stands there twice").arg(key);
-    case Kind::NotStrokes: return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
-    case Kind::UnknownKey: return tr("unknown key %1").arg(key);
-    case Kind::MissingKey: return tr("\"%1\" is missing").arg(key);
-    case Kind::WrongType: return tr("\"%1\" is of the wrong type, or holds too few or too many values").arg(key);
-    case Kind::UnknownValue: return tr("unknown value, %1").arg(key);
-    case Kind::NotANumber: return tr("\"%1\" is not a finite number").arg(key);
+    case Kind::Syntax:
+        return tr("this is not JSON");
+    case Kind::DuplicateKey:
+        return tr("\"%1\" stands there twice").arg(key);
+    case Kind::NotStrokes:
+        return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
+    case Kind::UnknownKey:
+        return tr("unknown key %1").arg(key);
+    case Kind::MissingKey:
+        return tr("\"%1\" is missing").arg(key);
+    case Kind::WrongType:
+        return tr("\"%1\" is of the wrong type, or holds too few or too many values").arg(key);
+    case Kind::UnknownValue:
+        return tr("unknown value, %1").arg(key);
+    case Kind::NotANumber:
+        return tr("\"%1\" is not a finite number").arg(key);
     case Kind::OutOfRange:
         if (error.min && error.max && error.orZero)
             return tr("\"%1\" is out of range, 0 or %2 to %3").arg(key, number(*error.min), number(*error.max));

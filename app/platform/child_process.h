@@ -12,7 +12,7 @@ struct ChildOrder
 {
     std::vector<std::string> command; ///< the program's path first
     std::chrono::seconds time{0};     ///< by the clock; then it is killed
-    std::uint64_t maxBytes = 0;      ///< of its answer; with more it is killed
+    std::uint64_t maxBytes = 0;       ///< of its answer; with more it is killed
     std::stop_token stop = {};        ///< then it is killed, within some 20 ms
 };
 
@@ -26,6 +26,7 @@ struct ChildAnswer
 /// The path of this program, whatever has become of its file.
 std::string ownProgram();
 
-/// Runs a program whose input is empty and whose errors nobody reads, and waits for it; it is gone afterwards. Any thread.
+/// Runs a program whose input is empty and whose errors nobody reads, and waits for it; it is gone afterwards. Any
+/// thread.
 ChildAnswer runChild(const ChildOrder& order);
 } // namespace app

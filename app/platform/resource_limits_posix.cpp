@@ -42,8 +42,10 @@ std::uint64_t usedNow()
 
 void limitMemory(std::uint64_t memory)
 {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they reserve more address space than there is memory
-    const auto machine = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+#if !defined(__SANITIZE_ADDRESS__) &&                                                                                  \
+    !defined(__SANITIZE_THREAD__) // they reserve more address space than there is memory
+    const auto machine =
+        static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     limit(RLIMIT_AS, usedNow() + std::min(memory, machine));
 #endif
 }
@@ -61,10 +63,11 @@ constexpr std::uint32_t ownCalls = 0;
 /// These calls fail from now on, as if they were not permitted.
 void forbidCalls()
 {
-    constexpr std::uint32_t forbidden[] = {SYS_socket,   SYS_socketpair, SYS_connect,  SYS_execve, SYS_execveat, SYS_unlinkat,
-                                           SYS_renameat, SYS_renameat2,  SYS_truncate, SYS_ptrace, SYS_kill,     SYS_tgkill,
+    constexpr std::uint32_t forbidden[] = {SYS_socket,   SYS_socketpair, SYS_connect,   SYS_execve,   SYS_execveat,
+                                           SYS_unlinkat, SYS_renameat,   SYS_renameat2, SYS_truncate, SYS_ptrace,
+                                           SYS_kill,     SYS_tgkill,
 #ifdef SYS_unlink // not on newer machines
-                                           SYS_unlink,   SYS_rename,     SYS_fork,     SYS_vfork
+                                           SYS_unlink,   SYS_rename,     SYS_fork,      SYS_vfork
 #endif
     };
     constexpr auto count = std::size(forbidden);
@@ -72,8 +75,8 @@ void forbidCalls()
         return sock_filter{static_cast<std::uint16_t>(code), static_cast<std::uint8_t>(ifSo), 0, value};
     };
     constexpr int load = BPF_LD | BPF_W | BPF_ABS, isEqual = BPF_JMP | BPF_JEQ | BPF_K, end = BPF_RET | BPF_K;
-    sock_filter rules[4 + count + 2] = {rule(load, offsetof(seccomp_data, arch)), rule(isEqual, ownCalls, 1), rule(end, SECCOMP_RET_KILL),
-                                        rule(load, offsetof(seccomp_data, nr))};
+    sock_filter rules[4 + count + 2] = {rule(load, offsetof(seccomp_data, arch)), rule(isEqual, ownCalls, 1),
+                                        rule(end, SECCOMP_RET_KILL), rule(load, offsetof(seccomp_data, nr))};
     for (std::size_t i = 0; i < count; ++i)
         rules[4 + i] = rule(isEqual, forbidden[i], count - i);
     rules[4 + count] = rule(end, SECCOMP_RET_ALLOW);

@@ -31,7 +31,8 @@ QString text(const std::filesystem::path& path)
 bool holdsChanges(const core::JournalFolder& folder)
 {
     const core::JournalFiles files = core::filesIn(folder.path());
-    return !files.bases.empty() || std::ranges::any_of(files.segments, [](const auto& segment) { return segment.second > 0; });
+    return !files.bases.empty() ||
+           std::ranges::any_of(files.segments, [](const auto& segment) { return segment.second > 0; });
 }
 } // namespace
 
@@ -62,7 +63,9 @@ JournalShelf::Found JournalShelf::foundIn(const std::filesystem::path& root)
         }
         const QString name = document ? QString::fromStdString(document->document.name) : QString();
         if (document && document->isUnsaved())
-            found.left.push_back({{found.left.size() + 1, name, toDateTime(folder->changed()), static_cast<int>(document->history.present)}, std::move(folder)});
+            found.left.push_back({{found.left.size() + 1, name, toDateTime(folder->changed()),
+                                   static_cast<int>(document->history.present)},
+                                  std::move(folder)});
         else if (document ? document->isDamaged : holdsChanges(*folder))
             found.told.append(putAside(*folder, name, root));
         else
@@ -82,7 +85,8 @@ QString JournalShelf::putAside(core::JournalFolder& folder, const QString& name,
 {
     folder.setAside(damagedRoot(root), mostDamaged);
     if (name.isEmpty())
-        return tr("What was kept of an unsaved model is damaged and cannot be opened. It is in %1.").arg(text(folder.path()));
+        return tr("What was kept of an unsaved model is damaged and cannot be opened. It is in %1.")
+            .arg(text(folder.path()));
     return tr("What was kept of %1 is damaged and cannot be opened. It is in %2.").arg(name, text(folder.path()));
 }
 
@@ -116,7 +120,8 @@ LoadedModel JournalShelf::recover(quint64 offer, const core::JobControl& control
             model.metadata = document->document.metadata;
             model.start = document->start;
             if (document->isDamaged)
-                model.notice = tr("Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.").arg(model.name, text(damagedRoot(m_root)));
+                model.notice = tr("Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.")
+                                   .arg(model.name, text(damagedRoot(m_root)));
             model.sculptor = std::make_shared<core::Sculptor>(std::move(document->mesh));
             model.recovered = std::make_shared<core::RecoveredDocument>(std::move(*document));
             model.offer = offer;

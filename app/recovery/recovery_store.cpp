@@ -60,7 +60,9 @@ std::filesystem::path JournalShelf::usualRoot()
 #endif
 }
 
-JournalShelf::JournalShelf(std::filesystem::path root, core::JournalLimits limits) : m_root(std::move(root)), m_limits(limits)
+JournalShelf::JournalShelf(std::filesystem::path root, core::JournalLimits limits)
+    : m_root(std::move(root))
+    , m_limits(limits)
 {
     Q_ASSERT(!s_present);
     s_present = this;
@@ -92,12 +94,14 @@ void JournalShelf::atExit()
     }
 }
 
-// --- journals of documents that are open -----------------------------------------------------------------------------------------
+// --- journals of documents that are open
 
 std::shared_ptr<core::Journal> JournalShelf::begin(const LoadedModel& model)
 {
     try {
-        const core::StartRecord start{model.start, {text(model.name), text(model.path), model.metadata, model.isUnsaved || !model.mended.isEmpty()}};
+        const core::StartRecord start{
+            model.start,
+            {text(model.name), text(model.path), model.metadata, model.isUnsaved || !model.mended.isEmpty()}};
         auto journal = core::Journal::begin(m_root, start, news(), m_limits);
         const std::lock_guard lock(m_mutex);
         m_open.push_back(journal);
@@ -128,7 +132,7 @@ void JournalShelf::discard(std::shared_ptr<core::Journal> journal)
     m_aside.run([journal = std::move(journal)] { journal->remove(); });
 }
 
-// --- the present one, and when it fails -------------------------------------------------------------------------------------------
+// --- the present one, and when it fails
 
 void JournalShelf::setPatience(std::chrono::milliseconds patience)
 {
@@ -155,7 +159,8 @@ void JournalShelf::findRoom(quint64 faces)
                 });
 }
 
-std::shared_ptr<core::Journal> JournalShelf::beginDeferred(const std::shared_ptr<core::JournalFolder>& folder, quint32 present)
+std::shared_ptr<core::Journal> JournalShelf::beginDeferred(const std::shared_ptr<core::JournalFolder>& folder,
+                                                           quint32 present)
 {
     auto journal = core::Journal::beginDeferred(folder, present, news(), m_limits);
     if (const auto before = std::exchange(m_journal, journal))
@@ -169,7 +174,8 @@ std::shared_ptr<core::Journal> JournalShelf::beginDeferred(const std::shared_ptr
 void JournalShelf::tellFailure(const core::FileError& error)
 {
     if (!std::exchange(m_isFailing, true))
-        Q_EMIT told(tr("Should the program end unexpectedly, changes since the last save would be lost: %1").arg(ui::Messages::sentence(error)));
+        Q_EMIT told(tr("Should the program end unexpectedly, changes since the last save would be lost: %1")
+                        .arg(ui::Messages::sentence(error)));
     m_again.start(m_wait);
     m_wait = std::min(2 * m_wait, longestWait);
 }
@@ -177,7 +183,8 @@ void JournalShelf::tellFailure(const core::FileError& error)
 void JournalShelf::tellLate(double ms)
 {
     if (!std::exchange(m_hasBeenLate, true))
-        Q_EMIT told(tr("The disk is slow: a power cut could cost the changes of the last %1 seconds.").arg(QLocale().toString(ms / 1000, 'f', 1)));
+        Q_EMIT told(tr("The disk is slow: a power cut could cost the changes of the last %1 seconds.")
+                        .arg(QLocale().toString(ms / 1000, 'f', 1)));
 }
 
 void JournalShelf::tellWorks()

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/journal/journal.h"
-#include "ui/util/thread_mailbox.h"
 #include "ui/util/background_thread.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -24,11 +24,12 @@ struct RecoveryOffer
     int steps = 0; ///< that are done
 };
 
-/// The journals of this program, and those that programs before left. Gui thread, but where it says otherwise. As it goes, the
-/// journals of its documents go: the program has ended as the person wished. If it ends by exit() instead, because the display is
-/// gone, they stay, and stderr says so. One at a time.
+/// The journals of this program, and those that programs before left. Gui thread, but where it says otherwise. As it
+/// goes, the journals of its documents go: the program has ended as the person wished. If it ends by exit() instead,
+/// because the display is gone, they stay, and stderr says so. One at a time.
 ///
-/// Where nothing can be recorded, this is said once, and tried again from time to time: mayRecord(), findRoom(), roomFound(), beginDeferred().
+/// Where nothing can be recorded, this is said once, and tried again from time to time: mayRecord(), findRoom(),
+/// roomFound(), beginDeferred().
 class JournalShelf : public QObject
 {
     Q_OBJECT
@@ -57,9 +58,11 @@ public:
 
     /// Looks for what was left; offered() comes when something is found.
     void look();
-    /// A model with its history. Any thread; takes reading and applying all. Without a sculptor if that is impossible, or it was stopped.
+    /// A model with its history. Any thread; takes reading and applying all. Without a sculptor if that is impossible,
+    /// or it was stopped.
     LoadedModel recover(quint64 offer, const core::JobControl& control);
-    /// The document is open again; the offer is gone. Null if its journal is damaged: then that is put aside once there is another.
+    /// The document is open again; the offer is gone. Null if its journal is damaged: then that is put aside once there
+    /// is another.
     std::shared_ptr<core::Journal> goOn(quint64 offer, const core::RecoveredDocument& document);
     /// It is not wanted: it is removed, and never offered again.
     void discard(quint64 offer);
@@ -104,7 +107,8 @@ private:
     std::vector<std::shared_ptr<core::Journal>> m_open;
     std::vector<Left> m_left;
     std::shared_ptr<core::Journal> m_journal; ///< the present one
-    std::vector<std::shared_ptr<core::Journal>> m_superseded; ///< broken ones, which hold what it does not before it has begun
+    /// Broken ones, which hold what it does not before it has begun.
+    std::vector<std::shared_ptr<core::Journal>> m_superseded;
     std::vector<std::shared_ptr<core::JournalFolder>> m_damaged; ///< the same of those that were recovered in part
     std::chrono::milliseconds m_patience, m_wait;
     QTimer m_again;

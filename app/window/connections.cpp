@@ -3,34 +3,34 @@
 #include "app/classroom/class_file.h"
 #include "app/classroom/class_pin.h"
 #include "app/classroom/classroom_mode.h"
+#include "app/classroom/report_controller.h"
 #include "app/document/document.h"
-#include "app/worker/drawing_worker.h"
-#include "app/headset/headset.h"
-#include "app/headset/headset_connections.h"
 #include "app/document/history_list.h"
 #include "app/document/history_scrubber.h"
-#include "app/recovery/recovery_store.h"
-#include "app/lesson/lesson_controller.h"
-#include "app/lesson/lesson_editor_controller.h"
 #include "app/document/model_analysis.h"
-#include "app/worker/patch_inbox.h"
 #include "app/document/print_analysis.h"
-#include "app/classroom/report_controller.h"
-#include "app/worker/sculpt_worker.h"
 #include "app/document/stroke_edit.h"
 #include "app/document/time_lapse_controller.h"
+#include "app/headset/headset.h"
+#include "app/headset/headset_connections.h"
+#include "app/lesson/lesson_controller.h"
+#include "app/lesson/lesson_editor_controller.h"
+#include "app/recovery/recovery_store.h"
+#include "app/worker/drawing_worker.h"
+#include "app/worker/patch_inbox.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "ui/brush/color_panel.h"
-#include "ui/history/history_panel.h"
-#include "ui/window/main_window.h"
-#include "ui/model/repair_dialogs.h"
-#include "ui/model/model_panel.h"
-#include "ui/headset/partner_bar.h"
 #include "ui/drawing/preview_panel.h"
-#include "ui/print/print_panel.h"
+#include "ui/headset/partner_bar.h"
+#include "ui/history/history_panel.h"
 #include "ui/history/recovery_bar.h"
+#include "ui/model/model_panel.h"
+#include "ui/model/repair_dialogs.h"
 #include "ui/model/unit_bar.h"
+#include "ui/print/print_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 #include "ui/window/window_metadata.h"
 
 #include <QAction>
@@ -53,21 +53,28 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::modifiedChanged, &window, &MainWindow::setModified);
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
-    QObject::connect(&document, &Document::mendable, &window, [&window, &document](const QString& path, const QString& problem) {
-        ui::askToMend(&window, ui::MendFor::Opening, problem, [&document, path](const core::RepairOptions& options) { document.openMended(path, options); });
-    });
+    QObject::connect(&document, &Document::mendable, &window,
+                     [&window, &document](const QString& path, const QString& problem) {
+                         ui::askToMend(&window, ui::MendFor::Opening, problem,
+                                       [&document, path](const core::RepairOptions& options) {
+                                           document.openMended(path, options);
+                                       });
+                     });
     QObject::connect(&document, &Document::mended, &window, [&window](const QString& name, const QStringList& steps) {
         ui::showMended(&window, ui::MendFor::Opening, name, steps);
     });
-    QObject::connect(&document, &Document::insertionMendable, &window, [&window, &document](ui::Insertion insertion, const QString& problem) {
-        ui::askToMend(&window, ui::MendFor::Insertion, problem, [&document, insertion](const core::RepairOptions& options) mutable {
-            insertion.mend = options;
-            document.insert(insertion);
-        });
-    });
-    QObject::connect(&document, &Document::insertedMended, &window, [&window](const QString& name, const QStringList& steps) {
-        ui::showMended(&window, ui::MendFor::Insertion, name, steps);
-    });
+    QObject::connect(&document, &Document::insertionMendable, &window,
+                     [&window, &document](ui::Insertion insertion, const QString& problem) {
+                         ui::askToMend(&window, ui::MendFor::Insertion, problem,
+                                       [&document, insertion](const core::RepairOptions& options) mutable {
+                                           insertion.mend = options;
+                                           document.insert(insertion);
+                                       });
+                     });
+    QObject::connect(&document, &Document::insertedMended, &window,
+                     [&window](const QString& name, const QStringList& steps) {
+                         ui::showMended(&window, ui::MendFor::Insertion, name, steps);
+                     });
     QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
     QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
     QObject::connect(&document, &Document::progressed, &window, &MainWindow::setProgress);
@@ -75,7 +82,8 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&window, &MainWindow::stopRequested, &document, &Document::stop);
     QObject::connect(&window, &MainWindow::commandRequested, &document, &Document::apply);
     QObject::connect(&window, &MainWindow::insertRequested, &document, &Document::insert);
-    QObject::connect(&document, &Document::saved, &window, [&window, &document] { window.showSaved(document.facts()); });
+    QObject::connect(&document, &Document::saved, &window,
+                     [&window, &document] { window.showSaved(document.facts()); });
     QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
     QObject::connect(&window, &MainWindow::brushModelRequested, &document, &Document::keepAsBrush);
     QObject::connect(&document, &Document::keptAsBrush, &window, &MainWindow::takeBrushModel);
@@ -106,8 +114,8 @@ void wireUnits(ui::MainWindow& window, Document& document)
     });
 }
 
-/// What the hand did last counts among the changes, though it may not have come to the document yet. A window that closes leaves VR, which
-/// takes until that has ended or is given up.
+/// What the hand did last counts among the changes, though it may not have come to the document yet. A window that
+/// closes leaves VR, which takes until that has ended or is given up.
 void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::MainWindow;
@@ -185,7 +193,8 @@ void wirePalette(ui::MainWindow& window, Document& document)
 void wireNotes(ui::MainWindow& window, Document& document)
 {
     document.setCompleteNotes([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
-    QObject::connect(&document, &Document::opened, &window, [&window](const ui::ModelFacts& facts) { ui::takeNotes(window, facts.metadata); });
+    QObject::connect(&document, &Document::opened, &window,
+                     [&window](const ui::ModelFacts& facts) { ui::takeNotes(window, facts.metadata); });
 }
 
 void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
@@ -224,7 +233,8 @@ void wirePrintPanel(ui::MainWindow& window, Document& document, SculptWorker& wo
         viewport->forgetMark();
     });
     QObject::connect(inquiry, &PrintInquiry::answered, panel,
-                     [panel, viewport](const core::MeshReport& mesh, const core::PrintReport& print, const std::shared_ptr<const core::Footprint>& shades) {
+                     [panel, viewport](const core::MeshReport& mesh, const core::PrintReport& print,
+                                       const std::shared_ptr<const core::Footprint>& shades) {
                          panel->setReport(mesh, print);
                          viewport->setShades(panel->isVisible() ? shades : nullptr);
                      });
@@ -279,7 +289,8 @@ void wireClassFiles(ui::MainWindow& window)
         const QString problem = ClassFile::write(draft.path, classroom);
         if (!problem.isEmpty())
             return window.showProblem(problem);
-        window.showNotice(ClassFile::tr("%1 was written. The class begins with: fettle --classroom %1").arg(QDir::toNativeSeparators(draft.path)));
+        window.showNotice(ClassFile::tr("%1 was written. The class begins with: fettle --classroom %1")
+                              .arg(QDir::toNativeSeparators(draft.path)));
     });
 }
 } // namespace
@@ -296,7 +307,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireModelPanel(window, document, worker);
     wirePrintPanel(window, document, worker);
     new LessonDesk(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
-    new StrokeEdit(window, document); // the same: what is wanted of the last stroke comes before the next
+    new StrokeEdit(window, document);         // the same: what is wanted of the last stroke comes before the next
     new LessonEditorDesk(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
@@ -316,7 +327,8 @@ void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shel
         if (offer.id == 0)
             return;
         auto* bar = new RecoveryBar({offer.name, offer.changed, offer.steps}, &window);
-        QObject::connect(bar, &RecoveryBar::recoverRequested, &document, [&document, offer] { document.recover(offer.id, offer.name); });
+        QObject::connect(bar, &RecoveryBar::recoverRequested, &document,
+                         [&document, offer] { document.recover(offer.id, offer.name); });
         QObject::connect(bar, &RecoveryBar::discardRequested, &shelf, [&shelf, offer] { shelf.discard(offer.id); });
     };
     QObject::connect(&shelf, &JournalShelf::offered, &window, show);
@@ -332,6 +344,7 @@ void wireClassroom(ui::MainWindow& window, ClassroomMode& mode)
 {
     QObject::connect(&mode, &ClassroomMode::noticed, &window, &ui::MainWindow::showNotice);
     QObject::connect(&mode, &ClassroomMode::noticed, window.findChild<Headset*>(), &Headset::tell);
-    QObject::connect(window.findChild<ui::ClassBar*>(), &ui::ClassBar::timeShown, window.findChild<ui::PartnerBar*>(), &ui::PartnerBar::setTime);
+    QObject::connect(window.findChild<ui::ClassBar*>(), &ui::ClassBar::timeShown, window.findChild<ui::PartnerBar*>(),
+                     &ui::PartnerBar::setTime);
 }
 } // namespace app

@@ -10,8 +10,8 @@
 
 namespace app
 {
-/// The one long piece of work that may go on at a time: what it is, how far it is, its end by hand, and a thread for the part
-/// of it that nobody else has to do. Gui thread, but where it says otherwise.
+/// The one long piece of work that may go on at a time: what it is, how far it is, its end by hand, and a thread for
+/// the part of it that nobody else has to do. Gui thread, but where it says otherwise.
 class LongWork : public QObject
 {
     Q_OBJECT

@@ -29,9 +29,10 @@ double msSince(std::int64_t start)
 } // namespace
 
 DrawingWorker::DrawingWorker(SculptWorker* worker, QObject* parent)
-    : QObject(parent), m_worker(worker), m_thread([this] { run(); })
-{
-}
+    : QObject(parent)
+    , m_worker(worker)
+    , m_thread([this] { run(); })
+{}
 
 DrawingWorker::~DrawingWorker()
 {
@@ -67,8 +68,9 @@ void DrawingWorker::watch(bool isSeen, bool shaded)
             m_desk->inbox = isSeen ? std::make_shared<PatchInbox>() : nullptr;
             m_desk->hasPatch = false;
             if (isSeen)
-                connect(m_desk->inbox.get(), &PatchInbox::filled, m_desk->inbox.get(),
-                        [desk = std::weak_ptr(m_desk)] { tellOfPatch(desk); }, Qt::DirectConnection);
+                connect(
+                    m_desk->inbox.get(), &PatchInbox::filled, m_desk->inbox.get(),
+                    [desk = std::weak_ptr(m_desk)] { tellOfPatch(desk); }, Qt::DirectConnection);
             m_worker->setInbox(Source::Drawings, m_desk->inbox);
         }
     }
@@ -121,7 +123,9 @@ void DrawingWorker::run()
 /// For something to do, or for a coarse drawing's finer one; false when all ends.
 bool DrawingWorker::wait(std::unique_lock<std::mutex>& lock)
 {
-    const auto isAwake = [this] { return m_desk->isStopping || m_desk->hasPatch || m_desk->hasNews || !m_desk->orders.empty(); };
+    const auto isAwake = [this] {
+        return m_desk->isStopping || m_desk->hasPatch || m_desk->hasNews || !m_desk->orders.empty();
+    };
     if (m_isFine)
         m_desk->wake.wait(lock, isAwake);
     else
@@ -152,7 +156,9 @@ void DrawingWorker::draw()
     if (patch || turn.hasNews)
         show(m_drawer->draw(turn.shaded, turn.stop), false);
     else
-        show(core::drawLines(m_drawer->model(), {turn.shaded ? shadedPixels : finePixels, turn.shaded, maxEdges}, turn.stopFine), true);
+        show(core::drawLines(m_drawer->model(), {turn.shaded ? shadedPixels : finePixels, turn.shaded, maxEdges},
+                             turn.stopFine),
+             true);
 }
 
 DrawingWorker::Turn DrawingWorker::takeTurn()
@@ -161,8 +167,12 @@ DrawingWorker::Turn DrawingWorker::takeTurn()
     m_desk->hasPatch = false;
     m_desk->stop = {};
     m_desk->stopFine = {};
-    return {m_desk->inbox, m_desk->shaded, std::exchange(m_desk->hasNews, false), std::exchange(m_desk->changedNs, 0),
-            m_desk->stop.get_token(), m_desk->stopFine.get_token()};
+    return {m_desk->inbox,
+            m_desk->shaded,
+            std::exchange(m_desk->hasNews, false),
+            std::exchange(m_desk->changedNs, 0),
+            m_desk->stop.get_token(),
+            m_desk->stopFine.get_token()};
 }
 
 /// If it was stopped, something newer is to be drawn.
@@ -185,8 +195,10 @@ void DrawingWorker::write(const Order& order)
     model.apply(order.model);
     auto drawing = core::drawLines(model, ui::sheetDetail(order.shaded), {});
     try {
-        ui::writeSheet(order.path.toStdU16String(), {order.modelName, QDate::currentDate(), *std::move(drawing), order.shaded});
-        m_mail.post([this, path = order.path] { Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(path))); });
+        ui::writeSheet(order.path.toStdU16String(),
+                       {order.modelName, QDate::currentDate(), *std::move(drawing), order.shaded});
+        m_mail.post(
+            [this, path = order.path] { Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(path))); });
     } catch (const core::FileError& error) {
         m_mail.post([this, sentence = ui::Messages::sentence(error)] { Q_EMIT refused(sentence); });
     }

@@ -17,10 +17,10 @@ namespace app
 {
 class SculptWorker;
 
-/// Makes drawings of the model on a thread of its own: for the 2D preview while it can be seen, and for sheets. A viewer of the mesh
-/// like others: it lives on patches, and the mesh thread never waits for it. While changes keep coming, drawings are interim ones whose
-/// cost goes with the change; a fine one follows when the hand rests. Nobody looks: no memory, no work.
-/// Gui thread; all returns at once.
+/// Makes drawings of the model on a thread of its own: for the 2D preview while it can be seen, and for sheets. A
+/// viewer of the mesh like others: it lives on patches, and the mesh thread never waits for it. While changes keep
+/// coming, drawings are interim ones whose cost goes with the change; a fine one follows when the hand rests. Nobody
+/// looks: no memory, no work. Gui thread; all returns at once.
 class DrawingWorker : public QObject
 {
     Q_OBJECT
@@ -88,9 +88,9 @@ private:
 
     // The drawing thread's own.
     std::optional<core::IncrementalLineDrawing> m_drawer; ///< while somebody looks
-    std::shared_ptr<PatchInbox> m_inbox;      ///< whose patches it is made of
-    bool m_isFine = true;                     ///< the last drawing was, or there is none to be made finer
-    std::int64_t m_changedNs = 0;             ///< of the oldest change by a stroke that no drawing shows yet
+    std::shared_ptr<PatchInbox> m_inbox;                  ///< whose patches it is made of
+    bool m_isFine = true;                                 ///< the last drawing was, or there is none to be made finer
+    std::int64_t m_changedNs = 0; ///< of the oldest change by a stroke that no drawing shows yet
 
     std::thread m_thread; ///< last: it uses the others
 };

@@ -30,14 +30,14 @@ struct Sample
     bool first = false;        ///< of its stroke; set by the queue
 };
 struct EndStroke
-{
-};
+{};
 /// Anything else that needs the mesh.
 using Task = std::function<void()>;
 using Job = std::variant<BeginStroke, Sample, EndStroke, Task>;
 
-/// A ray of which a viewer wants to know where it meets the surface, and what a brush would take there; of a spherical brush that stands
-/// where the hand is (core::Placement::Point), which of the surface's points within it is nearest to the ray's origin.
+/// A ray of which a viewer wants to know where it meets the surface, and what a brush would take there; of a spherical
+/// brush that stands where the hand is (core::Placement::Point), which of the surface's points within it is nearest to
+/// the ray's origin.
 struct Question
 {
     Source source;
@@ -47,19 +47,21 @@ struct Question
 
 std::int64_t steadyNs();
 
-/// Of `count` samples that pile up, whether the one at `i` is dropped: every other one, but not a stroke's first nor the last.
+/// Of `count` samples that pile up, whether the one at `i` is dropped: every other one, but not a stroke's first nor
+/// the last.
 constexpr bool isThinnedOut(std::size_t i, std::size_t count, bool isFirst)
 {
     return !isFirst && i + 1 != count && i % 2 == 0;
 }
 
-/// What the mesh thread has to do: jobs in order, and the newest question of each viewer. One of each goes before the next job; those that
-/// come meanwhile wait for it, or a viewer that asks without end would let nobody work. Any thread.
+/// What the mesh thread has to do: jobs in order, and the newest question of each viewer. One of each goes before the
+/// next job; those that come meanwhile wait for it, or a viewer that asks without end would let nobody work. Any
+/// thread.
 class JobQueue
 {
 public:
-    /// More samples than this never wait: then every other one of those that wait is dropped, but for the stroke's first
-    /// and its last.
+    /// More samples than this never wait: then every other one of those that wait is dropped, but for the stroke's
+    /// first and its last.
     static constexpr std::size_t maxWaitingSamples = 16;
 
     void push(Job job);

@@ -1,5 +1,6 @@
-// The thread's loop: each viewer's newest question, then the next job. A stroke's jobs are BeginStroke, Sample..., EndStroke; what the
-// engine changed goes to the viewers' inboxes at a sub-step's end, at most once a frame while samples wait.
+// The thread's loop: each viewer's newest question, then the next job. A stroke's jobs are BeginStroke, Sample...,
+// EndStroke; what the engine changed goes to the viewers' inboxes at a sub-step's end, at most once a frame while
+// samples wait.
 #include "app/worker/sculpt_worker.h"
 
 #include "core/journal/journal.h"
@@ -145,9 +146,7 @@ void SculptWorker::post(std::function<void(core::Sculptor&)> job)
 
 void SculptWorker::confirm()
 {
-    m_queue.push(Task([this] {
-        tell([this] { Q_EMIT confirmed(); });
-    }));
+    m_queue.push(Task([this] { tell([this] { Q_EMIT confirmed(); }); }));
 }
 
 WorkerStats SculptWorker::stats() const

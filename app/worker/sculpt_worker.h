@@ -3,8 +3,8 @@
 #include "app/worker/job_queue.h"
 #include "app/worker/patch_inbox.h"
 
-#include "core/sculpt/sculptor.h"
 #include "core/io/stroke/stroke_file.h"
+#include "core/sculpt/sculptor.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QObject>
@@ -26,7 +26,7 @@ struct MeshFacts
 {
     quint64 vertices = 0;
     quint64 faces = 0;
-    core::Box box; ///< mm; right after a stroke it may still be larger than the mesh
+    core::Box box;            ///< mm; right after a stroke it may still be larger than the mesh
     double area = 0;          ///< mm^2; of the mesh some time ago, as the box
     double uniformDetail = 0; ///< mm
     double leastDetail = 0;   ///< mm; the finest d_detail that the lattice holds
@@ -35,17 +35,19 @@ struct MeshFacts
 /// A stroke that has ended, in the order of the strokes' beginnings.
 struct StrokeReport
 {
-    std::shared_ptr<core::MeshDelta> delta; ///< already applied; null if nothing changed
+    std::shared_ptr<core::MeshDelta> delta;      ///< already applied; null if nothing changed
     std::shared_ptr<const core::FileEntry> deed; ///< a core::Stroke, that did it; null if nothing changed
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
     quint64 fusions = 0;
     core::Shortfall shortfall = core::Shortfall::None; ///< of the dabs the one most worth telling
-    bool added = false;      ///< a sphere, or the brush's model
-    bool hasModel = false;   ///< the brush
+    bool added = false;                                ///< a sphere, or the brush's model
+    bool hasModel = false;                             ///< the brush
     bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
-    bool sequential = false;      ///< radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the other
-    bool isAgain = false;    ///< of redoStroke()
+    /// Radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the
+    /// other.
+    bool sequential = false;
+    bool isAgain = false; ///< of redoStroke()
     MeshFacts facts;
 
     /// The same: null if nothing changed.
@@ -55,7 +57,7 @@ struct StrokeReport
 /// Another stroke in the place of one that was undone.
 struct StrokeAgain
 {
-    StrokeReport before; ///< of the one that was undone
+    StrokeReport before;                                                       ///< of the one that was undone
     std::function<std::shared_ptr<core::MeshDelta>(core::Sculptor&)> giveBack; ///< does its change again; mesh thread
     std::shared_ptr<const core::Stroke> stroke; ///< null: the one that was undone comes back, bit for bit
     std::stop_token stop;                       ///< the same, if this is not done yet
@@ -70,9 +72,9 @@ struct WorkerStats
     double worstLatencyMs = 0;
 };
 
-/// The mesh thread. It owns the sculptor, takes jobs in the order in which they were posted, and answers questions between
-/// the engine's sub-steps. Every function but the constructor, stop() and the destructor may be called from any thread and
-/// returns at once. Signals come on the thread that made the worker, by its event loop.
+/// The mesh thread. It owns the sculptor, takes jobs in the order in which they were posted, and answers questions
+/// between the engine's sub-steps. Every function but the constructor, stop() and the destructor may be called from any
+/// thread and returns at once. Signals come on the thread that made the worker, by its event loop.
 class SculptWorker : public QObject
 {
     Q_OBJECT
@@ -87,14 +89,15 @@ public:
     /// What viewer `source` draws from. It gets the whole mesh first, then what changes.
     void setInbox(Source source, std::shared_ptr<PatchInbox> inbox);
 
-    /// One stroke is open at a time: false, and strokeRefused() from here, if another source's is. Each stroke that was begun is
-    /// reported once by strokeFinished(). A pull that may add a sphere (settings.add) adds one by its first sample, and the others do
-    /// nothing; where the brush touches the surface at the first, it is a pull like any other.
+    /// One stroke is open at a time: false, and strokeRefused() from here, if another source's is. Each stroke that was
+    /// begun is reported once by strokeFinished(). A pull that may add a sphere (settings.add) adds one by its first
+    /// sample, and the others do nothing; where the brush touches the surface at the first, it is a pull like any
+    /// other.
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source);
-    /// A stroke of one sample that adds a sphere at its position (settings.add) and does nothing else: where the brush would touch
-    /// the surface it is refused as too close. As beginStroke().
+    /// A stroke of one sample that adds a sphere at its position (settings.add) and does nothing else: where the brush
+    /// would touch the surface it is refused as too close. As beginStroke().
     bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);
     bool strokeOpen() const;
     /// Viewers see nothing of what follows until the next redoStroke() is done.
@@ -107,11 +110,12 @@ public:
     /// Ever.
     quint64 strokesBegun() const { return m_strokesBegun; }
 
-    /// The newest question of a source is answered once, by its answered signal; those that it overtook are not. See Question.
+    /// The newest question of a source is answered once, by its answered signal; those that it overtook are not. See
+    /// Question.
     void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
-    /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before. `journal` hears of
-    /// each stroke, and no signal tells of one that is not recorded; null: none is.
+    /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before.
+    /// `journal` hears of each stroke, and no signal tells of one that is not recorded; null: none is.
     void setModel(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal = {});
     /// Another journal hears of what follows.
     void setJournal(std::shared_ptr<core::Journal> journal);
@@ -128,13 +132,15 @@ Q_SIGNALS:
     void strokeRefused(app::Source source);
     /// To confirm().
     void confirmed();
-    /// To ask(Source::Desktop, ...). `footprint`: of the brush, if one was asked about and the ray hits. `epoch`: of the last patch
-    /// that viewers were given before.
-    void answeredDesktop(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
+    /// To ask(Source::Desktop, ...). `footprint`: of the brush, if one was asked about and the ray hits. `epoch`: of
+    /// the last patch that viewers were given before.
+    void answeredDesktop(const std::optional<core::SurfaceHit>& hit,
+                         const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
     /// To ask(Source::Headset, ...); on the mesh thread, so that nobody waits for a window: connect it directly.
-    void answeredHeadset(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
-    /// What a sample of the headset's did: surfaces joined or parted, and of its dabs what is most worth telling; on the mesh thread, as
-    /// the answers.
+    void answeredHeadset(const std::optional<core::SurfaceHit>& hit,
+                         const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
+    /// What a sample of the headset's did: surfaces joined or parted, and of its dabs what is most worth telling; on
+    /// the mesh thread, as the answers.
     void sampledHeadset(quint64 fusions, core::Shortfall shortfall);
     /// Exact, some time after the last change.
     void factsChanged(const app::MeshFacts& facts);
@@ -181,7 +187,7 @@ private:
     StrokeReport m_report;
     quint64 m_fusionsBefore = 0; ///< the stroke
     BeginStroke m_stroke;        ///< in work
-    bool m_isQuiet = false; ///< hidePatches()
+    bool m_isQuiet = false;      ///< hidePatches()
     /// What its samples do. Undecided: a pull or a sphere, says the first.
     enum class Course { Open, Undecided, Over } m_course = Course::Open;
     std::shared_ptr<core::Journal> m_journal;

@@ -50,7 +50,8 @@ void SculptWorker::run(const Question& question)
         Q_EMIT answeredHeadset(hit, footprint, m_epoch);
 }
 
-/// Whether a pull here would move something instead of adding a sphere, at this place, in another sector or at a mirror image.
+/// Whether a pull here would move something instead of adding a sphere, at this place, in another sector or at a mirror
+/// image.
 bool SculptWorker::touches(const core::StrokeSample& sample) const
 {
     const core::Vec3 position = sample.rotation.conjugate() * sample.position;
@@ -138,10 +139,12 @@ core::Shortfall SculptWorker::apply(const core::StrokeSample& sample)
 void SculptWorker::run(EndStroke&)
 {
     if (m_sculptor) {
-        auto delta = std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
+        auto delta =
+            std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         if (!delta->empty()) {
             m_report.delta = std::move(delta);
-            m_report.deed = std::make_shared<const core::FileEntry>(core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
+            m_report.deed = std::make_shared<const core::FileEntry>(
+                core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
         }
         m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
     }

@@ -18,22 +18,38 @@ QString StrokeStep::iconOf(core::Tool tool)
 QString StrokeStep::textOf(core::Tool tool)
 {
     switch (tool) {
-    case core::Tool::Pull: return tr("Pull", "undo step");
-    case core::Tool::Push: return tr("Push", "undo step");
-    case core::Tool::Inflate: return tr("Inflate", "undo step");
-    case core::Tool::Clay: return tr("Clay", "undo step");
-    case core::Tool::Layer: return tr("Layer", "undo step");
-    case core::Tool::Flatten: return tr("Flatten", "undo step");
-    case core::Tool::Scrape: return tr("Scrape", "undo step");
-    case core::Tool::Smooth: return tr("Smooth", "undo step");
-    case core::Tool::Pinch: return tr("Pinch", "undo step");
-    case core::Tool::Crease: return tr("Crease", "undo step");
-    case core::Tool::Grab: return tr("Grab", "undo step");
-    case core::Tool::SnakeHook: return tr("Snake Hook", "undo step");
-    case core::Tool::Twist: return tr("Twist", "undo step");
-    case core::Tool::Stamp: return tr("Stamp", "undo step");
-    case core::Tool::Paint: return tr("Paint", "undo step");
-    case core::Tool::Mask: return tr("Mask", "undo step");
+    case core::Tool::Pull:
+        return tr("Pull", "undo step");
+    case core::Tool::Push:
+        return tr("Push", "undo step");
+    case core::Tool::Inflate:
+        return tr("Inflate", "undo step");
+    case core::Tool::Clay:
+        return tr("Clay", "undo step");
+    case core::Tool::Layer:
+        return tr("Layer", "undo step");
+    case core::Tool::Flatten:
+        return tr("Flatten", "undo step");
+    case core::Tool::Scrape:
+        return tr("Scrape", "undo step");
+    case core::Tool::Smooth:
+        return tr("Smooth", "undo step");
+    case core::Tool::Pinch:
+        return tr("Pinch", "undo step");
+    case core::Tool::Crease:
+        return tr("Crease", "undo step");
+    case core::Tool::Grab:
+        return tr("Grab", "undo step");
+    case core::Tool::SnakeHook:
+        return tr("Snake Hook", "undo step");
+    case core::Tool::Twist:
+        return tr("Twist", "undo step");
+    case core::Tool::Stamp:
+        return tr("Stamp", "undo step");
+    case core::Tool::Paint:
+        return tr("Paint", "undo step");
+    case core::Tool::Mask:
+        return tr("Mask", "undo step");
     }
     return {};
 }
@@ -71,6 +87,7 @@ core::JournalStep StrokeStep::forJournal(const QString& text, const StepMarks& m
 
 StepWords StrokeStep::fromJournal(const core::JournalStep& step)
 {
-    return {QString::fromStdString(step.text), {QString::fromStdString(step.icon), step.dabs, step.fusions, step.entry}};
+    return {QString::fromStdString(step.text),
+            {QString::fromStdString(step.icon), step.dabs, step.fusions, step.entry}};
 }
 } // namespace app

@@ -1,8 +1,8 @@
 #include "core/analysis/mesh_check.h"
 
+#include "core/analysis/nesting.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/lattice_placement.h"
-#include "core/analysis/nesting.h"
 #include "core/util/parallel.h"
 
 #include <atomic>
@@ -66,8 +66,8 @@ void addTopology(MeshReport& report, const TriangleMesh& mesh)
     report.closed = topology.openEdges.count == 0;
     report.manifold = topology.nonManifoldEdges.count == 0 && topology.nonManifoldVertices.count == 0;
     report.oriented = topology.misorientedEdges.count == 0 && topology.nonManifoldEdges.count == 0;
-    report.components = report.manifold ? componentsOf(mesh.points.size(), mesh.triangles).count
-                                        : edgeComponents(mesh.triangles);
+    report.components =
+        report.manifold ? componentsOf(mesh.points.size(), mesh.triangles).count : edgeComponents(mesh.triangles);
     if (report.closed && report.manifold && report.oriented && report.degenerateFaces.count == 0) {
         const auto euler = static_cast<std::int64_t>(topology.vertices + mesh.triangles.size()) -
                            static_cast<std::int64_t>(topology.edges);
@@ -132,7 +132,8 @@ MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control)
         report.intersections = std::move(both.surface);
         staysValid = !both.imageMeets;
     } else {
-        report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, control.stop);
+        report.intersections =
+            selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, control.stop);
     }
     control.reportProgress(afterIntersections);
     if (control.isCancelled() || !hasArea || report.intersections.count != 0)

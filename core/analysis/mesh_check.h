@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/util/job_control.h"
 #include "core/analysis/mesh_topology.h"
 #include "core/analysis/self_intersection.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/util/job_control.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,13 +21,14 @@ struct MeshReport
     bool closed = false;   ///< no edge has only one face
     bool manifold = false; ///< no edge has more than two faces, each vertex has one umbrella
     bool oriented = false; ///< the two faces of each edge run it in opposite directions
-    /// Each shell faces outwards at even nesting depth and inwards at odd. Missing unless closed, manifold, oriented, without
-    /// degenerate faces or intersections.
+    /// Each shell faces outwards at even nesting depth and inwards at odd. Missing unless closed, manifold, oriented,
+    /// without degenerate faces or intersections.
     std::optional<bool> boundsSolid;
 
-    std::size_t components = 0;        ///< sets of faces connected by edges
-    std::optional<std::int64_t> genus; ///< summed over components; missing unless closed, manifold, oriented and without degenerate faces
-    std::optional<double> volume;      ///< missing unless closed and oriented
+    std::size_t components = 0; ///< sets of faces connected by edges
+    /// Summed over components; missing unless closed, manifold, oriented and without degenerate faces.
+    std::optional<std::int64_t> genus;
+    std::optional<double> volume; ///< missing unless closed and oriented
     double area = 0;
     Vec3 size = Vec3::Zero(); ///< of the bounding box
     double minEdge = 0, maxEdge = 0;
@@ -39,14 +40,15 @@ struct MeshReport
     Finding degenerateFaces;     ///< without area, or with one vertex twice
     IntersectionReport intersections;
 
-    /// Import would keep it valid: moved to the origin if it is too far away, and snapped to its lattice, it has no degenerate
-    /// faces, no intersections, and bounds a solid if it did. Missing where it has degenerate faces or intersections anyway.
+    /// Import would keep it valid: moved to the origin if it is too far away, and snapped to its lattice, it has no
+    /// degenerate faces, no intersections, and bounds a solid if it did. Missing where it has degenerate faces or
+    /// intersections anyway.
     std::optional<bool> latticeOk;
 
     bool printReady() const { return boundsSolid.value_or(false); }
 };
 
-/// Checks the mesh's float32 coordinates exactly, not snapped. Indices in range, points finite. All cores; the result does
-/// not depend on their number. If it is cancelled, the result is not usable. About 1 s a million faces on two.
+/// Checks the mesh's float32 coordinates exactly, not snapped. Indices in range, points finite. All cores; the result
+/// does not depend on their number. If it is cancelled, the result is not usable. About 1 s a million faces on two.
 MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control = {});
 } // namespace core

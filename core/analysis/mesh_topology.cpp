@@ -1,10 +1,10 @@
-// Each vertex looks at its own faces: they give the edges to its neighbours (counted at the lower end) and the links between
-// neighbours, which must form one piece.
+// Each vertex looks at its own faces: they give the edges to its neighbours (counted at the lower end) and the links
+// between neighbours, which must form one piece.
 
 #include "core/analysis/mesh_topology.h"
 
-#include "core/util/smallest_k.h"
 #include "core/util/parallel.h"
+#include "core/util/smallest_k.h"
 
 #include <numeric>
 

@@ -1,11 +1,12 @@
-// For each shell: the sign of its volume, in doubles where their rounding cannot decide it, else in an exact sum; and, if
-// there are others, how many of their faces lie above its highest vertex: odd means it lies inside an odd number of them.
+// For each shell: the sign of its volume, in doubles where their rounding cannot decide it, else in an exact sum; and,
+// if there are others, how many of their faces lie above its highest vertex: odd means it lies inside an odd number of
+// them.
 
 #include "core/analysis/nesting.h"
 
-#include "core/util/disjoint_sets.h"
 #include "core/geometry/exact_sum.h"
 #include "core/geometry/face_geometry.h"
+#include "core/util/disjoint_sets.h"
 
 #include <cmath>
 #include <numeric>
@@ -56,7 +57,8 @@ private:
             m_faces[next[m_components.ofFace[f]]++] = f;
     }
 
-    /// Each term has a relative error of less than 8 roundings, as in an orientation, and the sum of n terms adds n more.
+    /// Each term has a relative error of less than 8 roundings, as in an orientation, and the sum of n terms adds n
+    /// more.
     int volumeSign(std::size_t shell) const
     {
         const Vec3 origin = m_points[m_triangles[facesOf(shell)[0]][0]].cast<double>();
@@ -111,8 +113,8 @@ private:
         return odd;
     }
 
-    /// Does the ray upwards (+z) from the origin cross the face? The origin is thought moved by (e, e^2, 0) for a tiny e > 0:
-    /// then the ray meets no edge, and no face that is vertical.
+    /// Does the ray upwards (+z) from the origin cross the face? The origin is thought moved by (e, e^2, 0) for a tiny
+    /// e > 0: then the ray meets no edge, and no face that is vertical.
     bool liesAbove(const Triangle& face, const Vec3f& origin) const
     {
         constexpr int z = 2;

@@ -8,9 +8,9 @@
 
 namespace core
 {
-/// Do these shells bound a solid: does each face outwards at even nesting depth and inwards at odd? Exact: signs of volumes
-/// and parities of rays. The triangles must be closed, manifold, consistently oriented within each shell, not degenerate, and
-/// free of intersections. Cost: O(faces), and a tree of boxes if there is more than one shell.
+/// Do these shells bound a solid: does each face outwards at even nesting depth and inwards at odd? Exact: signs of
+/// volumes and parities of rays. The triangles must be closed, manifold, consistently oriented within each shell, not
+/// degenerate, and free of intersections. Cost: O(faces), and a tree of boxes if there is more than one shell.
 bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triangles);
 bool boundsSolid(std::span<const LatticePoint> points, std::span<const Triangle> triangles);
 

@@ -41,7 +41,8 @@ public:
     Side operator[](Slot face) const
     {
         const auto& [a, b, c] = m_mesh.triangles[face];
-        const Vec3 p = m_mesh.points[a].cast<double>(), q = m_mesh.points[b].cast<double>(), r = m_mesh.points[c].cast<double>();
+        const Vec3 p = m_mesh.points[a].cast<double>(), q = m_mesh.points[b].cast<double>(),
+                   r = m_mesh.points[c].cast<double>();
         const bool isLow = p.y() <= m_bed && q.y() <= m_bed && r.y() <= m_bed;
         const Vec3 normal = (q - p).cross(r - p) / 2;
         return {(p + q + r) / 3, normal, isLow && normal.y() < 0};
@@ -136,7 +137,8 @@ PrintFault overhangPlaces(const TriangleMesh& mesh, const Sides& sides, double l
     Places places(mesh);
     for (Slot f = 0; f < mesh.triangles.size(); ++f) {
         const Side side = sides[f];
-        if (!side.isOnBed && -side.normal.y() > sine * side.area() * (1 + 1e-6)) // a face that leans so much exactly is none
+        if (!side.isOnBed &&
+            -side.normal.y() > sine * side.area() * (1 + 1e-6)) // a face that leans so much exactly is none
             places.add(f, side.normal.y() / side.area());
     }
     return places.take(sides, [&](Slot f) { return leaningOf(sides[f]); });
@@ -189,7 +191,9 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
 UnitDoubt unitDoubtOf(double volume)
 {
     const double size = std::abs(volume);
-    return size < PrintLimits::metreVolume ? UnitDoubt::Metres : size < PrintLimits::inchVolume ? UnitDoubt::Inches : UnitDoubt::None;
+    return size < PrintLimits::metreVolume  ? UnitDoubt::Metres
+           : size < PrintLimits::inchVolume ? UnitDoubt::Inches
+                                            : UnitDoubt::None;
 }
 
 UnitDoubt guessedUnit(double volume, double longestSide)
@@ -206,7 +210,7 @@ std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture
     std::vector<float> values(measures.mesh.points.size(), isThickness ? infinity : -90);
     const Sides sides(measures.mesh);
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {
-        const float value = !isThickness        ? static_cast<float>(leaningOf(sides[f]))
+        const float value = !isThickness     ? static_cast<float>(leaningOf(sides[f]))
                             : measures.walls ? measures.walls->byBalls[f]
                                              : infinity;
         for (const Slot corner : measures.mesh.triangles[f])

@@ -45,8 +45,8 @@ struct PrintPlace
     Slot face = 0;             ///< the worst of them
     Vec3 point = Vec3::Zero(); ///< its centre
     Vec3 normal = Vec3::Zero();
-    double worst = 0;  ///< thickness in mm, or degrees that it leans out
-    double area = 0;   ///< of all of them, mm^2
+    double worst = 0; ///< thickness in mm, or degrees that it leans out
+    double area = 0;  ///< of all of them, mm^2
 };
 
 /// Places by area, the largest first, no more than maxPlaces; the sums are of all.
@@ -63,11 +63,12 @@ enum class BedFit { AsItStands, Turned, Not }; ///< Turned: by a quarter about t
 
 struct PrintReport
 {
-    double area = 0;                                    ///< mm^2, of the whole surface
-    std::optional<double> minByRays, minByBalls;    ///< mm; missing where thickness was not measured or nothing is opposite
-    PrintFault thin;                                    ///< thinner than the limit, by either method
-    PrintFault overhangs;                               ///< lean out more than the limit; those on the bed do not count
-    double baseArea = 0;                                ///< mm^2 of flat surface on the bed, looking down
+    double area = 0; ///< mm^2, of the whole surface
+    /// Mm; missing where thickness was not measured or nothing is opposite.
+    std::optional<double> minByRays, minByBalls;
+    PrintFault thin;      ///< thinner than the limit, by either method
+    PrintFault overhangs; ///< lean out more than the limit; those on the bed do not count
+    double baseArea = 0;  ///< mm^2 of flat surface on the bed, looking down
     BedFit fit = BedFit::AsItStands;
 };
 /// Of a model that stands on its lowest point. Cost: O(faces).
@@ -76,11 +77,12 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
 /// What a slicer would take a model of that volume for. By PrusaSlicer's thresholds, which others have, too.
 enum class UnitDoubt { None, Inches, Metres };
 UnitDoubt unitDoubtOf(double volume);
-/// In which unit a model was made that is too small for slicers in millimetres: below an inch long, metres are likelier than inches.
+/// In which unit a model was made that is too small for slicers in millimetres: below an inch long, metres are likelier
+/// than inches.
 UnitDoubt guessedUnit(double volume, double longestSide);
 
 enum class PrintPicture { Thickness, Overhang };
-/// By vertex, for a picture: the least thickness of its faces in mm, or the most that one of them leans out, degrees from the vertical
-/// (90: a ceiling, -90: a floor; on the bed -90). Infinity of a thickness that was not measured.
+/// By vertex, for a picture: the least thickness of its faces in mm, or the most that one of them leans out, degrees
+/// from the vertical (90: a ceiling, -90: a floor; on the bed -90). Infinity of a thickness that was not measured.
 std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture);
 } // namespace core

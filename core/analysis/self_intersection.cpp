@@ -3,9 +3,9 @@
 #include "core/analysis/self_intersection.h"
 
 #include "core/geometry/face_geometry.h"
-#include "core/util/smallest_k.h"
-#include "core/util/parallel.h"
 #include "core/geometry/triangle_intersection.h"
+#include "core/util/parallel.h"
+#include "core/util/smallest_k.h"
 
 #include <atomic>
 #include <numeric>
@@ -25,7 +25,8 @@ public:
     PairSearch(const Points& points, std::span<const Triangle> triangles, std::vector<Slot> faces)
         : m_triangles(triangles)
         , m_faces(std::move(faces))
-        , m_tree(faceBoxes(points, m_faces.size(), [this](std::size_t i) -> const Triangle& { return m_triangles[m_faces[i]]; }))
+        , m_tree(faceBoxes(points, m_faces.size(),
+                           [this](std::size_t i) -> const Triangle& { return m_triangles[m_faces[i]]; }))
     {}
 
     /// meet(i, j) for the faces at two positions whose boxes meet.
@@ -95,8 +96,8 @@ IntersectionReport selfIntersections(std::span<const typename Predicates::Point>
     return search.find(keep, stop, [&](Slot i, Slot j) { return trianglesIntersect(ordered[i], ordered[j]); });
 }
 
-SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image, std::span<const Triangle> triangles,
-                                  std::size_t keep, const std::stop_token& stop)
+SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image,
+                                  std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop)
 {
     std::vector<Slot> all(triangles.size());
     std::iota(all.begin(), all.end(), Slot(0));

@@ -22,9 +22,9 @@ struct IntersectionReport
     std::vector<FacePair> pairs; ///< the first ones, ascending, as many as were asked for
 };
 
-/// Exact; touching is meeting. Faces that are degenerate take no part. All cores, memory bounded whatever the count; the
-/// result does not depend on the number of cores. If it is cancelled, the result is not usable. Instantiated for both sets
-/// of predicates.
+/// Exact; touching is meeting. Faces that are degenerate take no part. All cores, memory bounded whatever the count;
+/// the result does not depend on the number of cores. If it is cancelled, the result is not usable. Instantiated for
+/// both sets of predicates.
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
                                      std::span<const Triangle> triangles, std::size_t keep = 1000,
@@ -36,10 +36,10 @@ struct SurfaceAndImage
     bool imageMeets = false; ///< itself, somewhere
 };
 
-/// A surface and its image on a lattice at once, in little more than the time of one. Neither has a degenerate face, and the order of
-/// coordinates is kept: of two points, none comes before the other in the image that came after it.
-SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image, std::span<const Triangle> triangles,
-                                  std::size_t keep, const std::stop_token& stop);
+/// A surface and its image on a lattice at once, in little more than the time of one. Neither has a degenerate face,
+/// and the order of coordinates is kept: of two points, none comes before the other in the image that came after it.
+SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image,
+                                  std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop);
 
 /// Faces whose corners are collinear, or not three, ascending.
 template <typename Predicates>

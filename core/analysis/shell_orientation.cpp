@@ -23,7 +23,8 @@ LatticeBox ShellOrientation::column() const
     return {m_origin, {m_origin.x(), m_origin.y(), Lattice::limit}};
 }
 
-/// The ray goes up (+z) from the origin, which is thought moved by (e, e^2, 0) for a tiny e > 0, so that it meets no edge.
+/// The ray goes up (+z) from the origin, which is thought moved by (e, e^2, 0) for a tiny e > 0, so that it meets no
+/// edge.
 void ShellOrientation::castAt(const Points& points)
 {
     bool inside = false;
@@ -32,7 +33,8 @@ void ShellOrientation::castAt(const Points& points)
         const LatticePoint& b = points[static_cast<std::size_t>((i + 1) % 3)];
         if ((a.y() > m_origin.y()) == (b.y() > m_origin.y()))
             continue;
-        // The edge crosses the origin's line y; to the right of the origin if the origin lies to the left of the rising edge.
+        // The edge crosses the origin's line y; to the right of the origin if the origin lies to the left of the rising
+        // edge.
         const LatticePoint& low = a.y() > b.y() ? b : a;
         const LatticePoint& high = a.y() > b.y() ? a : b;
         if (LatticePredicates::orient2d(low, high, m_origin, 2) > 0)

@@ -4,8 +4,9 @@
 
 namespace core
 {
-/// Does a closed, embedded shell face the right way at its depth: outwards (positive volume) inside an even number of other
-/// shells, inwards inside an odd number? Exact: integer volume, and the parity of the faces above one of its vertices.
+/// Does a closed, embedded shell face the right way at its depth: outwards (positive volume) inside an even number of
+/// other shells, inwards inside an odd number? Exact: integer volume, and the parity of the faces above one of its
+/// vertices.
 class ShellOrientation
 {
 public:

@@ -1,6 +1,7 @@
 // 1. same      faces that both surfaces have are nowhere apart
 // 2. inside    samples in the other faces, each search bounded by where the last one ended
-// 3. corners   only the largest distance is asked of them: a search ends as soon as a corner is known to be nearer than that
+// 3. corners   only the largest distance is asked of them: a search ends as soon as a corner is known to be nearer than
+// that
 
 #include "core/analysis/surface_distance.h"
 
@@ -97,7 +98,9 @@ struct Found
 class Nearest
 {
 public:
-    explicit Nearest(const TriangleMesh& mesh) : m_tree(faceBoxes(mesh.points, mesh.triangles)), m_corners(mesh.triangles.size())
+    explicit Nearest(const TriangleMesh& mesh)
+        : m_tree(faceBoxes(mesh.points, mesh.triangles))
+        , m_corners(mesh.triangles.size())
     {
         forEachChunk(m_corners.size(), perChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -106,7 +109,8 @@ public:
         });
     }
 
-    /// `known`: some point of the surface; the nearer, the faster. A point that is near `enough`, squared, ends the search.
+    /// `known`: some point of the surface; the nearer, the faster. A point that is near `enough`, squared, ends the
+    /// search.
     Found nearest(const Vec3& p, const Found& known, double enough) const
     {
         constexpr double slack = 1 + 1e-9; // the known point is found again, but for its rounding
@@ -199,22 +203,23 @@ Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& 
 {
     const std::vector<std::size_t> samples = samplesUpTo(mesh);
     std::vector<Sums> sums(chunksOf(samples.size(), perChunk));
-    forEachChunkWithProgress(samples.size(), perChunk, control, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        Measuring measuring(nearest);
-        Sums& here = sums[chunk];
-        for (std::size_t f = begin; f < end && !control.isCancelled(); ++f) {
-            const std::size_t first = f == 0 ? 0 : samples[f - 1];
-            here.count += samples[f] - first;
-            if (first == samples[f] || parts.hasFace(mesh, static_cast<Slot>(f)))
-                continue;
-            const std::array<Vec3, 3> triangle = cornersOf(mesh, static_cast<Slot>(f));
-            for (std::size_t i = first; i < samples[f]; ++i) {
-                const double distance = measuring(sampleIn(triangle, i));
-                here.largest = std::max(here.largest, distance);
-                here.sum += distance;
-            }
-        }
-    });
+    forEachChunkWithProgress(samples.size(), perChunk, control,
+                             [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                                 Measuring measuring(nearest);
+                                 Sums& here = sums[chunk];
+                                 for (std::size_t f = begin; f < end && !control.isCancelled(); ++f) {
+                                     const std::size_t first = f == 0 ? 0 : samples[f - 1];
+                                     here.count += samples[f] - first;
+                                     if (first == samples[f] || parts.hasFace(mesh, static_cast<Slot>(f)))
+                                         continue;
+                                     const std::array<Vec3, 3> triangle = cornersOf(mesh, static_cast<Slot>(f));
+                                     for (std::size_t i = first; i < samples[f]; ++i) {
+                                         const double distance = measuring(sampleIn(triangle, i));
+                                         here.largest = std::max(here.largest, distance);
+                                         here.sum += distance;
+                                     }
+                                 }
+                             });
     Sums all;
     for (const Sums& part : sums)
         all.add(part);
@@ -222,27 +227,30 @@ Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& 
 }
 
 /// Of the corners that the other surface does not have as they are, and `known`.
-double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double known, const JobControl& control)
+double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double known,
+                      const JobControl& control)
 {
     std::vector<bool> isUsed(mesh.points.size(), false);
     for (const Triangle& t : mesh.triangles)
         for (const Slot v : t)
             isUsed[v] = true;
     std::atomic<double> largest = known;
-    forEachChunkWithProgress(mesh.points.size(), perChunk, control, [&](std::size_t, std::size_t begin, std::size_t end) {
-        Measuring measuring(nearest);
-        for (std::size_t v = begin; v < end && !control.isCancelled(); ++v) {
-            if (!isUsed[v] || parts.hasPoint(mesh.points[v]))
-                continue;
-            double soFar = largest.load(std::memory_order_relaxed);
-            const Vec3 p = mesh.points[v].cast<double>();
-            if (measuring(p, soFar) <= soFar)
-                continue;
-            const double distance = std::sqrt(nearest.nearest(p, {}, 0).squared); // whatever came before it, the same
-            while (distance > soFar && !largest.compare_exchange_weak(soFar, distance, std::memory_order_relaxed)) {
+    forEachChunkWithProgress(
+        mesh.points.size(), perChunk, control, [&](std::size_t, std::size_t begin, std::size_t end) {
+            Measuring measuring(nearest);
+            for (std::size_t v = begin; v < end && !control.isCancelled(); ++v) {
+                if (!isUsed[v] || parts.hasPoint(mesh.points[v]))
+                    continue;
+                double soFar = largest.load(std::memory_order_relaxed);
+                const Vec3 p = mesh.points[v].cast<double>();
+                if (measuring(p, soFar) <= soFar)
+                    continue;
+                const double distance =
+                    std::sqrt(nearest.nearest(p, {}, 0).squared); // whatever came before it, the same
+                while (distance > soFar && !largest.compare_exchange_weak(soFar, distance, std::memory_order_relaxed)) {
+                }
             }
-        }
-    });
+        });
     return largest;
 }
 } // namespace

@@ -1,9 +1,11 @@
-// How thick walls are, by two methods that speak of the same thing: the ball inside that touches the surface at p with the normal n,
-// and touches it again at q, has the diameter |q - p|^2 / ((p - q) . n).
-//   1. rays    from the centre of each face inward, one along the normal and, unless that says it is thick, four around it; each hit
+// How thick walls are, by two methods that speak of the same thing: the ball inside that touches the surface at p with
+// the normal n, and touches it again at q, has the diameter |q - p|^2 / ((p - q) . n).
+//   1. rays    from the centre of each face inward, one along the normal and, unless that says it is thick, four around
+//   it; each hit
 //              on an opposite face is a q
 //              (after Shapira, Shamir and Cohen-Or 2008, whose cone it is)
-//   2. ball    the least of these balls shrinks: the point nearest to its centre, of the opposite faces, is the next q, until none
+//   2. ball    the least of these balls shrinks: the point nearest to its centre, of the opposite faces, is the next q,
+//   until none
 //              lies inside (after Ma, Bae and Choi 2012, with the faces themselves in the place of sampled points)
 
 #include "core/analysis/wall_thickness.h"
@@ -24,8 +26,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double maxCosine = -0.5;
 /// The rays around the normal: 30 degrees from it, their tangent.
 constexpr double coneTangent = 0.57735026918962576;
-/// A ball is as good as empty if what lies in it is so near to its surface, in radii. Much less, and a ball in round matter, whose
-/// whole surface it all but touches, would look at all faces there are.
+/// A ball is as good as empty if what lies in it is so near to its surface, in radii. Much less, and a ball in round
+/// matter, whose whole surface it all but touches, would look at all faces there are.
 constexpr double shallow = 0.1;
 constexpr int maxShrinkings = 24;
 
@@ -48,7 +50,10 @@ struct Hit
 class Walls
 {
 public:
-    Walls(const TriangleMesh& mesh, double largestBall) : m_tree(faceBoxes(mesh.points, mesh.triangles)), m_walls(mesh.triangles.size()), m_largestBall(largestBall)
+    Walls(const TriangleMesh& mesh, double largestBall)
+        : m_tree(faceBoxes(mesh.points, mesh.triangles))
+        , m_walls(mesh.triangles.size())
+        , m_largestBall(largestBall)
     {
         forEachChunk(m_walls.size(), facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -97,7 +102,8 @@ private:
         return static_cast<double>(a.normal.dot(b.normal)) < maxCosine;
     }
 
-    /// The first face that the ray leaves the matter by. Slab test by Kay and Kajiya 1986, triangles after Möller and Trumbore 1997.
+    /// The first face that the ray leaves the matter by. Slab test by Kay and Kajiya 1986, triangles after Möller and
+    /// Trumbore 1997.
     Hit firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const
     {
         const Eigen::Array3d inverse = (direction.array() + 0.0).inverse(); // no -0
@@ -105,8 +111,10 @@ private:
             double enter = 0, leave = infinity;
             for (int i = 0; i < 3; ++i) { // a ray that runs in a box's side gives NaN, which changes nothing
                 const bool isBackward = direction[i] < 0;
-                enter = std::max(enter, (static_cast<double>(isBackward ? box.max[i] : box.min[i]) - origin[i]) * inverse[i]);
-                leave = std::min(leave, (static_cast<double>(isBackward ? box.min[i] : box.max[i]) - origin[i]) * inverse[i]);
+                enter = std::max(enter,
+                                 (static_cast<double>(isBackward ? box.max[i] : box.min[i]) - origin[i]) * inverse[i]);
+                leave = std::min(leave,
+                                 (static_cast<double>(isBackward ? box.min[i] : box.max[i]) - origin[i]) * inverse[i]);
             }
             return enter <= leave ? enter : infinity;
         };
@@ -165,8 +173,8 @@ private:
         return isWall ? hit.distance * perDistance : infinity;
     }
 
-    /// From the rays' ball on, or from one as deep as the matter, but from no larger one than is asked for; a q that matter does not
-    /// join to p ends it, and what was found until then counts.
+    /// From the rays' ball on, or from one as deep as the matter, but from no larger one than is asked for; a q that
+    /// matter does not join to p ends it, and what was found until then counts.
     double byBall(Slot position, double found) const
     {
         const Wall& wall = m_walls[position];

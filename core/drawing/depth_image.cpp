@@ -7,7 +7,7 @@ namespace core
 {
 namespace
 {
-constexpr int margin = 2; ///< pixels
+constexpr int margin = 2;                         ///< pixels
 constexpr Slot facesPerStep = facesPerBlock << 6; ///< between two looks at `stop`
 constexpr int tilePixels = 16;
 
@@ -16,8 +16,8 @@ float crossOf(const Vec2f& a, const Vec2f& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Pixels whose centres lie at or above, at or below a place; it is not negative. Without the library's ceil and floor: this is
-/// asked for each face.
+/// Pixels whose centres lie at or above, at or below a place; it is not negative. Without the library's ceil and floor:
+/// this is asked for each face.
 int firstCentre(float at)
 {
     const int pixel = static_cast<int>(at);
@@ -47,10 +47,10 @@ DepthImage::DepthImage(DrawnSide side, const Eigen::AlignedBox2f& box, float pix
     , m_tilesAcross(m_width / tilePixels + 1)
     , m_depth(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height))
     , m_face(m_depth.size())
-    , m_stale(static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_height / tilePixels + 1), Depths | Colors)
+    , m_stale(static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_height / tilePixels + 1),
+              Depths | Colors)
     , m_shaded{m_width, m_height, {m_corner.x(), m_corner.y() + static_cast<float>(m_height) * m_pixel}, m_pixel, {}}
-{
-}
+{}
 
 Vec3f DepthImage::toGrid(const Vec3f& point) const
 {
@@ -61,7 +61,9 @@ Vec3f DepthImage::toGrid(const Vec3f& point) const
 /// Those within the grid.
 DepthImage::Tiles DepthImage::tilesOf(const Vec2f& low, const Vec2f& high) const
 {
-    const auto tile = [](float at, int pixels) { return static_cast<int>(std::clamp(at, 0.0F, static_cast<float>(pixels - 1))) / tilePixels; };
+    const auto tile = [](float at, int pixels) {
+        return static_cast<int>(std::clamp(at, 0.0F, static_cast<float>(pixels - 1))) / tilePixels;
+    };
     return {tile(low.x(), m_width), tile(low.y(), m_height), tile(high.x(), m_width), tile(high.y(), m_height)};
 }
 
@@ -108,7 +110,8 @@ void DepthImage::settle(Stale what)
 }
 
 /// A face that is drawn once more beyond the expired tiles changes nothing there.
-bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks, const std::stop_token& stop)
+bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks,
+                      const std::stop_token& stop)
 {
     eachStalePixel(Depths, [this](int x, int y) {
         m_depth[index(x, y)] = -std::numeric_limits<float>::infinity();
@@ -138,11 +141,13 @@ void DepthImage::drawFaces(const DrawArrays& model, std::span<const std::uint8_t
 void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
     const auto inGrid = [](float at, int pixels) { return std::clamp(at, 0.0F, static_cast<float>(pixels)); };
-    const float lowY = inGrid(std::min({a.y(), b.y(), c.y()}), m_height), highY = inGrid(std::max({a.y(), b.y(), c.y()}), m_height);
+    const float lowY = inGrid(std::min({a.y(), b.y(), c.y()}), m_height),
+                highY = inGrid(std::max({a.y(), b.y(), c.y()}), m_height);
     const int bottom = firstCentre(lowY), top = lastCentre(highY);
     if (bottom > top)
         return;
-    const float lowX = inGrid(std::min({a.x(), b.x(), c.x()}), m_width), highX = inGrid(std::max({a.x(), b.x(), c.x()}), m_width);
+    const float lowX = inGrid(std::min({a.x(), b.x(), c.x()}), m_width),
+                highX = inGrid(std::max({a.x(), b.x(), c.x()}), m_width);
     const int left = firstCentre(lowX), right = lastCentre(highX);
     if (left > right || !isStale({left / tilePixels, bottom / tilePixels, right / tilePixels, top / tilePixels}))
         return;
@@ -168,7 +173,8 @@ void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c
             from = std::min(from, x);
             to = std::max(to, x);
         }
-        const int first = std::max(left, firstCentre(std::clamp(from, lowX, highX))), last = std::min(right, lastCentre(std::clamp(to, lowX, highX)));
+        const int first = std::max(left, firstCentre(std::clamp(from, lowX, highX))),
+                  last = std::min(right, lastCentre(std::clamp(to, lowX, highX)));
         for (int x = first; x <= last; ++x) {
             const float z = a.z() + slopeX * (static_cast<float>(x) + 0.5F - a.x()) + slopeY * (row - a.y());
             const std::size_t i = index(x, y);
@@ -185,7 +191,8 @@ const DrawnImage& DepthImage::shade(const DrawArrays& model)
     m_shaded.pixels.resize(m_depth.size());
     eachStalePixel(Colors, [&](int x, int y) {
         const Seen at = seen(model, x, y);
-        m_shaded.pixels[index(x, m_height - 1 - y)] = at.face == noSlot ? std::array<std::uint8_t, 4>{} : colorAt(model, at);
+        m_shaded.pixels[index(x, m_height - 1 - y)] =
+            at.face == noSlot ? std::array<std::uint8_t, 4>{} : colorAt(model, at);
     });
     settle(Colors);
     return m_shaded;
@@ -196,7 +203,9 @@ DepthImage::Seen DepthImage::seen(const DrawArrays& model, int x, int y) const
     const Slot f = m_face[index(x, y)];
     if (f == noSlot)
         return {noSlot, Vec3f::Zero()};
-    const auto corner = [&](std::size_t i) { return Vec2f(toGrid(model.vertices[model.faces[f][i]].position).head<2>()); };
+    const auto corner = [&](std::size_t i) {
+        return Vec2f(toGrid(model.vertices[model.faces[f][i]].position).head<2>());
+    };
     const Vec2f centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
     return {f, weightsAt(centre, corner(0), corner(1), corner(2)).cwiseMax(0).cwiseMin(1)};
 }

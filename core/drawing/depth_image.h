@@ -8,8 +8,8 @@ namespace core
 {
 inline constexpr Slot facesPerBlock = 512;
 
-/// The model from one side on a grid of pixels: how near the nearest face is, and which it is. Tiles of pixels can expire; only
-/// those are drawn, at first all of them.
+/// The model from one side on a grid of pixels: how near the nearest face is, and which it is. Tiles of pixels can
+/// expire; only those are drawn, at first all of them.
 class DepthImage
 {
 public:
@@ -19,9 +19,11 @@ public:
     /// What stands where this face is, is to be drawn anew. Cost: the tiles under its box.
     void expire(const DrawArrays& model, Slot face);
 
-    /// Draws the faces that look to the eye into the expired tiles, as far as they lie on the grid; false if it was stopped. `facing`: as FeatureScan has it.
-    /// `blocks`: around each `facesPerBlock` faces, so that others need not be looked at; or none.
-    bool draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks, const std::stop_token& stop);
+    /// Draws the faces that look to the eye into the expired tiles, as far as they lie on the grid; false if it was
+    /// stopped. `facing`: as FeatureScan has it. `blocks`: around each `facesPerBlock` faces, so that others need not
+    /// be looked at; or none.
+    bool draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks,
+              const std::stop_token& stop);
 
     /// In pixels from the grid's corner at the bottom left, and mm towards the eye.
     Vec3f toGrid(const Vec3f& point) const;
@@ -56,7 +58,10 @@ private:
     template <class Work> void eachStalePixel(Stale what, Work work) const;
     void settle(Stale what);
     void drawFaces(const DrawArrays& model, std::span<const std::uint8_t> facing, Slot first, Slot end);
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(x); }
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(x);
+    }
     void drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c);
     std::array<std::uint8_t, 4> colorAt(const DrawArrays& model, const Seen& seen) const;
 
@@ -65,8 +70,8 @@ private:
     float m_pixel, m_pixelsPerMm;
     int m_width, m_height;
     int m_tilesAcross;
-    std::vector<float> m_depth; ///< rows from the bottom
-    std::vector<Slot> m_face;   ///< noSlot: background
+    std::vector<float> m_depth;        ///< rows from the bottom
+    std::vector<Slot> m_face;          ///< noSlot: background
     std::vector<std::uint8_t> m_stale; ///< by tile, rows from the bottom
     DrawnImage m_shaded;
 };

@@ -1,5 +1,6 @@
-// Which edges are lines of a drawing. Nobody keeps the mesh's connectivity for this: an edge of an outline joins two vertices that have
-// faces looking to the eye and others; a crease joins two whose normals lie far from a face's. Only faces at such edges are paired.
+// Which edges are lines of a drawing. Nobody keeps the mesh's connectivity for this: an edge of an outline joins two
+// vertices that have faces looking to the eye and others; a crease joins two whose normals lie far from a face's. Only
+// faces at such edges are paired.
 #include "core/drawing/feature_edges.h"
 
 #include "core/drawing/depth_image.h"
@@ -118,8 +119,11 @@ bool FeatureScan::rescan(const DrawArrays& model, const DrawnChange& change)
         m_marks[v] = 0;
     for (const Slot f : change.around)
         mark(model, f, m_marks);
-    const auto isOneOf = [](const std::vector<Slot>& faces, const HalfEdge& h) { return std::ranges::binary_search(faces, h.face); };
-    std::erase_if(m_halfEdges, [&](const HalfEdge& h) { return isOneOf(change.around, h) || isOneOf(change.faces, h); });
+    const auto isOneOf = [](const std::vector<Slot>& faces, const HalfEdge& h) {
+        return std::ranges::binary_search(faces, h.face);
+    };
+    std::erase_if(m_halfEdges,
+                  [&](const HalfEdge& h) { return isOneOf(change.around, h) || isOneOf(change.faces, h); });
     const auto old = static_cast<std::ptrdiff_t>(m_halfEdges.size());
     for (const Slot f : change.around)
         addHalfEdges(model.faces[f], f, m_halfEdges);
@@ -133,7 +137,8 @@ bool FeatureScan::rescan(const DrawArrays& model, const DrawnChange& change)
 
 std::vector<Slot> FeatureScan::facesAt(std::span<const Slot> vertices, const DrawArrays& model) const
 {
-    std::vector<bool> isOne(vertices.empty() ? 0 : std::max<std::size_t>(model.vertices.size(), vertices.back() + std::size_t(1)), false);
+    std::vector<bool> isOne(
+        vertices.empty() ? 0 : std::max<std::size_t>(model.vertices.size(), vertices.back() + std::size_t(1)), false);
     for (const Slot v : vertices)
         isOne[v] = true;
     std::vector<Slot> faces;
@@ -154,7 +159,8 @@ std::vector<Slot> FeatureScan::facesAt(std::span<const Slot> vertices, const Dra
 void FeatureScan::measure(const DrawArrays& model, std::size_t block)
 {
     const std::size_t first = block * facesPerBlock, end = std::min(model.faces.size(), first + facesPerBlock);
-    std::fill(m_facing.begin() + static_cast<std::ptrdiff_t>(first), m_facing.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t(0));
+    std::fill(m_facing.begin() + static_cast<std::ptrdiff_t>(first),
+              m_facing.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t(0));
     Box box;
     double volume = 0;
     std::pair<Slot, Slot> corners{noSlot, 0};
@@ -179,7 +185,8 @@ void FeatureScan::mark(const DrawArrays& model, Slot f, Marks& marks) const
     const Vec3f normal = drawnNormal(model, f).cast<float>();
     const float length2 = normal.squaredNorm();
     for (const Slot v : model.faces[f])
-        marks[v] = static_cast<std::uint8_t>(marks[v] | sides | (isSharp(model.vertices[v], normal, length2) ? sharpBit : 0));
+        marks[v] =
+            static_cast<std::uint8_t>(marks[v] | sides | (isSharp(model.vertices[v], normal, length2) ? sharpBit : 0));
 }
 
 bool FeatureScan::mayBeLine(Slot a, Slot b) const

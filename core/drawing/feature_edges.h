@@ -40,21 +40,24 @@ public:
     /// The signs of facing() are exact for vertices on the lattice.
     bool scan(const DrawArrays& model, const std::stop_token& stop);
 
-    /// The same for a model that has changed here and there since the last scan. False if only scan() can tell: creases have become
-    /// too many. Cost: the change's faces, their blocks, and a pass over the edges in question.
+    /// The same for a model that has changed here and there since the last scan. False if only scan() can tell: creases
+    /// have become too many. Cost: the change's faces, their blocks, and a pass over the edges in question.
     bool rescan(const DrawArrays& model, const DrawnChange& change);
 
-    std::span<const std::uint8_t> facing() const { return m_facing; } ///< by face slot; bit by DrawnSide: it looks to the eye. 0 of a free face
-    std::span<const FeatureEdge> edges() const { return m_edges; }    ///< by their vertices
-    std::span<const Box> blocks() const { return m_blocks; }          ///< around each `facesPerBlock` faces
+    /// By face slot; bit by DrawnSide: it looks to the eye. 0 of a free face.
+    std::span<const std::uint8_t> facing() const { return m_facing; }
+    std::span<const FeatureEdge> edges() const { return m_edges; } ///< by their vertices
+    std::span<const Box> blocks() const { return m_blocks; }       ///< around each `facesPerBlock` faces
     Box box() const;
     double volume() const;
-    /// The faces that have had one of the vertices since the last scan; both ascend. Cost: the blocks that may have some.
+    /// The faces that have had one of the vertices since the last scan; both ascend. Cost: the blocks that may have
+    /// some.
     std::vector<Slot> facesAt(std::span<const Slot> vertices, const DrawArrays& model) const;
     bool hasCreases() const { return m_hasCreases; } ///< false: there were too many
 
 private:
-    using Marks = std::vector<std::uint8_t>; ///< by vertex slot: sides that see a face of it, sides that see one's back, sharp
+    /// By vertex slot: sides that see a face of it, sides that see one's back, sharp.
+    using Marks = std::vector<std::uint8_t>;
 
     void measure(const DrawArrays& model, std::size_t block);
     void mark(const DrawArrays& model, Slot f, Marks& marks) const;
@@ -68,7 +71,7 @@ private:
     std::vector<Box> m_blocks;
     std::vector<std::pair<Slot, Slot>> m_corners; ///< of the blocks: the first and the last
     std::vector<double> m_volumes;                ///< of the blocks, times 6
-    std::vector<HalfEdge> m_halfEdges; ///< that may be of lines, ascending
+    std::vector<HalfEdge> m_halfEdges;            ///< that may be of lines, ascending
     std::vector<FeatureEdge> m_edges;
     std::size_t m_maxEdges;
     bool m_hasCreases = true;

@@ -7,8 +7,8 @@ namespace core
 {
 namespace
 {
-constexpr double boxMargin = 0.125; ///< of the longest side, so that strokes may go beyond the model's box
-constexpr double minRoomShare = 0.5;    ///< that a model fills
+constexpr double boxMargin = 0.125;   ///< of the longest side, so that strokes may go beyond the model's box
+constexpr double minRoomShare = 0.5;  ///< that a model fills
 constexpr std::size_t maxChanged = 4; ///< beyond every fourth face it is quicker to look at all
 
 std::vector<Slot> slotsOf(const std::vector<SlotSpan>& spans)
@@ -43,7 +43,8 @@ std::vector<Slot> cornersOf(std::span<const Slot> faces, const DrawArrays& model
 
 void IncrementalLineDrawing::apply(const MeshPatch& patch)
 {
-    m_isNew = m_isNew || patch.whole || patch.faceSlots < m_model.faces.size() || patch.vertexSlots < m_model.vertices.size();
+    m_isNew =
+        m_isNew || patch.whole || patch.faceSlots < m_model.faces.size() || patch.vertexSlots < m_model.vertices.size();
     DrawnChange change;
     if (!m_isNew)
         change.faces = united(slotsOf(patch.faceSpans), m_scan.facesAt(slotsOf(patch.vertexSpans), m_model));

@@ -4,13 +4,14 @@
 
 namespace core
 {
-/// Draws a model again and again while it changes here and there: a drawing then costs what changed and the lines that are drawn,
-/// not the model. Its drawings are those of drawLines(), but for their grid, which has
-/// room around the model. One thread; drawing takes others to help.
+/// Draws a model again and again while it changes here and there: a drawing then costs what changed and the lines that
+/// are drawn, not the model. Its drawings are those of drawLines(), but for their grid, which has room around the
+/// model. One thread; drawing takes others to help.
 class IncrementalLineDrawing
 {
 public:
-    /// `pixels` along the longest side of what the grid has room for; beyond `maxEdges` edges in question creases are left out.
+    /// `pixels` along the longest side of what the grid has room for; beyond `maxEdges` edges in question creases are
+    /// left out.
     IncrementalLineDrawing(int pixels, std::size_t maxEdges) : m_pixels(pixels), m_scan(maxEdges) {}
 
     /// Patches of one mesh in order, a whole one first.

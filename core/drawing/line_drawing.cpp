@@ -7,9 +7,12 @@ namespace core
 Vec3f onPaper(DrawnSide side, const Vec3f& point)
 {
     switch (side) {
-    case DrawnSide::Front: return point;
-    case DrawnSide::Right: return {-point.z(), point.y(), point.x()};
-    case DrawnSide::Top: return {point.x(), -point.z(), point.y()};
+    case DrawnSide::Front:
+        return point;
+    case DrawnSide::Right:
+        return {-point.z(), point.y(), point.x()};
+    case DrawnSide::Top:
+        return {point.x(), -point.z(), point.y()};
     }
     return point;
 }

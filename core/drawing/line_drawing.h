@@ -7,7 +7,8 @@
 
 namespace core
 {
-/// The sides from which drawings show a model, as on a sheet: front (x right, y up), right (z left, y up), top (x right, z down).
+/// The sides from which drawings show a model, as on a sheet: front (x right, y up), right (z left, y up), top (x
+/// right, z down).
 enum class DrawnSide { Front, Right, Top };
 inline constexpr std::array drawnSides{DrawnSide::Front, DrawnSide::Right, DrawnSide::Top};
 
@@ -24,14 +25,14 @@ using DrawnLine = std::vector<Vec2f>;
 struct DrawnImage
 {
     int width = 0, height = 0;
-    Vec2f topLeft = Vec2f::Zero(); ///< corner of the first pixel, mm
-    float pixel = 0;               ///< mm
+    Vec2f topLeft = Vec2f::Zero();                   ///< corner of the first pixel, mm
+    float pixel = 0;                                 ///< mm
     std::vector<std::array<std::uint8_t, 4>> pixels; ///< sRGB; alpha 255 where the model is, else 0
 };
 
 struct DrawnView
 {
-    Eigen::AlignedBox2f box; ///< of the model, mm on paper
+    Eigen::AlignedBox2f box;         ///< of the model, mm on paper
     std::vector<DrawnLine> outlines; ///< where the surface turns away from the eye
     std::vector<DrawnLine> creases;  ///< where it bends sharply
     DrawnImage shaded;               ///< empty if it was not asked for
@@ -61,8 +62,8 @@ struct DrawingDetail
 inline constexpr double creaseCosine = 0.7660444431189780, halfCreaseCosine = 0.9396926207859084;
 
 /// Nothing if it was stopped. Each line's points are exact; what is hidden is decided by a depth image per side.
-/// Deterministic; each side has a thread of its own, the worker pool is left to the strokes. Cost: a few passes over the faces
-/// (at a million vertices some 50 ms and, a side, 25 ms with 512 pixels, 60 ms with 2048), the rest grows with the lines drawn.
-/// To draw a model again and again while it changes, use an IncrementalLineDrawing.
+/// Deterministic; each side has a thread of its own, the worker pool is left to the strokes. Cost: a few passes over
+/// the faces (at a million vertices some 50 ms and, a side, 25 ms with 512 pixels, 60 ms with 2048), the rest grows
+/// with the lines drawn. To draw a model again and again while it changes, use an IncrementalLineDrawing.
 std::optional<LineDrawing> drawLines(const DrawArrays& model, const DrawingDetail& detail, const std::stop_token& stop);
 } // namespace core

@@ -16,12 +16,13 @@ namespace
 constexpr int samples = 3;     ///< a pixel's, each way
 constexpr int viewSamples = 2; ///< the same, of pictures that may be large
 constexpr double marginFactor = 1.05;
-constexpr int border = 2;  ///< samples left free at each side, beside those of the depth image itself
+constexpr int border = 2; ///< samples left free at each side, beside those of the depth image itself
 constexpr std::size_t elementsPerStep = 1 << 13;
 
 constexpr Rgb clay{194, 150, 126}; ///< as the window shows it
 constexpr float ambient = 0.36F, keyLight = 0.60F, fillLight = 0.16F;
-const Vec3f keyLamp = Vec3f(-0.45F, 0.62F, 0.64F), fillLamp = Vec3f(0.80F, 0.05F, 0.60F); ///< to the right, up, to the eye
+/// To the right, up, to the eye.
+const Vec3f keyLamp = Vec3f(-0.45F, 0.62F, 0.64F), fillLamp = Vec3f(0.80F, 0.05F, 0.60F);
 
 /// Rows: to the right, up, to the eye. The model is turned by 35 degrees to the left and tilted by 25 to the eye.
 Eigen::Matrix3d turn()
@@ -46,13 +47,18 @@ constexpr double nearest = 0.01; ///< of the eye's distance from the target: wha
 class ThumbnailRenderer
 {
 public:
-    ThumbnailRenderer(const TriangleMesh& mesh, int fineness, const std::stop_token& stop) : m_mesh(mesh), m_samples(fineness), m_stop(stop) {}
+    ThumbnailRenderer(const TriangleMesh& mesh, int fineness, const std::stop_token& stop)
+        : m_mesh(mesh)
+        , m_samples(fineness)
+        , m_stop(stop)
+    {}
 
     std::optional<ModelThumbnail> paint(int pixels)
     {
         const Box box = boxOfFaces();
         const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
-        if (!place({turn() / (size > 0 ? size : 1), box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center()), 0}) || !faceTheEye())
+        if (!place({turn() / (size > 0 ? size : 1), box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center()), 0}) ||
+            !faceTheEye())
             return std::nullopt;
         const float extent = m_box.isEmpty() ? 0 : m_box.sizes().maxCoeff();
         if (!(extent > 0))
@@ -67,7 +73,8 @@ public:
         if (!place({view.axes / view.extent, view.target, view.distance / view.extent}) || !faceTheEye())
             return std::nullopt;
         const Vec2f corner(0.5F * static_cast<float>(view.width) / static_cast<float>(view.height), 0.5F);
-        return draw({-corner, corner}, 1 / static_cast<float>(m_samples * view.height), emptyThumbnail(view.width, view.height));
+        return draw({-corner, corner}, 1 / static_cast<float>(m_samples * view.height),
+                    emptyThumbnail(view.width, view.height));
     }
 
 private:
@@ -94,7 +101,8 @@ private:
     std::optional<ModelThumbnail> draw(const Eigen::AlignedBox2f& box, float pixel, ModelThumbnail picture) const
     {
         DepthImage image(DrawnSide::Front, box, pixel);
-        if (!image.draw(m_model, std::vector<std::uint8_t>(m_model.faces.size(), 1), {}, m_stop) || !light(image, picture))
+        if (!image.draw(m_model, std::vector<std::uint8_t>(m_model.faces.size(), 1), {}, m_stop) ||
+            !light(image, picture))
             return std::nullopt;
         return picture;
     }
@@ -109,7 +117,8 @@ private:
             const Rgb color = m_mesh.colors.empty() ? clay : m_mesh.colors[i];
             const Vec3 placed = where.turn * (m_mesh.points[i].cast<double>() - where.target);
             m_shape.push_back(placed.cast<float>());
-            m_model.vertices.push_back({seenFrom(where.distance, placed).cast<float>(), {}, {color.r, color.g, color.b, 255}});
+            m_model.vertices.push_back(
+                {seenFrom(where.distance, placed).cast<float>(), {}, {color.r, color.g, color.b, 255}});
         }
         return true;
     }
@@ -151,7 +160,10 @@ private:
     }
 
     Vec2f at(Slot corner) const { return m_model.vertices[corner].position.head<2>(); }
-    Vec3f areaOf(const Triangle& t) const { return (m_shape[t[1]] - m_shape[t[0]]).cross(m_shape[t[2]] - m_shape[t[0]]); }
+    Vec3f areaOf(const Triangle& t) const
+    {
+        return (m_shape[t[1]] - m_shape[t[0]]).cross(m_shape[t[2]] - m_shape[t[0]]);
+    }
 
     Sum lit(const DepthImage::Seen& seen) const
     {
@@ -165,7 +177,8 @@ private:
             color += weight * Vec3f(c[0], c[1], c[2]);
         }
         normal.normalize();
-        const float light = ambient + keyLight * std::max(0.0F, normal.dot(keyLamp)) + fillLight * std::max(0.0F, normal.dot(fillLamp));
+        const float light =
+            ambient + keyLight * std::max(0.0F, normal.dot(keyLamp)) + fillLight * std::max(0.0F, normal.dot(fillLamp));
         const Vec3f shade = color * light;
         const auto byte = [](float x) { return static_cast<std::uint16_t>(std::clamp(x + 0.5F, 0.0F, 255.0F)); };
         return {byte(shade.x()), byte(shade.y()), byte(shade.z()), 255};
@@ -192,7 +205,9 @@ private:
             const int row = picture.height - 1 - (bottom + y) / m_samples;
             for (int x = std::max(0, -left); x < std::min(image.width(), width - left); ++x)
                 if (const DepthImage::Seen seen = image.seen(m_model, x, y); seen.face != noSlot)
-                    add(sums[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>((left + x) / m_samples)], lit(seen));
+                    add(sums[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                             static_cast<std::size_t>((left + x) / m_samples)],
+                        lit(seen));
         }
         std::transform(sums.begin(), sums.end(), picture.rgba.begin(), [this](const Sum& sum) { return mean(sum); });
         return true;
@@ -227,7 +242,8 @@ std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, int pixels
     return ThumbnailRenderer(mesh, samples, stop).paint(pixels);
 }
 
-std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, const ThumbnailView& view, const std::stop_token& stop)
+std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, const ThumbnailView& view,
+                                            const std::stop_token& stop)
 {
     return ThumbnailRenderer(mesh, viewSamples, stop).paint(view);
 }

@@ -25,9 +25,11 @@ class Sight
 {
 public:
     Sight(const DrawArrays& model, const DepthImage& depths, DrawnSide side, std::span<const std::uint8_t> facing)
-        : m_model(model), m_depths(depths), m_side(side), m_facing(facing)
-    {
-    }
+        : m_model(model)
+        , m_depths(depths)
+        , m_side(side)
+        , m_facing(facing)
+    {}
 
     void addPieces(const FeatureEdge& edge, std::vector<Piece>& pieces) const
     {
@@ -39,11 +41,13 @@ public:
         const auto share = [count](int i) { return static_cast<float>(i) / static_cast<float>(count); };
         for (int i = 0; i < count; ++i) {
             const int first = i;
-            while (i < count && isSeen(a + (b - a) * ((static_cast<float>(i) + 0.5F) / static_cast<float>(count)), slope))
+            while (i < count &&
+                   isSeen(a + (b - a) * ((static_cast<float>(i) + 0.5F) / static_cast<float>(count)), slope))
                 ++i;
             if (i > first)
-                pieces.push_back({from + (to - from) * share(first), i == count ? to : Vec2f(from + (to - from) * share(i)),
-                                  first == 0 ? edge.a : noEnd, i == count ? edge.b : noEnd});
+                pieces.push_back({from + (to - from) * share(first),
+                                  i == count ? to : Vec2f(from + (to - from) * share(i)), first == 0 ? edge.a : noEnd,
+                                  i == count ? edge.b : noEnd});
         }
     }
 
@@ -64,7 +68,8 @@ private:
         return steeper * m_depths.pixel();
     }
 
-    /// Some pixel here is not covered by anything nearer than the edge's own face is there: at an outline that is the pixel beyond it.
+    /// Some pixel here is not covered by anything nearer than the edge's own face is there: at an outline that is the
+    /// pixel beyond it.
     bool isSeen(const Vec3f& at, const Vec2f& slope) const
     {
         const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
@@ -144,8 +149,8 @@ Eigen::AlignedBox2f boxOnPaper(DrawnSide side, const Box& box)
     return result;
 }
 
-std::optional<DrawnView> viewOf(const DrawArrays& model, const FeatureScan& scan, DrawnSide side, DepthImage& depths, bool isShaded,
-                                const std::stop_token& stop)
+std::optional<DrawnView> viewOf(const DrawArrays& model, const FeatureScan& scan, DrawnSide side, DepthImage& depths,
+                                bool isShaded, const std::stop_token& stop)
 {
     if (!depths.draw(model, scan.facing(), scan.blocks(), stop))
         return std::nullopt;
@@ -177,7 +182,8 @@ DepthImages depthImagesOf(const Box& box, float pixel)
     return {image(DrawnSide::Front), image(DrawnSide::Right), image(DrawnSide::Top)};
 }
 
-std::optional<LineDrawing> drawingOf(const DrawArrays& model, const FeatureScan& scan, DepthImages& images, bool shaded, const std::stop_token& stop)
+std::optional<LineDrawing> drawingOf(const DrawArrays& model, const FeatureScan& scan, DepthImages& images, bool shaded,
+                                     const std::stop_token& stop)
 {
     LineDrawing drawing;
     drawing.box = scan.box();
@@ -186,7 +192,8 @@ std::optional<LineDrawing> drawingOf(const DrawArrays& model, const FeatureScan&
     drawing.pixel = images[0].pixel();
     std::array<std::future<std::optional<DrawnView>>, drawnSides.size()> views;
     for (std::size_t i = 0; i < views.size(); ++i)
-        views[i] = std::async(std::launch::async, [&, i] { return viewOf(model, scan, drawnSides[i], images[i], shaded, stop); });
+        views[i] = std::async(std::launch::async,
+                              [&, i] { return viewOf(model, scan, drawnSides[i], images[i], shaded, stop); });
     bool isWhole = true;
     for (std::size_t i = 0; i < views.size(); ++i)
         if (auto view = views[i].get())

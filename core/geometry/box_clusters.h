@@ -15,7 +15,8 @@ inline int separatingAxis(std::span<const LatticeBox> boxes, const LatticeBox& a
 {
     const auto isSeparating = [&](int axis) {
         const int twice = all.min[axis] + all.max[axis];
-        return std::ranges::all_of(boxes, [=](const LatticeBox& box) { return 2 * box.max[axis] < twice || 2 * box.min[axis] > twice; });
+        return std::ranges::all_of(
+            boxes, [=](const LatticeBox& box) { return 2 * box.max[axis] < twice || 2 * box.min[axis] > twice; });
     };
     int axis = 0;
     while (axis < 3 && !isSeparating(axis))
@@ -23,8 +24,8 @@ inline int separatingAxis(std::span<const LatticeBox> boxes, const LatticeBox& a
     return axis;
 }
 
-/// Adds to the parts boxes around all of these, whose order changes: what lies in one part is connected with nothing in another,
-/// if each box holds something connected. Cost: O(n) for each part.
+/// Adds to the parts boxes around all of these, whose order changes: what lies in one part is connected with nothing in
+/// another, if each box holds something connected. Cost: O(n) for each part.
 inline void addClusters(std::span<LatticeBox> boxes, std::vector<LatticeBox>& clusters)
 {
     if (boxes.empty())
@@ -35,7 +36,8 @@ inline void addClusters(std::span<LatticeBox> boxes, std::vector<LatticeBox>& cl
     const int axis = separatingAxis(boxes, all);
     if (axis == 3)
         return clusters.push_back(all);
-    const auto above = std::ranges::partition(boxes, [&](const LatticeBox& box) { return 2 * box.max[axis] < all.min[axis] + all.max[axis]; });
+    const auto above = std::ranges::partition(
+        boxes, [&](const LatticeBox& box) { return 2 * box.max[axis] < all.min[axis] + all.max[axis]; });
     addClusters({boxes.begin(), above.begin()}, clusters);
     addClusters(above, clusters);
 }

@@ -4,8 +4,8 @@ namespace core
 {
 namespace
 {
-constexpr int boxesPerStrip = 3;             ///< a strip is this many median boxes high
-constexpr std::int64_t entriesPerBox = 4;    ///< strips grow until boxes lie in no more of them than this on average
+constexpr int boxesPerStrip = 3;              ///< a strip is this many median boxes high
+constexpr std::int64_t entriesPerBox = 4;     ///< strips grow until boxes lie in no more of them than this on average
 constexpr std::size_t heightSamples = 1 << 8; ///< of which the median is taken
 } // namespace
 
@@ -58,12 +58,15 @@ std::vector<BoxPairs::Entry> BoxPairs::sortedEntries(const std::array<int, 3>& a
         for (int strip = stripOf(m_boxes[i].min[axes[1]], height); strip <= last; ++strip)
             keys.push_back({static_cast<std::uint64_t>(strip) << 32 | begin, i});
     }
-    std::ranges::sort(keys, [](const Key& a, const Key& b) { return std::tie(a.place, a.box) < std::tie(b.place, b.box); });
+    std::ranges::sort(keys,
+                      [](const Key& a, const Key& b) { return std::tie(a.place, a.box) < std::tie(b.place, b.box); });
     std::vector<Entry> entries;
     entries.reserve(keys.size());
     for (const Key& key : keys) {
         const LatticePoint &min = m_boxes[key.box].min, &max = m_boxes[key.box].max;
-        entries.push_back({static_cast<int>(key.place >> 32), key.box, {min[axes[0]], min[axes[1]], min[axes[2]]},
+        entries.push_back({static_cast<int>(key.place >> 32),
+                           key.box,
+                           {min[axes[0]], min[axes[1]], min[axes[2]]},
                            {max[axes[0]], max[axes[1]], max[axes[2]]}});
     }
     return entries;

@@ -18,8 +18,8 @@ public:
 
     explicit BoxPairs(std::span<const LatticeBox> boxes, Slot first) : m_boxes(boxes), m_first(first) {}
 
-    /// The pairs (i, j), i < j, of boxes that meet, the first among the first `first`, for which isWanted(i, j) holds. On all cores, in the
-    /// same order on any number of them.
+    /// The pairs (i, j), i < j, of boxes that meet, the first among the first `first`, for which isWanted(i, j) holds.
+    /// On all cores, in the same order on any number of them.
     template <class Test> std::vector<Pair> those(Test isWanted) const
     {
         if (static_cast<std::size_t>(m_first) * m_boxes.size() <= fewPairs)
@@ -56,22 +56,23 @@ private:
         const std::array<int, 3> axes = axesByExtent();
         const int height = stripHeight(axes[1]);
         const std::vector<Entry> entries = sortedEntries(axes, height);
-        return joinChunks<std::vector<Pair>>(entries.size(), entriesPerChunk, [&](std::size_t begin, std::size_t end, std::vector<Pair>& pairs) {
-            for (std::size_t a = begin; a < end; ++a) {
-                const Entry& s = entries[a];
-                for (std::size_t b = a + 1; b < entries.size(); ++b) {
-                    const Entry& t = entries[b];
-                    if (t.strip != s.strip || t.min[0] > s.max[0])
-                        break;
-                    const bool meet = (t.min[1] <= s.max[1]) & (s.min[1] <= t.max[1]) & (t.min[2] <= s.max[2]) &
-                                      (s.min[2] <= t.max[2]) & (std::min(s.box, t.box) < m_first);
-                    // Of the strips that both lie in, only the first reports the pair.
-                    if (meet && stripOf(std::max(s.min[1], t.min[1]), height) == s.strip &&
-                        isWanted(std::min(s.box, t.box), std::max(s.box, t.box)))
-                        pairs.emplace_back(std::min(s.box, t.box), std::max(s.box, t.box));
+        return joinChunks<std::vector<Pair>>(
+            entries.size(), entriesPerChunk, [&](std::size_t begin, std::size_t end, std::vector<Pair>& pairs) {
+                for (std::size_t a = begin; a < end; ++a) {
+                    const Entry& s = entries[a];
+                    for (std::size_t b = a + 1; b < entries.size(); ++b) {
+                        const Entry& t = entries[b];
+                        if (t.strip != s.strip || t.min[0] > s.max[0])
+                            break;
+                        const bool meet = (t.min[1] <= s.max[1]) & (s.min[1] <= t.max[1]) & (t.min[2] <= s.max[2]) &
+                                          (s.min[2] <= t.max[2]) & (std::min(s.box, t.box) < m_first);
+                        // Of the strips that both lie in, only the first reports the pair.
+                        if (meet && stripOf(std::max(s.min[1], t.min[1]), height) == s.strip &&
+                            isWanted(std::min(s.box, t.box), std::max(s.box, t.box)))
+                            pairs.emplace_back(std::min(s.box, t.box), std::max(s.box, t.box));
+                    }
                 }
-            }
-        });
+            });
     }
 
     static int stripOf(int y, int height) { return (y + Lattice::limit) / height; }

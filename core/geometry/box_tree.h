@@ -29,8 +29,8 @@ struct FaceBox
     }
 };
 
-/// A still tree of boxes, for whole-model questions: boxes in Morton order of their centres, eight to a node, no pointers.
-/// A box's position is its place in that order.
+/// A still tree of boxes, for whole-model questions: boxes in Morton order of their centres, eight to a node, no
+/// pointers. A box's position is its place in that order.
 class BoxTree
 {
 public:
@@ -43,15 +43,19 @@ public:
     const FaceBox& box(Slot position) const { return m_levels[0][position]; }
 
     /// Calls visit(position) for each box that meets the query.
-    template <typename Visit> void forEachMeeting(const FaceBox& query, Visit visit) const { forEachMeetingAt(0, query, 0, visit); }
+    template <typename Visit> void forEachMeeting(const FaceBox& query, Visit visit) const
+    {
+        forEachMeetingAt(0, query, 0, visit);
+    }
 
     /// For questions about all pairs, on many cores: so many parts of the boxes.
     Slot blocks() const { return static_cast<Slot>(m_levels[blockLevel()].size()); }
     /// Calls visit(i, j) for each pair of positions i < j whose boxes meet, i in the block.
     template <typename Visit> void forEachMeetingPair(Slot block, Visit visit) const;
 
-    /// Nearest first, about: reach(box) says how far away the box begins, infinity if it is not wanted; visit(position) returns the
-    /// distance from which on nothing is wanted any more, never more than `bound` or what it returned before.
+    /// Nearest first, about: reach(box) says how far away the box begins, infinity if it is not wanted; visit(position)
+    /// returns the distance from which on nothing is wanted any more, never more than `bound` or what it returned
+    /// before.
     template <typename Reach, typename Visit> void forEachNear(Reach reach, double bound, Visit visit) const;
 
     static constexpr Slot nodeSize = 8;
@@ -61,7 +65,8 @@ private:
 
     std::size_t blockLevel() const { return std::min<std::size_t>(3, m_levels.size() - 1); }
     /// visit(i) for each entry of a level, from one on, that meets the query.
-    template <typename Visit> void forEachMeetingAt(std::size_t target, const FaceBox& query, Slot from, Visit visit) const;
+    template <typename Visit>
+    void forEachMeetingAt(std::size_t target, const FaceBox& query, Slot from, Visit visit) const;
     /// Of nodes a <= b of a level, which meet.
     template <typename Visit> void visitPairs(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const;
 
@@ -69,7 +74,8 @@ private:
     std::vector<std::vector<FaceBox>> m_levels; ///< boxes by position, then of nodes, and so on up to one
 };
 
-template <typename Visit> void BoxTree::forEachMeetingAt(std::size_t target, const FaceBox& query, Slot from, Visit visit) const
+template <typename Visit>
+void BoxTree::forEachMeetingAt(std::size_t target, const FaceBox& query, Slot from, Visit visit) const
 {
     struct Node
     {

@@ -9,9 +9,9 @@ namespace core
 {
 /// Exact sum of products of three finite float32 numbers of any magnitude.
 ///
-/// A float32 is m x 2^e with an integer |m| < 2^24 and e >= -149. A product is an integer of 72 bits times 2^(e1 + e2 + e3).
-/// All are added in one fixed-point number that holds every exponent that can occur (after Kulisch's long accumulator): limbs
-/// of 32 bits in signed cells of 64, so that carries need settling only now and then.
+/// A float32 is m x 2^e with an integer |m| < 2^24 and e >= -149. A product is an integer of 72 bits times 2^(e1 + e2 +
+/// e3). All are added in one fixed-point number that holds every exponent that can occur (after Kulisch's long
+/// accumulator): limbs of 32 bits in signed cells of 64, so that carries need settling only now and then.
 class ExactSum
 {
 public:

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/geometry/box_tree.h"
-#include "core/util/parallel.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/util/parallel.h"
 
 #include <span>
 
@@ -13,9 +13,10 @@ Box boxOf(const TriangleMesh& mesh);
 
 std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, Slot face);
 
-/// The boxes of `count` faces, whose corners triangleAt(i) names, for a BoxTree. Points of float32, of lattice integers, or of doubles (to
-/// the nearest float32). All cores.
-template <typename Points, typename TriangleAt> std::vector<FaceBox> faceBoxes(const Points& points, std::size_t count, TriangleAt triangleAt)
+/// The boxes of `count` faces, whose corners triangleAt(i) names, for a BoxTree. Points of float32, of lattice
+/// integers, or of doubles (to the nearest float32). All cores.
+template <typename Points, typename TriangleAt>
+std::vector<FaceBox> faceBoxes(const Points& points, std::size_t count, TriangleAt triangleAt)
 {
     constexpr std::size_t facesPerChunk = 1 << 14;
     std::vector<FaceBox> boxes(count);

@@ -9,9 +9,9 @@ namespace core
 /// A point on the lattice, in units of Lattice::unit(). Each |coordinate| <= Lattice::limit.
 using LatticePoint = Eigen::Vector3i;
 
-/// Coordinates of a document are integer multiples of one unit u = 2^-k (in the document's unit, mm), |integer| <= 2^23.
-/// A float32 holds each of them exactly, so what is verified is bit for bit what is drawn and exported, and predicates on
-/// the integers are exact.
+/// Coordinates of a document are integer multiples of one unit u = 2^-k (in the document's unit, mm), |integer| <=
+/// 2^23. A float32 holds each of them exactly, so what is verified is bit for bit what is drawn and exported, and
+/// predicates on the integers are exact.
 class Lattice
 {
 public:

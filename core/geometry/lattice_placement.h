@@ -21,7 +21,7 @@ bool isFarFromOrigin(const Box& box);
 /// moved there: the lattice would be too coarse for it. With `centre` any model.
 LatticePlacement placeOnLattice(const Box& box, bool centre = false);
 
-/// For a model that has a lattice and comes to this box: the same one while there is room to sculpt on it, and detail, else
-/// the one that an import would choose.
+/// For a model that has a lattice and comes to this box: the same one while there is room to sculpt on it, and detail,
+/// else the one that an import would choose.
 Lattice latticeFor(const Box& box, const Lattice& present);
 } // namespace core

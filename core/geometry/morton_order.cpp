@@ -25,7 +25,8 @@ std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
         const LatticePoint p = lattice.toLattice(mesh.points[key.vertex]);
         return std::array{p.x(), p.y(), p.z()};
     };
-    for (auto begin = keys.begin(); begin != keys.end();) { // between equal codes the point decides: two vertices never share one
+    for (auto begin = keys.begin();
+         begin != keys.end();) { // between equal codes the point decides: two vertices never share one
         const auto end = std::find_if(begin, keys.end(), [&](const Key& key) { return key.code != begin->code; });
         if (end - begin > 1)
             std::ranges::sort(begin, end, {}, pointOf);

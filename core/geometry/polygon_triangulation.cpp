@@ -31,7 +31,8 @@ public:
         std::ranges::stable_sort(outer, {}, [this](const Loop& loop) { return areaOf(loop); });
         std::vector<std::vector<Loop>> holesOf(outer.size());
         for (Loop& hole : holes) {
-            const auto around = std::ranges::find_if(outer, [&](const Loop& loop) { return contains(loop, m_points[hole[0]]); });
+            const auto around =
+                std::ranges::find_if(outer, [&](const Loop& loop) { return contains(loop, m_points[hole[0]]); });
             if (around == outer.end())
                 return std::nullopt;
             holesOf[static_cast<std::size_t>(around - outer.begin())].push_back(std::move(hole));
@@ -83,8 +84,8 @@ private:
         const std::int64_t ac = cross(a, b, c), ad = cross(a, b, d), ca = cross(c, d, a), cb = cross(c, d, b);
         if (((ac > 0 && ad < 0) || (ac < 0 && ad > 0)) && ((ca > 0 && cb < 0) || (ca < 0 && cb > 0)))
             return true;
-        return (ac == 0 && liesBetween(a, b, c)) || (ad == 0 && liesBetween(a, b, d)) || (ca == 0 && liesBetween(c, d, a)) ||
-               (cb == 0 && liesBetween(c, d, b));
+        return (ac == 0 && liesBetween(a, b, c)) || (ad == 0 && liesBetween(a, b, d)) ||
+               (ca == 0 && liesBetween(c, d, a)) || (cb == 0 && liesBetween(c, d, b));
     }
 
     /// Sides that end where the segment does may.
@@ -103,7 +104,8 @@ private:
     /// Strictly between the sides of the loop's corner, on its left.
     bool isInCorner(const Loop& loop, std::size_t corner, const FlatPoint& p) const
     {
-        const FlatPoint &a = at(loop[(corner + loop.size() - 1) % loop.size()]), &b = at(loop[corner]), &c = at(loop[(corner + 1) % loop.size()]);
+        const FlatPoint &a = at(loop[(corner + loop.size() - 1) % loop.size()]), &b = at(loop[corner]),
+                        &c = at(loop[(corner + 1) % loop.size()]);
         const bool leftOfIn = cross(a, b, p) > 0, leftOfOut = cross(b, c, p) > 0;
         return cross(a, b, c) > 0 ? leftOfIn && leftOfOut : leftOfIn || leftOfOut;
     }
@@ -144,7 +146,8 @@ private:
         std::ranges::sort(corners);
         for (const auto& [distance, corner] : corners) {
             const FlatPoint& q = at(loop[corner]);
-            if (distance > 0 && isInCorner(loop, corner, p) && isInCorner(holes[0], from, q) && !meetsSideOf(loop, p, q) &&
+            if (distance > 0 && isInCorner(loop, corner, p) && isInCorner(holes[0], from, q) &&
+                !meetsSideOf(loop, p, q) &&
                 std::ranges::none_of(holes, [&](const Loop& hole) { return meetsSideOf(hole, p, q); }))
                 return corner;
         }
@@ -170,11 +173,12 @@ private:
                 return false;
             return std::ranges::none_of(bent, [&](Slot k) {
                 const FlatPoint& p = at(loop[k]);
-                return !isGone[k] && p != a && p != b && p != c && cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= 0;
+                return !isGone[k] && p != a && p != b && p != c && cross(a, b, p) >= 0 && cross(b, c, p) >= 0 &&
+                       cross(c, a, p) >= 0;
             });
         };
         Slot left = count, tried = 0;
-        for (Slot i = 0; left > 3; ) {
+        for (Slot i = 0; left > 3;) {
             if (!isEar(i)) {
                 if (++tried > left)
                     return false;
@@ -203,7 +207,8 @@ private:
 };
 } // namespace
 
-std::optional<std::vector<Triangle>> triangulatePolygon(std::span<const FlatPoint> points, std::vector<std::vector<Slot>> loops)
+std::optional<std::vector<Triangle>> triangulatePolygon(std::span<const FlatPoint> points,
+                                                        std::vector<std::vector<Slot>> loops)
 {
     return Filler(points).fill(std::move(loops));
 }

@@ -1,7 +1,7 @@
 // Exact signs for float32 points, where doubles cannot decide.
 //
-// The determinant of four points, expanded without taking differences, is a sum of 24 signed products of three coordinates
-// (6 products of two in the plane), which ExactSum adds without rounding.
+// The determinant of four points, expanded without taking differences, is a sum of 24 signed products of three
+// coordinates (6 products of two in the plane), which ExactSum adds without rounding.
 
 #include "core/geometry/predicates.h"
 

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-/// Exact geometric questions about points, answered by a sign: -1, 0 or 1. Two sets with one interface, so that code that
-/// asks them can be a template: points of the lattice (the engine), and float32 points as they are (files).
+/// Exact geometric questions about points, answered by a sign: -1, 0 or 1. Two sets with one interface, so that code
+/// that asks them can be a template: points of the lattice (the engine), and float32 points as they are (files).
 namespace core
 {
 template <typename Number> constexpr int signOf(Number x)
@@ -78,10 +78,10 @@ private:
     static int exactOrient2d(const Point& a, const Point& b, const Point& c, int axis);
 };
 
-// Bounds on the lattice. |coordinate| <= 2^23, so a difference is at most 2^24, a product of two 2^48, and a component of
-// the normal 2^49. The determinant would need 75 bits. Each component n is therefore split into high 2^25 + low, where
-// |high| <= 2^24 and 0 <= low < 2^25: the two sums of three products are at most 3 x 2^48 and 3 x 2^49, and the determinant
-// is highSum 2^25 + lowSum. Everything fits an int64 with bits to spare.
+// Bounds on the lattice. |coordinate| <= 2^23, so a difference is at most 2^24, a product of two 2^48, and a component
+// of the normal 2^49. The determinant would need 75 bits. Each component n is therefore split into high 2^25 + low,
+// where |high| <= 2^24 and 0 <= low < 2^25: the two sums of three products are at most 3 x 2^48 and 3 x 2^49, and the
+// determinant is highSum 2^25 + lowSum. Everything fits an int64 with bits to spare.
 
 inline LatticePredicates::Plane::Plane(const Point& a, const Point& b, const Point& c) : m_origin(a)
 {
@@ -125,10 +125,11 @@ inline int LatticePredicates::orient2d(const Point& a, const Point& b, const Poi
 
 namespace detail
 {
-/// Bound of the relative rounding error. A term of a 3 x 3 determinant of differences goes through at most 8 roundings of
-/// 2^-53 each (difference, product, subtraction, product, two sums), so its computed value is off by less than 9 x 2^-53 of
-/// the sum of the terms' sizes, and that sum is itself computed with at most 9 x 2^-53 of error. 16 covers both. Products of
-/// three differences of float32 numbers lie between 2^-447 and 2^388 or are 0: a double neither under- nor overflows.
+/// Bound of the relative rounding error. A term of a 3 x 3 determinant of differences goes through at most 8 roundings
+/// of 2^-53 each (difference, product, subtraction, product, two sums), so its computed value is off by less than 9 x
+/// 2^-53 of the sum of the terms' sizes, and that sum is itself computed with at most 9 x 2^-53 of error. 16 covers
+/// both. Products of three differences of float32 numbers lie between 2^-447 and 2^388 or are 0: a double neither
+/// under- nor overflows.
 inline constexpr double roundingBound = 16 * 0x1p-53;
 } // namespace detail
 

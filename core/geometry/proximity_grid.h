@@ -13,7 +13,8 @@ public:
     /// `reach` > 0: the largest distance that can be asked about.
     ProximityGrid(const std::vector<Vec3>& points, double reach);
 
-    /// Calls visit(i) for every point in the eight cells nearest to p: all within reach, and some more. In no useful order.
+    /// Calls visit(i) for every point in the eight cells nearest to p: all within reach, and some more. In no useful
+    /// order.
     template <class Visit> void forEachNear(const Vec3& p, Visit visit) const
     {
         const Cell first = cellAt(m_perCell * p.array() - 0.5);
@@ -43,7 +44,7 @@ private:
         }
     }
 
-    double m_perCell; ///< a cell is two reaches long
+    double m_perCell;            ///< a cell is two reaches long
     std::vector<Slot> m_buckets; ///< a power of two
     std::vector<Entry> m_entries;
 };

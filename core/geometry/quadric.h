@@ -5,9 +5,9 @@
 
 namespace core
 {
-/// The squared distance from the planes of triangles, weighted by their areas, in a space of N dimensions: a point and what goes with it
-/// (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997; with colours: "Simplifying Surfaces with Color
-/// and Texture using Quadric Error Metrics", 1998).
+/// The squared distance from the planes of triangles, weighted by their areas, in a space of N dimensions: a point and
+/// what goes with it (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997; with colours:
+/// "Simplifying Surfaces with Color and Texture using Quadric Error Metrics", 1998).
 template <int N> class Quadric
 {
 public:
@@ -72,7 +72,8 @@ private:
         return a;
     }
 
-    Eigen::Matrix<double, packed, 1> m_a = Eigen::Matrix<double, packed, 1>::Zero(); ///< of a symmetric matrix, row by row
+    /// Of a symmetric matrix, row by row.
+    Eigen::Matrix<double, packed, 1> m_a = Eigen::Matrix<double, packed, 1>::Zero();
     Point m_b = Point::Zero();
     double m_c = 0, m_weight = 0;
 };

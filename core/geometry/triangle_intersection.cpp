@@ -67,7 +67,8 @@ template <typename Predicates> bool anglesOverlap(Points<Predicates> s, Points<P
 }
 
 /// s and t share their first corner v: s = vpq, t = vrs. An edge, crossing the plane of the other triangle, meets that
-/// triangle if the edge's line passes all its sides in one sense. Of those six orientations four are known from the planes.
+/// triangle if the edge's line passes all its sides in one sense. Of those six orientations four are known from the
+/// planes.
 template <typename Predicates> bool intersectBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane tPlane(t[0], t[1], t[2]);

@@ -6,7 +6,8 @@
 
 namespace core
 {
-/// A triangle mesh as files hold it: no connectivity, no promise. What readers return, writers take, and checkMesh() examines.
+/// A triangle mesh as files hold it: no connectivity, no promise. What readers return, writers take, and checkMesh()
+/// examines.
 struct TriangleMesh
 {
     std::vector<Vec3f> points;

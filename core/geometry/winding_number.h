@@ -6,9 +6,9 @@
 
 namespace core
 {
-/// How often a surface winds around a point, which need not be closed (Jacobson, Kavan and Sorkine-Hornung 2013): 1 inside and 0 outside
-/// of a solid. Far parts are taken as dipoles (Barill, Dickson, Schmidt, Levin and Jacobson 2018): off by some 0.01. Immutable:
-/// any thread. About 10 us a question.
+/// How often a surface winds around a point, which need not be closed (Jacobson, Kavan and Sorkine-Hornung 2013): 1
+/// inside and 0 outside of a solid. Far parts are taken as dipoles (Barill, Dickson, Schmidt, Levin and Jacobson 2018):
+/// off by some 0.01. Immutable: any thread. About 10 us a question.
 class WindingNumber
 {
 public:

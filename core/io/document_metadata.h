@@ -13,12 +13,13 @@ namespace core
 struct SavedView
 {
     Vec3 target = Vec3::Zero();
-    double distance = 1; ///< from the eye, above 0
+    double distance = 1;       ///< from the eye, above 0
     double yaw = 0, pitch = 0; ///< radians; 0, 0 looks along -Z, pitch above 0 looks down
     bool orthographic = false;
 };
 
-/// What hands did to a model at the desk and in the headset, as far as it was counted (app/document/work_timer.h says how).
+/// What hands did to a model at the desk and in the headset, as far as it was counted (app/document/work_timer.h says
+/// how).
 struct WorkDone
 {
     std::uint64_t strokes = 0; ///< finished ones that changed something, also those that were undone later
@@ -30,8 +31,8 @@ struct WorkDone
 /// What a file keeps of a document beside its surface.
 struct DocumentMetadata
 {
-    std::vector<Rgb> palette;          ///< colours at hand, at most 64; none: empty
-    std::optional<MeshFrame> frame;    ///< that the surface had
+    std::vector<Rgb> palette;       ///< colours at hand, at most 64; none: empty
+    std::optional<MeshFrame> frame; ///< that the surface had
     std::optional<SavedView> view;
     std::optional<StrokeSettings> brush; ///< that was in the hand, with its symmetry
     std::optional<WorkDone> work;        ///< none: nobody counted

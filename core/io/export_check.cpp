@@ -24,8 +24,9 @@ ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh&
     verdict.sameCorners = alike(read, written, [&](Slot a, Slot b) { return read.points[a] == written.points[b]; });
     const auto format = meshFormatOf(path);
     const bool hasColors = !written.colors.empty() && format && holdsColors(*format);
-    verdict.sameColors = !hasColors || (!read.colors.empty() &&
-                                        alike(read, written, [&](Slot a, Slot b) { return read.colors[a] == written.colors[b]; }));
+    verdict.sameColors = !hasColors || (!read.colors.empty() && alike(read, written, [&](Slot a, Slot b) {
+        return read.colors[a] == written.colors[b];
+    }));
     verdict.report = checkMesh(read, control);
     return verdict;
 }

@@ -16,7 +16,9 @@ struct ExportVerdict
     bool holds() const { return sameCorners && sameColors && report.printReady(); }
 };
 
-/// Reads the file back and checks it. Throws FileError; ReadingCancelled if it was asked to stop while reading. If it is cancelled,
-/// the result is not usable. Costs what opening costs: reading, and about 1 s a million faces on two cores.
-ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written, const JobControl& control = {});
+/// Reads the file back and checks it. Throws FileError; ReadingCancelled if it was asked to stop while reading. If it
+/// is cancelled, the result is not usable. Costs what opening costs: reading, and about 1 s a million faces on two
+/// cores.
+ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written,
+                          const JobControl& control = {});
 } // namespace core

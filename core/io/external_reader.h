@@ -10,8 +10,8 @@ namespace core
 struct ExternalReader
 {
     std::vector<std::string_view> endings; ///< lower case, without dot, the best known first; none of ours
-    /// Throws FileError and ReadingCancelled. What it gives has indices in range and finite points, in millimetres as far as the file says what
-    /// it is in, with Y up as far as it says what is up.
+    /// Throws FileError and ReadingCancelled. What it gives has indices in range and finite points, in millimetres as
+    /// far as the file says what it is in, with Y up as far as it says what is up.
     std::function<ReadResult(const std::filesystem::path& path, const std::stop_token& stop)> read;
 };
 

@@ -3,12 +3,12 @@
 #include "core/io/mesh_io.h"
 
 #include "core/io/external_reader.h"
-#include "core/util/large_buffer.h"
 #include "core/io/mesh/format.h"
 #include "core/io/mesh/glb_metadata.h"
 #include "core/io/mesh/input_file.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/vertex_welder.h"
+#include "core/util/large_buffer.h"
 #include "core/util/parallel.h"
 
 #include <algorithm>
@@ -36,7 +36,8 @@ std::string endingOf(const std::filesystem::path& path)
     if (!ending.empty())
         ending.erase(0, 1);
     const std::size_t version = ending.find('~');
-    if (version != std::string::npos && version + 1 < ending.size() && ending.find_first_not_of("0123456789", version + 1) == std::string::npos)
+    if (version != std::string::npos && version + 1 < ending.size() &&
+        ending.find_first_not_of("0123456789", version + 1) == std::string::npos)
         ending.resize(version);
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
@@ -110,7 +111,7 @@ void refuseOtherContent(const FileBytes& start, std::uint64_t size, MeshFormat f
     const bool couldBe = format == MeshFormat::Obj    ? undecided && start.bytes.find('\0') == std::string_view::npos
                          : format == MeshFormat::Gltf ? detected == "text"
                          : format == MeshFormat::Stl  ? detected.empty()
-                                                     : false;
+                                                      : false;
     if (!couldBe)
         throw errorAtByte(FileErrorKind::NotWhatItsEndingSays, start, start.bytes.data(), detected);
 }
@@ -134,7 +135,8 @@ void refuseStlSize(const FileBytes& start, std::uint64_t size)
 }
 
 /// The whole file, on all cores.
-LargeBuffer<char> allOf(const InputFile& input, const std::filesystem::path& path, std::uint64_t size, const std::stop_token& stop)
+LargeBuffer<char> allOf(const InputFile& input, const std::filesystem::path& path, std::uint64_t size,
+                        const std::stop_token& stop)
 {
     constexpr std::size_t atOnce = 1 << 22;
     LargeBuffer<char> bytes(size);
@@ -142,7 +144,8 @@ LargeBuffer<char> allOf(const InputFile& input, const std::filesystem::path& pat
         if (stop.stop_requested())
             throw ReadingCancelled();
         if (const std::size_t got = input.read(begin, bytes.part(begin, end)); got < end - begin)
-            throw errorAtByte(FileErrorKind::CutOff, {path, {bytes.data(), size}}, bytes.data() + begin + got); // it became shorter just now
+            throw errorAtByte(FileErrorKind::CutOff, {path, {bytes.data(), size}},
+                              bytes.data() + begin + got); // it became shorter just now
     });
     return bytes;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/io/document_metadata.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/io/document_metadata.h"
 
 #include <filesystem>
 #include <optional>
@@ -61,30 +61,31 @@ struct ReadingCancelled
 struct WriteOptions
 {
     std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
-    bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always, GLB and 3MF never.
-    /// Kept beside the surface, where the format can: all of it by GLB, in an extension that others pass over; the palette by
-    /// PLY, OBJ, OFF and 3MF, in a comment.
+    bool ascii = false;            ///< STL and PLY as text. OBJ and OFF are text always, GLB and 3MF never.
+    /// Kept beside the surface, where the format can: all of it by GLB, in an extension that others pass over; the
+    /// palette by PLY, OBJ, OFF and 3MF, in a comment.
     DocumentMetadata metadata = {};
 };
 
-/// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
-/// degenerate, vertices unused. Vertices of equal bits (-0 = 0) are one, whatever the format: STL knows no others, and other
-/// files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text numbers are
-/// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's; glTF's metres
-/// and the unit that a 3MF names become millimetres. What a .gltf names must lie in its folder, links followed.
+/// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may
+/// be degenerate, vertices unused. Vertices of equal bits (-0 = 0) are one, whatever the format: STL knows no others,
+/// and other files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text
+/// numbers are rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units
+/// are the file's; glTF's metres and the unit that a 3MF names become millimetres. What a .gltf names must lie in its
+/// folder, links followed.
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
 /// Its mesh alone.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// readMesh() of a file that is in memory already; `name` says its format, and is told in errors. What names other files is refused, and so is
-/// what only the external reader reads.
+/// readMesh() of a file that is in memory already; `name` says its format, and is told in errors. What names other
+/// files is refused, and so is what only the external reader reads.
 TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes);
 
-/// What writeMesh() was given as notes, as far as the format keeps them. What is not as we write it is left out; so is all of a
-/// file that cannot be read. Never throws FileError.
+/// What writeMesh() was given as notes, as far as the format keeps them. What is not as we write it is left out; so is
+/// all of a file that cannot be read. Never throws FileError.
 DocumentMetadata readMetadata(const std::filesystem::path& path);
 
-/// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit (STL: no
-/// colours, no unused vertices, no -0; 3MF: no colours of unused vertices).
+/// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit
+/// (STL: no colours, no unused vertices, no -0; 3MF: no colours of unused vertices).
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options = {});
 } // namespace core

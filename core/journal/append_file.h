@@ -5,8 +5,8 @@
 
 namespace core
 {
-/// A file that only grows. What append() took outlives the process, what sync() saw outlives a power cut. Each member throws
-/// FileError; append() and sync() may run at once on two threads.
+/// A file that only grows. What append() took outlives the process, what sync() saw outlives a power cut. Each member
+/// throws FileError; append() and sync() may run at once on two threads.
 class AppendFile
 {
 public:
@@ -33,7 +33,8 @@ void syncFile(const std::filesystem::path& file);
 class FolderLock
 {
 public:
-    /// Of a folder that exists. Does not wait: isHeld() says whether it is ours now. Throws FileError if it cannot be tried.
+    /// Of a folder that exists. Does not wait: isHeld() says whether it is ours now. Throws FileError if it cannot be
+    /// tried.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

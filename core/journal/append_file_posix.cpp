@@ -22,7 +22,8 @@ namespace
 } // namespace
 
 AppendFile::AppendFile(const std::filesystem::path& path)
-    : m_path(path), m_descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600))
+    : m_path(path)
+    , m_descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600))
 {
     if (m_descriptor < 0)
         fail(path);

@@ -19,7 +19,8 @@ bool compactJournal(const std::filesystem::path& folder, unsigned segment, const
         const auto next = unpack(rest);
         if (!document || !next || next->number != document->nextRecord || stop.stop_requested())
             return false;
-        writeBase(baseFile(folder, segment), *document->mesh, {document->document, document->history}, document->nextRecord - 1);
+        writeBase(baseFile(folder, segment), *document->mesh, {document->document, document->history},
+                  document->nextRecord - 1);
     } catch (const FileError&) {
         return false;
     } catch (const std::bad_alloc&) {

@@ -32,7 +32,13 @@ VertexImage vertexImage(const Mesh& mesh, Slot v)
 {
     if (v >= mesh.slots().vertices)
         return {v, 0, Vec3f::Zero(), {}, 0, false, {}};
-    return {v, 0, mesh.point(v), mesh.color(v), mesh.mask(v), mesh.isVertex(v), itemOf<OpenMesh::ArrayItems::Vertex>(mesh.outgoing(v))};
+    return {v,
+            0,
+            mesh.point(v),
+            mesh.color(v),
+            mesh.mask(v),
+            mesh.isVertex(v),
+            itemOf<OpenMesh::ArrayItems::Vertex>(mesh.outgoing(v))};
 }
 
 EdgeImage edgeImage(const Mesh& mesh, Slot e)
@@ -61,7 +67,8 @@ bool isInside(const EdgeImage& image, const SlotCounts& counts)
 {
     const auto links = linksOf<8>(image.item); // as in edgeImage()
     for (std::size_t i = 0; i < links.size(); i += 4)
-        if (links[i] >= counts.faces || links[i + 1] >= counts.vertices || links[i + 2] >= 2 * counts.edges || links[i + 3] >= 2 * counts.edges)
+        if (links[i] >= counts.faces || links[i + 1] >= counts.vertices || links[i + 2] >= 2 * counts.edges ||
+            links[i + 3] >= 2 * counts.edges)
             return false;
     return image.slot < counts.edges;
 }
@@ -119,9 +126,10 @@ bool canSwap(const Mesh& mesh, const MeshDelta& delta)
 {
     const SlotCounts here = mesh.slots(), &there = delta.counts;
     const auto fits = [&](const auto& images, Slot end) {
-        return std::ranges::all_of(images, [&](const auto& image) { return isLive(image) ? isInside(image, there) : image.slot < end; });
+        return std::ranges::all_of(
+            images, [&](const auto& image) { return isLive(image) ? isInside(image, there) : image.slot < end; });
     };
-    return fits(delta.vertices, std::max(here.vertices, there.vertices)) && fits(delta.edges, std::max(here.edges, there.edges))
-           && fits(delta.faces, std::max(here.faces, there.faces));
+    return fits(delta.vertices, std::max(here.vertices, there.vertices)) &&
+           fits(delta.edges, std::max(here.edges, there.edges)) && fits(delta.faces, std::max(here.faces, there.faces));
 }
 } // namespace core

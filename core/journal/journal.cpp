@@ -1,20 +1,22 @@
 #include "core/journal/journal.h"
 
+#include "core/journal/delta_images.h"
 #include "core/journal/journal_base.h"
 #include "core/journal/journal_files.h"
-#include "core/journal/delta_images.h"
 
 #include <new>
 
 namespace core
 {
-Journal::Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalCallbacks callbacks, JournalLimits limits, std::uint32_t present)
-    : m_folder(std::move(folder)), m_present(present),
-      m_writer(std::make_unique<JournalWriter>(m_folder->path(), place, std::move(callbacks), limits))
-{
-}
+Journal::Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalCallbacks callbacks,
+                 JournalLimits limits, std::uint32_t present)
+    : m_folder(std::move(folder))
+    , m_present(present)
+    , m_writer(std::make_unique<JournalWriter>(m_folder->path(), place, std::move(callbacks), limits))
+{}
 
-std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const StartRecord& start, JournalCallbacks callbacks, JournalLimits limits)
+std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const StartRecord& start,
+                                        JournalCallbacks callbacks, JournalLimits limits)
 {
     auto folder = JournalFolder::make(root);
     try {
@@ -26,16 +28,19 @@ std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const
     return std::shared_ptr<Journal>(new Journal(std::move(folder), {}, std::move(callbacks), limits, 0));
 }
 
-std::shared_ptr<Journal> Journal::resume(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document, JournalCallbacks callbacks,
-                                       JournalLimits limits)
+std::shared_ptr<Journal> Journal::resume(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document,
+                                         JournalCallbacks callbacks, JournalLimits limits)
 {
     const JournalWriter::Place place{document.nextRecord, document.nextSegment};
-    return std::shared_ptr<Journal>(new Journal(std::move(folder), place, std::move(callbacks), limits, document.history.present));
+    return std::shared_ptr<Journal>(
+        new Journal(std::move(folder), place, std::move(callbacks), limits, document.history.present));
 }
 
-std::shared_ptr<Journal> Journal::beginDeferred(std::shared_ptr<JournalFolder> folder, std::uint32_t present, JournalCallbacks callbacks, JournalLimits limits)
+std::shared_ptr<Journal> Journal::beginDeferred(std::shared_ptr<JournalFolder> folder, std::uint32_t present,
+                                                JournalCallbacks callbacks, JournalLimits limits)
 {
-    return std::shared_ptr<Journal>(new Journal(std::move(folder), {.waits = true}, std::move(callbacks), limits, present));
+    return std::shared_ptr<Journal>(
+        new Journal(std::move(folder), {.waits = true}, std::move(callbacks), limits, present));
 }
 
 void Journal::beginWith(std::shared_ptr<const Mesh> mesh, StartRecord start, BaseRecord base)

@@ -6,21 +6,24 @@
 
 namespace core
 {
-/// The journal of one open document: every finished change goes to disk at once, in order, so that what ends the program does not end the
-/// work. What is bounded: JournalLimits, beside the start and one base, two while a new one is made.
+/// The journal of one open document: every finished change goes to disk at once, in order, so that what ends the
+/// program does not end the work. What is bounded: JournalLimits, beside the start and one base, two while a new one is
+/// made.
 class Journal
 {
 public:
     /// Of a model that was just opened. Any thread; takes writing the start. Throws FileError.
-    static std::shared_ptr<Journal> begin(const std::filesystem::path& root, const StartRecord& start, JournalCallbacks callbacks,
-                                          JournalLimits limits = {});
+    static std::shared_ptr<Journal> begin(const std::filesystem::path& root, const StartRecord& start,
+                                          JournalCallbacks callbacks, JournalLimits limits = {});
     /// Goes on where the folder's journal ended.
-    static std::shared_ptr<Journal> resume(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document, JournalCallbacks callbacks,
-                                         JournalLimits limits = {});
-    /// Of a document with a history, in a hidden folder: beginWith() must follow. Any thread; what is recorded before waits for that.
-    static std::shared_ptr<Journal> beginDeferred(std::shared_ptr<JournalFolder> folder, std::uint32_t present, JournalCallbacks callbacks,
-                                              JournalLimits limits = {});
-    /// Writes the document's present in the background; nobody waits. No mesh: there was no memory for it. Any thread, once.
+    static std::shared_ptr<Journal> resume(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document,
+                                           JournalCallbacks callbacks, JournalLimits limits = {});
+    /// Of a document with a history, in a hidden folder: beginWith() must follow. Any thread; what is recorded before
+    /// waits for that.
+    static std::shared_ptr<Journal> beginDeferred(std::shared_ptr<JournalFolder> folder, std::uint32_t present,
+                                                  JournalCallbacks callbacks, JournalLimits limits = {});
+    /// Writes the document's present in the background; nobody waits. No mesh: there was no memory for it. Any thread,
+    /// once.
     void beginWith(std::shared_ptr<const Mesh> mesh, StartRecord start, BaseRecord base);
 
     // --- the mesh thread; cost: a copy of what changed ---
@@ -45,7 +48,8 @@ public:
     void remove();
 
 private:
-    Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalCallbacks callbacks, JournalLimits limits, std::uint32_t present);
+    Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalCallbacks callbacks,
+            JournalLimits limits, std::uint32_t present);
 
     std::shared_ptr<JournalFolder> m_folder;
     std::uint32_t m_present; ///< steps that are done; the mesh thread's

@@ -14,8 +14,8 @@ namespace core
 //   start         the model as it was opened: a StartRecord
 //   base-<n>      perhaps: parts of the mesh as it was at the beginning of segment n, closed by a BaseRecord
 //   segment-<n>   records, numbered on from segment to segment
-// Recovery takes the newest base that is whole, or the start, and the segments from there on. Bases come whole or not at all;
-// a segment may be torn at its end: what was done since then is in the next.
+// Recovery takes the newest base that is whole, or the start, and the segments from there on. Bases come whole or not
+// at all; a segment may be torn at its end: what was done since then is in the next.
 
 std::filesystem::path startFile(const std::filesystem::path& folder);
 std::filesystem::path baseFile(const std::filesystem::path& folder, unsigned segment);

@@ -7,8 +7,8 @@
 
 namespace core
 {
-/// A folder for one document's journal, among those of other documents and programs that run: nobody else has it while it is held, and
-/// it is without an owner once the process has ended, however it did.
+/// A folder for one document's journal, among those of other documents and programs that run: nobody else has it while
+/// it is held, and it is without an owner once the process has ended, however it did.
 class JournalFolder
 {
 public:
@@ -28,11 +28,15 @@ public:
     std::filesystem::file_time_type changed() const; ///< the last time
     /// With all that is in it.
     void remove();
-    /// It goes to another root, where so many stay: the oldest go. Its new path; empty if that is impossible, and it stays where it is.
+    /// It goes to another root, where so many stay: the oldest go. Its new path; empty if that is impossible, and it
+    /// stays where it is.
     std::filesystem::path setAside(const std::filesystem::path& root, std::size_t max);
 
 private:
-    JournalFolder(std::filesystem::path path, std::unique_ptr<FolderLock> lock) : m_path(std::move(path)), m_lock(std::move(lock)) {}
+    JournalFolder(std::filesystem::path path, std::unique_ptr<FolderLock> lock)
+        : m_path(std::move(path))
+        , m_lock(std::move(lock))
+    {}
 
     std::filesystem::path m_path;
     std::unique_ptr<FolderLock> m_lock;

@@ -18,7 +18,7 @@ struct Head
     std::uint64_t number = 0, length = 0;
 };
 
-// --- parts ---------------------------------------------------------------------------------------------------------------------
+// --- parts
 
 constexpr std::size_t vertexBytes = 25, edgeBytes = 36, faceBytes = 20;
 
@@ -44,19 +44,23 @@ void take(ByteReader& in, VertexImage& image)
     image.slot = in.take<Slot>(), image.stamp = 0;
     for (int i = 0; i < 3; ++i)
         image.point[i] = in.take<float>();
-    image.color.r = in.take<std::uint8_t>(), image.color.g = in.take<std::uint8_t>(), image.color.b = in.take<std::uint8_t>();
-    image.mask = in.take<std::uint8_t>(), image.live = in.take<std::uint8_t>() != 0, image.item = in.take<OpenMesh::ArrayItems::Vertex>();
+    image.color.r = in.take<std::uint8_t>(), image.color.g = in.take<std::uint8_t>(),
+    image.color.b = in.take<std::uint8_t>();
+    image.mask = in.take<std::uint8_t>(), image.live = in.take<std::uint8_t>() != 0,
+    image.item = in.take<OpenMesh::ArrayItems::Vertex>();
 }
 
 void take(ByteReader& in, EdgeImage& image)
 {
     const auto slot = in.take<Slot>();
-    image.slot = slot >> 1, image.stamp = 0, image.live = (slot & 1) != 0, image.item = in.take<OpenMesh::ArrayItems::Edge>();
+    image.slot = slot >> 1, image.stamp = 0, image.live = (slot & 1) != 0,
+    image.item = in.take<OpenMesh::ArrayItems::Edge>();
 }
 
 void take(ByteReader& in, FaceImage& image)
 {
-    image.slot = in.take<Slot>(), image.stamp = 0, image.corners = in.take<Triangle>(), image.item = in.take<OpenMesh::ArrayItems::Face>();
+    image.slot = in.take<Slot>(), image.stamp = 0, image.corners = in.take<Triangle>(),
+    image.item = in.take<OpenMesh::ArrayItems::Face>();
 }
 
 template <class Image> void putAll(ByteWriter& out, const std::vector<Image>& images)
@@ -119,13 +123,15 @@ std::shared_ptr<const FileEntry> takeEntry(ByteReader& in)
 
 void put(ByteWriter& out, const JournalStep& step)
 {
-    out.put(std::string_view(step.text)), out.put(std::string_view(step.icon)), out.put(step.dabs), out.put(step.fusions);
+    out.put(std::string_view(step.text)), out.put(std::string_view(step.icon)), out.put(step.dabs),
+        out.put(step.fusions);
     putEntry(out, step.entry.get());
 }
 
 void take(ByteReader& in, JournalStep& step)
 {
-    step.text = in.takeText(), step.icon = in.takeText(), step.dabs = in.take<std::uint64_t>(), step.fusions = in.take<std::uint64_t>();
+    step.text = in.takeText(), step.icon = in.takeText(), step.dabs = in.take<std::uint64_t>(),
+    step.fusions = in.take<std::uint64_t>();
     step.entry = takeEntry(in);
 }
 
@@ -162,7 +168,8 @@ constexpr std::uint8_t viewBit = 1, workBit = 2;
 void put(ByteWriter& out, const DocumentMetadata& metadata)
 {
     const int parts = (metadata.view ? viewBit : 0) | (metadata.work ? workBit : 0);
-    putPlain(out, metadata.palette), out.put(static_cast<std::uint8_t>(parts)), put(out, metadata.view.value_or(SavedView()));
+    putPlain(out, metadata.palette), out.put(static_cast<std::uint8_t>(parts)),
+        put(out, metadata.view.value_or(SavedView()));
     const FileEntry brush = Stroke{metadata.brush.value_or(StrokeSettings()), {}, {}, {}};
     putEntry(out, metadata.brush ? &brush : nullptr);
     if (metadata.work)
@@ -183,7 +190,7 @@ void take(ByteReader& in, DocumentMetadata& metadata)
         metadata.work = WorkDone{in.take<std::uint64_t>(), in.take<double>()};
 }
 
-// --- contents, a pair for each kind --------------------------------------------------------------------------------------------
+// --- contents, a pair for each kind
 
 void put(ByteWriter& out, const JournalDocument& document)
 {
@@ -200,7 +207,8 @@ void take(ByteReader& in, JournalDocument& document)
 void put(ByteWriter& out, const StartRecord& record)
 {
     put(out, record.document), put(out, record.start->frame);
-    putPlain(out, record.start->surface.points), putPlain(out, record.start->surface.colors), putPlain(out, record.start->surface.masks);
+    putPlain(out, record.start->surface.points), putPlain(out, record.start->surface.colors),
+        putPlain(out, record.start->surface.masks);
     putPlain(out, record.start->surface.triangles);
 }
 
@@ -260,7 +268,8 @@ void take(ByteReader& in, PartRecord& record)
 void put(ByteWriter& out, const BaseRecord& record)
 {
     const JournalHistory& history = record.history;
-    put(out, record.document), out.put(history.present), out.put(history.saved.has_value()), out.put(history.saved.value_or(0));
+    put(out, record.document), out.put(history.present), out.put(history.saved.has_value()),
+        out.put(history.saved.value_or(0));
     out.put(history.isWhole);
     out.put(static_cast<std::uint32_t>(history.steps.size()));
     for (const JournalStep& step : history.steps)

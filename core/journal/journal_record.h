@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/io/document_metadata.h"
-#include "core/mesh/mesh_delta.h"
 #include "core/io/stroke/stroke_file.h"
+#include "core/mesh/mesh_delta.h"
 
 #include <memory>
 #include <optional>
@@ -18,7 +18,8 @@ struct JournalStep
 {
     std::string text, icon;
     std::uint64_t dabs = 0, fusions = 0;
-    std::shared_ptr<const FileEntry> entry = {}; ///< as a stroke file would have it: what is in files of its own is not there; null: not known
+    /// As a stroke file would have it: what is in files of its own is not there; null: not known.
+    std::shared_ptr<const FileEntry> entry = {};
 
     /// By what would be written of them.
     friend bool operator==(const JournalStep& a, const JournalStep& b);
@@ -27,8 +28,8 @@ struct JournalStep
 /// What belongs to the document beside its mesh.
 struct JournalDocument
 {
-    std::string name, path; ///< UTF-8; no path: it comes from no file
-    DocumentMetadata metadata;            ///< without the frame, which is the mesh's
+    std::string name, path;            ///< UTF-8; no path: it comes from no file
+    DocumentMetadata metadata;         ///< without the frame, which is the mesh's
     bool changedBeyondHistory = false; ///< it is unsaved, whatever the history says
 };
 
@@ -36,13 +37,14 @@ struct JournalDocument
 struct JournalHistory
 {
     std::vector<JournalStep> steps;
-    std::uint32_t present = 0;                   ///< so many are done
-    std::optional<std::uint32_t> saved = 0;      ///< so many were when the file was written; none: it is not a state of these steps
-    bool isWhole = true;                         ///< the first was done to the model as it was opened
+    std::uint32_t present = 0; ///< so many are done
+    /// So many were when the file was written; none: it is not a state of these steps.
+    std::optional<std::uint32_t> saved = 0;
+    bool isWhole = true; ///< the first was done to the model as it was opened
     friend bool operator==(const JournalHistory&, const JournalHistory&) = default;
 };
 
-// --- the kinds of records ------------------------------------------------------------------------------------------------------
+// --- the kinds of records
 
 /// The model as it was opened.
 struct StartRecord
@@ -71,8 +73,7 @@ struct SavedRecord
 };
 /// The steps cannot be undone any more.
 struct ForgottenRecord
-{
-};
+{};
 /// A part of a mesh, some slots of each kind: all parts together are the mesh.
 struct PartRecord
 {
@@ -85,7 +86,8 @@ struct BaseRecord
     JournalHistory history;
 };
 
-using JournalRecord = std::variant<StartRecord, ChangeRecord, SwapRecord, SavedRecord, JournalDocument, ForgottenRecord, PartRecord, BaseRecord>;
+using JournalRecord = std::variant<StartRecord, ChangeRecord, SwapRecord, SavedRecord, JournalDocument, ForgottenRecord,
+                                   PartRecord, BaseRecord>;
 
 /// A record as it stands in a file: mark, kind, number, length, content, checksum of all these.
 std::string pack(const JournalRecord& record, std::uint64_t number);

@@ -5,8 +5,8 @@
 
 #include "core/journal/journal_recovery.h"
 
-#include "core/journal/journal_files.h"
 #include "core/journal/delta_images.h"
+#include "core/journal/journal_files.h"
 
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mesh_hash.h"
@@ -33,7 +33,10 @@ public:
 private:
     bool swapIn(MeshDelta& image);
     void comeTo(std::uint32_t index, bool follows);
-    std::shared_ptr<MeshDelta> kept(MeshDelta& image) const { return m_withMesh ? std::make_shared<MeshDelta>(std::move(image)) : nullptr; }
+    std::shared_ptr<MeshDelta> kept(MeshDelta& image) const
+    {
+        return m_withMesh ? std::make_shared<MeshDelta>(std::move(image)) : nullptr;
+    }
     bool apply(StartRecord&) { return false; } // these three begin, and never follow
     bool apply(PartRecord&) { return false; }
     bool apply(BaseRecord&) { return false; }
@@ -99,7 +102,8 @@ bool Recovery::readOn(std::string_view& bytes, const std::stop_token& stop)
     while (!stop.stop_requested()) {
         std::string_view rest = bytes;
         auto found = unpack(rest);
-        if (!found || found->number != m_found.nextRecord || !std::visit([this](auto& record) { return apply(record); }, found->record))
+        if (!found || found->number != m_found.nextRecord ||
+            !std::visit([this](auto& record) { return apply(record); }, found->record))
             return true;
         bytes = rest;
         ++m_found.nextRecord;
@@ -123,7 +127,8 @@ bool Recovery::swapIn(MeshDelta& image)
     return false;
 }
 
-/// What the records say of the history counts; where it does not follow from what was before, nothing before can be gone to.
+/// What the records say of the history counts; where it does not follow from what was before, nothing before can be
+/// gone to.
 void Recovery::comeTo(std::uint32_t index, bool follows)
 {
     if (!follows)
@@ -184,7 +189,8 @@ bool Recovery::apply(ForgottenRecord&)
 }
 
 /// With the newest beginning that is whole; the number of the segment that follows it.
-std::optional<unsigned> begin(Recovery& replay, const std::filesystem::path& folder, const JournalFiles& files, const RecoveryOptions& options)
+std::optional<unsigned> begin(Recovery& replay, const std::filesystem::path& folder, const JournalFiles& files,
+                              const RecoveryOptions& options)
 {
     const std::string startBytes = contentOf(startFile(folder));
     bool isDamaged = false;
@@ -214,7 +220,8 @@ std::optional<RecoveredDocument> recoverJournal(const std::filesystem::path& fol
     const auto first = begin(replay, folder, files, options);
     if (!first)
         return std::nullopt;
-    for (auto segment = files.segments.lower_bound(*first); segment != files.segments.end() && segment->first < options.endSegment; ++segment) {
+    for (auto segment = files.segments.lower_bound(*first);
+         segment != files.segments.end() && segment->first < options.endSegment; ++segment) {
         const std::string bytes = contentOf(segmentFile(folder, segment->first));
         std::string_view rest = bytes;
         if (!replay.readOn(rest, options.stop))

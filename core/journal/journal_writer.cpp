@@ -1,8 +1,8 @@
 #include "core/journal/journal_writer.h"
 
-#include "core/journal/thread_priority.h"
 #include "core/journal/compaction.h"
 #include "core/journal/journal_files.h"
+#include "core/journal/thread_priority.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +12,7 @@ namespace core
 {
 namespace
 {
-constexpr int oftenLate = 3; ///< one after the other: the disk is slow, and was not busy just once
+constexpr int oftenLate = 3;       ///< one after the other: the disk is slow, and was not busy just once
 constexpr double muchTooLate = 25; ///< times what is promised: once is enough
 
 std::int64_t nowNs()
@@ -36,9 +36,17 @@ std::size_t bytesOf(const JournalRecord& record)
 }
 } // namespace
 
-JournalWriter::JournalWriter(std::filesystem::path folder, Place place, JournalCallbacks callbacks, JournalLimits limits)
-    : m_folder(std::move(folder)), m_callbacks(std::move(callbacks)), m_limits(limits), m_waits(place.waits), m_isSyncing(!place.waits),
-      m_segments(filesIn(m_folder).segments), m_compactAt(limits.logBytes), m_nextRecord(place.nextRecord), m_segment{place.nextSegment, 0, nullptr}
+JournalWriter::JournalWriter(std::filesystem::path folder, Place place, JournalCallbacks callbacks,
+                             JournalLimits limits)
+    : m_folder(std::move(folder))
+    , m_callbacks(std::move(callbacks))
+    , m_limits(limits)
+    , m_waits(place.waits)
+    , m_isSyncing(!place.waits)
+    , m_segments(filesIn(m_folder).segments)
+    , m_compactAt(limits.logBytes)
+    , m_nextRecord(place.nextRecord)
+    , m_segment{place.nextSegment, 0, nullptr}
 {
     m_syncer = std::thread([this] { sync(); });
     m_writer = std::thread([this] { write(); });
@@ -134,7 +142,7 @@ void writeStart(const std::filesystem::path& folder, const StartRecord& record)
     AppendFile(startFile(folder)).append(pack(record, 0));
 }
 
-// --- the writing thread ----------------------------------------------------------------------------------------------------------
+// --- the writing thread
 
 bool JournalWriter::mayWrite() const
 {
@@ -260,7 +268,7 @@ void JournalWriter::breakOff(const FileError& error)
         m_callbacks.broken(error);
 }
 
-// --- the syncing thread ----------------------------------------------------------------------------------------------------------
+// --- the syncing thread
 
 void JournalWriter::sync()
 {
@@ -315,7 +323,7 @@ bool JournalWriter::isTooLate(double ms)
     return m_isLateReported;
 }
 
-// --- the compacting thread -------------------------------------------------------------------------------------------------------
+// --- the compacting thread
 
 /// The oldest segments go, until half of what the log may have is left; the one that is being written stays.
 void JournalWriter::compactIfLong()

@@ -43,8 +43,9 @@ struct JournalStats
     bool isCompacting = false;      ///< just now
 };
 
-/// Appends records to a journal's folder, on threads of its own: one writes what comes at once, one syncs what was written, one makes
-/// bases when the log is long. Every function but the constructor and the destructor may be called from any thread and returns at once.
+/// Appends records to a journal's folder, on threads of its own: one writes what comes at once, one syncs what was
+/// written, one makes bases when the log is long. Every function but the constructor and the destructor may be called
+/// from any thread and returns at once.
 class JournalWriter
 {
 public:
@@ -63,11 +64,11 @@ public:
     JournalWriter& operator=(const JournalWriter&) = delete;
 
     void add(JournalRecord record);
-    /// What makes the folder, with a start, on the writing thread; what was added waits in memory until then. It may throw FileError and
-    /// std::bad_alloc.
+    /// What makes the folder, with a start, on the writing thread; what was added waits in memory until then. It may
+    /// throw FileError and std::bad_alloc.
     void begin(std::function<void()> make);
-    /// Runs it when all that was added before outlives the process, or nothing is recorded any more: in order, here or on the writing
-    /// thread. Of a journal that has not begun: here, at once.
+    /// Runs it when all that was added before outlives the process, or nothing is recorded any more: in order, here or
+    /// on the writing thread. Of a journal that has not begun: here, at once.
     void after(std::function<void()> run);
     /// Waits until all that was added outlives the process, or nothing is recorded any more.
     void drain();
@@ -122,9 +123,9 @@ private:
     bool m_isWriting = false, m_isEnding = false, m_isBroken = false, m_isCompacting = false;
     std::deque<std::shared_ptr<AppendFile>> m_unsynced;
     std::int64_t m_oldestUnsyncedNs = 0;
-    bool m_isSyncing; ///< the start, to begin with
+    bool m_isSyncing;                              ///< the start, to begin with
     std::map<unsigned, std::uintmax_t> m_segments; ///< sizes of those that there are
-    std::uintmax_t m_compactAt; ///< when the segments have so many bytes
+    std::uintmax_t m_compactAt;                    ///< when the segments have so many bytes
     JournalStats m_stats;
 
     std::uint64_t m_nextRecord; ///< the writing thread's own, as the next

@@ -1,8 +1,8 @@
 #include "core/lesson/checkpoint.h"
 
-#include "core/geometry/face_geometry.h"
 #include "core/analysis/mesh_check.h"
 #include "core/analysis/surface_distance.h"
+#include "core/geometry/face_geometry.h"
 
 #include <algorithm>
 #include <cassert>
@@ -15,14 +15,22 @@ namespace
 std::optional<double> measured(Fact fact, const MeshReport& report)
 {
     switch (fact) {
-    case Fact::Genus: return report.genus ? std::optional(static_cast<double>(*report.genus)) : std::nullopt;
-    case Fact::Components: return static_cast<double>(report.components);
-    case Fact::Height: return report.size.y();
-    case Fact::Width: return report.size.x();
-    case Fact::Depth: return report.size.z();
-    case Fact::Volume: return report.volume;
-    case Fact::Faces: return static_cast<double>(report.faces);
-    case Fact::PrintReady: return report.printReady() ? 1 : 0;
+    case Fact::Genus:
+        return report.genus ? std::optional(static_cast<double>(*report.genus)) : std::nullopt;
+    case Fact::Components:
+        return static_cast<double>(report.components);
+    case Fact::Height:
+        return report.size.y();
+    case Fact::Width:
+        return report.size.x();
+    case Fact::Depth:
+        return report.size.z();
+    case Fact::Volume:
+        return report.volume;
+    case Fact::Faces:
+        return static_cast<double>(report.faces);
+    case Fact::PrintReady:
+        return report.printReady() ? 1 : 0;
     }
     return std::nullopt;
 }
@@ -56,13 +64,15 @@ double within(double share, const TriangleMesh& mesh, const std::vector<float>& 
     return distances[order.back()];
 }
 
-TargetVerdict evaluate(const CheckpointTarget& asked, const TriangleMesh& model, const TriangleMesh& target, const JobControl& control)
+TargetVerdict evaluate(const CheckpointTarget& asked, const TriangleMesh& model, const TriangleMesh& target,
+                       const JobControl& control)
 {
     TargetVerdict verdict;
     verdict.tolerance = asked.tolerance;
     verdict.distances = distancesTo(target, model.points, control.part(0, 0.5));
     const std::vector<float> back = distancesTo(model, target.points, control.part(0.5, 1));
-    verdict.nearDistance = std::max(within(CheckpointTarget::nearShare, model, verdict.distances), within(CheckpointTarget::nearShare, target, back));
+    verdict.nearDistance = std::max(within(CheckpointTarget::nearShare, model, verdict.distances),
+                                    within(CheckpointTarget::nearShare, target, back));
     verdict.largest = std::max(std::ranges::max(verdict.distances), std::ranges::max(back));
     verdict.holds = verdict.nearDistance <= asked.tolerance;
     return verdict;
@@ -74,7 +84,8 @@ bool CheckpointVerdict::isMet() const
     return std::ranges::all_of(facts, &FactVerdict::holds) && (!target || target->holds);
 }
 
-CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target, const JobControl& control)
+CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target,
+                           const JobControl& control)
 {
     assert(!checkpoint.target || (target && !target->triangles.empty() && !model.triangles.empty()));
     const double afterFacts = checkpoint.facts.empty() ? 0 : checkpoint.target ? 0.5 : 1;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/util/job_control.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/util/job_control.h"
 
 #include <limits>
 #include <optional>
@@ -17,12 +17,12 @@ enum class Fact { Genus, Components, Height, Width, Depth, Volume, Faces, PrintR
 struct FactInfo
 {
     std::string_view key; ///< in lesson files
-    double max;          ///< that may be asked for; the least is 0
+    double max;           ///< that may be asked for; the least is 0
     bool isWhole;         ///< a number without fraction
 };
 inline constexpr FactInfo factTable[] = {
-    {"genus", 1e4, true},      {"components", 1e4, true}, {"height_mm", 1e6, false}, {"width_mm", 1e6, false},
-    {"depth_mm", 1e6, false}, {"volume_mm3", 1e18, false}, {"faces", 1e9, true},     {"print_ready", 1, true},
+    {"genus", 1e4, true},     {"components", 1e4, true},   {"height_mm", 1e6, false}, {"width_mm", 1e6, false},
+    {"depth_mm", 1e6, false}, {"volume_mm3", 1e18, false}, {"faces", 1e9, true},      {"print_ready", 1, true},
 };
 constexpr const FactInfo& info(Fact fact)
 {
@@ -70,7 +70,7 @@ struct FactVerdict
 struct TargetVerdict
 {
     double tolerance = 0;         ///< mm, as asked
-    double nearDistance = 0;             ///< mm: so near the other surface is nearShare of each of the two
+    double nearDistance = 0;      ///< mm: so near the other surface is nearShare of each of the two
     double largest = 0;           ///< mm: of all corners of both
     std::vector<float> distances; ///< mm, of each point of the model to the target: for a map in colours
     bool holds = false;
@@ -84,8 +84,10 @@ struct CheckpointVerdict
     bool isMet() const;
 };
 
-/// Evaluates a checkpoint on a model (mm, Y up). `target`: the shape, if the checkpoint has a target, with at least one face, like the model. Both lie where they
-/// lie: nothing is moved onto the other. Distances are measured at the corners. Cost: checkMesh() if there are facts, and with a target 2 to 50 us
-/// a corner of both; all cores, the same on any machine. If it is cancelled, the result is not usable.
-CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target, const JobControl& control = {});
+/// Evaluates a checkpoint on a model (mm, Y up). `target`: the shape, if the checkpoint has a target, with at least one
+/// face, like the model. Both lie where they lie: nothing is moved onto the other. Distances are measured at the
+/// corners. Cost: checkMesh() if there are facts, and with a target 2 to 50 us a corner of both; all cores, the same on
+/// any machine. If it is cancelled, the result is not usable.
+CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target,
+                           const JobControl& control = {});
 } // namespace core

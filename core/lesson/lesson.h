@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/io/stroke/stroke_file.h"
 #include "core/lesson/checkpoint.h"
 #include "core/operations/starter_models.h"
-#include "core/io/stroke/stroke_file.h"
 
 #include <map>
 #include <string>
@@ -17,7 +17,8 @@ struct LessonText
 {
     std::map<std::string, std::string, std::less<>> words; ///< by code
 
-    /// In that language, else without its country ("de" for "de_AT"), else in English, else in the first that there is. Empty if there is none.
+    /// In that language, else without its country ("de" for "de_AT"), else in English, else in the first that there is.
+    /// Empty if there is none.
     const std::string& in(std::string_view language) const;
 };
 
@@ -25,10 +26,11 @@ struct LessonText
 struct LessonStep
 {
     LessonText title, text;
-    std::string picture;            ///< one of Lesson::files; empty: none
-    std::vector<Tool> tools;        ///< that the pupil may use; empty: all
-    std::string strokesFile;        ///< that holds the strokes; empty: there are none
-    std::vector<FileEntry> strokes; ///< the teacher's. They need no files: alphas are built in, stamps balls, nothing is inserted.
+    std::string picture;     ///< one of Lesson::files; empty: none
+    std::vector<Tool> tools; ///< that the pupil may use; empty: all
+    std::string strokesFile; ///< that holds the strokes; empty: there are none
+    /// The teacher's. They need no files: alphas are built in, stamps balls, nothing is inserted.
+    std::vector<FileEntry> strokes;
     Checkpoint checkpoint;
 };
 

@@ -28,7 +28,9 @@ CheckpointVerdict verdictOf(LessonPlayback& playback, const TriangleMesh& mesh, 
 }
 } // namespace
 
-std::vector<StepCheck> checkLesson(LessonPlayback& playback, const std::function<void(std::size_t step, const TriangleMesh& mesh)>& seen, const JobControl& control)
+std::vector<StepCheck> checkLesson(LessonPlayback& playback,
+                                   const std::function<void(std::size_t step, const TriangleMesh& mesh)>& seen,
+                                   const JobControl& control)
 {
     const double all = static_cast<double>(costOf(playback.lesson()));
     std::size_t before = 0;

@@ -11,8 +11,9 @@ struct StepCheck
     CheckpointVerdict verdict;     ///< of what the step's strokes leave
 };
 
-/// Plays all steps, from the start of the first; `seen` gets what each of them leaves. Throws LessonError. If it is cancelled, the result is not usable.
-/// Cost: all strokes, and evaluate() of each step.
-std::vector<StepCheck> checkLesson(LessonPlayback& playback, const std::function<void(std::size_t step, const TriangleMesh& mesh)>& seen,
-                                 const JobControl& control = {});
+/// Plays all steps, from the start of the first; `seen` gets what each of them leaves. Throws LessonError. If it is
+/// cancelled, the result is not usable. Cost: all strokes, and evaluate() of each step.
+std::vector<StepCheck> checkLesson(LessonPlayback& playback,
+                                   const std::function<void(std::size_t step, const TriangleMesh& mesh)>& seen,
+                                   const JobControl& control = {});
 } // namespace core

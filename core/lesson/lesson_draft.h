@@ -54,11 +54,11 @@ public:
     /// The first of it; nothing: complete() can be written.
     std::optional<Missing> missing() const;
 
-    /// Whether the step's picture is to be made of what its strokes leave: it has none, or one that was made so. Pictures under any other
-    /// name are somebody's own, and stay.
+    /// Whether the step's picture is to be made of what its strokes leave: it has none, or one that was made so.
+    /// Pictures under any other name are somebody's own, and stay.
     bool makesPicture(std::size_t step) const;
-    /// As it is written: each step's strokes in a file of their own, the pictures (PNG, by steps; empty: none) where makesPicture() wants them,
-    /// and no file that nothing names.
+    /// As it is written: each step's strokes in a file of their own, the pictures (PNG, by steps; empty: none) where
+    /// makesPicture() wants them, and no file that nothing names.
     Lesson complete(const std::vector<std::string>& pictures) const;
 
 private:

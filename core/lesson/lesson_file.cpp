@@ -1,14 +1,15 @@
 #include "core/lesson/lesson_file.h"
 
-#include "core/lesson/lesson_json_reader.h"
 #include "core/io/mesh_io.h"
+#include "core/lesson/lesson_json_reader.h"
 
 namespace core
 {
 LessonError::LessonError(Kind errorKind, std::filesystem::path lesson)
-    : std::runtime_error("lesson: error " + std::to_string(static_cast<int>(errorKind))), kind(errorKind), path(std::move(lesson))
-{
-}
+    : std::runtime_error("lesson: error " + std::to_string(static_cast<int>(errorKind)))
+    , kind(errorKind)
+    , path(std::move(lesson))
+{}
 
 Lesson readLesson(const LessonFiles& files)
 {
@@ -26,7 +27,8 @@ Lesson readLesson(const std::filesystem::path& path)
         return readLesson(lessonZip(path));
     case std::filesystem::file_type::not_found:
         throw FileError(FileErrorKind::NotFound, path);
-    default: break;
+    default:
+        break;
     }
     FileError error(problem ? FileErrorKind::NotReadable : FileErrorKind::NotAFile, path);
     error.systemError = problem.value();

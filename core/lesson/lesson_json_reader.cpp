@@ -1,4 +1,5 @@
-// lesson.json as a tree, which is small; then each value to its place, and each file that is named is read and understood.
+// lesson.json as a tree, which is small; then each value to its place, and each file that is named is read and
+// understood.
 #include "core/lesson/lesson_json_reader.h"
 
 #include "core/io/mesh_io.h"
@@ -21,8 +22,9 @@ bool isLanguage(std::string_view code)
     const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const std::string_view plain = code.substr(0, code.find_first_of("_-"));
     const std::string_view country = code.substr(std::min(plain.size() + 1, code.size()));
-    return (plain.size() == 2 || plain.size() == 3) && country.size() <= 8 && (country.size() >= 2 || plain.size() == code.size())
-           && std::ranges::all_of(plain, isLetter) && std::ranges::all_of(country, [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); });
+    return (plain.size() == 2 || plain.size() == 3) && country.size() <= 8 &&
+           (country.size() >= 2 || plain.size() == code.size()) && std::ranges::all_of(plain, isLetter) &&
+           std::ranges::all_of(country, [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); });
 }
 
 bool isPicture(std::string_view bytes)
@@ -81,7 +83,8 @@ Lesson LessonJsonReader::read()
     return std::move(m_lesson);
 }
 
-/// The library's parser needs no stack for a nest of brackets, but its tree would be as deep; and of two equal keys it takes the last.
+/// The library's parser needs no stack for a nest of brackets, but its tree would be as deep; and of two equal keys it
+/// takes the last.
 LessonJsonReader::Json LessonJsonReader::parse(const std::string& text) const
 {
     std::vector<std::set<std::string>> keys;
@@ -124,7 +127,8 @@ void LessonJsonReader::requireFormat(const Json& root) const
         refuseRange("version", version, version);
 }
 
-void LessonJsonReader::knowsOnly(const Json& object, const std::string& key, std::initializer_list<std::string_view> known) const
+void LessonJsonReader::knowsOnly(const Json& object, const std::string& key,
+                                 std::initializer_list<std::string_view> known) const
 {
     if (!object.is_object())
         refuse(Kind::WrongType, key);
@@ -247,7 +251,8 @@ std::vector<FileEntry> LessonJsonReader::strokes(const std::string& name)
         std::vector<FileEntry> entries = parseStrokes(bytesOf(name, "strokes", LessonLimits::maxStrokeBytes));
         for (std::size_t i = 0; i < entries.size(); ++i) {
             const auto* const stroke = std::get_if<Stroke>(&entries[i]);
-            if (stroke ? stroke->alpha.file.empty() && stroke->model.file.empty() : std::get<FileCommand>(entries[i]).file.empty())
+            if (stroke ? stroke->alpha.file.empty() && stroke->model.file.empty()
+                       : std::get<FileCommand>(entries[i]).file.empty())
                 continue;
             error.kind = Kind::NamesFiles;
             error.strokes.emplace(StrokeFileError::Kind::UnknownValue);

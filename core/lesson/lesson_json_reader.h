@@ -48,7 +48,7 @@ private:
 
     const LessonFiles& m_files;
     Lesson m_lesson;
-    std::optional<std::size_t> m_step;       ///< in which it is
+    std::optional<std::size_t> m_step;           ///< in which it is
     std::size_t m_left = LessonLimits::maxBytes; ///< bytes that the files may still have
 };
 } // namespace core

@@ -6,7 +6,9 @@
 
 namespace core
 {
-LessonPlayback::LessonPlayback(std::shared_ptr<const Lesson> lesson, std::filesystem::path path) : m_lesson(std::move(lesson)), m_path(std::move(path))
+LessonPlayback::LessonPlayback(std::shared_ptr<const Lesson> lesson, std::filesystem::path path)
+    : m_lesson(std::move(lesson))
+    , m_path(std::move(path))
 {
     const auto* const file = std::get_if<std::string>(&m_lesson->start);
     BuildResult built = buildMesh(file ? modelIn(*m_lesson, *file) : starterModel(std::get<Starter>(m_lesson->start)));

@@ -1,5 +1,5 @@
-// A step is laid out once as moments, each with its time; playing is a walk along them, and the ghost stands between the last and the next one
-// that have a place.
+// A step is laid out once as moments, each with its time; playing is a walk along them, and the ghost stands between
+// the last and the next one that have a place.
 #include "core/lesson/lesson_player.h"
 
 #include <algorithm>
@@ -46,7 +46,8 @@ void LessonPlayer::layOut()
 void LessonPlayer::layOut(const Stroke& stroke, std::size_t entry)
 {
     const std::vector<StrokeSample>& samples = stroke.samples;
-    const bool hasTimes = std::ranges::is_sorted(samples, {}, &StrokeSample::time) && !samples.empty() && samples.back().time > samples.front().time;
+    const bool hasTimes = std::ranges::is_sorted(samples, {}, &StrokeSample::time) && !samples.empty() &&
+                          samples.back().time > samples.front().time;
     m_moments.push_back({m_duration, Kind::Begin, entry, 0});
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (i > 0)
@@ -64,10 +65,14 @@ void LessonPlayer::setSpeed(double speed)
 LessonCue LessonPlayer::cueOf(const Moment& moment) const
 {
     switch (moment.kind) {
-    case Kind::Begin: return StrokeBegins{strokeOf(step(), moment.entry).settings};
-    case Kind::Sample: return strokeOf(step(), moment.entry).samples[moment.sample];
-    case Kind::Command: return std::get<FileCommand>(step().strokes[moment.entry]).command;
-    case Kind::End: break;
+    case Kind::Begin:
+        return StrokeBegins{strokeOf(step(), moment.entry).settings};
+    case Kind::Sample:
+        return strokeOf(step(), moment.entry).samples[moment.sample];
+    case Kind::Command:
+        return std::get<FileCommand>(step().strokes[moment.entry]).command;
+    case Kind::End:
+        break;
     }
     return StrokeEnds{};
 }
@@ -107,7 +112,11 @@ GhostBrush LessonPlayer::ghostAt(const Moment& moment) const
 {
     const StrokeSettings& settings = strokeOf(step(), moment.entry).settings;
     const StrokeSample& sample = strokeOf(step(), moment.entry).samples[moment.sample];
-    GhostBrush ghost{sample.rotation.conjugate() * sample.position, {}, sample.rotation, sample.radius.value_or(settings.radius), settings.tool,
+    GhostBrush ghost{sample.rotation.conjugate() * sample.position,
+                     {},
+                     sample.rotation,
+                     sample.radius.value_or(settings.radius),
+                     settings.tool,
                      settings.inverted};
     if (settings.brush == BrushShape::Ray || settings.place == Placement::Ray)
         ghost.direction = sample.rotation.conjugate() * sample.direction;
@@ -126,7 +135,8 @@ std::optional<GhostBrush> LessonPlayer::ghost() const
     if (next == m_moments.end() || last == m_moments.rend())
         return ghost;
     const GhostBrush before = ghostAt(*last);
-    const double whole = next->time - last->time, share = whole > 0 ? std::clamp((m_time - last->time) / whole, 0.0, 1.0) : 1;
+    const double whole = next->time - last->time,
+                 share = whole > 0 ? std::clamp((m_time - last->time) / whole, 0.0, 1.0) : 1;
     ghost.position = before.position + share * (ghost.position - before.position);
     ghost.rotation = before.rotation.slerp(share, ghost.rotation);
     ghost.radius = before.radius + share * (ghost.radius - before.radius);

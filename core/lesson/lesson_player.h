@@ -12,33 +12,35 @@ struct StrokeBegins
     StrokeSettings settings;
 };
 struct StrokeEnds
-{
-};
-/// What the teacher does next. Done one after the other, without one left out, the model becomes the teacher's to the bit.
+{};
+/// What the teacher does next. Done one after the other, without one left out, the model becomes the teacher's to the
+/// bit.
 using LessonCue = std::variant<StrokeBegins, StrokeSample, StrokeEnds, ModelCommand>;
 
 /// The teacher's brush as it is seen while it works, and on its way from stroke to stroke. In the model's space, mm.
 struct GhostBrush
 {
-    Vec3 position = Vec3::Zero();        ///< of the brush, or where its ray comes from
-    std::optional<Vec3> direction;       ///< of the ray; missing: the brush is at the position, or on the surface near it
-    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity(); ///< of the model in the teacher's world, as on a turntable
+    Vec3 position = Vec3::Zero(); ///< of the brush, or where its ray comes from
+    /// Of the ray; missing: the brush is at the position, or on the surface near it.
+    std::optional<Vec3> direction;
+    /// Of the model in the teacher's world, as on a turntable.
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     double radius = 0;
     Tool tool = Tool::Pull;
     bool isInverted = false;
     bool isPressed = false;
 };
 
-/// Plays the teacher's strokes of one step after another: says at each moment where the brush is and what is due. It has no clock and no mesh:
-/// whoever has them tells it of the time that went by, and does on the mesh thread what it hands out (LessonPlayback, or the window's stroke
-/// path, where no sample may be dropped). Any one thread.
+/// Plays the teacher's strokes of one step after another: says at each moment where the brush is and what is due. It
+/// has no clock and no mesh: whoever has them tells it of the time that went by, and does on the mesh thread what it
+/// hands out (LessonPlayback, or the window's stroke path, where no sample may be dropped). Any one thread.
 class LessonPlayer
 {
 public:
     static constexpr double minSpeed = 0.25, maxSpeed = 4;
-    static constexpr double leadTime = 0.6;         ///< s, from the start, and from one stroke or command to the next
-    static constexpr double samplePause = 0.05;        ///< s, from sample to sample of a stroke without times
-    static constexpr double maxPause = 1;    ///< s, between two samples: who thought it over need not be watched
+    static constexpr double leadTime = 0.6;     ///< s, from the start, and from one stroke or command to the next
+    static constexpr double samplePause = 0.05; ///< s, from sample to sample of a stroke without times
+    static constexpr double maxPause = 1;       ///< s, between two samples: who thought it over need not be watched
 
     /// At the start of the first step, paused. The lesson has a step at least.
     explicit LessonPlayer(std::shared_ptr<const Lesson> lesson);
@@ -61,7 +63,8 @@ public:
     void pause() { m_isPlaying = false; }
     bool isAtEnd() const { return m_next == m_moments.size() && m_time >= m_duration; }
 
-    /// So much time went by: what became due, in order. Nothing while it is paused. It pauses at the end of what it is to play.
+    /// So much time went by: what became due, in order. Nothing while it is paused. It pauses at the end of what it is
+    /// to play.
     std::vector<LessonCue> advance(double seconds);
 
     /// Nothing in a step without strokes.

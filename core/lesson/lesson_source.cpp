@@ -1,4 +1,5 @@
-// Where a lesson's files lie: below a folder, links followed but not out of it; or in a zip, of which only what the lesson names is unpacked.
+// Where a lesson's files lie: below a folder, links followed but not out of it; or in a zip, of which only what the
+// lesson names is unpacked.
 #include "core/lesson/lesson_source.h"
 
 #include "core/io/mesh/zip_reader.h"
@@ -100,7 +101,10 @@ struct Packed
 
 bool isLessonName(std::string_view name)
 {
-    const auto isOdd = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos; };
+    const auto isOdd = [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
+               std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos;
+    };
     if (name.empty() || name.size() > LessonLimits::maxNameBytes || std::ranges::any_of(name, isOdd))
         return false;
     for (std::string_view rest = name;;) {

@@ -8,8 +8,8 @@ namespace core
 {
 inline constexpr char lessonJsonName[] = "lesson.json";
 
-/// Whether a lesson may call a file so: plain steps with "/" between them, none of them "." or "..", no drive, nothing that a system reads
-/// in its own way.
+/// Whether a lesson may call a file so: plain steps with "/" between them, none of them "." or "..", no drive, nothing
+/// that a system reads in its own way.
 bool isLessonName(std::string_view name);
 
 /// Throws FileError, and LessonError::NoLesson.

@@ -1,8 +1,9 @@
-// What the reader takes, written: as a zip in one file that takes its place at once, or as a folder that gets its name when it is whole.
+// What the reader takes, written: as a zip in one file that takes its place at once, or as a folder that gets its name
+// when it is whole.
 #include "core/lesson/lesson_source.h"
 
-#include "core/util/atomic_file.h"
 #include "core/io/mesh/zip_writer.h"
+#include "core/util/atomic_file.h"
 
 #include <nlohmann/json.hpp>
 

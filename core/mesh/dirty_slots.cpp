@@ -37,7 +37,9 @@ DrawVertex drawVertex(const Mesh& mesh, Slot v)
     const Vec3 scaled = length > 0 ? Vec3(normal * (127 / length)) : Vec3::Zero();
     const auto toByte = [](double x) { return static_cast<std::int8_t>(std::lrint(x)); };
     const Rgb c = mesh.color(v);
-    return {mesh.point(v), {toByte(scaled.x()), toByte(scaled.y()), toByte(scaled.z()), static_cast<std::int8_t>(mesh.mask(v) / 2)}, {c.r, c.g, c.b, 255}};
+    return {mesh.point(v),
+            {toByte(scaled.x()), toByte(scaled.y()), toByte(scaled.z()), static_cast<std::int8_t>(mesh.mask(v) / 2)},
+            {c.r, c.g, c.b, 255}};
 }
 
 void fillValues(MeshPatch& patch, const Mesh& mesh)

@@ -8,7 +8,8 @@ namespace core
 {
 namespace
 {
-template <class Value> void put(const std::vector<SlotSpan>& spans, const std::vector<Value>& values, std::vector<Value>& array)
+template <class Value>
+void put(const std::vector<SlotSpan>& spans, const std::vector<Value>& values, std::vector<Value>& array)
 {
     auto from = values.begin();
     for (const SlotSpan& span : spans) {
@@ -32,7 +33,8 @@ DrawArrays drawArraysOf(const TriangleMesh& mesh)
     constexpr double longest = 127; // of a normal in a vertex
     std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
     for (const Triangle& t : mesh.triangles) {
-        const Vec3 a = mesh.points[t[0]].cast<double>(), b = mesh.points[t[1]].cast<double>(), c = mesh.points[t[2]].cast<double>();
+        const Vec3 a = mesh.points[t[0]].cast<double>(), b = mesh.points[t[1]].cast<double>(),
+                   c = mesh.points[t[2]].cast<double>();
         const Vec3 area = (b - a).cross(c - a);
         for (const Slot corner : t)
             normals[corner] += area;
@@ -44,7 +46,8 @@ DrawArrays drawArraysOf(const TriangleMesh& mesh)
         const double length = normals[v].norm();
         const Vec3 n = length > 0 ? Vec3(normals[v] * (longest / length)) : Vec3::Zero();
         const Rgb color = mesh.colors.empty() ? Rgb() : mesh.colors[v];
-        model.vertices.push_back({mesh.points[v], {toByte(n.x()), toByte(n.y()), toByte(n.z()), 0}, {color.r, color.g, color.b, 255}});
+        model.vertices.push_back(
+            {mesh.points[v], {toByte(n.x()), toByte(n.y()), toByte(n.z()), 0}, {color.r, color.g, color.b, 255}});
     }
     return model;
 }

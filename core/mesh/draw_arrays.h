@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh/mesh_patch.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/mesh/mesh_patch.h"
 
 namespace core
 {
@@ -17,7 +17,8 @@ struct DrawArrays
     bool isFree(Slot face) const { return faces[face][0] == faces[face][1]; }
 };
 
-/// Of a mesh as a file holds it: normals are the mean of the faces around a vertex, by area. Any thread. Cost: a pass over the faces.
+/// Of a mesh as a file holds it: normals are the mean of the faces around a vertex, by area. Any thread. Cost: a pass
+/// over the faces.
 DrawArrays drawArraysOf(const TriangleMesh& mesh);
 
 /// The patch that makes these arrays of whatever was there.

@@ -12,9 +12,9 @@ namespace core
 {
 LatticeBox boxOf(const Mesh& mesh, Slot face);
 
-/// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face lies in a cell two
-/// to four times its own size that holds its box's centre; the cell's loose box is twice the cell, so a face may move or
-/// shrink a little without a word. Cells stay once they exist; a subtree without faces is skipped by its count.
+/// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face lies in a cell
+/// two to four times its own size that holds its box's centre; the cell's loose box is twice the cell, so a face may
+/// move or shrink a little without a word. Cells stay once they exist; a subtree without faces is skipped by its count.
 class FaceOctree
 {
 public:
@@ -26,8 +26,8 @@ public:
     void removeDead(const Mesh& mesh, std::span<const Slot> faces);
     void place(std::span<const Slot> faces, std::span<const LatticeBox> boxes);
 
-    /// Calls visit(face) for every face that may meet the box: a superset, in no useful order. A face that moved since its
-    /// last update() is found where it was.
+    /// Calls visit(face) for every face that may meet the box: a superset, in no useful order. A face that moved since
+    /// its last update() is found where it was.
     template <class Visit> void query(const LatticeBox& box, Visit visit) const
     {
         queryCells(box, [&](std::span<const Slot> faces, const LatticeBox&) { std::ranges::for_each(faces, visit); });
@@ -47,8 +47,8 @@ public:
 
     /// Side of the smallest cell that is in use near nothing in particular: a first radius for a nearest search.
     int smallestCell() const { return m_smallestCell; }
-    /// For tests: every live face is in just one cell, whose loose box holds it, and the counts are right: what a rebuilt
-    /// octree would find this one finds.
+    /// For tests: every live face is in just one cell, whose loose box holds it, and the counts are right: what a
+    /// rebuilt octree would find this one finds.
     bool isConsistent(const Mesh& mesh) const;
 
 private:
@@ -136,7 +136,7 @@ private:
     int m_smallestCell = 2 * Lattice::limit;
 };
 
-/// Exactly the faces whose boxes meet the box, in no useful order; of those that the octree knows and the mesh still has. One
-/// that moved since its last update() may be missed, or stand where it was.
+/// Exactly the faces whose boxes meet the box, in no useful order; of those that the octree knows and the mesh still
+/// has. One that moved since its last update() may be missed, or stand where it was.
 std::vector<Slot> facesIn(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box);
 } // namespace core

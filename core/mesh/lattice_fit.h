@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/util/job_control.h"
 #include "core/geometry/lattice.h"
+#include "core/util/job_control.h"
 
 #include <span>
 #include <vector>
@@ -19,9 +19,10 @@ struct LatticeFit
 /// Each point to the lattice point nearest to it. Precondition: the lattice contains them.
 std::vector<LatticePoint> snappedTo(const Lattice& lattice, std::span<const Vec3> points);
 
-/// Snaps the surface and checks it exactly: no face degenerate, no two meeting, the boundary of a solid. Where faces came to
-/// meet, corners are sent to other lattice points nearby. The triangles are closed, manifold and oriented; points that none
-/// of them uses are only snapped. Whole-mesh cost, on all cores. If it is cancelled, the result is not usable.
+/// Snaps the surface and checks it exactly: no face degenerate, no two meeting, the boundary of a solid. Where faces
+/// came to meet, corners are sent to other lattice points nearby. The triangles are closed, manifold and oriented;
+/// points that none of them uses are only snapped. Whole-mesh cost, on all cores. If it is cancelled, the result is not
+/// usable.
 LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
                         const JobControl& control = {});
 } // namespace core

@@ -13,7 +13,7 @@ namespace
 constexpr Slot minReserve = 1u << 18;
 } // namespace
 
-// --- building --------------------------------------------------------------------------------------------------------------
+// --- building
 
 Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
 {
@@ -100,7 +100,7 @@ void Mesh::resize(const SlotCounts& counts)
     m_faceStamp.resize(counts.faces);
 }
 
-// --- queries ---------------------------------------------------------------------------------------------------------------
+// --- queries
 
 Rgb Mesh::color(Slot v) const
 {
@@ -152,7 +152,7 @@ std::uint64_t Mesh::stateHash() const
     return hash ^ m_meshHash;
 }
 
-// --- the gate: every write below journals first ----------------------------------------------------------------------------
+// --- the gate: every write below journals first
 
 void Mesh::setPoint(Slot v, const Vec3f& p)
 {
@@ -272,7 +272,7 @@ void Mesh::freeFace(Slot f)
     m_faceSlots.setFree(f, true);
 }
 
-// --- the three operations --------------------------------------------------------------------------------------------------
+// --- the three operations
 
 Slot Mesh::splitEdge(Slot e, const Vec3f& p)
 {
@@ -288,7 +288,8 @@ Slot Mesh::splitEdge(Slot e, const Vec3f& p)
 
     const Rgb ca_ = color(a), cb_ = color(b);
     const auto mean = [](int x, int y) { return static_cast<std::uint8_t>((x + y + 1) / 2); };
-    const Slot m = newVertex(a, p, {mean(ca_.r, cb_.r), mean(ca_.g, cb_.g), mean(ca_.b, cb_.b), mean(mask(a), mask(b))});
+    const Slot m =
+        newVertex(a, p, {mean(ca_.r, cb_.r), mean(ca_.g, cb_.g), mean(ca_.b, cb_.b), mean(mask(a), mask(b))});
     const Slot mb = 2 * newEdge(e), mc = 2 * newEdge(e), md = 2 * newEdge(e);
     const Slot f2 = newFace(f0), f3 = newFace(f1);
     setTo(mb, b), setTo(mb ^ 1, m);

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/geometry/lattice.h"
-#include "core/mesh/mesh_delta.h"
-#include "core/util/slot_map.h"
-#include "core/mesh/surgery.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/mesh/mesh_delta.h"
+#include "core/mesh/surgery.h"
+#include "core/util/slot_map.h"
 
 // clang-format off: EigenVectorT.hh needs vector_traits declared before it
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Geometry/EigenVectorT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 // clang-format on
 
 #include <cassert>
@@ -24,15 +24,15 @@ struct TouchedSlots
         Slot vertex;
         Vec3f point;
     };
-    std::vector<Slot> vertices; ///< moved, relinked, created or removed
-    std::vector<Slot> faces;    ///< relinked, created or removed; not those of which only a corner moved
+    std::vector<Slot> vertices;        ///< moved, relinked, created or removed
+    std::vector<Slot> faces;           ///< relinked, created or removed; not those of which only a corner moved
     std::vector<Place> before;         ///< of the vertices that were there, each once: where they were then
     std::vector<Triangle> facesBefore; ///< of the faces that were there: their corners then
 };
 
-/// The surface: an OpenMesh kernel whose elements are recycled slots, and the one gate through which it is written. The gate
-/// notes an element's before-image at its first touch; undo, rollback, verification and dirty ranges are readers of that
-/// journal. Closed triangle meshes only: each half-edge has a face. Not thread-safe.
+/// The surface: an OpenMesh kernel whose elements are recycled slots, and the one gate through which it is written. The
+/// gate notes an element's before-image at its first touch; undo, rollback, verification and dirty ranges are readers
+/// of that journal. Closed triangle meshes only: each half-edge has a face. Not thread-safe.
 ///
 /// Vertices, edges, half-edges and faces are named by their slots; half-edges 2e and 2e+1 belong to edge e.
 class Mesh
@@ -47,7 +47,7 @@ public:
     /// d_detail of the uniform topology: at first 4/3 of the mean edge (Botsch and Kobbelt 2004).
     double uniformDetail() const { return m_frame.uniformDetail; }
 
-    // --- queries -------------------------------------------------------------------------------------------------------
+    // --- queries
     SlotCounts slots() const { return {m_vertexSlots.size(), m_edgeSlots.size(), m_faceSlots.size()}; }
     SlotCounts live() const { return {m_vertexSlots.live(), m_edgeSlots.live(), m_faceSlots.live()}; }
     bool isVertex(Slot v) const { return !m_vertexSlots.isFree(v); }
@@ -61,9 +61,11 @@ public:
     std::uint8_t mask(Slot v) const { return m_kernel.vertex_colors()[v][3]; }
     /// Of a displacement, the part that the mask leaves: 0 to 1.
     double freedom(Slot v) const { return (255 - mask(v)) / 255.0; }
-    /// By half or more: then it is not remeshed away and does not fuse (the same bound as in Blender's dynamic topology).
+    /// By half or more: then it is not remeshed away and does not fuse (the same bound as in Blender's dynamic
+    /// topology).
     bool isMasked(Slot v) const { return mask(v) >= 128; }
-    /// Whether the mask lets the edge go: neither of its ends is masked. A split leaves the shape: it needs just one that is not.
+    /// Whether the mask lets the edge go: neither of its ends is masked. A split leaves the shape: it needs just one
+    /// that is not.
     bool mayGo(Slot e) const { return !isMasked(to(2 * e)) && !isMasked(to(2 * e + 1)); }
     bool mayBeSplit(Slot e) const { return !isMasked(to(2 * e)) || !isMasked(to(2 * e + 1)); }
     const Triangle& corners(Slot f) const { return m_corners[f]; }
@@ -92,7 +94,7 @@ public:
         } while (h != first);
     }
 
-    // --- edits, only while a stroke is open ----------------------------------------------------------------------------
+    // --- edits, only while a stroke is open
     void setPoint(Slot v, const Vec3f& p); ///< p lies on the lattice
     void setColor(Slot v, Rgb color);
     void setMask(Slot v, std::uint8_t mask);
@@ -100,14 +102,16 @@ public:
     Slot splitEdge(Slot e, const Vec3f& p);
     /// Exchanges faces for others. Returns the vertices that came. Precondition: isSurgeryOk(*this, surgery).
     std::vector<Slot> replaceFaces(const Surgery& surgery);
-    /// Whether collapsing h leaves a closed 2-manifold: the ends have just two common neighbours, and no valence falls below 3.
+    /// Whether collapsing h leaves a closed 2-manifold: the ends have just two common neighbours, and no valence falls
+    /// below 3.
     bool isCollapseOk(Slot h) const;
     /// Merges from(h) into to(h), which moves to p. Precondition: isCollapseOk(h).
     void collapse(Slot h, const Vec3f& p);
     /// Whether the opposite corners of e are not neighbours already and its ends keep valence 3.
     bool isFlipOk(Slot e) const;
     void flip(Slot e);
-    /// Puts every vertex elsewhere, on another lattice perhaps: `points`, by slot, lie on it. O(mesh), as the next three.
+    /// Puts every vertex elsewhere, on another lattice perhaps: `points`, by slot, lie on it. O(mesh), as the next
+    /// three.
     void relocate(const Lattice& lattice, std::span<const Vec3f> points);
     /// Every face looks to the other side. Twice is the identity.
     void reverseOrientation();
@@ -115,7 +119,7 @@ public:
     void assign(const Mesh& other);
     void setUniformDetail(double length);
 
-    // --- the journal ---------------------------------------------------------------------------------------------------
+    // --- the journal
     void beginStroke();
     bool strokeOpen() const { return m_strokeOpen; }
     /// Closes the stroke; images of elements that came and went again within it are kept, they are part of the state.
@@ -133,16 +137,17 @@ public:
     Mark mark();
     /// Restores the state of the mark bit for bit. The mark stays usable.
     void rollback(const Mark& mark);
-    /// Forgets that elements were touched again since the mark (they keep their stroke image). Keeps the journal's length
-    /// at the number of distinct elements the stroke touched. The mark is spent.
+    /// Forgets that elements were touched again since the mark (they keep their stroke image). Keeps the journal's
+    /// length at the number of distinct elements the stroke touched. The mark is spent.
     void commit(const Mark& mark);
 
-    /// A mark that outlives the commits of marks after it, so that the images since it tell of all that these changed. One at a time, until
-    /// forget(), which is its commit. Between the two nothing before it is rolled back.
+    /// A mark that outlives the commits of marks after it, so that the images since it tell of all that these changed.
+    /// One at a time, until forget(), which is its commit. Between the two nothing before it is rolled back.
     Mark remember();
     void forget(const Mark& mark);
 
-    /// The vertices that went in the open stroke, and were not brought back by a rollback, in order. A slot may have been another vertex's since.
+    /// The vertices that went in the open stroke, and were not brought back by a rollback, in order. A slot may have
+    /// been another vertex's since.
     const std::vector<Slot>& removedVertices() const { return m_removed; }
 
     TouchedSlots touchedSince(const Mark& mark) const;
@@ -150,8 +155,8 @@ public:
     std::span<const VertexImage> vertexImagesSince(const Mark& mark) const;
     std::span<const FaceImage> faceImagesSince(const Mark& mark) const;
 
-    /// Exchanges the mesh's state with the delta's. Precondition: no stroke is open, and the mesh is in the state in which
-    /// the delta's stroke ended (to undo) or began (to redo).
+    /// Exchanges the mesh's state with the delta's. Precondition: no stroke is open, and the mesh is in the state in
+    /// which the delta's stroke ended (to undo) or began (to redo).
     void swap(MeshDelta& delta);
 
     /// Digest of the live surface, independent of slots and order (DESIGN: `mesh_hash`). O(1): kept up by the journal.
@@ -212,7 +217,8 @@ private:
     std::vector<std::uint32_t> m_vertexStamp, m_edgeStamp, m_faceStamp;
     std::uint32_t m_epoch = 0;
     std::uint32_t m_strokeEpoch = 0;
-    std::uint32_t m_baseEpoch = 0; ///< a commit forgets images of what was touched since: the stroke's epoch, or that of remember()
+    /// A commit forgets images of what was touched since: the stroke's epoch, or that of remember().
+    std::uint32_t m_baseEpoch = 0;
     bool m_strokeOpen = false;
     MeshDelta m_journal;
     std::vector<Slot> m_removed; ///< see removedVertices()

@@ -7,9 +7,9 @@
 
 #include "core/mesh/mesh_builder.h"
 
-#include "core/mesh/lattice_fit.h"
 #include "core/geometry/lattice_placement.h"
 #include "core/geometry/morton_order.h"
+#include "core/mesh/lattice_fit.h"
 
 #include <algorithm>
 
@@ -82,7 +82,8 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
     return result;
 }
 
-BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobControl& control, const std::optional<MeshFrame>& frame)
+BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobControl& control,
+                      const std::optional<MeshFrame>& frame)
 {
     BuildResult result;
     result.report = checkMesh(model, control.part(0, afterCheck));

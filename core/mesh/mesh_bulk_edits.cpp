@@ -41,7 +41,8 @@ void Mesh::assign(const Mesh& other)
 {
     assert(m_strokeOpen);
     const SlotCounts here = slots(), there = other.slots();
-    resize({std::max(here.vertices, there.vertices), std::max(here.edges, there.edges), std::max(here.faces, there.faces)});
+    resize({std::max(here.vertices, there.vertices), std::max(here.edges, there.edges),
+            std::max(here.faces, there.faces)});
     for (Slot f = 0; f < m_faceSlots.size(); ++f)
         assignFace(other, f);
     for (Slot e = 0; e < m_edgeSlots.size(); ++e)
@@ -60,7 +61,8 @@ void Mesh::assignVertex(const Mesh& other, Slot v)
             freeVertex(v);
         return;
     }
-    if (wasThere && point(v) == other.point(v) && color(v) == other.color(v) && mask(v) == other.mask(v) && outgoing(v) == other.outgoing(v))
+    if (wasThere && point(v) == other.point(v) && color(v) == other.color(v) && mask(v) == other.mask(v) &&
+        outgoing(v) == other.outgoing(v))
         return;
     touchVertex(v);
     m_vertexSlots.setFree(v, false);

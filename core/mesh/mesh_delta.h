@@ -10,7 +10,8 @@
 
 namespace core
 {
-/// Everything of an element that the mesh keeps, as it was before an edit touched it. `stamp` is the journal's (see Mesh).
+/// Everything of an element that the mesh keeps, as it was before an edit touched it. `stamp` is the journal's (see
+/// Mesh).
 struct VertexImage
 {
     Slot slot;
@@ -45,8 +46,8 @@ struct SlotCounts
     friend bool operator==(const SlotCounts&, const SlotCounts&) = default;
 };
 
-/// The other side of one edit: what its elements were before it, or after it once it is undone. Mesh::swap exchanges the
-/// sides, so one copy serves undo and redo.
+/// The other side of one edit: what its elements were before it, or after it once it is undone. Mesh::swap exchanges
+/// the sides, so one copy serves undo and redo.
 struct MeshDelta
 {
     std::vector<VertexImage> vertices;
@@ -59,7 +60,8 @@ struct MeshDelta
     bool empty() const { return vertices.empty() && edges.empty() && faces.empty(); }
     std::size_t bytes() const;
 
-    /// For spilling to disk within one run of the program: raw images, no portability. A failed stream is the caller's to see.
+    /// For spilling to disk within one run of the program: raw images, no portability. A failed stream is the caller's
+    /// to see.
     void write(std::ostream& out) const;
     static MeshDelta read(std::istream& in);
 };

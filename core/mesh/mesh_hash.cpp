@@ -66,9 +66,7 @@ std::uint64_t hashChange(const Mesh& mesh, const MeshDelta& before)
         return found == oldVertices.end() ? currentCorner(mesh, v)
                                           : hashCorner(found->second->point, found->second->color);
     };
-    const auto oldHash = [&](const Triangle& t) {
-        return faceHash(oldCorner(t[0]), oldCorner(t[1]), oldCorner(t[2]));
-    };
+    const auto oldHash = [&](const Triangle& t) { return faceHash(oldCorner(t[0]), oldCorner(t[1]), oldCorner(t[2])); };
 
     std::uint64_t change = 0;
     std::unordered_set<Slot> counted;

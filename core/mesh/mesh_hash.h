@@ -4,8 +4,8 @@
 
 namespace core
 {
-/// What a face adds to the mesh hash: a fixed 64-bit mix of its corners' float bits (-0 as 0) and colours, the triple turned
-/// so that its smallest corner comes first. The mesh hash is the sum over live faces, mod 2^64.
+/// What a face adds to the mesh hash: a fixed 64-bit mix of its corners' float bits (-0 as 0) and colours, the triple
+/// turned so that its smallest corner comes first. The mesh hash is the sum over live faces, mod 2^64.
 struct HashCorner
 {
     std::array<std::uint32_t, 3> bits;

@@ -1,4 +1,5 @@
-// The mesh's journal: before-images of elements at their first touch, and its readers that restore: rollback, undo, redo.
+// The mesh's journal: before-images of elements at their first touch, and its readers that restore: rollback, undo,
+// redo.
 
 #include "core/mesh/mesh.h"
 
@@ -13,7 +14,8 @@ void Mesh::touchVertex(Slot v)
     assert(m_strokeOpen);
     if (m_vertexStamp[v] >= m_epoch)
         return;
-    m_journal.vertices.push_back({v, m_vertexStamp[v], point(v), color(v), mask(v), isVertex(v), m_kernel.vertex(vertexHandle(v))});
+    m_journal.vertices.push_back(
+        {v, m_vertexStamp[v], point(v), color(v), mask(v), isVertex(v), m_kernel.vertex(vertexHandle(v))});
     m_vertexStamp[v] = m_epoch;
 }
 
@@ -51,7 +53,8 @@ MeshDelta Mesh::endStroke()
 {
     assert(m_strokeOpen);
     m_strokeOpen = false;
-    commit({0, 0, 0, {}, 0}); // what was edited after a mark that was neither rolled back nor committed has several images
+    commit(
+        {0, 0, 0, {}, 0}); // what was edited after a mark that was neither rolled back nor committed has several images
     m_meshHash += hashChange(*this, m_journal);
     return std::move(m_journal);
 }
@@ -60,7 +63,8 @@ Mesh::Mark Mesh::mark()
 {
     assert(m_strokeOpen);
     ++m_epoch;
-    return {m_journal.vertices.size(), m_journal.edges.size(), m_journal.faces.size(), slots(), m_epoch, m_frame, m_removed.size()};
+    return {m_journal.vertices.size(), m_journal.edges.size(), m_journal.faces.size(), slots(), m_epoch, m_frame,
+            m_removed.size()};
 }
 
 void Mesh::rollback(const Mark& mark)
@@ -86,7 +90,8 @@ void Mesh::commit(const Mark& mark)
 {
     const auto forget = [&](auto& images, std::size_t from) {
         const auto known = [&](const auto& image) { return image.stamp >= m_baseEpoch; };
-        images.erase(std::remove_if(images.begin() + static_cast<std::ptrdiff_t>(from), images.end(), known), images.end());
+        images.erase(std::remove_if(images.begin() + static_cast<std::ptrdiff_t>(from), images.end(), known),
+                     images.end());
     };
     forget(m_journal.vertices, mark.vertices);
     forget(m_journal.edges, mark.edges);
@@ -159,7 +164,8 @@ void Mesh::swap(MeshDelta& delta)
 void Mesh::swapImage(VertexImage& image)
 {
     const Slot v = image.slot;
-    const VertexImage now = {v, image.stamp, point(v), color(v), mask(v), isVertex(v), m_kernel.vertex(vertexHandle(v))};
+    const VertexImage now = {
+        v, image.stamp, point(v), color(v), mask(v), isVertex(v), m_kernel.vertex(vertexHandle(v))};
     m_kernel.set_point(vertexHandle(v), image.point);
     m_kernel.set_color(vertexHandle(v), {image.color.r, image.color.g, image.color.b, image.mask});
     m_kernel.vertex(vertexHandle(v)) = image.item;

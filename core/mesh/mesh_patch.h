@@ -23,9 +23,9 @@ struct SlotSpan
     friend bool operator==(const SlotSpan&, const SlotSpan&) = default;
 };
 
-/// What viewers must draw anew. The draw arrays are slot-stable: vertex slot i is vertex i of the buffers, face slot f is
-/// index triple f (a free face is 0,0,0). Values are absolute, so a newer patch may be merged into an older one, slot by
-/// slot. Spans are ascending, disjoint and not adjacent. A patch is always the mesh of a sub-step's boundary.
+/// What viewers must draw anew. The draw arrays are slot-stable: vertex slot i is vertex i of the buffers, face slot f
+/// is index triple f (a free face is 0,0,0). Values are absolute, so a newer patch may be merged into an older one,
+/// slot by slot. Spans are ascending, disjoint and not adjacent. A patch is always the mesh of a sub-step's boundary.
 struct MeshPatch
 {
     std::vector<SlotSpan> vertexSpans;
@@ -39,7 +39,8 @@ struct MeshPatch
     std::uint64_t epoch = 0;    ///< grows with each patch of a mesh
     std::int64_t sampledNs = 0; ///< steady-clock time of the input that this patch answers, 0 if none (latency)
     bool whole = false;         ///< covers every slot: an earlier patch, or another mesh, need not be known
-    bool shortens = false;      ///< the draw arrays end sooner than they did: all that changes, where the last slots are given back
+    /// The draw arrays end sooner than they did: all that changes, where the last slots are given back.
+    bool shortens = false;
 
     bool empty() const { return vertexSpans.empty() && faceSpans.empty() && !whole && !shortens; }
 

@@ -4,8 +4,8 @@
 
 namespace core
 {
-/// Returns the area-weighted normal of a vertex: an exact sum of products of lattice coordinates, so the order of the faces does not
-/// matter. In squared units of the document, not normalised; zero where the star's areas cancel.
+/// Returns the area-weighted normal of a vertex: an exact sum of products of lattice coordinates, so the order of the
+/// faces does not matter. In squared units of the document, not normalised; zero where the star's areas cancel.
 Vec3 vertexNormal(const Mesh& mesh, Slot v);
 
 /// Returns the normal of a face; its length is twice the area.

@@ -66,7 +66,8 @@ Rgb colorAt(const Mesh& mesh, Slot f, const Corners& t, const Vec3& position)
         area += share;
     }
     const Vec3 mean = (sum / area).array() + 0.5;
-    return {static_cast<std::uint8_t>(mean.x()), static_cast<std::uint8_t>(mean.y()), static_cast<std::uint8_t>(mean.z())};
+    return {static_cast<std::uint8_t>(mean.x()), static_cast<std::uint8_t>(mean.y()),
+            static_cast<std::uint8_t>(mean.z())};
 }
 
 SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Vec3& position, double distance)

@@ -1,6 +1,7 @@
 // Exchanging faces (see surgery.h):
 //   1. the half-edges of the faces that go stand open
-//   2. each side of a face that comes takes an open half-edge, or the opposite of a side that came before it, or a new edge
+//   2. each side of a face that comes takes an open half-edge, or the opposite of a side that came before it, or a new
+//   edge
 //   3. edges and vertices that nothing uses any more go
 
 #include "core/mesh/surgery.h"
@@ -127,7 +128,8 @@ Surgery additionOf(const TriangleMesh& shell, Slot near)
     Surgery surgery;
     surgery.near = near;
     for (std::size_t i = 0; i < shell.points.size(); ++i)
-        surgery.vertices.push_back({shell.points[i], shell.colors.empty() ? Rgb() : shell.colors[i], noSlot, shell.masks.empty() ? std::uint8_t(0) : shell.masks[i]});
+        surgery.vertices.push_back({shell.points[i], shell.colors.empty() ? Rgb() : shell.colors[i], noSlot,
+                                    shell.masks.empty() ? std::uint8_t(0) : shell.masks[i]});
     for (const Triangle& t : shell.triangles)
         surgery.faces.push_back({Surgery::newVertex(t[0]), Surgery::newVertex(t[1]), Surgery::newVertex(t[2])});
     return surgery;
@@ -162,7 +164,8 @@ void splitUmbrellas(const Mesh& mesh, Surgery& surgery, double apart)
                 mean += pointOf(w);
             mean /= static_cast<double>(rings[i].size());
             const Slot copy = Surgery::newVertex(surgery.vertices.size());
-            surgery.vertices.push_back({mesh.lattice().snap(pointOf(v) + apart * (mean - pointOf(v))), mesh.color(v), v, mesh.mask(v)});
+            surgery.vertices.push_back(
+                {mesh.lattice().snap(pointOf(v) + apart * (mean - pointOf(v))), mesh.color(v), v, mesh.mask(v)});
 
             // The faces of this cycle take the copy; those of the mesh go, and come again with it.
             const std::vector<Slot> ring = sorted(rings[i]);

@@ -4,16 +4,16 @@
 //   3. collapse   the first, if it turns no face over and narrows none to a sliver
 //   4. verify     what changed, exactly; a collapse after which faces meet is taken back                verified_mesh
 //   5. repeat     until there are few enough triangles, or none can go
-// Source: Garland and Heckbert 1997 and 1998 (quadric.h). MeshLab, Blender, meshoptimizer and OpenMesh's decimater do 1 to 3, none of them
-// does 4. Measured on a wavy ball, 82 thousand to 8 thousand triangles, mean distance: 0.348 mm here, 0.363 mm meshoptimizer 0.18 (fifty
-// times faster, 7 pairs of faces meet), 0.369 mm OpenMesh 9 (6 pairs meet).
+// Source: Garland and Heckbert 1997 and 1998 (quadric.h). MeshLab, Blender, meshoptimizer and OpenMesh's decimater do 1
+// to 3, none of them does 4. Measured on a wavy ball, 82 thousand to 8 thousand triangles, mean distance: 0.348 mm
+// here, 0.363 mm meshoptimizer 0.18 (fifty times faster, 7 pairs of faces meet), 0.369 mm OpenMesh 9 (6 pairs meet).
 
 #include "core/operations/decimate.h"
 
-#include "core/sculpt/verify/verified_mesh.h"
+#include "core/geometry/quadric.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/normals.h"
-#include "core/geometry/quadric.h"
+#include "core/sculpt/verify/verified_mesh.h"
 
 #include <algorithm>
 #include <queue>
@@ -22,7 +22,8 @@ namespace core
 {
 namespace
 {
-/// A whole step of a colour weighs as much as this share of the longest side. A guess that keeps painted edges on the models tried.
+/// A whole step of a colour weighs as much as this share of the longest side. A guess that keeps painted edges on the
+/// models tried.
 constexpr double colorReach = 0.1;
 /// Where a surface is flat its vertices stay in the middle, and short edges go first.
 constexpr double pull = 1e-6, perLength = 1e-4;
@@ -36,7 +37,12 @@ template <int N> class Decimater
 {
 public:
     Decimater(Mesh& mesh, std::size_t triangles, const JobControl& control)
-        : m_mesh(mesh), m_surface(mesh), m_target(triangles), m_control(control), m_stamps(mesh.slots().vertices, 0), m_start(mesh.live().faces)
+        : m_mesh(mesh)
+        , m_surface(mesh)
+        , m_target(triangles)
+        , m_control(control)
+        , m_stamps(mesh.slots().vertices, 0)
+        , m_start(mesh.live().faces)
     {
         Box box;
         for (Slot v = 0; v < mesh.slots().vertices; ++v)
@@ -136,7 +142,9 @@ template <int N> typename Decimater<N>::Place Decimater<N>::placeFor(Slot v0, Sl
     place.point = m_mesh.lattice().snap(Vec3(best.template head<3>()));
     place.color = m_mesh.color(v1);
     if constexpr (N == 6) {
-        const auto part = [&](int i) { return static_cast<std::uint8_t>(std::lround(std::clamp(best[i] / m_perColor, 0.0, 255.0))); };
+        const auto part = [&](int i) {
+            return static_cast<std::uint8_t>(std::lround(std::clamp(best[i] / m_perColor, 0.0, 255.0)));
+        };
         place.color = {part(3), part(4), part(5)};
     }
     place.error = sum.at(best) + perLength * sum.weight() * length2;
@@ -158,10 +166,12 @@ template <int N> void Decimater<N>::pushAll()
 template <int N> std::size_t Decimater<N>::collapseQueue()
 {
     std::size_t collapses = 0;
-    for (std::size_t steps = 0; !m_queue.empty() && !(steps % checkInterval == 0 ? isDone() : m_mesh.live().faces <= m_target); ++steps) {
+    for (std::size_t steps = 0;
+         !m_queue.empty() && !(steps % checkInterval == 0 ? isDone() : m_mesh.live().faces <= m_target); ++steps) {
         const Candidate candidate = m_queue.top();
         m_queue.pop();
-        if (candidate.stamp0 != m_stamps[candidate.v0] || candidate.stamp1 != m_stamps[candidate.v1] || !collapse(candidate))
+        if (candidate.stamp0 != m_stamps[candidate.v0] || candidate.stamp1 != m_stamps[candidate.v1] ||
+            !collapse(candidate))
             continue;
         ++collapses;
         m_mesh.forEachOutgoing(candidate.v1, [&](Slot h) { push(candidate.v1, m_mesh.to(h)); });
@@ -219,7 +229,8 @@ template <int N> bool Decimater<N>::keepsFaces(Slot v, Slot other, const Vec3& p
 template <int N> void Decimater<N>::tell() const
 {
     const double gone = static_cast<double>(m_start - m_mesh.live().faces);
-    m_control.reportProgress(gone / static_cast<double>(std::max<std::size_t>(1, m_start - std::min(m_start, m_target))));
+    m_control.reportProgress(gone /
+                             static_cast<double>(std::max<std::size_t>(1, m_start - std::min(m_start, m_target))));
 }
 
 bool isColored(const Mesh& mesh)
@@ -234,7 +245,8 @@ bool isColored(const Mesh& mesh)
 Decimated decimate(Mesh mesh, std::size_t triangles, const JobControl& control)
 {
     mesh.beginStroke();
-    const std::uint64_t refused = isColored(mesh) ? Decimater<6>(mesh, triangles, control).run() : Decimater<3>(mesh, triangles, control).run();
+    const std::uint64_t refused =
+        isColored(mesh) ? Decimater<6>(mesh, triangles, control).run() : Decimater<3>(mesh, triangles, control).run();
     if (control.isCancelled())
         return {};
     return {extractMesh(mesh), refused};

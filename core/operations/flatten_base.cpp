@@ -6,9 +6,9 @@
 
 #include "core/operations/flatten_base.h"
 
+#include "core/geometry/polygon_triangulation.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/transform.h"
-#include "core/geometry/polygon_triangulation.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -54,7 +54,8 @@ double BaseCutter::shortestEdge(Slot v) const
 void BaseCutter::settle()
 {
     for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
-        if (!m_mesh.isVertex(v) || height(v) == 0 || std::abs(static_cast<double>(height(v))) > settledHeightPerEdge * shortestEdge(v))
+        if (!m_mesh.isVertex(v) || height(v) == 0 ||
+            std::abs(static_cast<double>(height(v))) > settledHeightPerEdge * shortestEdge(v))
             continue;
         Vec3f p = m_mesh.point(v);
         p.y() = m_level;
@@ -158,7 +159,8 @@ void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, co
             cutter.part();
             const bool closed = cutter.cap();
             control.reportProgress(afterCapping);
-            if (closed && !control.isCancelled() && checkMesh(extractMesh(mesh), control.part(afterCapping, 1)).printReady())
+            if (closed && !control.isCancelled() &&
+                checkMesh(extractMesh(mesh), control.part(afterCapping, 1)).printReady())
                 return;
             mesh.rollback(mark);
             if (control.isCancelled())

@@ -7,13 +7,13 @@
 
 #include "core/operations/insert_model.h"
 
+#include "core/analysis/self_intersection.h"
 #include "core/geometry/face_geometry.h"
-#include "core/mesh/lattice_fit.h"
 #include "core/geometry/lattice_placement.h"
+#include "core/geometry/morton_order.h"
+#include "core/mesh/lattice_fit.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/transform.h"
-#include "core/geometry/morton_order.h"
-#include "core/analysis/self_intersection.h"
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
 // What may be asked of the whole mask, each a value per vertex that follows from the masks before:
 //   invert, clear, sharpen    from its own
 //   blur, grow, shrink        from its own and its neighbours', as one ring of edges lies around it
-//   cavity, color, part       from the surface: what is hollow, of a colour, or in one piece with what is masked is masked, too
+//   cavity, color, part       from the surface: what is hollow, of a colour, or in one piece with what is masked is
+//   masked, too
 
 #include "core/operations/mask_operations.h"
 
@@ -73,8 +74,8 @@ template <class Choose> Masks spread(const Mesh& mesh, Choose choose)
     });
 }
 
-/// How deep a vertex lies below its neighbours' mean, in terms of the edges around it; negative above. Sums are exact, so that mirror
-/// images are as hollow.
+/// How deep a vertex lies below its neighbours' mean, in terms of the edges around it; negative above. Sums are exact,
+/// so that mirror images are as hollow.
 double hollowness(const Mesh& mesh, Slot v)
 {
     const Vec3 p = mesh.point(v).cast<double>(), normal = vertexNormal(mesh, v);
@@ -95,7 +96,9 @@ Masks hollows(const Mesh& mesh)
         squares += depth[v] * depth[v];
     });
     const double mean = std::sqrt(squares / mesh.live().vertices);
-    return each(mesh, [&](Slot v) { return std::max(mesh.mask(v), mean > 0 ? clamped(255 * depth[v] / mean) : std::uint8_t(0)); });
+    return each(mesh, [&](Slot v) {
+        return std::max(mesh.mask(v), mean > 0 ? clamped(255 * depth[v] / mean) : std::uint8_t(0));
+    });
 }
 
 Masks ofColor(const Mesh& mesh, Rgb color)
@@ -132,15 +135,24 @@ Masks wholeParts(const Mesh& mesh)
 Masks changed(const Mesh& mesh, const MaskOperation& command)
 {
     switch (command.how) {
-    case MaskOperation::Kind::Invert: return each(mesh, [&](Slot v) { return static_cast<std::uint8_t>(whole - mesh.mask(v)); });
-    case MaskOperation::Kind::Blur: return blurred(mesh);
-    case MaskOperation::Kind::Sharpen: return each(mesh, [&](Slot v) { return clamped(2.0 * mesh.mask(v) - 127.5); });
-    case MaskOperation::Kind::Grow: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
-    case MaskOperation::Kind::Shrink: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
-    case MaskOperation::Kind::Cavity: return hollows(mesh);
-    case MaskOperation::Kind::Color: return ofColor(mesh, command.color);
-    case MaskOperation::Kind::Part: return wholeParts(mesh);
-    case MaskOperation::Kind::Clear: break;
+    case MaskOperation::Kind::Invert:
+        return each(mesh, [&](Slot v) { return static_cast<std::uint8_t>(whole - mesh.mask(v)); });
+    case MaskOperation::Kind::Blur:
+        return blurred(mesh);
+    case MaskOperation::Kind::Sharpen:
+        return each(mesh, [&](Slot v) { return clamped(2.0 * mesh.mask(v) - 127.5); });
+    case MaskOperation::Kind::Grow:
+        return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    case MaskOperation::Kind::Shrink:
+        return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
+    case MaskOperation::Kind::Cavity:
+        return hollows(mesh);
+    case MaskOperation::Kind::Color:
+        return ofColor(mesh, command.color);
+    case MaskOperation::Kind::Part:
+        return wholeParts(mesh);
+    case MaskOperation::Kind::Clear:
+        break;
     }
     return Masks(mesh.slots().vertices);
 }

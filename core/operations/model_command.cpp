@@ -1,12 +1,12 @@
 #include "core/operations/model_command.h"
 
-#include "core/operations/flatten_base.h"
-#include "core/operations/mask_operations.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/flatten_base.h"
 #include "core/operations/insert_model.h"
+#include "core/operations/mask_operations.h"
 #include "core/operations/snapshot.h"
-#include "core/operations/transform.h"
 #include "core/operations/symmetrize.h"
+#include "core/operations/transform.h"
 #include "core/operations/uniform_remesh.h"
 
 namespace core

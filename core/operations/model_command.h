@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/analysis/mesh_check.h"
+#include "core/mesh/mesh.h"
 #include "core/stroke/tool.h"
 #include "core/util/job_control.h"
-#include "core/mesh/mesh.h"
-#include "core/analysis/mesh_check.h"
 
 #include <memory>
 #include <optional>
@@ -33,12 +33,10 @@ struct Mirror
 };
 /// The middle of the bounding box, snapped, goes to the origin.
 struct Recentre
-{
-};
+{};
 /// The lowest point goes to y = 0, where a printer's bed is.
 struct PlaceOnBed
-{
-};
+{};
 /// What lies below a level plane goes, and the cut is closed: a flat base.
 struct FlattenBase
 {
@@ -96,22 +94,22 @@ struct Reset
     std::shared_ptr<const Snapshot> start;
 };
 
-using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize, Reset,
-                                  PlaceOnBed, FlattenBase, MaskOperation>;
+using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize,
+                                  Reset, PlaceOnBed, FlattenBase, MaskOperation>;
 
 /// Why the model was left as it is.
 enum class ModelRefusal {
     None,
-    FacesMeet, ///< on the lattice, whatever was tried: `faces` of them
-    TooFar,    ///< from the origin, for its size
-    TooLarge,  ///< or too small: `ModelLimits`
-    Unsound,   ///< the inserted model does not bound a solid: `report` says why
-    Inside,    ///< one of the models would lie inside the other
-    Touching,  ///< the inserted model would touch the present one
+    FacesMeet,  ///< on the lattice, whatever was tried: `faces` of them
+    TooFar,     ///< from the origin, for its size
+    TooLarge,   ///< or too small: `ModelLimits`
+    Unsound,    ///< the inserted model does not bound a solid: `report` says why
+    Inside,     ///< one of the models would lie inside the other
+    Touching,   ///< the inserted model would touch the present one
     EmptyHalf,  ///< nothing of the model lies on that side of the plane
     HalvesMeet, ///< the half and its image do not make a sound solid: they touch, or meet at `faces` pairs of faces
-    NoBase,    ///< there is nothing to cut at that height, or what is left makes no sound solid
-    TooFine    ///< the mesh would need too many faces (`faces`), or edges that the lattice cannot hold
+    NoBase,     ///< there is nothing to cut at that height, or what is left makes no sound solid
+    TooFine     ///< the mesh would need too many faces (`faces`), or edges that the lattice cannot hold
 };
 
 /// What a command comes to.
@@ -127,11 +125,12 @@ struct ModelChange
 struct ModelLimits
 {
     static constexpr double minExtent = 1e-6, maxExtent = 1e7; ///< of the largest |coordinate|
-    static constexpr std::size_t maxFaces = 20'000'000;          ///< that a remeshing may aim at
+    static constexpr std::size_t maxFaces = 20'000'000;        ///< that a remeshing may aim at
 };
 
-/// Tries the command on a copy of the mesh and checks the outcome wholly and exactly. The mesh itself changes when the delta
-/// is swapped in: until then it must stay in the state of which `copy` is a copy. Any thread; whole-mesh cost, on all cores.
+/// Tries the command on a copy of the mesh and checks the outcome wholly and exactly. The mesh itself changes when the
+/// delta is swapped in: until then it must stay in the state of which `copy` is a copy. Any thread; whole-mesh cost, on
+/// all cores.
 ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control = {});
 
 /// Faces that a uniform mesh of that d_detail has on a surface of that area, about.

@@ -6,8 +6,8 @@
 
 #include "core/operations/reference_surface.h"
 
-#include "core/mesh/normals.h"
 #include "core/geometry/point_triangle.h"
+#include "core/mesh/normals.h"
 #include "core/sculpt/remesh/remesh.h"
 
 #include <algorithm>
@@ -20,15 +20,16 @@ namespace
 constexpr double farthest = 0.5, sameSheetCosine = 0.5;
 /// Most are found within this share of that.
 constexpr double usualShare = 0.125;
-/// Edges sharper than about 45 degrees are creases; where more of them meet than in a corner the surface is rough, not sharp.
+/// Edges sharper than about 45 degrees are creases; where more of them meet than in a corner the surface is rough, not
+/// sharp.
 constexpr double creaseCosine = 0.7;
 constexpr std::size_t maxCreases = 4;
 /// Projections onto the sides of a crease in turn converge; on flat sides the first ones get there.
 constexpr int projections = 3;
 /// In d.
 constexpr double maxRaise = 0.25;
-/// When it is a vertex's turn, half of its neighbours, whose edges lie half as high as they do, wait for theirs: were all at
-/// the height h, a depth of h - h/4 would be seen.
+/// When it is a vertex's turn, half of its neighbours, whose edges lie half as high as they do, wait for theirs: were
+/// all at the height h, a depth of h - h/4 would be seen.
 constexpr double heightPerDepth = 1.25;
 
 struct Sectors

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/stroke/tool.h"
 #include "core/mesh/face_octree.h"
+#include "core/stroke/tool.h"
 
 #include <optional>
 
@@ -13,11 +13,11 @@ class ReferenceSurface
 public:
     explicit ReferenceSurface(const Mesh& mesh);
 
-    /// Half way towards the mean of v's neighbours and back onto the surface; at a crease of the new mesh along the crease and
-    /// onto both of its sides, at a corner onto all. Never on another sheet than v's own.
+    /// Half way towards the mean of v's neighbours and back onto the surface; at a crease of the new mesh along the
+    /// crease and onto both of its sides, at a corner onto all. Never on another sheet than v's own.
     Vec3 evenPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const;
-    /// Beside the surface, so that the edges around v lie on it in the mean: else those of a round shape lie inside it, and
-    /// volume is lost. At creases and corners v stays.
+    /// Beside the surface, so that the edges around v lie on it in the mean: else those of a round shape lie inside it,
+    /// and volume is lost. At creases and corners v stays.
     Vec3 raisedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const;
 
 private:

@@ -14,7 +14,8 @@ namespace
 constexpr double half = 50; ///< of the longest side, mm
 constexpr int sphereSubdivisions = 5;
 
-constexpr std::string_view names[] = {"ball", "cube", "torus", "slab", "vase", "head", "tablet"}; ///< in the order of Starter
+/// In the order of Starter.
+constexpr std::string_view names[] = {"ball", "cube", "torus", "slab", "vase", "head", "tablet"};
 static_assert(std::size(names) == std::size(starters));
 
 /// The quad a, b, c, d, counter-clockwise. Diagonals alternate, so that the pattern is its own mirror image.

@@ -25,7 +25,9 @@ class Symmetrizer
 {
 public:
     Symmetrizer(Mesh& mesh, const Symmetrize& command)
-        : m_mesh(mesh), m_mirror(mesh), m_side(command.keep == Half::Positive ? 1.0f : -1.0f)
+        : m_mesh(mesh)
+        , m_mirror(mesh)
+        , m_side(command.keep == Half::Positive ? 1.0f : -1.0f)
     {
         m_mirror.setPlane(command.plane);
     }
@@ -149,7 +151,9 @@ void symmetrize(Mesh& mesh, const Symmetrize& command, ModelChange& change, cons
         symmetrizer.part();
         const bool closed = symmetrizer.mirror();
         control.reportProgress(afterMirroring);
-        const MeshReport report = closed && !control.isCancelled() ? checkMesh(extractMesh(mesh), control.part(afterMirroring, 1)) : MeshReport();
+        const MeshReport report = closed && !control.isCancelled()
+                                      ? checkMesh(extractMesh(mesh), control.part(afterMirroring, 1))
+                                      : MeshReport();
         if (report.printReady())
             return;
         change.faces = report.intersections.count + report.degenerateFaces.count;

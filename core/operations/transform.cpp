@@ -6,8 +6,8 @@
 
 #include "core/operations/transform.h"
 
-#include "core/mesh/lattice_fit.h"
 #include "core/geometry/lattice_placement.h"
+#include "core/mesh/lattice_fit.h"
 
 namespace core
 {
@@ -52,7 +52,8 @@ void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& 
     if (change.refusal != ModelRefusal::None)
         return;
     const Lattice lattice = latticeFor(box, mesh.lattice());
-    const LatticeFit fit = fitToLattice(lattice, places, mirrored ? turnedOver(liveFaces(mesh)) : liveFaces(mesh), control);
+    const LatticeFit fit =
+        fitToLattice(lattice, places, mirrored ? turnedOver(liveFaces(mesh)) : liveFaces(mesh), control);
     if (control.isCancelled())
         return;
     control.reportProgress(afterFit);

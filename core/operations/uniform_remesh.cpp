@@ -10,13 +10,13 @@
 
 #include "core/operations/uniform_remesh.h"
 
-#include "core/sculpt/verify/verified_mesh.h"
-#include "core/mesh/lattice_fit.h"
-#include "core/operations/transform.h"
 #include "core/geometry/morton_order.h"
+#include "core/mesh/lattice_fit.h"
 #include "core/mesh/normals.h"
 #include "core/operations/reference_surface.h"
+#include "core/operations/transform.h"
 #include "core/sculpt/remesh/remesh.h"
+#include "core/sculpt/verify/verified_mesh.h"
 
 #include <algorithm>
 
@@ -41,9 +41,12 @@ class UniformRemesher
 {
 public:
     UniformRemesher(Mesh& mesh, const EdgeBounds& bounds, const JobControl& control)
-        : m_mesh(mesh), m_bounds(bounds), m_control(control), m_surface(mesh), m_original(mesh)
-    {
-    }
+        : m_mesh(mesh)
+        , m_bounds(bounds)
+        , m_control(control)
+        , m_surface(mesh)
+        , m_original(mesh)
+    {}
 
     void run();
 
@@ -126,7 +129,8 @@ std::size_t UniformRemesher::patchSize() const
 void UniformRemesher::round(int number)
 {
     const double share = shareOfRound * (afterRounds - m_done);
-    overPatches({number % 2 == 0 ? 0 : patchSize() / 2, share, number > 0}, [&](MeshEditor edit) { optimiseWith(edit); });
+    overPatches({number % 2 == 0 ? 0 : patchSize() / 2, share, number > 0},
+                [&](MeshEditor edit) { optimiseWith(edit); });
 }
 
 void UniformRemesher::raise()
@@ -211,7 +215,8 @@ Evenness evennessOf(const Mesh& mesh, const EdgeBounds& bounds)
     for (Slot e = 0; e < mesh.slots().edges; ++e) {
         if (!mesh.isEdge(e))
             continue;
-        const double length2 = (mesh.point(mesh.to(2 * e)) - mesh.point(mesh.to(2 * e + 1))).cast<double>().squaredNorm();
+        const double length2 =
+            (mesh.point(mesh.to(2 * e)) - mesh.point(mesh.to(2 * e + 1))).cast<double>().squaredNorm();
         ++evenness.edges;
         evenness.tooLong += length2 > bounds.detail * bounds.detail && mesh.mayBeSplit(e) ? 1 : 0;
         evenness.tooShort += length2 < bounds.minimum * bounds.minimum && mesh.mayGo(e) ? 1 : 0;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/stroke/tool.h"
 #include "core/operations/model_command.h"
+#include "core/stroke/tool.h"
 
 namespace core
 {
@@ -20,6 +20,7 @@ Evenness evennessOf(const Mesh& mesh, const EdgeBounds& bounds);
 
 double areaOf(const Mesh& mesh);
 
-/// Edits the mesh, whose stroke is open. Stopped or refused, it leaves the mesh half done: the caller takes the stroke back.
+/// Edits the mesh, whose stroke is open. Stopped or refused, it leaves the mesh half done: the caller takes the stroke
+/// back.
 void remeshUniformly(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobControl& control);
 } // namespace core

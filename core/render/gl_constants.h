@@ -1,7 +1,7 @@
 #pragma once
 
-/// What OpenGL calls its own things, for templates over a table of its functions: core includes none of its headers and links none
-/// of its libraries.
+/// What OpenGL calls its own things, for templates over a table of its functions: core includes none of its headers and
+/// links none of its libraries.
 namespace core::gl
 {
 inline constexpr unsigned int triangles = 0x0004;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/render/gl_constants.h"
 #include "core/mesh/mesh_patch.h"
+#include "core/render/gl_constants.h"
 #include "core/render/vertex_weight_buffer.h"
 
 #include <cassert>
@@ -10,8 +10,9 @@
 
 namespace core
 {
-/// The clay's vertices and triangles in OpenGL, slot by slot as patches give them, for each room that draws clay. No copy is kept on
-/// the CPU. The context that was current at create() must be current at every call. `Gl`: a room's table of OpenGL's functions, of version 3.3 core or more, under their own names.
+/// The clay's vertices and triangles in OpenGL, slot by slot as patches give them, for each room that draws clay. No
+/// copy is kept on the CPU. The context that was current at create() must be current at every call. `Gl`: a room's
+/// table of OpenGL's functions, of version 3.3 core or more, under their own names.
 template <class Gl> class MeshBuffer
 {
 public:
@@ -34,7 +35,8 @@ public:
     void shade(const Footprint* shades);
     bool isShaded() const { return m_isShaded; }
 
-    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour, 3 the footprint's weight, 4 the shade.
+    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour, 3 the footprint's
+    /// weight, 4 the shade.
     void draw() const;
 
     bool empty() const { return m_faceSlots == 0; }
@@ -151,7 +153,8 @@ template <class Gl> void MeshBuffer<Gl>::grow(Buffer& buffer, std::size_t usedBy
     allocate(larger, withReserve(neededBytes));
     if (usedBytes > 0) {
         m_gl->glBindBuffer(gl::copyReadBuffer, buffer.id);
-        m_gl->glCopyBufferSubData(gl::copyReadBuffer, gl::copyWriteBuffer, 0, 0, static_cast<std::ptrdiff_t>(usedBytes));
+        m_gl->glCopyBufferSubData(gl::copyReadBuffer, gl::copyWriteBuffer, 0, 0,
+                                  static_cast<std::ptrdiff_t>(usedBytes));
     }
     m_gl->glDeleteBuffers(1, &buffer.id);
     buffer = larger;
@@ -169,7 +172,8 @@ void MeshBuffer<Gl>::upload(const Buffer& buffer, const std::vector<SlotSpan>& s
     for (const SlotSpan& span : spans) {
         const std::size_t first = span.first * sizeof(Value), bytes = span.count * sizeof(Value);
         assert(first + bytes <= buffer.capacity && next + span.count <= values.data() + values.size());
-        m_gl->glBufferSubData(gl::copyWriteBuffer, static_cast<std::ptrdiff_t>(first), static_cast<std::ptrdiff_t>(bytes), next);
+        m_gl->glBufferSubData(gl::copyWriteBuffer, static_cast<std::ptrdiff_t>(first),
+                              static_cast<std::ptrdiff_t>(bytes), next);
         next += span.count;
         m_counters.bytes += bytes;
     }

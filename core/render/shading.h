@@ -4,7 +4,8 @@
 
 namespace core
 {
-/// What viewers make of the clay, on the desktop and in the headset: the numbers that clay.frag takes. Colours are linear light.
+/// What viewers make of the clay, on the desktop and in the headset: the numbers that clay.frag takes. Colours are
+/// linear light.
 struct Shading
 {
     Vec3f tint = Vec3f::Zero();    ///< times the vertex's colour; a model that nobody painted is grey 200, linear 0.58

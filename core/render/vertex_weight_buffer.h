@@ -9,8 +9,8 @@
 
 namespace core
 {
-/// One byte a vertex slot in OpenGL: the weight of a footprint, 0 outside. The context that was current at create() must be current
-/// at every call. `Gl`: as MeshBuffer's.
+/// One byte a vertex slot in OpenGL: the weight of a footprint, 0 outside. The context that was current at create()
+/// must be current at every call. `Gl`: as MeshBuffer's.
 template <class Gl> class VertexWeightBuffer
 {
 public:
@@ -21,8 +21,8 @@ public:
     /// For so many slots, nothing tinted.
     void clear(std::size_t slots);
     void grow(std::size_t slots);
-    /// In place of what was tinted before; null: nothing. Slots that there are not are left out. Cost: the pages of slots that
-    /// either footprint lies in.
+    /// In place of what was tinted before; null: nothing. Slots that there are not are left out. Cost: the pages of
+    /// slots that either footprint lies in.
     void show(const Footprint* footprint);
 
 private:
@@ -85,7 +85,8 @@ template <class Gl> void VertexWeightBuffer<Gl>::uploadAll()
 {
     m_touched.assign(m_weights.size() / page + 1, false);
     m_gl->glBindBuffer(gl::copyWriteBuffer, m_id);
-    m_gl->glBufferData(gl::copyWriteBuffer, static_cast<std::ptrdiff_t>(m_weights.size()), m_weights.data(), gl::dynamicDraw);
+    m_gl->glBufferData(gl::copyWriteBuffer, static_cast<std::ptrdiff_t>(m_weights.size()), m_weights.data(),
+                       gl::dynamicDraw);
 }
 
 /// Pages that lie side by side go at once.
@@ -96,8 +97,8 @@ template <class Gl> void VertexWeightBuffer<Gl>::uploadTouched()
         const auto last = std::find(first, m_touched.end(), false);
         const auto from = static_cast<std::size_t>(first - m_touched.begin()) * page;
         const auto to = std::min(static_cast<std::size_t>(last - m_touched.begin()) * page, m_weights.size());
-        m_gl->glBufferSubData(gl::copyWriteBuffer, static_cast<std::ptrdiff_t>(from), static_cast<std::ptrdiff_t>(to - from),
-                              m_weights.data() + from);
+        m_gl->glBufferSubData(gl::copyWriteBuffer, static_cast<std::ptrdiff_t>(from),
+                              static_cast<std::ptrdiff_t>(to - from), m_weights.data() + from);
         std::fill(first, last, false);
         first = std::find(last, m_touched.end(), true);
     }

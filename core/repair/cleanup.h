@@ -6,7 +6,8 @@
 
 namespace core::repair
 {
-/// Equal points become one, the first of them; points that no face uses go. Returns how many points went because they were equal.
+/// Equal points become one, the first of them; points that no face uses go. Returns how many points went because they
+/// were equal.
 std::size_t weld(TriangleSoup& surface);
 
 enum class Duplicates {
@@ -20,7 +21,8 @@ struct CleanupResult
     std::size_t duplicates = 0; ///< faces that went because of others with the same corners
 };
 
-/// Afterwards no face is degenerate and there are no duplicates (with Cancel: none that run opposite ways). The surface stays
-/// where it is: a face whose corners lie on a line gives the middle one to the face across its long side. Points are welded.
+/// Afterwards no face is degenerate and there are no duplicates (with Cancel: none that run opposite ways). The surface
+/// stays where it is: a face whose corners lie on a line gives the middle one to the face across its long side. Points
+/// are welded.
 CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates);
 } // namespace core::repair

@@ -1,4 +1,5 @@
-// 1. halve   each edge of four faces or more gets a vertex in its middle, so that every part of it will have an end of its own
+// 1. halve   each edge of four faces or more gets a vertex in its middle, so that every part of it will have an end of
+// its own
 // 2. pair    faces at such an edge that have solid between them, by their exact order around it
 // 3. split   each vertex into one for each fan of faces that are joined around it
 // 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact check of the whole
@@ -8,9 +9,9 @@
 
 #include "core/repair/edge_faces.h"
 
-#include "core/util/disjoint_sets.h"
-#include "core/geometry/predicates.h"
 #include "core/analysis/self_intersection.h"
+#include "core/geometry/predicates.h"
+#include "core/util/disjoint_sets.h"
 
 #include <cmath>
 #include <map>
@@ -113,7 +114,8 @@ public:
     Slot root(Slot corner) { return m_sets.root(corner); }
 
 private:
-    /// A face that runs the edge forward has the solid on one side of it, seen along the edge; one that runs it back, on the other.
+    /// A face that runs the edge forward has the solid on one side of it, seen along the edge; one that runs it back,
+    /// on the other.
     void pair(std::vector<EdgeFace> around)
     {
         std::sort(around.begin(), around.end(), Around(m_surface, around[0]));
@@ -199,8 +201,8 @@ struct Fan
     double shortestEdge = std::numeric_limits<double>::infinity();
 };
 
-/// Into the cone that the fan is, be it one of the solid or one of what is outside: never into the space around it, where other
-/// fans may be. Zero if it is no cone with a view of all of its faces.
+/// Into the cone that the fan is, be it one of the solid or one of what is outside: never into the space around it,
+/// where other fans may be. Zero if it is no cone with a view of all of its faces.
 Vec3 wayInto(const Fan& fan)
 {
     for (const double side : {1.0, -1.0}) {

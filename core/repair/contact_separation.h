@@ -14,8 +14,8 @@ struct SeparationResult
     std::size_t joined = 0;              ///< of both, where that would not help
 };
 
-/// Parts of the solid that touch at edges or vertices only draw back from each other there, by a few lattice units. Where they
-/// cannot, a small solid is added to join them, a closed surface of its own: then the whole must be resolved again. The surface
-/// bounds a solid but for those touches.
+/// Parts of the solid that touch at edges or vertices only draw back from each other there, by a few lattice units.
+/// Where they cannot, a small solid is added to join them, a closed surface of its own: then the whole must be resolved
+/// again. The surface bounds a solid but for those touches.
 SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control = {});
 } // namespace core::repair

@@ -6,8 +6,8 @@
 #include "core/repair/edge_faces.h"
 
 #include "core/geometry/box_tree.h"
-#include "core/util/disjoint_sets.h"
 #include "core/geometry/proximity_grid.h"
+#include "core/util/disjoint_sets.h"
 
 #include <cmath>
 #include <unordered_map>
@@ -140,7 +140,7 @@ private:
     }
 
     const Rim& m_rim;
-    DisjointSets m_sets;                        ///< of places in Rim::vertices
+    DisjointSets m_sets;                      ///< of places in Rim::vertices
     std::vector<std::vector<Slot>> m_members; ///< by root
 };
 
@@ -283,7 +283,8 @@ private:
         visit(from, to);
     }
 
-    /// An edge is split only if each part of it then lies along another one: what happens to come near is no crack. Any dropped?
+    /// An edge is split only if each part of it then lies along another one: what happens to come near is no crack. Any
+    /// dropped?
     bool dropLoose()
     {
         std::unordered_map<std::uint64_t, int> times;
@@ -292,7 +293,8 @@ private:
         std::vector<std::uint64_t> loose;
         for (const EdgeFace& edge : m_rim.edges) {
             bool isLoose = false;
-            forEachPart(edge, [&](Slot a, Slot b) { isLoose = isLoose || times[key(std::min(a, b), std::max(a, b))] < 2; });
+            forEachPart(edge,
+                        [&](Slot a, Slot b) { isLoose = isLoose || times[key(std::min(a, b), std::max(a, b))] < 2; });
             const auto [from, to] = endsOf(edge);
             if (isLoose && m_points.contains(key(from, to)))
                 loose.push_back(key(from, to));

@@ -45,8 +45,9 @@ inline std::vector<EdgeFace> edgeFacesOf(std::span<const Triangle> triangles)
     std::vector<EdgeFace> edges(3 * triangles.size());
     forEach([&](const EdgeFace& e) { edges[end[e.low]++] = e; });
     for (std::size_t begin = 0, v = 0; begin < edges.size(); begin = end[v++])
-        std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.begin() + static_cast<std::ptrdiff_t>(end[v]),
-                  [](const EdgeFace& a, const EdgeFace& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
+        std::sort(
+            edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.begin() + static_cast<std::ptrdiff_t>(end[v]),
+            [](const EdgeFace& a, const EdgeFace& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
     return edges;
 }
 

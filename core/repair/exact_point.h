@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
-/// Points where lines and planes through lattice points meet, and exact questions about them. They are rational: kept as
-/// homogeneous integers in lowest terms, so that equal points have equal numbers, with the nearest doubles beside them, which
-/// answer nearly every question (a filter in the manner of Shewchuk 1997).
+/// Points where lines and planes through lattice points meet, and exact questions about them. They are rational: kept
+/// as homogeneous integers in lowest terms, so that equal points have equal numbers, with the nearest doubles beside
+/// them, which answer nearly every question (a filter in the manner of Shewchuk 1997).
 namespace core::repair
 {
 using Integer = boost::multiprecision::cpp_int;

@@ -19,8 +19,8 @@ struct HoleFillingResult
 /// A hole is large if its box is longer than this share of the surface's.
 inline constexpr double largeHole = 0.25;
 
-/// Closes the loops along which the surface ends (edges that faces do not run as often one way as the other) with the least area
-/// (Barequet and Sharir 1995), up to 300 corners; longer loops lose their most pointed corners first. What fills a hole may meet
-/// other faces. The surface is oriented.
+/// Closes the loops along which the surface ends (edges that faces do not run as often one way as the other) with the
+/// least area (Barequet and Sharir 1995), up to 300 corners; longer loops lose their most pointed corners first. What
+/// fills a hole may meet other faces. The surface is oriented.
 HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control = {});
 } // namespace core::repair

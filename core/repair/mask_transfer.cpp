@@ -28,7 +28,8 @@ std::vector<MaskedPlace> maskedPlaces(const TriangleMesh& mesh, const LatticePla
     std::ranges::sort(places, [](const MaskedPlace& a, const MaskedPlace& b) {
         return liesBefore(a.point, b.point) || (a.point == b.point && a.mask > b.mask);
     });
-    const auto doubles = std::ranges::unique(places, [](const MaskedPlace& a, const MaskedPlace& b) { return a.point == b.point; });
+    const auto doubles =
+        std::ranges::unique(places, [](const MaskedPlace& a, const MaskedPlace& b) { return a.point == b.point; });
     places.erase(doubles.begin(), doubles.end());
     return places;
 }

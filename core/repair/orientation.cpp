@@ -92,9 +92,13 @@ private:
 class VisibilityScan
 {
 public:
-    explicit VisibilityScan(const TriangleSoup& surface) : m_surface(surface), m_tree(faceBoxes(surface.points, surface.triangles)) {}
+    explicit VisibilityScan(const TriangleSoup& surface)
+        : m_surface(surface)
+        , m_tree(faceBoxes(surface.points, surface.triangles))
+    {}
 
-    /// From the middle of the face: how many of the axes' ways lead out before it, less how many behind. Both are added to `seen`.
+    /// From the middle of the face: how many of the axes' ways lead out before it, less how many behind. Both are added
+    /// to `seen`.
     int balance(Slot face, std::size_t& seen) const
     {
         const Triangle& t = m_surface.triangles[face];

@@ -14,8 +14,8 @@ struct OrientationResult
     std::size_t membranes = 0; ///< faces of sheets between others that nobody sees from outside: they went
 };
 
-/// Faces joined by edges of two run the same way as most of them did. Sheets that hang on edges of three or more are turned
-/// to where they are seen from, along the axes; those that are not seen at all go.
+/// Faces joined by edges of two run the same way as most of them did. Sheets that hang on edges of three or more are
+/// turned to where they are seen from, along the axes; those that are not seen at all go.
 OrientationResult orient(TriangleSoup& surface);
 
 struct OutwardResult
@@ -24,7 +24,7 @@ struct OutwardResult
     std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
 };
 
-/// Closed parts face outwards; those inside of others keep their way: inwards, they are cavities. With `innerAreCavities` parts
-/// inside of others that face outwards are turned as well.
+/// Closed parts face outwards; those inside of others keep their way: inwards, they are cavities. With
+/// `innerAreCavities` parts inside of others that face outwards are turned as well.
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
 } // namespace core::repair

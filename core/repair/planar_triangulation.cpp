@@ -207,8 +207,8 @@ void PlanarTriangulation::force(Slot from, Slot to)
     }
 }
 
-/// The angles across the edge sum up to more than half a turn: the sine of the sum is negative. By the doubles: a question of
-/// beauty only.
+/// The angles across the edge sum up to more than half a turn: the sine of the sum is negative. By the doubles: a
+/// question of beauty only.
 bool PlanarTriangulation::wantsFlip(Edge edge) const
 {
     const Edge other = twin(edge);

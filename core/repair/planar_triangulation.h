@@ -4,8 +4,8 @@
 
 namespace core::repair
 {
-/// A triangle with points and segments in it, cut into triangles of which those are corners and edges. Exact. Points are
-/// inserted one by one; segments are forced by flips (Sloan 1993); free edges are then flipped towards Delaunay's.
+/// A triangle with points and segments in it, cut into triangles of which those are corners and edges. Exact. Points
+/// are inserted one by one; segments are forced by flips (Sloan 1993); free edges are then flipped towards Delaunay's.
 class PlanarTriangulation
 {
 public:

@@ -5,10 +5,12 @@
 //   3. orient    along edges of two; sheets inside go                            orientation
 //   4. fill      holes                                                           hole_filling
 //   5. outwards  parts that face inwards                                         orientation
-//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; again while
+//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; again
+//   while
 //                rounding makes faces meet                                       arrangement, winding_solid
-//   7. separate  parts that touch at edges and vertices; again from 6 if material was added                  contact_separation
-//   8. check     the whole; if it is not in order, or too much was lost, make it anew from the winding number    shrink_wrap
+//   7. separate  parts that touch at edges and vertices; again from 6 if material was added contact_separation
+//   8. check     the whole; if it is not in order, or too much was lost, make it anew from the winding number
+//   shrink_wrap
 //   9. measure   how far it is from what it was                                  surface_distance
 //      and mask  what was masked and is still there                              mask_transfer
 
@@ -17,14 +19,14 @@
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/lattice_placement.h"
 
+#include "core/repair/cleanup.h"
+#include "core/repair/contact_separation.h"
+#include "core/repair/crack_stitching.h"
 #include "core/repair/hole_filling.h"
 #include "core/repair/mask_transfer.h"
 #include "core/repair/orientation.h"
-#include "core/repair/crack_stitching.h"
-#include "core/repair/contact_separation.h"
-#include "core/repair/winding_solid.h"
-#include "core/repair/cleanup.h"
 #include "core/repair/shrink_wrap.h"
+#include "core/repair/winding_solid.h"
 
 namespace core
 {
@@ -77,7 +79,7 @@ struct ClosedSurface
 {
     bool isRefused = false; ///< a large hole is not to be filled
     bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
-    TriangleSoup unfilled;     ///< as it was before step 4
+    TriangleSoup unfilled; ///< as it was before step 4
 };
 
 void weldAndCleanUp(TriangleSoup& surface, RepairReport& report)
@@ -97,7 +99,8 @@ void join(TriangleSoup& surface, double unit, RepairReport& report)
         weldAndCleanUp(surface, report);
 }
 
-ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptions& options, RepairReport& report, const Progress& progress)
+ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptions& options, RepairReport& report,
+                           const Progress& progress)
 {
     constexpr double nearlyAll = 0.75;
     constexpr double afterCleanup = 0.3, afterStitching = 0.5, afterOrienting = 0.7, afterFilling = 0.8;
@@ -160,7 +163,9 @@ Resolved resolve(TriangleSoup& surface, repair::Inside inside, RepairReport& rep
             break;
         fewest = std::min(fewest, met.count);
         report.rounds += met.count > 0;
-        repair::WindingSolid solid = repair::windingSolidOf(surface, repair::arrange(surface, met.pairs, part.part(afterMeeting, afterCutting)), inside, part.part(afterCutting, 1));
+        repair::WindingSolid solid =
+            repair::windingSolidOf(surface, repair::arrange(surface, met.pairs, part.part(afterMeeting, afterCutting)),
+                                   inside, part.part(afterCutting, 1));
         surface = std::move(solid.surface);
         inside = repair::Inside::Positive; // now it bounds what was asked for; what rounding turns inside out goes
         resolved.insideOut = std::max(resolved.insideOut, solid.insideOut);
@@ -170,7 +175,8 @@ Resolved resolve(TriangleSoup& surface, repair::Inside inside, RepairReport& rep
 }
 
 /// Steps 6 and 7, as long as 7 adds something.
-Resolved resolveAndSeparate(TriangleSoup& surface, repair::Inside inside, RepairReport& report, const JobControl& control)
+Resolved resolveAndSeparate(TriangleSoup& surface, repair::Inside inside, RepairReport& report,
+                            const JobControl& control)
 {
     constexpr int maxTimes = 4;
     constexpr std::size_t maxDrops = 200; // more would be another model
@@ -202,12 +208,14 @@ struct Outcome
 };
 
 /// Steps 8 and 9; nothing if it is not in order.
-std::optional<Outcome> checked(TriangleSoup surface, const Lattice& lattice, const TriangleMesh& old, const Progress& progress)
+std::optional<Outcome> checked(TriangleSoup surface, const Lattice& lattice, const TriangleMesh& old,
+                               const Progress& progress)
 {
     constexpr double afterCheck = 0.35, afterFromOld = 0.7;
     progress.begin(RepairStep::Check);
     Outcome outcome{meshOf(std::move(surface), lattice), {}, {}};
-    if (outcome.mesh.triangles.empty() || !checkMesh(outcome.mesh, progress.control.part(0, afterCheck)).printReady() || progress.control.isCancelled())
+    if (outcome.mesh.triangles.empty() || !checkMesh(outcome.mesh, progress.control.part(0, afterCheck)).printReady() ||
+        progress.control.isCancelled())
         return std::nullopt;
     progress.begin(RepairStep::Measure);
     outcome.fromOld = distanceFrom(old, outcome.mesh, progress.control.part(afterCheck, afterFromOld));
@@ -223,7 +231,8 @@ TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
 }
 } // namespace
 
-RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, const JobControl& control, const RepairStepCallback& onStep)
+RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, const JobControl& control,
+                        const RepairStepCallback& onStep)
 {
     const Progress progress{control, onStep};
     RepairResult result;
@@ -236,7 +245,8 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
     report.moved = placement.moved;
     const TriangleMesh old = movedBy(placement.moved, mesh);
     TriangleSoup surface = surfaceOf(mesh, placement);
-    const ClosedSurface closed = closeSurface(surface, placement.lattice.unit(), options, report, progress.part(0, afterClosing));
+    const ClosedSurface closed =
+        closeSurface(surface, placement.lattice.unit(), options, report, progress.part(0, afterClosing));
     if (closed.isRefused) {
         result.refusal = RepairRefusal::LargeHoles;
         return result;
@@ -247,7 +257,8 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         part.begin(RepairStep::Resolve);
         TriangleSoup attempted = surface;
         RepairReport itsReport = report;
-        const Resolved resolved = resolveAndSeparate(attempted, inside, itsReport, part.control.part(0, afterResolving));
+        const Resolved resolved =
+            resolveAndSeparate(attempted, inside, itsReport, part.control.part(0, afterResolving));
         if (!resolved.isDone)
             return resolved;
         auto better = checked(std::move(attempted), placement.lattice, old, part.part(afterResolving, 1));
@@ -268,7 +279,8 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         const Progress part = progress.part(afterSecondAttempt, 1);
         part.begin(RepairStep::Remesh);
         const int cell = repair::cellFor(closed.unfilled);
-        auto anew = checked(repair::shrinkWrap(closed.unfilled, cell, part.control.part(0, afterShrinkWrap)), placement.lattice, old, part.part(afterShrinkWrap, 1));
+        auto anew = checked(repair::shrinkWrap(closed.unfilled, cell, part.control.part(0, afterShrinkWrap)),
+                            placement.lattice, old, part.part(afterShrinkWrap, 1));
         if (anew && (!outcome || anew->fromOld.mean < outcome->fromOld.mean)) {
             outcome = std::move(anew);
             report.remeshedAt = cell * placement.lattice.unit();

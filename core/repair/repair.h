@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/util/job_control.h"
 #include "core/analysis/mesh_check.h"
 #include "core/analysis/surface_distance.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/util/job_control.h"
 
 #include <optional>
 
@@ -33,7 +33,8 @@ struct RepairReport
     std::size_t rounds = 0;          ///< of cutting the surface along its intersections
     std::size_t touchingEdges = 0, touchingVertices = 0; ///< at which parts were drawn apart
     std::size_t unmasked = 0; ///< masked points that are gone; where a point is kept, so is its mask
-    /// The surface was made anew from the space that it winds around, with edges of about this length. Missing: it was kept.
+    /// The surface was made anew from the space that it winds around, with edges of about this length. Missing: it was
+    /// kept.
     std::optional<double> remeshedAt;
 
     Vec3 moved =
@@ -56,10 +57,10 @@ enum class RepairStep { CleanUp, Stitch, Orient, Fill, Resolve, Remesh, Check, M
 /// Is told what begins, on the job's thread; some steps come again.
 using RepairStepCallback = std::function<void(RepairStep step)>;
 
-/// Makes one closed, manifold, consistently oriented surface without intersections out of whatever triangles there are: the
-/// boundary of the space that they wind around. Away from what was wrong no coordinate changes but by the snap to the lattice
-/// (half a unit), and where cracks close (crack_stitching.h). Indices in range, points finite, at least one face. Whole-mesh cost, on
-/// all cores.
+/// Makes one closed, manifold, consistently oriented surface without intersections out of whatever triangles there are:
+/// the boundary of the space that they wind around. Away from what was wrong no coordinate changes but by the snap to
+/// the lattice (half a unit), and where cracks close (crack_stitching.h). Indices in range, points finite, at least one
+/// face. Whole-mesh cost, on all cores.
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options = {}, const JobControl& control = {},
-                   const RepairStepCallback& onStep = {});
+                        const RepairStepCallback& onStep = {});
 } // namespace core

@@ -1,7 +1,8 @@
 // A grid of cubes, each cut into six tetrahedra around its diagonal, the same way in all (Kuhn's): neighbours agree.
 //   1. begin    with the cubes that the surface runs through
 //   2. ask      which of their corners are inside, and go on to the cubes that the boundary leads to
-//   3. cut      each tetrahedron that has both kinds of corners, in one triangle or two; a vertex on each edge that changes side
+//   3. cut      each tetrahedron that has both kinds of corners, in one triangle or two; a vertex on each edge that
+//   changes side
 
 #include "core/repair/shrink_wrap.h"
 
@@ -201,8 +202,8 @@ private:
         return slot;
     }
 
-    /// Where the edge passes through a face, as a share of it, nearest to its middle and not too near to its ends: there triangles
-    /// would have no area. Else the middle.
+    /// Where the edge passes through a face, as a share of it, nearest to its middle and not too near to its ends:
+    /// there triangles would have no area. Else the middle.
     double crossing(const Vec3& from, const Vec3& to, Slot& face) const
     {
         constexpr double nearEnd = 0.06;

@@ -4,12 +4,12 @@
 
 #include "core/repair/winding_solid.h"
 
-#include "core/repair/edge_faces.h"
 #include "core/repair/cleanup.h"
+#include "core/repair/edge_faces.h"
 
+#include "core/geometry/winding_number.h"
 #include "core/util/disjoint_sets.h"
 #include "core/util/parallel_progress.h"
-#include "core/geometry/winding_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,10 +80,11 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
     const WindingNumber winding(points, original.triangles);
     std::vector<Sides> sides(count);
     constexpr std::size_t patchesPerChunk = 4;
-    forEachChunkWithProgress(roots.size(), patchesPerChunk, control, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !control.isCancelled(); ++i)
-            sides[roots[i]] = classify(arrangement, winding, largest[roots[i]]);
-    });
+    forEachChunkWithProgress(roots.size(), patchesPerChunk, control,
+                             [&](std::size_t, std::size_t begin, std::size_t end) {
+                                 for (std::size_t i = begin; i < end && !control.isCancelled(); ++i)
+                                     sides[roots[i]] = classify(arrangement, winding, largest[roots[i]]);
+                             });
     for (Slot f = 0; f < count; ++f)
         sides[f] = sides[patches.root(f)];
     return sides;
@@ -104,7 +105,8 @@ double insideOutShare(const Arrangement& arrangement, const std::vector<Sides>& 
 }
 } // namespace
 
-WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside, const JobControl& control)
+WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
+                            const JobControl& control)
 {
     WindingSolid solid;
     TriangleSoup& surface = solid.surface;

@@ -4,8 +4,8 @@
 
 namespace core::repair
 {
-/// What counts as solid, by how often the surface winds around it. Where surfaces cross, the space that is inside and the space
-/// that is inside out touch along a line.
+/// What counts as solid, by how often the surface winds around it. Where surfaces cross, the space that is inside and
+/// the space that is inside out touch along a line.
 enum class Inside {
     Positive, ///< more than a half: no such touches
     NonZero   ///< more than a half either way
@@ -13,11 +13,12 @@ enum class Inside {
 
 struct WindingSolid
 {
-    TriangleSoup surface;      ///< new points rounded to the lattice; equal ones are one
+    TriangleSoup surface; ///< new points rounded to the lattice; equal ones are one
     double insideOut = 0; ///< share of the boundary that bounds what is inside out
 };
 
-/// The boundary of all that counts as solid: what is inside of two parts is inside. `original` is the surface that was arranged.
-/// It should be closed; where it is not, the outcome has borders. All cores.
-WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside, const JobControl& control = {});
+/// The boundary of all that counts as solid: what is inside of two parts is inside. `original` is the surface that was
+/// arranged. It should be closed; where it is not, the outcome has borders. All cores.
+WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
+                            const JobControl& control = {});
 } // namespace core::repair

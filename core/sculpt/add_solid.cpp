@@ -1,11 +1,11 @@
 #include "core/sculpt/add_solid.h"
 
+#include "core/analysis/shell_orientation.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/mesh/lattice_fit.h"
+#include "core/mesh/surface_query.h"
 #include "core/sculpt/deform/brush_model.h"
 #include "core/sculpt/deform/dab_frame.h"
-#include "core/mesh/lattice_fit.h"
-#include "core/analysis/shell_orientation.h"
-#include "core/mesh/surface_query.h"
-#include "core/geometry/triangle_mesh.h"
 
 #include <algorithm>
 
@@ -59,7 +59,9 @@ TriangleMesh solidAt(const Dab& dab, const BrushModel* model, std::vector<Vec3>&
     const DabFrame frame = uprightFrame(dab);
     for (const Vec3f& point : solid.points) {
         const Vec3 p = point.cast<double>();
-        places.push_back(dab.position + (model ? Vec3(dab.radius * (p.x() * frame.right + p.y() * frame.normal - p.z() * frame.up)) : p));
+        places.push_back(
+            dab.position +
+            (model ? Vec3(dab.radius * (p.x() * frame.right + p.y() * frame.normal - p.z() * frame.up)) : p));
     }
     if (model && dab.isMirrored)
         reverseOrientation(solid);
@@ -98,15 +100,17 @@ DabReport addSolid(VerifiedMesh& surface, const BrushModel* model, const Dab& da
     report.outcome = DabOutcome::Refused;
     report.refusal = refusalOf(surface, ball);
     if (paired && report.refusal == Refusal::None)
-        report.refusal = (image.center - ball.center).norm() < 2 * ball.radius + clearanceOf(ball) ? Refusal::TooClose
-                                                                                                  : refusalOf(surface, image);
+        report.refusal = (image.center - ball.center).norm() < 2 * ball.radius + clearanceOf(ball)
+                             ? Refusal::TooClose
+                             : refusalOf(surface, image);
     if (report.refusal != Refusal::None)
         return report;
     std::vector<Vec3> places;
     TriangleMesh solid = solidAt(dab, model, places);
     const Slot near = nearestVertex(surface, ball.center), nearImage = nearestVertex(surface, image.center);
     const auto add = [&](const std::vector<LatticePoint>& points) {
-        std::ranges::transform(points, solid.points.begin(), [&](const LatticePoint& p) { return mesh.lattice().toPoint(p); });
+        std::ranges::transform(points, solid.points.begin(),
+                               [&](const LatticePoint& p) { return mesh.lattice().toPoint(p); });
         return surface.tryOperation([&] {
             mesh.replaceFaces(additionOf(solid, near));
             if (paired)

@@ -8,9 +8,9 @@
 //     verify     exactly, where it changed                                                     verified_mesh
 //     index      octree and draw ranges learn what changed                                     verified_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
-// It is planned in step_plan.cpp. What it works on is selected in dab_selection.cpp, or is what an earlier dab of the stroke took hold of, in
-// grab_state.cpp; a sub-step that does not verify is rolled back and goes on in fallback_step.cpp. Of several sectors radial_dabs.cpp does one
-// after the other.
+// It is planned in step_plan.cpp. What it works on is selected in dab_selection.cpp, or is what an earlier dab of the
+// stroke took hold of, in grab_state.cpp; a sub-step that does not verify is rolled back and goes on in
+// fallback_step.cpp. Of several sectors radial_dabs.cpp does one after the other.
 
 #include "core/sculpt/dab_engine.h"
 
@@ -41,8 +41,8 @@ DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_mirror(mesh)
     warmUp();
 }
 
-/// A dab that is taken back before it counts. Memory that is touched for the first time costs far more than a dab: so the first
-/// real one costs what all do. At the last vertex: what has room for it has room for all.
+/// A dab that is taken back before it counts. Memory that is touched for the first time costs far more than a dab: so
+/// the first real one costs what all do. At the last vertex: what has room for it has room for all.
 void DabEngine::warmUp()
 {
     if (m_mesh.live().vertices == 0)
@@ -227,7 +227,8 @@ RemeshCounts DabEngine::remesh(const Task& task, MeshEditor edit)
 {
     if (!sharpens(task.settings.tool) && task.settings.tool != Tool::Stamp)
         return optimise(edit, m_region, task.bounds);
-    return optimiseKeepingShape(edit, m_region, task.bounds, [&](Slot v) { return relaxedAlongSharp(m_mesh, task.bounds, v); });
+    return optimiseKeepingShape(edit, m_region, task.bounds,
+                                [&](Slot v) { return relaxedAlongSharp(m_mesh, task.bounds, v); });
 }
 
 /// Moves each vertex of the region by its part of the plan. False if one would leave the working volume.

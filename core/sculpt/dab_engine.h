@@ -1,22 +1,22 @@
 #pragma once
 
 #include "core/sculpt/deform/dab_weights.h"
-#include "core/sculpt/fuse/fusion.h"
 #include "core/sculpt/deform/motion_limits.h"
-#include "core/sculpt/verify/verified_mesh.h"
 #include "core/sculpt/edit/mesh_editor.h"
-#include "core/sculpt/select/region.h"
+#include "core/sculpt/fuse/fold_smoothing.h"
+#include "core/sculpt/fuse/fusion.h"
+#include "core/sculpt/patch_copy.h"
 #include "core/sculpt/remesh/remesh.h"
 #include "core/sculpt/sculptor.h"
-#include "core/sculpt/patch_copy.h"
-#include "core/sculpt/fuse/fold_smoothing.h"
+#include "core/sculpt/select/region.h"
+#include "core/sculpt/verify/verified_mesh.h"
 
 #include <bit>
 
 namespace core
 {
-/// One dab, as the paper's section 3 has it: select -> optimise mesh -> deform -> verify -> index, in sub-steps that either
-/// hold or never were. Owns the scratch memory of all steps.
+/// One dab, as the paper's section 3 has it: select -> optimise mesh -> deform -> verify -> index, in sub-steps that
+/// either hold or never were. Owns the scratch memory of all steps.
 class DabEngine
 {
 public:
@@ -56,23 +56,26 @@ private:
 
     /// A step that fails is halved so often that it does one of these; after one that passes the next is twice as long.
     static constexpr unsigned ticksPerStep = 8;
-    static constexpr unsigned maxRetriesPerSubstep = 6, maxRetriesPerDab = 12; ///< then the fallback step limits the motion
-    /// A guard, not a tuning knob: of a dab, some seconds. What is counted costs some microsecond each: vertices moved, and faces looked at
-    /// by operations that are verified one by one. A dab that would need more ends early.
+    /// Then the fallback step limits the motion.
+    static constexpr unsigned maxRetriesPerSubstep = 6, maxRetriesPerDab = 12;
+    /// A guard, not a tuning knob: of a dab, some seconds. What is counted costs some microsecond each: vertices moved,
+    /// and faces looked at by operations that are verified one by one. A dab that would need more ends early.
     static constexpr double maxWork = 1 << 21;
-    static constexpr unsigned maxLimitedSubsteps = 8; ///< motion limits are lifted for one try after as many at the latest
-    static constexpr unsigned fallbackMoveWork = 16; ///< work that a vertex's move counts for where it is verified in the fallback step
+    /// Motion limits are lifted for one try after as many at the latest.
+    static constexpr unsigned maxLimitedSubsteps = 8;
+    /// Work that a vertex's move counts for where it is verified in the fallback step.
+    static constexpr unsigned fallbackMoveWork = 16;
 
     /// State of a tool that keeps its selection: once it is on, m_region is kept instead of selected.
     struct GrabState
     {
         bool isOn = false;
-        bool isMirrored = false; ///< m_region is the half that stands for both
+        bool isMirrored = false;  ///< m_region is the half that stands for both
         Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
         double detail = 0;        ///< the d_detail that keeps it as fine as it was then
         std::size_t known = 0;    ///< so many of Mesh::removedVertices() are no longer in its region
         Vec3 way = Vec3::Zero();  ///< of the last dab: where it is the next one's, too, what was in the way still is
-        MotionLimits limits{};          ///< by that
+        MotionLimits limits{};    ///< by that
         unsigned fallbackSubsteps = 0; ///< with that
     };
 
@@ -97,28 +100,36 @@ private:
         Sphere ball; ///< about all that it moves
         EdgeBounds bounds;
         double steps = 0; ///< into which the plan is cut, each no longer than d_move; 0: not planned yet
-        unsigned maxTicks = ticksPerStep;  ///< ticks in a transaction: of several sub-steps at once where nothing meets
-        unsigned ticks = ticksPerStep; ///< that the next transaction does
-        unsigned left = 0;             ///< that the plan still holds
-        unsigned retries = 0;            ///< how often the next sub-step has been made easier
-        unsigned totalRetries = 0;          ///< and all of them so far
-        unsigned fallbackSubsteps = 0;  ///< so far
-        bool canFuse = false; ///< surfaces face each other under the brush and will meet, or something stopped the motion
+        unsigned maxTicks = ticksPerStep; ///< ticks in a transaction: of several sub-steps at once where nothing meets
+        unsigned ticks = ticksPerStep;    ///< that the next transaction does
+        unsigned left = 0;                ///< that the plan still holds
+        unsigned retries = 0;             ///< how often the next sub-step has been made easier
+        unsigned totalRetries = 0;        ///< and all of them so far
+        unsigned fallbackSubsteps = 0;    ///< so far
+        /// Surfaces face each other under the brush and will meet, or something stopped the motion.
+        bool canFuse = false;
 
         /// Of the plan, that the next sub-step does.
         double part() const { return ticks / (ticksPerStep * steps); }
         FusionInput fusionInput() const { return {pushes(settings), bounds, part()}; }
-        /// Motion limits persist across sub-steps. They are lifted for one try after 1, 2, 4, 8, then every 8 sub-steps, in case the obstacle is gone.
-        bool shouldRelax() const { return std::has_single_bit(fallbackSubsteps) || fallbackSubsteps % maxLimitedSubsteps == 0; }
+        /// Motion limits persist across sub-steps. They are lifted for one try after 1, 2, 4, 8, then every 8
+        /// sub-steps, in case the obstacle is gone.
+        bool shouldRelax() const
+        {
+            return std::has_single_bit(fallbackSubsteps) || fallbackSubsteps % maxLimitedSubsteps == 0;
+        }
         /// To which the finished transaction amounts.
         unsigned substeps() const { return std::max(ticks / ticksPerStep, 1u); }
     };
 
     void warmUp();
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
-    void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
-    void runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
-    void runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                     DabReport& report);
+    void runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                 DabReport& report);
+    void runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                   DabReport& report);
     bool addsIn(const StrokeSettings& settings, const Dab& dab);
     DabReport runOrbit(Orbit& orbit);
     DabReport runInSector(const Orbit& orbit, std::size_t sector);
@@ -158,12 +169,14 @@ private:
     bool isSpent() const { return m_work >= maxWork; }
     MirrorMap* mirror() { return m_mirror.isOn() ? &m_mirror : nullptr; }
     Slot touchedVertices() const;
-    void select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot max = noSlot) const;
+    void select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball,
+                Slot max = noSlot) const;
     bool wantsSolid(const StrokeSettings& settings, const Dab& dab) const;
     void mark(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     void colour(Slot v, Rgb color, double share);
     void mask(Slot v, double change);
-    static double detailShare(const StrokeSettings& settings); ///< of the brush's own d, that the tool asks for; 1 where the brush has none
+    /// Of the brush's own d, that the tool asks for; 1 where the brush has none.
+    static double detailShare(const StrokeSettings& settings);
     EdgeBounds boundsFor(const StrokeSettings& settings, double radius) const;
     EdgeBounds grabBounds(const StrokeSettings& settings, const EdgeBounds& bounds) const;
     void allowFusion(Task& task) const;
@@ -198,13 +211,14 @@ private:
     MirrorMap m_mirror; ///< on while a dab is done on both sides at once
     Region m_whole;     ///< with a mirror: what the dab alone selects, on both sides
     GrabState m_grab;
-    GrabState m_mirroredGrab;     ///< of a symmetric stroke where the model is not symmetric, its second dab's: with the next
+    /// Of a symmetric stroke where the model is not symmetric, its second dab's: with the next.
+    GrabState m_mirroredGrab;
     Region m_imageRegion;
     std::vector<SectorGrab> m_sectors; ///< of a radial stroke, by sector; the first one's is m_grab
     PatchCopy m_patchCopy;
     SparseIndex m_raisedVertices; ///< by Layer, in this stroke
     std::vector<double> m_raised; ///< how far, by position among them; negative: of one that is gone
-    Region m_footprint; ///< only that: it is asked for in the middle of a dab
+    Region m_footprint;           ///< only that: it is asked for in the middle of a dab
     std::vector<Slot> m_candidates;
     MotionLimits m_limits;
     SlotSet m_frozen; ///< by an optimisation: operations there were not sound
@@ -214,7 +228,7 @@ private:
     std::vector<VertexPair> m_blocked; ///< what the last optimisation could not collapse
     SculptorTotals m_totals;
     std::optional<EdgeBounds> m_bounds; ///< of the last dab, if it remeshes
-    bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there
-    double m_work = 0; ///< of the dab so far, see maxWork
+    bool m_capped = false;              ///< a sub-step reached the cap on remeshing operations: the dab ends there
+    double m_work = 0;                  ///< of the dab so far, see maxWork
 };
 } // namespace core

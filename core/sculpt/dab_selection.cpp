@@ -1,13 +1,13 @@
-// What a dab works on (paper, sections 3.1 and 3.5.2): the region under the brush, or with symmetry the half of it whose image is
-// changed with it; and painting and masking, which are done once it is selected.
+// What a dab works on (paper, sections 3.1 and 3.5.2): the region under the brush, or with symmetry the half of it
+// whose image is changed with it; and painting and masking, which are done once it is selected.
 
 #include "core/sculpt/dab_engine.h"
 
+#include "core/mesh/surface_query.h"
 #include "core/sculpt/deform/dab_weights.h"
 #include "core/sculpt/deform/mirrored_deform.h"
-#include "core/util/phase_timer.h"
 #include "core/stroke/radial_symmetry.h"
-#include "core/mesh/surface_query.h"
+#include "core/util/phase_timer.h"
 
 namespace core
 {
@@ -61,7 +61,8 @@ bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
     return m_mirror.learn(faces, octree);
 }
 
-/// Exactly the faces whose boxes meet the box, ascending: what the octree finds besides depends on what was there before.
+/// Exactly the faces whose boxes meet the box, ascending: what the octree finds besides depends on what was there
+/// before.
 std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
 {
     std::vector<Slot> faces = core::facesIn(m_mesh, m_surface.octree(), box);
@@ -70,7 +71,8 @@ std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
 }
 
 /// The candidate triangles and the region (paper, section 3.1).
-void DabEngine::select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot max) const
+void DabEngine::select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball,
+                       Slot max) const
 {
     if (brush == BrushShape::Sphere) {
         selectSphere(region, candidates, m_mesh, m_surface.octree(), ball);
@@ -129,8 +131,8 @@ bool DabEngine::wantsSolid(const StrokeSettings& settings, const Dab& dab) const
     return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
 }
 
-/// Colours the region (paper, section 3.5.3), or masks it. A half stands for both: of what the dab gives to a vertex and to its image
-/// the larger counts.
+/// Colours the region (paper, section 3.5.3), or masks it. A half stands for both: of what the dab gives to a vertex
+/// and to its image the larger counts.
 void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& report)
 {
     const Mesh::Mark mark = m_mesh.mark();

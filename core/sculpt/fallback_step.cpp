@@ -1,8 +1,8 @@
 // A sub-step that did not verify and was rolled back is made easier, a few times:
 //   join      what was about to meet
 //   smooth    what has folded up, or else: calm the motion, and halve the step
-// and then done by the fallback step: first the motion alone, limited where it would touch something; then each remeshing operation
-// by itself, verified one by one. What cannot be done is left undone.
+// and then done by the fallback step: first the motion alone, limited where it would touch something; then each
+// remeshing operation by itself, verified one by one. What cannot be done is left undone.
 
 #include "core/sculpt/dab_engine.h"
 
@@ -19,8 +19,8 @@ constexpr int maxTightenRounds = 64, roundsPerRing = 4;
 constexpr int maxFreezeRounds = 16;
 } // namespace
 
-/// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is smoothed, or
-/// the motion is made calmer where faces turned over and the step is halved.
+/// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is
+/// smoothed, or the motion is made calmer where faces turned over and the step is halved.
 bool DabEngine::easeMotion(Task& task, DabReport& report)
 {
     if (task.steps == 0 && !refineAtOnce(task, report)) {
@@ -32,10 +32,12 @@ bool DabEngine::easeMotion(Task& task, DabReport& report)
     allowFusion(task);
     if (join(task, report))
         return true;
-    report.contact = report.contact || m_fusion.isContact(m_surface, m_region, task.fusionInput(), task.settings.fusion, m_badVertices);
+    report.contact = report.contact ||
+                     m_fusion.isContact(m_surface, m_region, task.fusionInput(), task.settings.fusion, m_badVertices);
     if (++task.retries > maxRetriesPerSubstep || ++task.totalRetries > maxRetriesPerDab)
         return false;
-    if (task.retries % 2 == 1 && m_foldSmoothing.smooth(m_surface, plainEditor(), m_region, m_badVertices, task.retries > 1))
+    if (task.retries % 2 == 1 &&
+        m_foldSmoothing.smooth(m_surface, plainEditor(), m_region, m_badVertices, task.retries > 1))
         return true;
     smoothPlan(m_region, m_mesh, m_badVertices);
     if (task.retries % 2 == 0)
@@ -116,8 +118,8 @@ bool DabEngine::moveWithinLimits(const Task& task, DabReport& report)
     return true;
 }
 
-/// All operations in one transaction: what stopped the direct step was most likely the motion, not one of them. Failing that, all but
-/// those around faces that went bad. False if these are left, or all.
+/// All operations in one transaction: what stopped the direct step was most likely the motion, not one of them. Failing
+/// that, all but those around faces that went bad. False if these are left, or all.
 bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
 {
     m_frozen.clear();
@@ -161,8 +163,8 @@ std::vector<Slot> DabEngine::namedAround(std::span<const Slot> faces)
     return named;
 }
 
-/// Moves every vertex as far as it can go without contact. Terminates: each round succeeds or fixes a vertex for the rest of the dab. What a round has changed
-/// is looked at first, and all only when that is in order.
+/// Moves every vertex as far as it can go without contact. Terminates: each round succeeds or fixes a vertex for the
+/// rest of the dab. What a round has changed is looked at first, and all only when that is in order.
 bool DabEngine::tightenAndMove(double part, DabReport& report)
 {
     m_limits.extend(m_region, m_mesh);

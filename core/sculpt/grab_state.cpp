@@ -1,4 +1,5 @@
-// What a stroke keeps from dab to dab: what a tool that keeps its selection has under its brush, and how far Layer has raised each vertex.
+// What a stroke keeps from dab to dab: what a tool that keeps its selection has under its brush, and how far Layer has
+// raised each vertex.
 
 #include "core/sculpt/dab_engine.h"
 
@@ -67,7 +68,8 @@ double DabEngine::meanEdge(const Region& region) const
     return n > 0 ? sum / n : 0;
 }
 
-/// What is in the hand stays as fine as it was, until it meets something: fine meshes that are pressed together only crumple.
+/// What is in the hand stays as fine as it was, until it meets something: fine meshes that are pressed together only
+/// crumple.
 EdgeBounds DabEngine::grabBounds(const StrokeSettings& settings, const EdgeBounds& bounds) const
 {
     if (!keepsSelection(settings.tool) || settings.topology == Topology::Uniform || !(m_grab.detail > 0))
@@ -89,8 +91,8 @@ bool DabEngine::takeMirrored(const StrokeSettings& settings, const Sphere& ball)
     return mirrored;
 }
 
-/// What the hand has drawn away from joins with no weight: an edge that has one end alone in the region is not split, however long it grows,
-/// and long ones are soon in the way.
+/// What the hand has drawn away from joins with no weight: an edge that has one end alone in the region is not split,
+/// however long it grows, and long ones are soon in the way.
 void DabEngine::growSelection(const StrokeSettings& settings, double radius)
 {
     if (settings.falloff == 0) // all that is in the region weighs
@@ -103,7 +105,8 @@ void DabEngine::growSelection(const StrokeSettings& settings, double radius)
             return; // has joined like that
         m_mesh.forEachOutgoing(v, [&](Slot h) {
             const Slot other = m_mesh.to(h);
-            if (!m_region.contains(other) && (m_mesh.point(other) - m_mesh.point(v)).cast<double>().squaredNorm() > detail * detail)
+            if (!m_region.contains(other) &&
+                (m_mesh.point(other) - m_mesh.point(v)).cast<double>().squaredNorm() > detail * detail)
                 rim.push_back(other);
         });
     });
@@ -122,7 +125,8 @@ bool DabEngine::selectGrabbed()
     return m_mirror.isOn() && m_mirror.learn(m_candidates, m_surface.octree());
 }
 
-/// What stood in the way of what is in the hand still does while that goes on in the same way: it is not found out anew in each dab.
+/// What stood in the way of what is in the hand still does while that goes on in the same way: it is not found out anew
+/// in each dab.
 void DabEngine::recallLimits(Task& task)
 {
     const Vec3 way = wayOf(task.dab);
@@ -142,7 +146,8 @@ void DabEngine::noteLimits(const Task& task, const DabReport& report)
     m_grab.fallbackSubsteps = task.fallbackSubsteps;
 }
 
-/// For a tool that keeps its selection: swaps in the state of the mirrored dab. Drops vertices that were removed meanwhile.
+/// For a tool that keeps its selection: swaps in the state of the mirrored dab. Drops vertices that were removed
+/// meanwhile.
 void DabEngine::swapGrabs(Tool tool)
 {
     if (!keepsSelection(tool))
@@ -177,7 +182,8 @@ void DabEngine::selectBothSides(const Task& task)
     m_region.forEach([&](Slot v) {
         const Slot image = m_mirror.imageOf(v);
         if (task.settings.tool != Tool::Layer)
-            m_region.setCarried(v, image != noSlot && m_whole.contains(image) ? m_whole.distance(image) : 2 * task.dab.radius);
+            m_region.setCarried(v, image != noSlot && m_whole.contains(image) ? m_whole.distance(image)
+                                                                              : 2 * task.dab.radius);
         for (Slot side : {v, image}) {
             if (side != noSlot && m_whole.contains(side))
                 m_whole.setCarried(side, m_region.carried(v));

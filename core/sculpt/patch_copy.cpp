@@ -1,6 +1,7 @@
 // A dab's change in another sector:
-//   learn    the journal tells which faces went, which came, and which vertices moved; with the ring of faces around them they are the patch
-//   match    the patch as it was before, turned: found face by face in the surface, the first vertex by the octree, the rest from neighbour to
+//   learn    the journal tells which faces went, which came, and which vertices moved; with the ring of faces around
+//   them they are the patch match    the patch as it was before, turned: found face by face in the surface, the first
+//   vertex by the octree, the rest from neighbour to
 //            neighbour
 //   claim    no vertex of what changes there has been changed by this dab already
 //   write    faces are exchanged, vertices moved and coloured as here
@@ -152,7 +153,8 @@ PatchCopy::State PatchCopy::before(const Mesh& mesh, Slot v) const
 bool PatchCopy::isImage(const Mesh& mesh, const Turn& turn, Slot image, Slot v) const
 {
     const State state = before(mesh, v);
-    return mesh.point(image) == turn * state.point && mesh.color(image) == state.color && mesh.mask(image) == state.mask;
+    return mesh.point(image) == turn * state.point && mesh.color(image) == state.color &&
+           mesh.mask(image) == state.mask;
 }
 
 /// From each face to its neighbours: then all but the first vertices of a component are found next to an image.
@@ -206,7 +208,8 @@ bool PatchCopy::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
 }
 
 /// The corners beyond the face's sides.
-bool PatchCopy::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners, std::vector<std::size_t>& front)
+bool PatchCopy::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners,
+                            std::vector<std::size_t>& front)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         const Slot a = corners[(k + 1) % 3], b = corners[k];

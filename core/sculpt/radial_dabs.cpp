@@ -1,7 +1,7 @@
-// A dab in several sectors about the Y axis. Those that lie to each other by quarter or half turns are an orbit, whose first dab is done as
-// always, and then
-//   copied        to the others: its patch is exchanged there for the turned copy, bit for bit                          patch_copy
-//   or repeated   where that cannot be: the surface is not its own image there, or the patches meet
+// A dab in several sectors about the Y axis. Those that lie to each other by quarter or half turns are an orbit, whose
+// first dab is done as always, and then
+//   copied        to the others: its patch is exchanged there for the turned copy, bit for bit patch_copy or repeated
+//   where that cannot be: the surface is not its own image there, or the patches meet
 // Orbits are done one after the other. Each sector has its own grab.
 
 #include "core/sculpt/dab_engine.h"
@@ -22,12 +22,13 @@ struct DabEngine::Orbit
     std::size_t first;           ///< its sectors: this one, and each `step` on
     std::size_t step;
     const std::function<void()>& between;
-    bool adds = false; ///< solids
-    GrabState grab = {}, mirroredGrab = {}; ///< before the first dab; so the next two
+    bool adds = false;                                         ///< solids
+    GrabState grab = {}, mirroredGrab = {};                    ///< before the first dab; so the next two
     std::vector<GrabbedPoint> grabbed = {}, grabbedImage = {}; ///< `grabbedImage`: none, where a half stands for both
 };
 
-void DabEngine::runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report)
+void DabEngine::runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                        DabReport& report)
 {
     if (settings.symmetry == Symmetry::None)
         run(settings, dab, between, report);
@@ -45,7 +46,8 @@ DabReport DabEngine::runInSector(const Orbit& orbit, std::size_t sector)
     return report;
 }
 
-void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report)
+void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                          DabReport& report)
 {
     const bool adds = addsIn(settings, dab);
     report.refusal = adds ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
@@ -104,7 +106,8 @@ DabReport DabEngine::runOrbit(Orbit& orbit)
         m_mesh.forget(mark);
         match = canCopyPatch(orbit, others);
     }
-    report.sequential = others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
+    report.sequential =
+        others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
     for (std::size_t i = 0; i < others.size(); ++i) {
         if (match && copyPatch(orbit, i, once, report))
             continue;
@@ -205,14 +208,15 @@ void DabEngine::grabSeparately(const Orbit& orbit, std::size_t from)
             continue;
         }
         own.grab = {true, false, turn * orbit.grab.axis, orbit.grab.detail, known};
-        own.mirroredGrab = {orbit.mirroredGrab.isOn, false, back * orbit.mirroredGrab.axis, orbit.mirroredGrab.detail, known};
+        own.mirroredGrab = {orbit.mirroredGrab.isOn, false, back * orbit.mirroredGrab.axis, orbit.mirroredGrab.detail,
+                            known};
         selectImages(own.region, orbit.grabbed, turn);
         selectImages(own.imageRegion, orbit.grabbedImage, back);
     }
 }
 
-/// Where a half stood for both sides of the plane, it does so here. A quarter turn takes the plane elsewhere: a whole that was grabbed is
-/// halved anew.
+/// Where a half stood for both sides of the plane, it does so here. A quarter turn takes the plane elsewhere: a whole
+/// that was grabbed is halved anew.
 void DabEngine::grabHalf(const Orbit& orbit, SectorGrab& own, const Turn& turn)
 {
     m_mirror.setPlane(orbit.settings.symmetry);
@@ -244,7 +248,9 @@ void DabEngine::noteGrabbed(Orbit& orbit)
     orbit.mirroredGrab = m_mirroredGrab;
     if (!m_grab.isMirrored) {
         m_region.forEach([&](Slot v) { orbit.grabbed.push_back({m_mesh.point(v), m_region.distance(v)}); });
-        m_imageRegion.forEach([&](Slot v) { orbit.grabbedImage.push_back({m_mesh.point(v), m_imageRegion.distance(v)}); });
+        m_imageRegion.forEach([&](Slot v) {
+            orbit.grabbedImage.push_back({m_mesh.point(v), m_imageRegion.distance(v)});
+        });
         return;
     }
     m_mirror.setPlane(orbit.settings.symmetry);

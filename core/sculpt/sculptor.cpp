@@ -90,7 +90,9 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
         engine.path->add(sample);
     else
         report({});
-    const auto centerOf = [&](const Vec3& position, const Vec3& direction) { return engine.centerOf(position, direction); };
+    const auto centerOf = [&](const Vec3& position, const Vec3& direction) {
+        return engine.centerOf(position, direction);
+    };
     while (const auto due = engine.path->next(centerOf))
         report(due->hasCenter ? engine.apply(due->dab) : DabReport());
     return reports;

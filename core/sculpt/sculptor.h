@@ -3,9 +3,9 @@
 #include "core/mesh/footprint.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_patch.h"
+#include "core/mesh/surface_query.h"
 #include "core/sculpt/selection_quality.h"
 #include "core/stroke/stroke.h"
-#include "core/mesh/surface_query.h"
 
 #include <functional>
 #include <memory>
@@ -18,8 +18,9 @@ struct SculptorTotals
     std::array<std::uint64_t, 3> verifyTiers{}; ///< sub-steps proved by patch certificate, by stars, by pairs
 };
 
-/// Sculpts one mesh. Not thread-safe: lives on the mesh thread. After every dab the mesh is closed, manifold, consistently
-/// oriented, free of self-intersections and bounds a solid, if it was before; a dab that would break this ends early.
+/// Sculpts one mesh. Not thread-safe: lives on the mesh thread. After every dab the mesh is closed, manifold,
+/// consistently oriented, free of self-intersections and bounds a solid, if it was before; a dab that would break this
+/// ends early.
 class Sculptor
 {
 public:
@@ -38,8 +39,8 @@ public:
 
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
-    /// Places the dabs that the path up to this sample holds, and applies them. A sample that is not usable (isUsable) is
-    /// one empty dab, and no part of the path.
+    /// Places the dabs that the path up to this sample holds, and applies them. A sample that is not usable (isUsable)
+    /// is one empty dab, and no part of the path.
     std::vector<DabReport> addSample(const StrokeSample& sample);
     /// Closes the stroke. The delta is already applied; it is empty if nothing changed.
     MeshDelta endStroke();
@@ -52,8 +53,9 @@ public:
     /// The surface's nearest point, if it is no farther than that. Cost: O(faces in the ball of that radius).
     std::optional<SurfaceHit> nearest(const Vec3& point, double within) const;
 
-    /// What the next dab with these settings selects on the mesh as it is, if its centre is there; of the ray brush nothing where it
-    /// would be more than Footprint::maxSlots on a side. May be called between sub-steps. Cost: the selection.
+    /// What the next dab with these settings selects on the mesh as it is, if its centre is there; of the ray brush
+    /// nothing where it would be more than Footprint::maxSlots on a side. May be called between sub-steps. Cost: the
+    /// selection.
     Footprint footprint(const StrokeSettings& settings, const Vec3& center);
 
     /// What changed since the last call.

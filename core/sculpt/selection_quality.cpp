@@ -17,7 +17,8 @@ double edgeLength(const Mesh& mesh, Slot a, Slot b)
 /// The smallest angle lies between the two longest edges.
 double smallestAngleSine(const Mesh& mesh, const Triangle& t)
 {
-    const Vec3 a = mesh.point(t[0]).cast<double>(), b = mesh.point(t[1]).cast<double>(), c = mesh.point(t[2]).cast<double>();
+    const Vec3 a = mesh.point(t[0]).cast<double>(), b = mesh.point(t[1]).cast<double>(),
+               c = mesh.point(t[2]).cast<double>();
     std::array<double, 3> length = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
     std::ranges::sort(length);
     const double doubleArea = (b - a).cross(c - a).norm();
@@ -40,7 +41,8 @@ std::optional<SelectionQuality> selectionQuality(const Mesh& mesh, const Region&
                 ++edges;
             }
             const Triangle& corners = mesh.corners(mesh.face(h));
-            if (v == std::ranges::min(corners) && std::ranges::all_of(corners, [&](Slot c) { return region.contains(c); }))
+            if (v == std::ranges::min(corners) &&
+                std::ranges::all_of(corners, [&](Slot c) { return region.contains(c); }))
                 sines.push_back(smallestAngleSine(mesh, corners));
         });
     });

@@ -4,8 +4,8 @@
 
 namespace core
 {
-/// How close a selection is to quasi-uniform (paper, section 3.2), and how well its faces are shaped. Edges count if both
-/// ends are selected, faces if all corners are.
+/// How close a selection is to quasi-uniform (paper, section 3.2), and how well its faces are shaped. Edges count if
+/// both ends are selected, faces if all corners are.
 struct SelectionQuality
 {
     double longestEdge = 0;       ///< in d_detail; d_detail-tight: at most 1

@@ -1,5 +1,5 @@
-// How far a dab means to move what is under the brush, how fine it makes the mesh there, and into how many steps that is cut (paper,
-// section 3.3).
+// How far a dab means to move what is under the brush, how fine it makes the mesh there, and into how many steps that
+// is cut (paper, section 3.3).
 
 #include "core/sculpt/dab_engine.h"
 
@@ -21,8 +21,8 @@ constexpr double lineDetail = 0.5, alphaDetail = 0.35, stampDetail = 0.28;
 /// What a core takes at a time.
 constexpr std::size_t verticesPerChunk = 512;
 
-/// Even where surfaces face each other, as long as none stops it: a line's two sides, an imprint's walls and the sides of what is in the hand
-/// do, and seldom meet.
+/// Even where surfaces face each other, as long as none stops it: a line's two sides, an imprint's walls and the sides
+/// of what is in the hand do, and seldom meet.
 bool takesLongSteps(Tool tool)
 {
     return sharpens(tool) || tool == Tool::Stamp || isDragTool(tool);
@@ -43,8 +43,9 @@ double DabEngine::detailShare(const StrokeSettings& settings)
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, double radius) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
-    const EdgeBounds bounds =
-        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(radius, detailShare(settings) * settings.detail);
+    const EdgeBounds bounds = settings.topology == Topology::Uniform
+                                  ? edgeBounds(uniform)
+                                  : edgeBounds(radius, detailShare(settings) * settings.detail);
     return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
 }
 
@@ -80,9 +81,9 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     return counts;
 }
 
-/// Into how many the plan is cut where nothing can meet: in none do neighbours move more than d_move against each other, or, of what is in
-/// the hand, which folds up only where it is dragged far along the surface, more than an edge is long. An imprint is done at once: what moves
-/// in one direction does not fold up, however steep its walls become.
+/// Into how many the plan is cut where nothing can meet: in none do neighbours move more than d_move against each
+/// other, or, of what is in the hand, which folds up only where it is dragged far along the surface, more than an edge
+/// is long. An imprint is done at once: what moves in one direction does not fold up, however steep its walls become.
 double DabEngine::transactionsFor(const Task& task) const
 {
     if (task.settings.tool == Tool::Stamp)

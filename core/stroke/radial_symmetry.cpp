@@ -59,7 +59,8 @@ Turn Turn::part(int k, int n)
     Turn within = turnBy(quarter * std::min(rest, n - rest) / n);
     if (2 * rest > n)
         std::swap(within.cosine, within.sine);
-    return {whole.cosine * within.cosine - whole.sine * within.sine, whole.sine * within.cosine + whole.cosine * within.sine};
+    return {whole.cosine * within.cosine - whole.sine * within.sine,
+            whole.sine * within.cosine + whole.cosine * within.sine};
 }
 
 Vec3f Turn::operator*(const Vec3f& p) const
@@ -92,7 +93,8 @@ std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab)
         const Dab other = Turn::part(k, settings.radial) * dab;
         if (!isAmong(dabs, other, settings)) {
             const Vec3 image = mirrored(other.position, settings.symmetry);
-            overlaps += std::max(overlap(dab.position, other.position, dab.radius), overlap(dab.position, image, dab.radius));
+            overlaps +=
+                std::max(overlap(dab.position, other.position, dab.radius), overlap(dab.position, image, dab.radius));
         }
         dabs.push_back(other);
     }
@@ -107,7 +109,8 @@ bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& 
     return std::ranges::any_of(others, [&](const Dab& other) {
         const bool isSame = other.position == dab.position && (!(isMoving || isTurned) || other.motion == dab.motion) &&
                             (!isTurned || (other.up == dab.up && other.ahead == dab.ahead));
-        return isSame || (!isTurned && settings.symmetry != Symmetry::None && mirrored(other.position, settings.symmetry) == dab.position &&
+        return isSame || (!isTurned && settings.symmetry != Symmetry::None &&
+                          mirrored(other.position, settings.symmetry) == dab.position &&
                           (!isMoving || mirrored(other.motion, settings.symmetry) == dab.motion));
     });
 }

@@ -11,7 +11,8 @@ struct Turn
 {
     double cosine = 1, sine = 0;
 
-    /// By k of n equal parts of a whole turn, 0 <= k < n. Quarter turns are exact, others have the same bits on every machine.
+    /// By k of n equal parts of a whole turn, 0 <= k < n. Quarter turns are exact, others have the same bits on every
+    /// machine.
     static Turn part(int k, int n);
 
     bool isNone() const { return cosine == 1; }
@@ -23,14 +24,16 @@ struct Turn
 /// The dab in another sector.
 Dab operator*(const Turn& turn, Dab dab);
 
-/// The dabs for which a dab stands that is done in `settings.radial` sectors, that of its own sector first; each is weaker where they
-/// (and their mirror images) overlap, so that they come to one dab where they all stand on the axis. But for Layer's, which go only so high.
+/// The dabs for which a dab stands that is done in `settings.radial` sectors, that of its own sector first; each is
+/// weaker where they (and their mirror images) overlap, so that they come to one dab where they all stand on the axis.
+/// But for Layer's, which go only so high.
 std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab);
 
-/// Whether it does what one of the others does, or, with a plane of symmetry, its mirror image. `adds`: a solid, of which none stands in
-/// another.
+/// Whether it does what one of the others does, or, with a plane of symmetry, its mirror image. `adds`: a solid, of
+/// which none stands in another.
 bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& settings, bool adds = false);
 
-/// Where the dab at that place works besides: in the other sectors and, with a plane of symmetry, across it. The place itself stands first.
+/// Where the dab at that place works besides: in the other sectors and, with a plane of symmetry, across it. The place
+/// itself stands first.
 std::vector<Vec3> imagesOf(const Vec3& place, const StrokeSettings& settings);
 } // namespace core

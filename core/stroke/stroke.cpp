@@ -31,12 +31,16 @@ bool pushes(const StrokeSettings& settings)
     switch (settings.tool) {
     case Tool::Push:
     case Tool::Grab:
-    case Tool::SnakeHook: return true;
+    case Tool::SnakeHook:
+        return true;
     case Tool::Inflate:
     case Tool::Clay:
-    case Tool::Layer: return settings.inverted;
-    case Tool::Stamp: return !settings.inverted;
-    default: return false;
+    case Tool::Layer:
+        return settings.inverted;
+    case Tool::Stamp:
+        return !settings.inverted;
+    default:
+        return false;
     }
 }
 

@@ -23,19 +23,23 @@ struct StrokeSettings
     Placement place = Placement::Point; ///< of the spherical brush
     Topology topology = Topology::Adaptive;
     Symmetry symmetry = Symmetry::None;
-    int radial = 1; ///< sectors about the document's Y axis in which each dab is done, and mirrored if there is a symmetry; 1 to maxRadial
+    /// Sectors about the document's Y axis in which each dab is done, and mirrored if there is a symmetry; 1 to
+    /// maxRadial.
+    int radial = 1;
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
-    double detail = info(Parameter::Detail).defaultValue;                   ///< scales d_detail
+    double detail = info(Parameter::Detail).defaultValue;                  ///< scales d_detail
     double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
-    double spacing = info(Parameter::Spacing).defaultValue; ///< in radii, of Stamp at least 2; 0: each sample is exactly one dab
-    bool fusion = true; ///< surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact
-    /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills, pinch spreads, crease
-    /// raises a ridge, twist turns back, stamp raises, mask is wiped away.
+    /// In radii, of Stamp at least 2; 0: each sample is exactly one dab.
+    double spacing = info(Parameter::Spacing).defaultValue;
+    /// Surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact.
+    bool fusion = true;
+    /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills,
+    /// pinch spreads, crease raises a ridge, twist turns back, stamp raises, mask is wiped away.
     bool inverted = false;
     bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
-    Rgb color;                                              ///< of Paint
+    Rgb color;        ///< of Paint
     std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none
     bool alphaFollows = false; ///< up in the alpha, or in Stamp's model, is the stroke's way; else it stands upright
     std::shared_ptr<const BrushModel> model; ///< of Stamp, and of what `add` adds; null: a ball
@@ -44,8 +48,8 @@ struct StrokeSettings
 /// What Ctrl makes of them: Pull becomes Push and Push Pull, others are inverted where that has a meaning.
 StrokeSettings opposite(StrokeSettings settings);
 
-/// Turns about Y by the parts that this many sectors share with a quarter turn take the lattice to itself: 4, 2 or 1. Sectors that lie so to
-/// each other stay each other's images bit for bit; with 2 and 4 these are all.
+/// Turns about Y by the parts that this many sectors share with a quarter turn take the lattice to itself: 4, 2 or 1.
+/// Sectors that lie so to each other stay each other's images bit for bit; with 2 and 4 these are all.
 constexpr int exactTurns(int radial)
 {
     return radial % 4 == 0 ? 4 : radial % 2 == 0 ? 2 : 1;
@@ -65,8 +69,8 @@ struct StrokeSample
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     std::optional<double> radius;   ///< of this sample only
     std::optional<double> strength; ///< of this sample only
-    /// Of the hand that holds the brush, in the world, of any length: alphas and Stamp's model stand so, in empty space, too. Nothing: the
-    /// world's.
+    /// Of the hand that holds the brush, in the world, of any length: alphas and Stamp's model stand so, in empty
+    /// space, too. Nothing: the world's.
     std::optional<Vec3> up;
 };
 
@@ -100,13 +104,14 @@ struct Dab
     Vec3 position = Vec3::Zero();
     Vec3 direction = -Vec3::UnitZ();
     double radius = 0;
-    double strength = 0; ///< times pressure
-    Vec3 motion = Vec3::Zero();    ///< of the dab centre, or of the hand (isDragTool), since the dab before
-    double turn = 0;               ///< of Twist: radians, anticlockwise about the axis
-    Vec3 axis = Vec3::Zero();      ///< of Twist: of unit length, or zero as long as nothing is held
-    Vec3 up = Vec3::UnitY();       ///< the world's, or the hand's, in the model's space; of unit length
-    Vec3 ahead = -Vec3::UnitZ();   ///< away from who stands before the model, or holds the brush, there; the same, and across up
-    bool isMirrored = false;       ///< the image of what the hand does
+    double strength = 0;        ///< times pressure
+    Vec3 motion = Vec3::Zero(); ///< of the dab centre, or of the hand (isDragTool), since the dab before
+    double turn = 0;            ///< of Twist: radians, anticlockwise about the axis
+    Vec3 axis = Vec3::Zero();   ///< of Twist: of unit length, or zero as long as nothing is held
+    Vec3 up = Vec3::UnitY();    ///< the world's, or the hand's, in the model's space; of unit length
+    /// Away from who stands before the model, or holds the brush, there; the same, and across up.
+    Vec3 ahead = -Vec3::UnitZ();
+    bool isMirrored = false; ///< the image of what the hand does
 };
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };
@@ -125,19 +130,21 @@ struct DabReport
     double asked = 0, reached = 0; ///< peak displacement; of what joined or collapsed meanwhile, as far as it was there
     DabOutcome outcome = DabOutcome::Empty;
     Refusal refusal = Refusal::None;
-    /// Surfaces stood in the way that may not be joined: fusion is off, they are masked, or the two sides of a wall that nobody pushes.
+    /// Surfaces stood in the way that may not be joined: fusion is off, they are masked, or the two sides of a wall
+    /// that nobody pushes.
     bool contact = false;
-    bool wall = false;   ///< ended early: at the wall of the working volume
-    bool capped = false; ///< ended early: too many operations, steps or vertices to move
+    bool wall = false;       ///< ended early: at the wall of the working volume
+    bool capped = false;     ///< ended early: too many operations, steps or vertices to move
     bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs
 
-    /// Of a radial stroke whose sectors can be exact: the model is not its own image under the turn here, its colours included, or the sectors
-    /// meet, as over the axis; so they were done one after the other.
+    /// Of a radial stroke whose sectors can be exact: the model is not its own image under the turn here, its colours
+    /// included, or the sectors meet, as over the axis; so they were done one after the other.
     bool sequential = false;
 
     /// Whether a hand takes what was reached for all that was asked (DESIGN, section 6).
     bool isWhole() const { return reached >= 0.95 * asked; }
-    /// For a dab done as several: costs add up; of two that did something the worse outcome and the smaller share reached count.
+    /// For a dab done as several: costs add up; of two that did something the worse outcome and the smaller share
+    /// reached count.
     DabReport& operator+=(const DabReport& second);
 };
 

@@ -45,7 +45,8 @@ void StrokeAnchor::place(Dab& dab)
         dab.turn = turnBy(dab);
 }
 
-/// Dragging away turns, dragging back turns back. To the right is anticlockwise: right of the first direction, Y being up.
+/// Dragging away turns, dragging back turns back. To the right is anticlockwise: right of the first direction, Y being
+/// up.
 double StrokeAnchor::turnBy(const Dab& dab)
 {
     if (m_pulled.isZero() && !dab.motion.isZero()) {

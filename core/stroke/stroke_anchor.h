@@ -12,12 +12,12 @@ public:
 
     /// From its first dab on a drag tool takes its place from here, and no longer from the surface.
     bool isSet() const { return m_anchor.has_value() && isDragTool(m_settings.tool); }
-    /// Of a sample's position and direction, in the model's space. A ray leads the hand over the plane through where it took hold, across
-    /// the first ray. Nothing if it runs along that plane or away from it.
+    /// Of a sample's position and direction, in the model's space. A ray leads the hand over the plane through where it
+    /// took hold, across the first ray. Nothing if it runs along that plane or away from it.
     std::optional<Vec3> placeOf(const Vec3& position, const Vec3& direction) const;
 
-    /// Gives the dab, whose position is the hand's, its motion and turn, and where it works: a tool that keeps its selection where it took hold,
-    /// SnakeHook at its tip.
+    /// Gives the dab, whose position is the hand's, its motion and turn, and where it works: a tool that keeps its
+    /// selection where it took hold, SnakeHook at its tip.
     void place(Dab& dab);
     /// SnakeHook's tip came so far.
     void follow(const Dab& dab, const DabReport& report);
@@ -31,7 +31,7 @@ private:
     };
     StrokeSettings m_settings;
     std::optional<Anchor> m_anchor; ///< of the first dab
-    Vec3 m_last = Vec3::Zero(); ///< the hand's place at the dab before
+    Vec3 m_last = Vec3::Zero();     ///< the hand's place at the dab before
     Vec3 m_tip = Vec3::Zero();
     Vec3 m_pulled = Vec3::Zero(); ///< Twist: the way of its first motion, of unit length, or zero
     double m_sense = 1;           ///< Twist: 1 anticlockwise, -1 clockwise

@@ -16,7 +16,7 @@ struct BrushChange
 
 BrushChange brushOf(const StrokeSettings& settings);
 
-/// The same samples by another brush. Samples with a radius or a strength of their own keep their ratio to the stroke's, within the ranges
-/// of the parameter table. A tool that cannot add solids adds none.
+/// The same samples by another brush. Samples with a radius or a strength of their own keep their ratio to the
+/// stroke's, within the ranges of the parameter table. A tool that cannot add solids adds none.
 Stroke changed(Stroke stroke, const BrushChange& brush);
 } // namespace core

@@ -16,7 +16,8 @@ constexpr double minAcross2 = 1e-12;
 Vec3 acrossUp(const Vec3& way, const Vec3& up)
 {
     const Vec3 across = way - way.dot(up) * up;
-    return across.squaredNorm() > minAcross2 * way.squaredNorm() ? Vec3(across.normalized()) : Vec3(up.unitOrthogonal());
+    return across.squaredNorm() > minAcross2 * way.squaredNorm() ? Vec3(across.normalized())
+                                                                 : Vec3(up.unitOrthogonal());
 }
 
 /// Between two samples; everything but rotation and up is linear. Those are the later one's: samples are dense.
@@ -49,7 +50,8 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     const Due end = due(*m_target, centerOf);
     const bool everySample = m_settings.spacing == 0;
     if (everySample || !m_center || !end.hasCenter) {
-        const bool isTooNear = !everySample && m_stamped && end.hasCenter && (end.dab.position - *m_stamped).norm() < stepOf(end.dab);
+        const bool isTooNear =
+            !everySample && m_stamped && end.hasCenter && (end.dab.position - *m_stamped).norm() < stepOf(end.dab);
         const bool dabDue = everySample || (end.hasCenter && !isTooNear);
         if (m_settings.tool == Tool::Stamp && dabDue)
             m_stamped = end.dab.position;
@@ -61,7 +63,8 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     const double step = stepOf(end.dab);
     const double segment = (end.dab.position - *m_center).norm();
     if (!m_dabsLeft)
-        m_dabsLeft = static_cast<int>(std::min(maxLengthRatio * (m_travelled + segment) / step, double(maxDabsPerSample)));
+        m_dabsLeft =
+            static_cast<int>(std::min(maxLengthRatio * (m_travelled + segment) / step, double(maxDabsPerSample)));
     if (m_travelled + segment < step || m_dabsLeft == 0) {
         const double travelled = m_travelled + segment;
         arriveAtTarget(end);
@@ -81,10 +84,12 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
 /// Between dabs.
 double StrokePath::stepOf(const Dab& dab) const
 {
-    return (m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, minStampSpacing) : m_settings.spacing) * dab.radius;
+    return (m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, minStampSpacing) : m_settings.spacing) *
+           dab.radius;
 }
 
-/// Where the straight way to the end leaves the ball around the stamp before: the path itself goes down into what that has pressed in.
+/// Where the straight way to the end leaves the ball around the stamp before: the path itself goes down into what that
+/// has pressed in.
 std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end, const CenterOf& centerOf)
 {
     const double step = stepOf(end.dab);

@@ -7,16 +7,16 @@
 
 namespace core
 {
-/// Turns the samples of a stroke into dabs: one a sample with spacing 0, else evenly along the path of dab centres, which
-/// runs straight between samples.
+/// Turns the samples of a stroke into dabs: one a sample with spacing 0, else evenly along the path of dab centres,
+/// which runs straight between samples.
 class StrokePath
 {
 public:
-    /// More dabs than this between two samples are not placed: the path goes on at the later sample. A jump of kilometres
-    /// would ask for more.
+    /// More dabs than this between two samples are not placed: the path goes on at the later sample. A jump of
+    /// kilometres would ask for more.
     static constexpr int maxDabsPerSample = 1'000'000;
-    /// Nor more than this many times the number that the way to the later sample asks for when it arrives: dabs that raise the
-    /// surface under the path make it longer, without end if they are stronger than far apart.
+    /// Nor more than this many times the number that the way to the later sample asks for when it arrives: dabs that
+    /// raise the surface under the path make it longer, without end if they are stronger than far apart.
     static constexpr int maxLengthRatio = 2;
 
     /// Where the dab of a sample would stand on the surface as it is now; nothing if it would be empty.
@@ -31,7 +31,8 @@ public:
     explicit StrokePath(const StrokeSettings& settings) : m_settings(settings) {}
 
     void add(const StrokeSample& sample);
-    /// The next dab that is due, or nothing until the next sample. Ask again after each dab: it may have moved the surface.
+    /// The next dab that is due, or nothing until the next sample. Ask again after each dab: it may have moved the
+    /// surface.
     std::optional<Due> next(const CenterOf& centerOf);
 
 private:
@@ -46,6 +47,6 @@ private:
     std::optional<Vec3> m_center;         ///< the dab centre there; nothing before the path has met the surface
     double m_travelled = 0;               ///< since the last dab
     std::optional<Vec3> m_stamped;        ///< of Stamp: where the last dab stood
-    std::optional<int> m_dabsLeft; ///< until the target is reached
+    std::optional<int> m_dabsLeft;        ///< until the target is reached
 };
 } // namespace core

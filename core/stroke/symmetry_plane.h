@@ -27,7 +27,8 @@ struct SymmetryPlane
     Vec3 halfX, halfY; ///< from the centre to the middle of a side; halfX x halfY points along the normal
 };
 
-/// There is a symmetry, and the box is not empty. X lies along the next axis after the normal, Y along the one after that.
+/// There is a symmetry, and the box is not empty. X lies along the next axis after the normal, Y along the one after
+/// that.
 inline SymmetryPlane symmetryPlane(Symmetry symmetry, const Box& box)
 {
     constexpr double margin = 0.12; // of the model's longest side

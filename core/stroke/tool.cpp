@@ -11,15 +11,15 @@ namespace core
 {
 namespace
 {
-constexpr std::array<std::string_view, 16> toolTable{"pull",   "push",  "inflate", "clay", "layer", "flatten", "scrape",
-                                                     "smooth", "pinch", "crease",  "grab", "snake", "twist",   "stamp", "paint",
-                                                     "mask"};
+constexpr std::array<std::string_view, 16> toolTable{"pull",   "push",   "inflate", "clay",   "layer", "flatten",
+                                                     "scrape", "smooth", "pinch",   "crease", "grab",  "snake",
+                                                     "twist",  "stamp",  "paint",   "mask"};
 constexpr std::array<std::string_view, 2> brushTable{"sphere", "ray"};
 constexpr std::array<std::string_view, 2> topologyTable{"adaptive", "uniform"};
 constexpr std::array<std::string_view, 3> placementTable{"point", "nearest", "ray"};
 constexpr std::array<std::string_view, 4> symmetryTable{"none", "x", "y", "z"};
 constexpr std::array<std::string_view, 6> outcomeTable{"committed", "careful", "ended_early",
-                                                     "empty",     "added",   "refused"};
+                                                       "empty",     "added",   "refused"};
 
 constexpr double detailPerRadiusSquared = 0.05; ///< paper, section 3.2.2
 constexpr double minimumPerDetail = 0.5;        ///< square root of the paper's 0.25
@@ -107,12 +107,18 @@ namespace
 int severity(DabOutcome outcome)
 {
     switch (outcome) {
-    case DabOutcome::Empty: return 0;
-    case DabOutcome::Committed: return 1;
-    case DabOutcome::Added: return 2;
-    case DabOutcome::Fallback: return 3;
-    case DabOutcome::EndedEarly: return 4;
-    case DabOutcome::Refused: return 5;
+    case DabOutcome::Empty:
+        return 0;
+    case DabOutcome::Committed:
+        return 1;
+    case DabOutcome::Added:
+        return 2;
+    case DabOutcome::Fallback:
+        return 3;
+    case DabOutcome::EndedEarly:
+        return 4;
+    case DabOutcome::Refused:
+        return 5;
     }
     return 0;
 }
@@ -145,11 +151,16 @@ DabReport& DabReport::operator+=(const DabReport& second)
 Shortfall shortfallOf(const DabReport& dab)
 {
     switch (dab.refusal) {
-    case Refusal::None: break;
-    case Refusal::Inside: return Shortfall::Inside;
-    case Refusal::TooClose: return Shortfall::TooClose;
-    case Refusal::Wall: return Shortfall::NoRoom;
-    case Refusal::Unfit: return Shortfall::Unfit;
+    case Refusal::None:
+        break;
+    case Refusal::Inside:
+        return Shortfall::Inside;
+    case Refusal::TooClose:
+        return Shortfall::TooClose;
+    case Refusal::Wall:
+        return Shortfall::NoRoom;
+    case Refusal::Unfit:
+        return Shortfall::Unfit;
     }
     if (dab.capped)
         return Shortfall::Capped;

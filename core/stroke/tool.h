@@ -8,9 +8,26 @@
 
 namespace core
 {
-/// What a dab does to the vertices it selects: Pull, Push, Flatten, Smooth and Paint are the paper's (section 3.3, 3.5.3). What the others
-/// do stands at their fields, in deform.cpp.
-enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, SnakeHook, Twist, Stamp, Paint, Mask };
+/// What a dab does to the vertices it selects: Pull, Push, Flatten, Smooth and Paint are the paper's
+/// (section 3.3, 3.5.3). What the others do stands at their fields, in deform.cpp.
+enum class Tool {
+    Pull,
+    Push,
+    Inflate,
+    Clay,
+    Layer,
+    Flatten,
+    Scrape,
+    Smooth,
+    Pinch,
+    Crease,
+    Grab,
+    SnakeHook,
+    Twist,
+    Stamp,
+    Paint,
+    Mask
+};
 
 /// Drag tools use the motion from sample to sample; the first dab of a stroke moves nothing.
 constexpr bool isDragTool(Tool tool)
@@ -27,7 +44,8 @@ constexpr bool paintsAttribute(Tool tool)
 {
     return tool == Tool::Paint || tool == Tool::Mask;
 }
-/// Weights what is under the brush by an alpha, too. A kept selection moves away from under the image, and Stamp has a shape of its own.
+/// Weights what is under the brush by an alpha, too. A kept selection moves away from under the image, and Stamp has a
+/// shape of its own.
 constexpr bool usesAlpha(Tool tool)
 {
     return !keepsSelection(tool) && tool != Tool::Stamp;
@@ -45,8 +63,9 @@ constexpr bool canAddSolid(Tool tool)
 /// Whether StrokeSettings::inverted changes what it does.
 constexpr bool hasInverse(Tool tool)
 {
-    return tool == Tool::Inflate || tool == Tool::Clay || tool == Tool::Layer || tool == Tool::Scrape || tool == Tool::Pinch ||
-           tool == Tool::Crease || tool == Tool::Twist || tool == Tool::Stamp || tool == Tool::Mask;
+    return tool == Tool::Inflate || tool == Tool::Clay || tool == Tool::Layer || tool == Tool::Scrape ||
+           tool == Tool::Pinch || tool == Tool::Crease || tool == Tool::Twist || tool == Tool::Stamp ||
+           tool == Tool::Mask;
 }
 
 /// How a dab selects vertices (paper, section 3.1).
@@ -96,11 +115,9 @@ struct ParameterInfo
 
 enum class Parameter { Radius, Strength, Falloff, Detail, Spacing };
 inline constexpr ParameterInfo parameterTable[] = {
-    {"radius", 10.0, 1e-6, 1e6, Unit::Millimetres},
-    {"strength", 1.0, 0.0, 10.0, Unit::None},
+    {"radius", 10.0, 1e-6, 1e6, Unit::Millimetres}, {"strength", 1.0, 0.0, 10.0, Unit::None},
     {"falloff", 4.0, 0.0, 16.0, Unit::None}, ///< integer: 0 (no weighting) or 3 to 16
-    {"detail", 1.0, 0.05, 20.0, Unit::None},
-    {"spacing", 0.0, 0.0, 4.0, Unit::Radii},
+    {"detail", 1.0, 0.05, 20.0, Unit::None},        {"spacing", 0.0, 0.0, 4.0, Unit::Radii},
 };
 constexpr const ParameterInfo& info(Parameter p)
 {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <string_view>
+#include <system_error>
 
 namespace core
 {
@@ -42,7 +42,8 @@ private:
     int m_descriptor = -1;
 };
 
-/// Gives a folder another name beside it, which outlives a power cut. False if something has that name already; else throws FileError.
+/// Gives a folder another name beside it, which outlives a power cut. False if something has that name already; else
+/// throws FileError.
 bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Of what the system says when writing fails.

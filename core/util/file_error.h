@@ -7,7 +7,8 @@
 
 namespace core
 {
-/// What is wrong with a file. The words for people are made elsewhere; each kind says what data comes with it beyond the path.
+/// What is wrong with a file. The words for people are made elsewhere; each kind says what data comes with it beyond
+/// the path.
 enum class FileErrorKind {
     // Reading
     NotFound,

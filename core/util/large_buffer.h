@@ -9,8 +9,8 @@
 
 namespace core
 {
-/// Throws std::bad_alloc. From some megabytes on it lies in the system's large pages, where there are any: to touch new memory
-/// page by page costs more than to fill it.
+/// Throws std::bad_alloc. From some megabytes on it lies in the system's large pages, where there are any: to touch new
+/// memory page by page costs more than to fill it.
 std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes);
 
 /// Asks for large pages there, as far as they fit in and nothing has touched it yet.

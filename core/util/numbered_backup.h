@@ -4,8 +4,8 @@
 
 namespace core
 {
-/// What a file holds before it is written anew stays beside it: "vase.glb" as "vase.glb~1", the version before that as "vase.glb~2", and
-/// so on. Until commit() these are what they were; without it they stay so, though the program ends.
+/// What a file holds before it is written anew stays beside it: "vase.glb" as "vase.glb~1", the version before that as
+/// "vase.glb~2", and so on. Until commit() these are what they were; without it they stay so, though the program ends.
 class NumberedBackup
 {
 public:

@@ -21,8 +21,9 @@ inline std::size_t chunksOf(std::size_t count, std::size_t chunkSize)
 /// Fewer chunks than this are not worth waking another core for: they are done as one.
 constexpr std::size_t minChunks = 4;
 
-/// Calls work(chunk, begin, end) for each chunk of [0, count), on all cores and in any order. Chunks are fixed by index: who
-/// keeps a result for each chunk and joins them in order gets the same on any machine. The first exception is passed on.
+/// Calls work(chunk, begin, end) for each chunk of [0, count), on all cores and in any order. Chunks are fixed by
+/// index: who keeps a result for each chunk and joins them in order gets the same on any machine. The first exception
+/// is passed on.
 template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkSize, Work work)
 {
     const std::size_t chunks = chunksOf(count, chunkSize);
@@ -48,7 +49,8 @@ template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkS
         std::rethrow_exception(failure);
 }
 
-/// What work(begin, end, part) adds to `part` for each chunk of [0, count), on all cores: one after the other in their order.
+/// What work(begin, end, part) adds to `part` for each chunk of [0, count), on all cores: one after the other in their
+/// order.
 template <typename Part, typename Work> Part joinChunks(std::size_t count, std::size_t chunkSize, Work work)
 {
     std::vector<Part> parts(std::max<std::size_t>(1, chunksOf(count, chunkSize)));

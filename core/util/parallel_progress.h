@@ -5,9 +5,10 @@
 
 namespace core
 {
-/// forEachChunk() a part at a time, in the order of the parts: progress is reported between them, on the calling thread. What is
-/// left when it is stopped is not done.
-template <typename Work> void forEachChunkWithProgress(std::size_t count, std::size_t chunkSize, const JobControl& control, Work work)
+/// forEachChunk() a part at a time, in the order of the parts: progress is reported between them, on the calling
+/// thread. What is left when it is stopped is not done.
+template <typename Work>
+void forEachChunkWithProgress(std::size_t count, std::size_t chunkSize, const JobControl& control, Work work)
 {
     constexpr std::size_t chunksPerPart = 16, maxParts = 256;
     const std::size_t perPart = std::max(chunksPerPart, chunksOf(chunksOf(count, chunkSize), maxParts));

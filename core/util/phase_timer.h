@@ -10,7 +10,11 @@ class PhaseTimer
 public:
     explicit PhaseTimer(double& milliseconds) : m_milliseconds(milliseconds) {}
     /// `inner`: a running total of milliseconds that counts elsewhere.
-    PhaseTimer(double& milliseconds, const double& inner) : m_milliseconds(milliseconds), m_inner(&inner), m_before(inner) {}
+    PhaseTimer(double& milliseconds, const double& inner)
+        : m_milliseconds(milliseconds)
+        , m_inner(&inner)
+        , m_before(inner)
+    {}
     ~PhaseTimer()
     {
         m_milliseconds += std::chrono::duration<double, std::milli>(Clock::now() - m_start).count();

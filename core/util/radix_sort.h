@@ -8,12 +8,15 @@
 
 namespace core
 {
-/// By `code`, ascending; equal codes keep their order. Time grows with the number, memory doubles meanwhile: for many values.
-template <typename Value> void radixSort(std::vector<Value>& values, std::uint64_t Value::* code)
+/// By `code`, ascending; equal codes keep their order. Time grows with the number, memory doubles meanwhile: for many
+/// values.
+template <typename Value> void radixSort(std::vector<Value>& values, std::uint64_t Value::*code)
 {
     constexpr int digits = 8, bitsPerDigit = 8;
     constexpr std::size_t radix = std::size_t(1) << bitsPerDigit;
-    const auto digitOf = [code](const Value& value, int digit) { return (value.*code >> (bitsPerDigit * digit)) % radix; };
+    const auto digitOf = [code](const Value& value, int digit) {
+        return (value.*code >> (bitsPerDigit * digit)) % radix;
+    };
     std::vector<std::array<std::size_t, radix>> counts(digits);
     for (const Value& value : values)
         for (int digit = 0; digit < digits; ++digit)
@@ -23,7 +26,7 @@ template <typename Value> void radixSort(std::vector<Value>& values, std::uint64
         std::array<std::size_t, radix>& places = counts[static_cast<std::size_t>(digit)];
         if (values.empty() || places[digitOf(values[0], digit)] == values.size())
             continue; // all have the same there
-        for (std::size_t sum = 0; std::size_t& place : places)
+        for (std::size_t sum = 0; std::size_t & place : places)
             sum += std::exchange(place, sum);
         for (const Value& value : values)
             sorted[places[digitOf(value, digit)]++] = value;

@@ -10,7 +10,10 @@ namespace core
 class SlotBits
 {
 public:
-    bool contains(Slot slot) const { return slot / 64 < m_words.size() && (m_words[slot / 64] >> (slot % 64) & 1) != 0; }
+    bool contains(Slot slot) const
+    {
+        return slot / 64 < m_words.size() && (m_words[slot / 64] >> (slot % 64) & 1) != 0;
+    }
     void add(Slot slot)
     {
         if (slot / 64 >= m_words.size())

@@ -6,8 +6,8 @@
 
 namespace core
 {
-/// Which slots of an element array are free. The state is nothing but that: where the next element goes follows from the
-/// free slots and a hint alone, so restoring elements restores the allocator, bit for bit.
+/// Which slots of an element array are free. The state is nothing but that: where the next element goes follows from
+/// the free slots and a hint alone, so restoring elements restores the allocator, bit for bit.
 class SlotMap
 {
 public:
@@ -16,8 +16,8 @@ public:
     Slot live() const { return m_size - m_free; }
     bool isFree(Slot slot) const { return (m_words[slot / 64] >> (slot % 64)) & 1; }
 
-    /// A free slot near `hint`; failing that, when an eighth of all slots is free, the lowest of them; else a new one at the
-    /// end (then size() has grown by one).
+    /// A free slot near `hint`; failing that, when an eighth of all slots is free, the lowest of them; else a new one
+    /// at the end (then size() has grown by one).
     Slot take(Slot hint);
     void setFree(Slot slot, bool free);
     /// New slots are free.

@@ -18,7 +18,8 @@ std::size_t digit(Slot slot, int d)
     return slot >> (d * digitBits) & (digitValues - 1);
 }
 
-/// By digits, the lowest first (Knuth, volume 3, section 5.2.5): slots under a brush lie close together and share the high ones.
+/// By digits, the lowest first (Knuth, volume 3, section 5.2.5): slots under a brush lie close together and share the
+/// high ones.
 void sortByDigits(std::vector<Slot>& slots, std::vector<Slot>& other)
 {
     std::array<std::array<Slot, digitValues>, digits> counts = {};

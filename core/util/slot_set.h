@@ -7,9 +7,9 @@
 
 namespace core
 {
-/// A small set out of a large range of slots, in the order of adding: O(1) to ask and to add, O(set) to clear. A bit for each
-/// slot up to the largest that was ever in it: those under a brush lie close together, so that what is asked is mostly in the
-/// nearest cache.
+/// A small set out of a large range of slots, in the order of adding: O(1) to ask and to add, O(set) to clear. A bit
+/// for each slot up to the largest that was ever in it: those under a brush lie close together, so that what is asked
+/// is mostly in the nearest cache.
 class SlotSet
 {
 public:

@@ -23,7 +23,8 @@ template <typename Condition> void waitAwake(Condition isSo)
 
 WorkerPool& WorkerPool::shared()
 {
-    static auto* const pool = new WorkerPool; // never destroyed: threads that outlive main() may still work while exit() runs
+    static auto* const pool =
+        new WorkerPool; // never destroyed: threads that outlive main() may still work while exit() runs
     return *pool;
 }
 

@@ -10,7 +10,8 @@
 
 namespace core
 {
-/// Threads that wait for work: a fork and join costs some microseconds, not the tens that starting threads does. Thread-safe.
+/// Threads that wait for work: a fork and join costs some microseconds, not the tens that starting threads does.
+/// Thread-safe.
 class WorkerPool
 {
 public:
@@ -20,12 +21,13 @@ public:
     /// The process's one pool. It starts its threads, one less than there are cores, when they are first needed.
     static WorkerPool& shared();
 
-    /// Calls `work` on this thread and, at the same time, on up to `helpers` others; returns when all calls have. `work` must
-    /// do the whole of it if called once: while another caller has the pool, and inside of `work`, there are no helpers.
-    /// `work` must not throw.
+    /// Calls `work` on this thread and, at the same time, on up to `helpers` others; returns when all calls have.
+    /// `work` must do the whole of it if called once: while another caller has the pool, and inside of `work`, there
+    /// are no helpers. `work` must not throw.
     void run(const std::function<void()>& work, std::size_t helpers);
 
-    /// For tests of determinism: threads in all, the caller's included; 0: as many as there are cores. Not while run() runs.
+    /// For tests of determinism: threads in all, the caller's included; 0: as many as there are cores. Not while run()
+    /// runs.
     void setThreads(std::size_t threads);
 
 private:

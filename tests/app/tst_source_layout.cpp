@@ -116,7 +116,8 @@ const FolderRule folderRules[] = {
 
 const QStringList libraries{"core", "ui", "vr", "app"};
 constexpr qsizetype maxFiles = 40;
-const QStringList largeFolders{"core/io/mesh", "vr/simulator"}; ///< many formats; one file for each part of the specification
+/// Many formats; one file for each part of the specification.
+const QStringList largeFolders{"core/io/mesh", "vr/simulator"};
 
 const QRegularExpression includeLine(R"(^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"])");
 const QRegularExpression platformHeader(

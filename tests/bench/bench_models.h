@@ -7,7 +7,8 @@
 /// Models to measure on.
 namespace bench
 {
-/// An icosahedron whose edges are cut into `cuts`: 10 cuts^2 + 2 vertices on the sphere of radius 1. Built once a program.
+/// An icosahedron whose edges are cut into `cuts`: 10 cuts^2 + 2 vertices on the sphere of radius 1. Built once a
+/// program.
 const core::TriangleMesh& geodesicSphere(core::Slot cuts);
 /// The same surface, its vertices and faces in an order without sense, the same each time.
 core::TriangleMesh shuffled(const core::TriangleMesh& mesh);

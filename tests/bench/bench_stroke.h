@@ -26,9 +26,9 @@ struct Clocks
 };
 
 /// Does the stroke and sets counters, in microseconds a dab: cpu, cpu_p99, cpu_first, cpu_all (of all threads), wall,
-/// wall_p99, per_vertex, verify, patch, of which medians where no word says otherwise; per_vertex_mean (of the whole stroke); the means of all but the first dab, which is
-/// how Blender is timed, wall_mean and cpu_all_mean;
-/// stroke (to begin and to end it). Besides: touched; whole (the share of dabs that committed on the straight path with
-/// all of their displacement); vertices. All that a dab needs is in its times, its patch for viewers too.
+/// wall_p99, per_vertex, verify, patch, of which medians where no word says otherwise; per_vertex_mean (of the whole
+/// stroke); the means of all but the first dab, which is how Blender is timed, wall_mean and cpu_all_mean; stroke (to
+/// begin and to end it). Besides: touched; whole (the share of dabs that committed on the straight path with all of
+/// their displacement); vertices. All that a dab needs is in its times, its patch for viewers too.
 void measure(benchmark::State& state, core::Sculptor& sculptor, const GreatCircle& stroke);
 } // namespace bench

@@ -1,4 +1,5 @@
-// What three views of a model of a million vertices cost: as the 2D preview draws them while strokes go on, and when they rest.
+// What three views of a model of a million vertices cost: as the 2D preview draws them while strokes go on, and when
+// they rest.
 #include "tests/bench/bench_models.h"
 
 #include "core/drawing/incremental_line_drawing.h"

@@ -1,9 +1,9 @@
-// What it takes to open and to export a model of a million vertices, beside a plain read and write of the same bytes and beside
-// Assimp's import of the same file.
+// What it takes to open and to export a model of a million vertices, beside a plain read and write of the same bytes
+// and beside Assimp's import of the same file.
 #include "tests/bench/bench_models.h"
 
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
 
 #include <assimp/Importer.hpp>
 #include <benchmark/benchmark.h>
@@ -92,13 +92,16 @@ void files(benchmark::State& state)
     state.SetLabel(labels[format]);
     const fs::path folder = fs::temp_directory_path() / ("fettle_bench_" + std::to_string(::getpid()));
     fs::create_directory(folder);
-    const fs::path path = folder / ("shuffled." + std::string(endings[format])), written = folder / ("ball." + std::string(endings[format]));
+    const fs::path path = folder / ("shuffled." + std::string(endings[format])),
+                   written = folder / ("ball." + std::string(endings[format]));
     const core::TriangleMesh ball = scaled(bench::geodesicSphere(cuts));
     core::writeMesh(path, bench::shuffled(ball));
     const std::size_t size = fs::file_size(path);
     for ([[maybe_unused]] auto round : state) {
-        const auto [plain, read] = timesOf([&] { readPlainly(path); }, [&] { benchmark::DoNotOptimize(core::readMesh(path)); });
-        const auto [plainWrite, write] = timesOf([&] { writePlainly(folder / "plain", size); }, [&] { core::writeMesh(written, ball); });
+        const auto [plain, read] =
+            timesOf([&] { readPlainly(path); }, [&] { benchmark::DoNotOptimize(core::readMesh(path)); });
+        const auto [plainWrite, write] =
+            timesOf([&] { writePlainly(folder / "plain", size); }, [&] { core::writeMesh(written, ball); });
         state.counters["megabytes"] = static_cast<double>(size) * 1e-6;
         state.counters["plain"] = plain;
         state.counters["read"] = read;

@@ -4,14 +4,14 @@
 #include "tests/bench/bench_models.h"
 
 #include "tests/support/mesh_asserts.h"
-#include "tests/vr/scene/example_scene.h"
 #include "tests/vr/gl/offscreen_gl.h"
-#include "vr/scene/eye_target.h"
+#include "tests/vr/scene/example_scene.h"
 #include "vr/gl/texture.h"
+#include "vr/scene/eye_target.h"
 #include "vr/scene/scene.h"
 
-#include "core/sculpt/sculptor.h"
 #include "core/operations/starter_models.h"
+#include "core/sculpt/sculptor.h"
 
 #include <QDir>
 
@@ -21,7 +21,8 @@
 namespace
 {
 constexpr QSize eyePixels(1080, 1200);
-constexpr QSize measuredPixels(216, 240); ///< what the thread does itself does not depend on them; what software OpenGL does, does
+/// What the thread does itself does not depend on them; what software OpenGL does, does.
+constexpr QSize measuredPixels(216, 240);
 constexpr Tangents leftEye{1.39, 1.23, 1.47, 1.46}, rightEye{1.23, 1.39, 1.47, 1.46}; ///< a Vive's
 constexpr double halfEyeDistance = 0.0315;
 
@@ -75,7 +76,8 @@ vr::RayBrush rayAt(const vr::SceneState& state, const core::Sculptor& sculptor)
     vr::RayBrush brush{{aim.position, (at - aim.position).normalized()}, {}};
     const Eigen::Affine3d toModel = state.model.inverse();
     if (const auto hit = sculptor.hit({toModel * brush.ray.origin, toModel.linear() * brush.ray.direction}))
-        brush.hit = vr::RayBrush::Hit{state.model * hit->position, (state.model.linear() * hit->normal).normalized(), 0.04};
+        brush.hit =
+            vr::RayBrush::Hit{state.model * hit->position, (state.model.linear() * hit->normal).normalized(), 0.04};
     return brush;
 }
 
@@ -86,8 +88,10 @@ void writePictures(Renderer& renderer, const QDir& folder)
     renderer.scene.apply(sculptor.wholePatch());
     const vr::SceneState ball = example::scene(boxOf(mesh));
     const auto save = [&](const vr::SceneState& state, const char* name) {
-        renderer.picture(state, -halfEyeDistance, leftEye).save(folder.filePath(QLatin1StringView(name) + QStringLiteral("-left.png")));
-        renderer.picture(state, halfEyeDistance, rightEye).save(folder.filePath(QLatin1StringView(name) + QStringLiteral("-right.png")));
+        renderer.picture(state, -halfEyeDistance, leftEye)
+            .save(folder.filePath(QLatin1StringView(name) + QStringLiteral("-left.png")));
+        renderer.picture(state, halfEyeDistance, rightEye)
+            .save(folder.filePath(QLatin1StringView(name) + QStringLiteral("-right.png")));
     };
     save(ball, "ball");
     vr::SceneState ray = ball;
@@ -102,9 +106,11 @@ void writePictures(Renderer& renderer, const QDir& folder)
     panel.symmetry = core::Symmetry::None;
     save(panel, "panel");
     vr::SceneState near = ball;
-    near.head = looking(ball.wands[1].grip * core::Vec3(-0.10, 0.22, 0.06), ball.wands[1].grip * core::Vec3(0, 0, -0.03));
+    near.head =
+        looking(ball.wands[1].grip * core::Vec3(-0.10, 0.22, 0.06), ball.wands[1].grip * core::Vec3(0, 0, -0.03));
     renderer.picture(near, 0, {0.55, 0.55, 0.61, 0.61}).save(folder.filePath(QStringLiteral("wand-above.png")));
-    near.head = looking(ball.wands[1].grip * core::Vec3(0.26, -0.06, -0.02), ball.wands[1].grip * core::Vec3(0, 0, -0.03));
+    near.head =
+        looking(ball.wands[1].grip * core::Vec3(0.26, -0.06, -0.02), ball.wands[1].grip * core::Vec3(0, 0, -0.03));
     near.wands[1].labels = {};
     renderer.picture(near, 0, {0.55, 0.55, 0.61, 0.61}).save(folder.filePath(QStringLiteral("wand-beside.png")));
 }
@@ -130,7 +136,10 @@ public:
     Phase& operator=(const Phase&) = delete;
 
 private:
-    double now() const { return vr::threadCpuMilliseconds() - m_renderer.scene.drawCallMs() - m_renderer.target.drawCallMs(); }
+    double now() const
+    {
+        return vr::threadCpuMilliseconds() - m_renderer.scene.drawCallMs() - m_renderer.target.drawCallMs();
+    }
 
     const Renderer& m_renderer;
     Samples& m_into;
@@ -152,7 +161,8 @@ void measureLoading(Renderer& renderer, const core::MeshPatch& whole, const vr::
         const Phase phase(renderer, frames); // gives back what was shown before
         renderer.scene.prepare(state);
     }
-    std::printf("%9zu vertices, loading: %zu frames, median %.3f, longest %.3f\n", whole.vertices.size(), frames.values.size(), frames.at(0.5), frames.at(1));
+    std::printf("%9zu vertices, loading: %zu frames, median %.3f, longest %.3f\n", whole.vertices.size(),
+                frames.values.size(), frames.at(0.5), frames.at(1));
 }
 
 /// A stroke around a ball, a dab in each frame.
@@ -195,9 +205,11 @@ void measure(Renderer& renderer, core::Slot cuts)
         renderer.draw(state, -halfEyeDistance, leftEye);
         renderer.draw(state, halfEyeDistance, rightEye);
     }
-    std::printf("%9llu vertices: apply %.3f (p99 %.3f)  prepare %.3f (%.3f)  both eyes %.3f (%.3f)  frame %.3f (%.3f)   %.0f kB a frame, %lu draw calls\n",
-                static_cast<unsigned long long>(10 * cuts * cuts + 2), apply.at(0.5), apply.at(0.99), prepare.at(0.5), prepare.at(0.99),
-                draw.at(0.5), draw.at(0.99), whole.at(0.5), whole.at(0.99), static_cast<double>(renderer.scene.meshBytes() - bytes) / frames / 1000,
+    std::printf("%9llu vertices: apply %.3f (p99 %.3f)  prepare %.3f (%.3f)  both eyes %.3f (%.3f)  frame %.3f (%.3f)  "
+                " %.0f kB a frame, %lu draw calls\n",
+                static_cast<unsigned long long>(10 * cuts * cuts + 2), apply.at(0.5), apply.at(0.99), prepare.at(0.5),
+                prepare.at(0.99), draw.at(0.5), draw.at(0.99), whole.at(0.5), whole.at(0.99),
+                static_cast<double>(renderer.scene.meshBytes() - bytes) / frames / 1000,
                 (renderer.scene.drawCalls() - calls) / frames);
     std::fflush(stdout);
 }

@@ -1,4 +1,5 @@
-// What it costs that nothing is lost: the same strokes without a journal and with one, on two models, with a base being made meanwhile.
+// What it costs that nothing is lost: the same strokes without a journal and with one, on two models, with a base being
+// made meanwhile.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 
@@ -16,7 +17,8 @@ using bench::Clocks;
 namespace fs = std::filesystem;
 
 constexpr int strokes = 40, dabsAStroke = 24;
-constexpr core::JournalLimits limits{.segmentBytes = 128 << 10, .logBytes = 1 << 20}; ///< small, so that bases are made meanwhile
+/// Small, so that bases are made meanwhile.
+constexpr core::JournalLimits limits{.segmentBytes = 128 << 10, .logBytes = 1 << 20};
 
 /// On this disk, gone with the object.
 class Home

@@ -1,6 +1,7 @@
-// What legalise does to each of the bad models, or to the files given: a table, CGAL's verdict in the last column but one.
-#include "core/repair/repair.h"
+// What legalise does to each of the bad models, or to the files given: a table, CGAL's verdict in the last column but
+// one.
 #include "core/io/mesh_io.h"
+#include "core/repair/repair.h"
 #include "tests/support/bad_models.h"
 #include "tests/support/cgal_judge.h"
 
@@ -42,12 +43,13 @@ void row(const std::string& name, const TriangleMesh& mesh)
         return;
     }
     const auto verdict = judgedByCgal(*result.mesh);
-    std::printf("%zu | welded %zu joined %zu in %.4f mm flat %zu double %zu turned %zu sheets %zu holes %zu inner %zu meeting %llu in %zu "
+    std::printf("%zu | welded %zu joined %zu in %.4f mm flat %zu double %zu turned %zu sheets %zu holes %zu inner %zu "
+                "meeting %llu in %zu "
                 "apart %zu+%zu%s"
                 " | %.4f, %.5f | %.4f, %.5f | %s | %.2f |\n",
-                result.mesh->triangles.size(), r.welded, r.joined, r.joinedWithin, r.degenerateFaces, r.duplicateFaces, r.turnedFaces,
-                r.membraneFaces, r.holes, r.innerParts, static_cast<unsigned long long>(r.intersections), r.rounds,
-                r.touchingEdges, r.touchingVertices,
+                result.mesh->triangles.size(), r.welded, r.joined, r.joinedWithin, r.degenerateFaces, r.duplicateFaces,
+                r.turnedFaces, r.membraneFaces, r.holes, r.innerParts, static_cast<unsigned long long>(r.intersections),
+                r.rounds, r.touchingEdges, r.touchingVertices,
                 r.remeshedAt ? (" remeshed at " + std::to_string(*r.remeshedAt)).c_str() : "", r.fromOld.largest,
                 r.fromOld.mean, r.fromNew.largest, r.fromNew.mean, verdict && verdict->allWell() ? "sound" : "WRONG",
                 seconds);

@@ -1,5 +1,6 @@
-// The paper's Table 1: 20 operations of one tool with one brush on the sphere of 2562 vertices, constant radius; the mean
-// of each phase. The paper does not tell its radius: ours is its relation's own, at which the sphere is quasi-uniform.
+// The paper's Table 1: 20 operations of one tool with one brush on the sphere of 2562 vertices, constant radius; the
+// mean of each phase. The paper does not tell its radius: ours is its relation's own, at which the sphere is
+// quasi-uniform.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 

@@ -32,7 +32,8 @@ core::TriangleMesh model(Part part)
 
 void print(benchmark::State& state)
 {
-    const char* const labels[] = {"walls of a ball", "of a shell", "of a ring", "judging by limits", "picture of overhangs"};
+    const char* const labels[] = {"walls of a ball", "of a shell", "of a ring", "judging by limits",
+                                  "picture of overhangs"};
     const auto part = static_cast<Part>(state.range(0));
     state.SetLabel(labels[part]);
     core::PrintMeasures measures;

@@ -147,7 +147,8 @@ BENCHMARK(strength)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
-/// Each tool, from fresh surface to fresh surface; those that follow the hand drag what they hold along the surface, as far as it goes without a fold.
+/// Each tool, from fresh surface to fresh surface; those that follow the hand drag what they hold along the surface, as
+/// far as it goes without a fold.
 void tools(benchmark::State& state)
 {
     const auto tool = static_cast<core::Tool>(state.range(0));
@@ -155,7 +156,9 @@ void tools(benchmark::State& state)
     state.SetLabel(std::string(core::name(tool)));
     for ([[maybe_unused]] auto round : state) {
         Sculptor sculptor(bench::opened(bench::geodesicSphere(64)));
-        bench::measure(state, sculptor, {.tool = tool, .radius = 0.2, .strength = 1, .dabs = drags ? 10 : 60, .spacing = drags ? 0.05 : 0.4});
+        bench::measure(
+            state, sculptor,
+            {.tool = tool, .radius = 0.2, .strength = 1, .dabs = drags ? 10 : 60, .spacing = drags ? 0.05 : 0.4});
     }
 }
 BENCHMARK(tools)
@@ -178,7 +181,9 @@ void drags(benchmark::State& state)
 }
 BENCHMARK(drags)
     ->ArgNames({"tool", "dabs"})
-    ->ArgsProduct({{static_cast<int>(core::Tool::Pull), static_cast<int>(core::Tool::Grab), static_cast<int>(core::Tool::SnakeHook)}, {5, 10, 20, 40}})
+    ->ArgsProduct({{static_cast<int>(core::Tool::Pull), static_cast<int>(core::Tool::Grab),
+                    static_cast<int>(core::Tool::SnakeHook)},
+                   {5, 10, 20, 40}})
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);

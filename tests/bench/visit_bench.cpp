@@ -1,10 +1,10 @@
-// What a visit to the headset costs its thread while somebody sculpts, by the phases of a frame: the whole program, the scripted runtime.
-// By hand, on a release build, with a display:
+// What a visit to the headset costs its thread while somebody sculpts, by the phases of a frame: the whole program, the
+// scripted runtime. By hand, on a release build, with a display:
 //   visit_bench [VERTICES...]
 // CPU milliseconds; draw calls, within which software OpenGL shades the picture, are left out and told apart.
 #include "app/headset/headset_controller.h"
-#include "tests/bench/bench_models.h"
 #include "core/io/mesh_io.h"
+#include "tests/bench/bench_models.h"
 #include "tests/support/program.h"
 #include "tests/vr/simulator/scripted_headset.h"
 #include "ui/viewport/viewport.h"

@@ -1,12 +1,12 @@
-// What the window costs with models of 10,000 to 1,000,000 vertices: opening, frames while stroking, the 2D preview behind the
-// stroke, and how long the gui thread was ever away. By hand, on a release build, with a display:
+// What the window costs with models of 10,000 to 1,000,000 vertices: opening, frames while stroking, the 2D preview
+// behind the stroke, and how long the gui thread was ever away. By hand, on a release build, with a display:
 //   window_bench [VERTICES...]
 // CPU milliseconds of the gui thread; software GL rasterises in "clay" and in "blit", a graphics card does not.
 #include "app/worker/drawing_worker.h"
 #include "app/worker/job_queue.h"
 
-#include "tests/bench/bench_models.h"
 #include "core/io/mesh_io.h"
+#include "tests/bench/bench_models.h"
 #include "tests/support/program.h"
 #include "ui/viewport/viewport.h"
 
@@ -56,8 +56,8 @@ struct Samples
     }
 };
 
-/// How long the event loop was away, without what the GL driver did meanwhile: each second millisecond a signal asks the gui
-/// thread where it is.
+/// How long the event loop was away, without what the GL driver did meanwhile: each second millisecond a signal asks
+/// the gui thread where it is.
 class Absence
 {
 public:
@@ -96,10 +96,12 @@ private:
     /// Keeps where a library's code lies; software GL's compiler is of the driver.
     static int note(dl_phdr_info* library, std::size_t, void*)
     {
-        const bool isDriver = std::strstr(library->dlpi_name, "_dri.so") != nullptr || std::strstr(library->dlpi_name, "LLVM") != nullptr;
+        const bool isDriver =
+            std::strstr(library->dlpi_name, "_dri.so") != nullptr || std::strstr(library->dlpi_name, "LLVM") != nullptr;
         for (int i = 0; i < library->dlpi_phnum; ++i)
             if (const auto& part = library->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X) != 0)
-                s_code.push_back({library->dlpi_addr + part.p_vaddr, library->dlpi_addr + part.p_vaddr + part.p_memsz, isDriver});
+                s_code.push_back(
+                    {library->dlpi_addr + part.p_vaddr, library->dlpi_addr + part.p_vaddr + part.p_memsz, isDriver});
         return 0;
     }
 
@@ -158,17 +160,19 @@ bool waitFor(const std::function<bool()>& isSo)
 void open(Program& program, const QString& path)
 {
     int told = 0;
-    const auto counting = QObject::connect(&program.document, &app::Document::progressed, &program.window, [&] { ++told; });
+    const auto counting =
+        QObject::connect(&program.document, &app::Document::progressed, &program.window, [&] { ++told; });
     Absence absence;
     QElapsedTimer clock;
     clock.start();
     const quint64 wholes = program.window.viewport()->stats().wholeUploads;
     program.document.open(path);
-    const bool opened = waitFor([&] { return !program.document.isBusy() && program.window.viewport()->stats().wholeUploads > wholes; });
+    const bool opened =
+        waitFor([&] { return !program.document.isBusy() && program.window.viewport()->stats().wholeUploads > wholes; });
     QObject::disconnect(counting);
     std::printf("%9llu  open to frame %7.0f ms   progress told %3d times   gui away at most %4.0f ms%s\n",
-                static_cast<unsigned long long>(program.document.facts().vertices), static_cast<double>(clock.elapsed()), told,
-                absence.worst(), opened ? "" : "   NOT OPENED");
+                static_cast<unsigned long long>(program.document.facts().vertices),
+                static_cast<double>(clock.elapsed()), told, absence.worst(), opened ? "" : "   NOT OPENED");
 }
 
 /// A spiral on the model's front.
@@ -207,12 +211,14 @@ void stroke(Program& program, const char* what)
     QTest::qWait(500);
     QObject::disconnect(frames);
     QObject::disconnect(drawings, nullptr, viewport, nullptr);
-    std::printf("           %-18s %3zu frames: patch %5.2f  scene %5.2f  clay %6.2f  blit %6.2f  whole %6.2f (worst %6.1f)   input to frame %5.1f"
+    std::printf("           %-18s %3zu frames: patch %5.2f  scene %5.2f  clay %6.2f  blit %6.2f  whole %6.2f (worst "
+                "%6.1f)   input to frame %5.1f"
                 "   gui away %4.0f",
-                what, frame.values.size(), patch.median(), scene.median(), clay.median(), rest.median(), frame.median(), frame.worst(),
-                latency.median(), absence.worst());
+                what, frame.values.size(), patch.median(), scene.median(), clay.median(), rest.median(), frame.median(),
+                frame.worst(), latency.median(), absence.worst());
     if (!drawing.values.empty())
-        std::printf("   %zu drawings, behind %.0f, worst %.0f", drawing.values.size(), drawing.median(), drawing.worst());
+        std::printf("   %zu drawings, behind %.0f, worst %.0f", drawing.values.size(), drawing.median(),
+                    drawing.worst());
     std::printf("\n");
     std::fflush(stdout);
 }

@@ -1,6 +1,7 @@
-// One reader, fed with a stranger's bytes: it returns a mesh as core/io/mesh_io.h promises, or throws a FileError; nothing else.
-#include "core/util/file_error.h"
+// One reader, fed with a stranger's bytes: it returns a mesh as core/io/mesh_io.h promises, or throws a FileError;
+// nothing else.
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -49,7 +50,8 @@ void judge(const core::TriangleMesh& mesh)
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
     static const Folder folder;
-    std::ofstream(folder.file(), std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    std::ofstream(folder.file(), std::ios::binary)
+        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
     try {
         judge(core::readMesh(folder.file()));
         core::readMetadata(folder.file());

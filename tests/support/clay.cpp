@@ -117,7 +117,8 @@ TriangleMesh tube(const std::vector<Vec3>& path, double radius, Slot around)
     for (const Ring& ring : rings) {
         for (Slot i = 0; i < around; ++i) {
             const double a = 2 * std::numbers::pi * i / around;
-            mesh.points.push_back((ring.center + ring.radius * (std::cos(a) * ring.side + std::sin(a) * Vec3::UnitZ())).cast<float>());
+            mesh.points.push_back(
+                (ring.center + ring.radius * (std::cos(a) * ring.side + std::sin(a) * Vec3::UnitZ())).cast<float>());
         }
     }
     const auto vertex = [&](Slot ring, Slot i) { return ring * around + i % around; };

@@ -10,11 +10,12 @@ using core::TriangleMesh;
 
 /// A square plate in the plane y = 0, `cells` x `cells` on each side.
 TriangleMesh slab(double side, double thickness, Slot cells);
-/// Turned about the y axis from points (radius, height) that run from the lower pole up, the outside on their right; both
-/// poles, with radius 0, included.
+/// Turned about the y axis from points (radius, height) that run from the lower pole up, the outside on their right;
+/// both poles, with radius 0, included.
 TriangleMesh revolved(const std::vector<core::Vec3>& profile, Slot around);
 TriangleMesh bowl();
-/// A round tube around a path in the plane z = 0, with round ends. Parts of the path farther apart than twice the radius.
+/// A round tube around a path in the plane z = 0, with round ends. Parts of the path farther apart than twice the
+/// radius.
 TriangleMesh tube(const std::vector<core::Vec3>& path, double radius, Slot around);
 /// A ring of radius 1 and thickness 0.5 that was cut: its round ends face each other at angle 0, `gap` apart.
 TriangleMesh cutRing(double gap);

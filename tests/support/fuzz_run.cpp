@@ -1,9 +1,9 @@
 #include "tests/support/fuzz_run.h"
 
-#include "tests/support/clay.h"
-#include "core/mesh/mesh_hash.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_hash.h"
 #include "core/operations/uniform_remesh.h"
+#include "tests/support/clay.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -26,7 +26,8 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-/// A run whose mesh has grown past this ends: more would only take longer. So does one that has pushed nearly all of it away.
+/// A run whose mesh has grown past this ends: more would only take longer. So does one that has pushed nearly all of it
+/// away.
 constexpr Slot maxFaces = 10'000, leastFaces = 64;
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 /// One step in so many is a command to the whole model; one in so many takes back the step before.
@@ -52,7 +53,8 @@ Mesh sculptableCopy(const FuzzStart& start)
 /// For whoever looks for the cause.
 std::filesystem::path save(const FuzzStart& start, std::uint64_t seed)
 {
-    const std::filesystem::path path = std::filesystem::temp_directory_path() / ("fettle-fuzz-" + std::to_string(seed) + ".ply");
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("fettle-fuzz-" + std::to_string(seed) + ".ply");
     core::writeMesh(path, start.mesh);
     return path;
 }
@@ -86,11 +88,16 @@ FuzzStart symmetrized(const FuzzStart& start, Symmetry plane)
 }
 
 FuzzRun::FuzzRun(const FuzzStart& start, std::uint64_t seed, FuzzTally& tally)
-    : m_start(start), m_seed(seed), m_fuzzer(seed), m_tally(tally), m_sculptor(sculptable(start.mesh)),
-      m_where(start.shape + ", plane " + std::string(name(start.plane)) + ", seed " + std::to_string(seed)),
-      m_startState(m_sculptor.mesh().stateHash()), m_trace(std::getenv("FETTLE_TRACE") != nullptr), m_nextJudge(dabsPerJudge)
-{
-}
+    : m_start(start)
+    , m_seed(seed)
+    , m_fuzzer(seed)
+    , m_tally(tally)
+    , m_sculptor(sculptable(start.mesh))
+    , m_where(start.shape + ", plane " + std::string(name(start.plane)) + ", seed " + std::to_string(seed))
+    , m_startState(m_sculptor.mesh().stateHash())
+    , m_trace(std::getenv("FETTLE_TRACE") != nullptr)
+    , m_nextJudge(dabsPerJudge)
+{}
 
 std::optional<FuzzStart> FuzzRun::grown() const
 {
@@ -98,7 +105,8 @@ std::optional<FuzzStart> FuzzRun::grown() const
     FuzzStart end = {m_start.shape.starts_with("grown ") ? m_start.shape : "grown " + m_start.shape,
                      mesh_asserts::surfaceOf(mesh), m_start.plane};
     const bool fits = core::Lattice::forExtent(largestCoordinate(end.mesh)).exponent() >= mesh.lattice().exponent();
-    return fits && mesh.live().faces >= leastFaces && mesh.live().faces < maxFaces / 2 ? std::optional(end) : std::nullopt;
+    return fits && mesh.live().faces >= leastFaces && mesh.live().faces < maxFaces / 2 ? std::optional(end)
+                                                                                       : std::nullopt;
 }
 
 bool FuzzRun::mayGoOn() const
@@ -142,7 +150,7 @@ void FuzzRun::fail(const std::string& what)
     m_problem = text.str();
 }
 
-// --- steps -----------------------------------------------------------------------------------------------------------------
+// --- steps
 
 Stroke FuzzRun::nextStroke()
 {
@@ -157,7 +165,8 @@ core::ModelCommand FuzzRun::nextCommand()
 {
     const Mesh& mesh = m_sculptor.mesh();
     if (m_fuzzer.below(2) == 0) // cleared more often than not, else little is left to sculpt
-        return core::MaskOperation{static_cast<How>(m_fuzzer.below(2) == 0 ? m_fuzzer.below(maskChanges) : std::uint64_t(How::Clear)), {}};
+        return core::MaskOperation{
+            static_cast<How>(m_fuzzer.below(2) == 0 ? m_fuzzer.below(maskChanges) : std::uint64_t(How::Clear)), {}};
     if (m_start.plane != Symmetry::None)
         return core::Symmetrize{m_start.plane, m_fuzzer.below(2) == 0 ? core::Half::Positive : core::Half::Negative};
     const auto sized = [&](double from, double to) { return m_fuzzer.uniform(from, to); };
@@ -237,16 +246,18 @@ void FuzzRun::undoForGood()
 
 void FuzzRun::trace(const StrokeSettings& s, const DabReport& report) const
 {
-    std::cout << m_where << ", step " << m_steps.size() << ", dab " << m_dabs << ": " << name(s.tool) << ' ' << name(s.brush)
-              << ' ' << name(s.place) << ' ' << name(s.topology) << " fusion " << s.fusion << " symmetry " << name(s.symmetry)
-              << (report.asymmetric ? " (as two dabs)" : "") << " radial " << s.radial << " radius " << s.radius << " strength " << s.strength
-              << " falloff " << s.falloff << " detail " << s.detail << ": " << name(report.outcome) << ", "
-              << report.touchedVertices << " vertices, " << report.substeps << " sub-steps, " << report.reached << " of "
-              << report.asked << (report.contact ? " (contact), " : ", ") << report.totalMs << " ms, fuse " << report.fuseMs << " ms, verify " << report.verifyMs
-              << " ms, optimise " << report.optimiseMs << " ms, model " << m_sculptor.mesh().live().faces << " faces" << std::endl;
+    std::cout << m_where << ", step " << m_steps.size() << ", dab " << m_dabs << ": " << name(s.tool) << ' '
+              << name(s.brush) << ' ' << name(s.place) << ' ' << name(s.topology) << " fusion " << s.fusion
+              << " symmetry " << name(s.symmetry) << (report.asymmetric ? " (as two dabs)" : "") << " radial "
+              << s.radial << " radius " << s.radius << " strength " << s.strength << " falloff " << s.falloff
+              << " detail " << s.detail << ": " << name(report.outcome) << ", " << report.touchedVertices
+              << " vertices, " << report.substeps << " sub-steps, " << report.reached << " of " << report.asked
+              << (report.contact ? " (contact), " : ", ") << report.totalMs << " ms, fuse " << report.fuseMs
+              << " ms, verify " << report.verifyMs << " ms, optimise " << report.optimiseMs << " ms, model "
+              << m_sculptor.mesh().live().faces << " faces" << std::endl;
 }
 
-// --- checks ----------------------------------------------------------------------------------------------------------------
+// --- checks
 
 void FuzzRun::checkAfterSample()
 {
@@ -254,7 +265,8 @@ void FuzzRun::checkAfterSample()
     if (const auto quality = m_sculptor.selectionQuality(); quality && !(quality->longestEdge > 0))
         fail("what the last dab selected has no edges");
     if (m_start.plane != Symmetry::None) {
-        if (const std::string asymmetry = mirror_asserts::asymmetry(m_sculptor.mesh(), m_start.plane); !asymmetry.empty())
+        if (const std::string asymmetry = mirror_asserts::asymmetry(m_sculptor.mesh(), m_start.plane);
+            !asymmetry.empty())
             fail(asymmetry);
     }
     if (m_dabs >= m_nextPairCheck) {
@@ -318,7 +330,8 @@ void FuzzRun::replay()
             again.swap(change.delta);
         }
         if (again.mesh().stateHash() != m_states[i]) {
-            fail("the same steps give another mesh from step " + std::to_string(i + 1) + " of " + std::to_string(m_steps.size()) + " on");
+            fail("the same steps give another mesh from step " + std::to_string(i + 1) + " of " +
+                 std::to_string(m_steps.size()) + " on");
             return;
         }
     }

@@ -22,9 +22,10 @@ std::vector<FuzzStart> fuzzShapes();
 /// Made symmetric.
 FuzzStart symmetrized(const FuzzStart& start, core::Symmetry plane);
 
-/// One mesh, sculpted at random until its dabs are used up, it has grown large, or nearly all of it is gone. After each dab the
-/// octree is compared with the mesh and the symmetry is checked, after each few all pairs of faces are tested, and CGAL
-/// judges; at the end everything is undone, redone, and, if asked, done again from the start without what was undone in between.
+/// One mesh, sculpted at random until its dabs are used up, it has grown large, or nearly all of it is gone. After each
+/// dab the octree is compared with the mesh and the symmetry is checked, after each few all pairs of faces are tested,
+/// and CGAL judges; at the end everything is undone, redone, and, if asked, done again from the start without what was
+/// undone in between.
 class FuzzRun
 {
 public:

@@ -69,23 +69,26 @@ void FuzzTally::add(const core::SculptorTotals& totals)
 
 void FuzzTally::print(std::ostream& out) const
 {
-    out << "fuzzer: " << dabs << " dabs, " << strokes << " strokes, " << commands << " commands, " << runs << " runs, " << judged
-        << " CGAL checks; " << committed << " committed, " << fallback << " careful, " << all.endedEarly << " ended early ("
-        << percent(all.endedEarly, all.dabs) << " %), " << empty << " empty, " << added << " spheres added, " << refused
-        << " refused; of " << all.dabs << " that were to move something " << all.whole << " reached 95 % of what was asked ("
-        << all.wholePercent() << " %, " << all.wholeOfLegalPercent() << " % without the " << all.contact
-        << " stopped by contact that may not be joined); proved by patch, stars, pairs: " << tiers[0] << ' ' << tiers[1] << ' '
-        << tiers[2] << "; " << fusions << " fusions, " << separations << " separations; digest " << std::hex << digest << std::dec
-        << std::endl;
+    out << "fuzzer: " << dabs << " dabs, " << strokes << " strokes, " << commands << " commands, " << runs << " runs, "
+        << judged << " CGAL checks; " << committed << " committed, " << fallback << " careful, " << all.endedEarly
+        << " ended early (" << percent(all.endedEarly, all.dabs) << " %), " << empty << " empty, " << added
+        << " spheres added, " << refused << " refused; of " << all.dabs << " that were to move something " << all.whole
+        << " reached 95 % of what was asked (" << all.wholePercent() << " %, " << all.wholeOfLegalPercent()
+        << " % without the " << all.contact
+        << " stopped by contact that may not be joined); proved by patch, stars, pairs: " << tiers[0] << ' ' << tiers[1]
+        << ' ' << tiers[2] << "; " << fusions << " fusions, " << separations << " separations; digest " << std::hex
+        << digest << std::dec << std::endl;
 }
 
 void FuzzTally::printClasses(std::ostream& out) const
 {
     out << std::fixed << std::setprecision(2);
     for (const auto& [name, share] : classes) {
-        out << std::left << std::setw(24) << name << std::right << std::setw(8) << share.dabs << " dabs, whole " << std::setw(6)
-            << share.wholePercent() << " %, without contact " << std::setw(6) << share.wholeOfLegalPercent() << " %, ended early " << std::setw(5) << percent(share.endedEarly, share.dabs)
-            << " %, " << share.ms / static_cast<double>(share.dabs) << " ms a dab\n";
+        out << std::left << std::setw(24) << name << std::right << std::setw(8) << share.dabs << " dabs, whole "
+            << std::setw(6) << share.wholePercent() << " %, without contact " << std::setw(6)
+            << share.wholeOfLegalPercent() << " %, ended early " << std::setw(5)
+            << percent(share.endedEarly, share.dabs) << " %, " << share.ms / static_cast<double>(share.dabs)
+            << " ms a dab\n";
     }
     out << std::defaultfloat << std::setprecision(6) << std::flush;
 }

@@ -113,7 +113,8 @@ private:
         const Slot first = m_mesh.outgoing(v);
         Slot h = first;
         do {
-            if (!expect(isLiveHalfedge(h) && m_mesh.from(h) == v, "an outgoing half-edge does not leave its vertex", v) ||
+            if (!expect(isLiveHalfedge(h) && m_mesh.from(h) == v, "an outgoing half-edge does not leave its vertex",
+                        v) ||
                 !expect(neighbours.size() < m_leaving[v], "a vertex has no end of neighbours", v))
                 return;
             neighbours.push_back(m_mesh.to(h));
@@ -177,7 +178,8 @@ std::vector<Slot> badFaces(const Mesh& mesh)
         const Face& s = faces[i];
         for (std::size_t j = i + 1; j < faces.size() && faces[j].min.x() <= s.max.x(); ++j) {
             const Face& t = faces[j];
-            const bool apart = t.min.y() > s.max.y() || s.min.y() > t.max.y() || t.min.z() > s.max.z() || s.min.z() > t.max.z();
+            const bool apart =
+                t.min.y() > s.max.y() || s.min.y() > t.max.y() || t.min.z() > s.max.z() || s.min.z() > t.max.z();
             if (!apart && core::trianglesIntersect(s.shape, t.shape))
                 bad.insert(bad.end(), {s.slot, t.slot});
         }

@@ -72,6 +72,8 @@ std::string mirror_asserts::asymmetry(const Mesh& mesh, core::Symmetry plane)
 
 std::string mirror_asserts::turnedAsymmetry(const Mesh& mesh, int parts)
 {
-    const auto imageOf = [parts](const Bits& bits) { return parts == 2 ? Bits{-bits[0], bits[1], -bits[2]} : Bits{bits[2], bits[1], -bits[0]}; };
+    const auto imageOf = [parts](const Bits& bits) {
+        return parts == 2 ? Bits{-bits[0], bits[1], -bits[2]} : Bits{bits[2], bits[1], -bits[0]};
+    };
     return unlikeImage(mesh, imageOf, false);
 }

@@ -28,8 +28,8 @@ inline void drag(QWidget* widget, const QPoint& by, Qt::KeyboardModifiers modifi
     const QPoint from = middle(widget);
     QTest::mousePress(widget, Qt::LeftButton, modifiers, from);
     for (int i = 1; i <= steps; ++i) {
-        QMouseEvent move(QEvent::MouseMove, from + by * i / steps, widget->mapToGlobal(from + by * i / steps), Qt::NoButton,
-                         Qt::LeftButton, modifiers);
+        QMouseEvent move(QEvent::MouseMove, from + by * i / steps, widget->mapToGlobal(from + by * i / steps),
+                         Qt::NoButton, Qt::LeftButton, modifiers);
         QApplication::sendEvent(widget, &move);
         QTest::qWait(5);
     }
@@ -79,8 +79,8 @@ inline void sculptBall(Program& program)
     QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), 60'000);
 }
 
-/// Presses a button of the question about unsaved changes, which the next event asks, until it is answered: on a busy machine a press
-/// on a box that has just been shown may be lost.
+/// Presses a button of the question about unsaved changes, which the next event asks, until it is answered: on a busy
+/// machine a press on a box that has just been shown may be lost.
 inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
 {
     auto* timer = new QTimer(&program.window);
@@ -94,7 +94,8 @@ inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
     timer->start(20);
 }
 
-/// Gives the dialog a file's name, and Return. It is not typed: what the dialog proposes to go on with may come before the last letter.
+/// Gives the dialog a file's name, and Return. It is not typed: what the dialog proposes to go on with may come before
+/// the last letter.
 inline void chooseFile(Program& program, const char* dialogName, const QString& path)
 {
     QFileDialog* dialog = nullptr;

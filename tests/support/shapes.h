@@ -2,7 +2,8 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-/// Small named meshes for tests. Closed ones face outwards unless their name says otherwise. core::icosphere is the ball.
+/// Small named meshes for tests. Closed ones face outwards unless their name says otherwise. core::icosphere is the
+/// ball.
 namespace shapes
 {
 using core::Slot;

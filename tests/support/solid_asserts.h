@@ -22,7 +22,8 @@ inline std::string unsoundness(const core::Mesh& mesh)
 }
 } // namespace mesh_asserts
 
-/// Linked rightly, closed, manifold, oriented, free of self-intersections, the boundary of a solid. Links fettle_cgal_judge.
+/// Linked rightly, closed, manifold, oriented, free of self-intersections, the boundary of a solid. Links
+/// fettle_cgal_judge.
 #define VERIFY_VALID(mesh)                                                                                             \
     do {                                                                                                               \
         const std::string unsoundness = mesh_asserts::unsoundness(mesh);                                               \

@@ -2,9 +2,9 @@
 
 #include "tests/support/clay.h"
 
+#include "core/operations/starter_models.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/deform/brush_model.h"
-#include "core/operations/starter_models.h"
 
 #include <cmath>
 
@@ -17,7 +17,8 @@ namespace
 const std::vector<std::shared_ptr<const core::BrushModel>>& brushModels()
 {
     static const std::vector<std::shared_ptr<const core::BrushModel>> models = {
-        core::BrushModel::of(core::starterModel(core::Starter::Torus), {}).model, core::BrushModel::of(core::starterModel(core::Starter::Cube), {}).model,
+        core::BrushModel::of(core::starterModel(core::Starter::Torus), {}).model,
+        core::BrushModel::of(core::starterModel(core::Starter::Cube), {}).model,
         core::BrushModel::of(core::icosphere(1, 1), {}).model, core::BrushModel::of(clay::bowl(), {}).model,
         core::BrushModel::of(clay::cutRing(0.2), {}).model};
     return models;
@@ -83,7 +84,8 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     }
     if (below(3) != 0)
         s.model = brushModels()[below(brushModels().size())];
-    if (s.tool == core::Tool::Stamp || (s.alpha && core::usesAlpha(s.tool))) // their meshes are finer: as much work as the others'
+    if (s.tool == core::Tool::Stamp ||
+        (s.alpha && core::usesAlpha(s.tool))) // their meshes are finer: as much work as the others'
         s.detail = uniform(2, 8);
 
     const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
@@ -95,7 +97,8 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
         sample.time = 0.01 * static_cast<double>(i);
         sample.position = at;
         if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
-            const bool staysPut = s.spacing != 0 || core::isDragTool(s.tool); // else dabs would fill the way from one view to the next
+            const bool staysPut =
+                s.spacing != 0 || core::isDragTool(s.tool); // else dabs would fill the way from one view to the next
             sample.direction = staysPut ? view : direction();
             sample.position = at - 2 * size * sample.direction;
         }

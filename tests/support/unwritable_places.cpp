@@ -47,8 +47,8 @@ SmallDisk::SmallDisk(std::filesystem::path folder, unsigned kibibytes) : m_folde
 {
     std::filesystem::create_directories(m_folder);
     static const bool mayMount = ownMounts();
-    m_isThere = mayMount && ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0
-                && ::mount("none", m_folder.c_str(), "tmpfs", 0, ("size=" + std::to_string(kibibytes) + 'k').c_str()) == 0;
+    m_isThere = mayMount && ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                ::mount("none", m_folder.c_str(), "tmpfs", 0, ("size=" + std::to_string(kibibytes) + 'k').c_str()) == 0;
 }
 
 SmallDisk::~SmallDisk()
@@ -60,6 +60,8 @@ SmallDisk::~SmallDisk()
 void SmallDisk::fill() const
 {
     std::ofstream filler(m_folder / "filler", std::ios::binary);
-    for (const std::string page(4096, 'x'); filler.write(page.data(), static_cast<std::streamsize>(page.size())).flush();) {}
+    for (const std::string page(4096, 'x');
+         filler.write(page.data(), static_cast<std::streamsize>(page.size())).flush();) {
+    }
 }
 } // namespace places

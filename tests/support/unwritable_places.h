@@ -12,7 +12,8 @@ void obeyPermissions();
 class SmallDisk
 {
 public:
-    /// Before there are threads: the first one makes the process's mounts its own, which takes root's rights or user namespaces.
+    /// Before there are threads: the first one makes the process's mounts its own, which takes root's rights or user
+    /// namespaces.
     explicit SmallDisk(std::filesystem::path folder, unsigned kibibytes = 64);
     ~SmallDisk();
     SmallDisk(const SmallDisk&) = delete;

@@ -19,7 +19,10 @@ struct Viewer
         put(patch.faceSpans, patch.faces, faces);
     }
 
-    bool operator==(const Viewer& other) const { return std::ranges::equal(vertices, other.vertices, same) && faces == other.faces; }
+    bool operator==(const Viewer& other) const
+    {
+        return std::ranges::equal(vertices, other.vertices, same) && faces == other.faces;
+    }
 
     /// Of live faces, what is drawn: the values of vertices that no face uses do not matter.
     bool drawsLike(const Viewer& other) const
@@ -37,7 +40,8 @@ private:
     }
 
     template <class Value>
-    static void put(const std::vector<core::SlotSpan>& spans, const std::vector<Value>& values, std::vector<Value>& array)
+    static void put(const std::vector<core::SlotSpan>& spans, const std::vector<Value>& values,
+                    std::vector<Value>& array)
     {
         std::size_t at = 0;
         for (const core::SlotSpan& span : spans)

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/geometry/triangle_mesh.h"
 #include "core/mesh/mesh_patch.h"
 #include "core/sculpt/sculptor.h"
-#include "core/geometry/triangle_mesh.h"
 
 #include <cmath>
 #include <numeric>

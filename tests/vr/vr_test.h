@@ -26,5 +26,6 @@ inline QString glxProblem()
     QOpenGLContext context;
     if (!context.create())
         return QStringLiteral("no OpenGL on Qt's platform %1").arg(QGuiApplication::platformName());
-    return context.nativeInterface<QNativeInterface::QGLXContext>() ? QString() : QStringLiteral("OpenGL does not come by GLX");
+    return context.nativeInterface<QNativeInterface::QGLXContext>() ? QString()
+                                                                    : QStringLiteral("OpenGL does not come by GLX");
 }

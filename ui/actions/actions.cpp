@@ -85,7 +85,8 @@ void Actions::setKeys(const KeyChoice& choice)
     for (const ActionInfo& row : actionTable()) {
         QAction* action = get(QLatin1StringView(row.id));
         action->setShortcuts(m_keys.keys(action->objectName()));
-        action->setStatusTip(tr(row.tip).replace(QLatin1StringView("%1"), modifierName(heldKeys(choice.preset).invert)));
+        action->setStatusTip(
+            tr(row.tip).replace(QLatin1StringView("%1"), modifierName(heldKeys(choice.preset).invert)));
         action->setToolTip(toolTip(*action));
     }
 }
@@ -99,7 +100,8 @@ QString Actions::modifierName(Qt::KeyboardModifier modifier)
 QString Actions::heldWords(KeyPreset preset)
 {
     const HeldKeys held = heldKeys(preset);
-    const QString brush = tr("Held on the model, %1 inverts the tool, and %2 smooths.").arg(modifierName(held.invert), modifierName(Qt::ShiftModifier));
+    const QString brush = tr("Held on the model, %1 inverts the tool, and %2 smooths.")
+                              .arg(modifierName(held.invert), modifierName(Qt::ShiftModifier));
     return held.rightOrbits ? brush + u' ' + tr("The right button turns the view.") : brush;
 }
 
@@ -108,8 +110,8 @@ namespace
 /// Where Home goes to the first of something: there it is the control's and no command's.
 bool hasHome(const QWidget* focus)
 {
-    return qobject_cast<const QComboBox*>(focus) || qobject_cast<const QAbstractItemView*>(focus) || qobject_cast<const QAbstractSlider*>(focus)
-           || qobject_cast<const QTabBar*>(focus);
+    return qobject_cast<const QComboBox*>(focus) || qobject_cast<const QAbstractItemView*>(focus) ||
+           qobject_cast<const QAbstractSlider*>(focus) || qobject_cast<const QTabBar*>(focus);
 }
 } // namespace
 
@@ -119,7 +121,8 @@ bool Actions::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        if (event->type() == QEvent::ShortcutOverride && key->key() == Qt::Key_Home && hasHome(QApplication::focusWidget())) {
+        if (event->type() == QEvent::ShortcutOverride && key->key() == Qt::Key_Home &&
+            hasHome(QApplication::focusWidget())) {
             event->accept();
             return true;
         }

@@ -14,8 +14,25 @@ class QWidget;
 
 namespace ui
 {
-/// New is a menu of File; Tool is one of Sculpt; Turn, Material, Background and Reference are menus of View; Files is that of the panel.
-enum class MenuId { File, New, Files, Edit, Sculpt, Tool, Mask, Model, View, Turn, Material, Background, Reference, Vr, Help };
+/// New is a menu of File; Tool is one of Sculpt; Turn, Material, Background and Reference are menus of View; Files is
+/// that of the panel.
+enum class MenuId {
+    File,
+    New,
+    Files,
+    Edit,
+    Sculpt,
+    Tool,
+    Mask,
+    Model,
+    View,
+    Turn,
+    Material,
+    Background,
+    Reference,
+    Vr,
+    Help
+};
 enum class Bar { None, Top, Tools, Options };
 
 /// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.
@@ -34,8 +51,8 @@ struct ActionInfo
 
 std::span<const ActionInfo> actionTable();
 
-/// The window's actions, made from the table. Shortcuts work in the whole window, those of Files in the widget that the panel adds
-/// them to; those of the number pad are not those of the same key elsewhere.
+/// The window's actions, made from the table. Shortcuts work in the whole window, those of Files in the widget that the
+/// panel adds them to; those of the number pad are not those of the same key elsewhere.
 class Actions : public QObject
 {
     Q_OBJECT

@@ -22,7 +22,8 @@ bool holds(const QTreeWidgetItem* item, const QStringList& words)
     const QString text = texts.join(u' ');
     return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
-/// The better, the less: what is called so comes before what is called so at first, and that before what has the words anywhere.
+/// The better, the less: what is called so comes before what is called so at first, and that before what has the words
+/// anywhere.
 int rank(const QTreeWidgetItem* item, const QString& words)
 {
     const QString name = item->text(CommandList::Name), wanted = words.trimmed();

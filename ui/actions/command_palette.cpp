@@ -21,7 +21,9 @@ constexpr int largestWidth = 1200; ///< fits a small screen
 } // namespace
 
 CommandBox::CommandBox(const Actions& actions, QWidget* parent)
-    : QDialog(parent), m_words(new QLineEdit), m_list(new CommandList(actions))
+    : QDialog(parent)
+    , m_words(new QLineEdit)
+    , m_list(new CommandList(actions))
 {
     setObjectName(QStringLiteral("commandBox"));
     setWindowTitle(tr("Commands and Keys"));

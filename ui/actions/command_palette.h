@@ -9,8 +9,8 @@ namespace ui
 class Actions;
 class CommandList;
 
-/// Every action of the window with its key, by menu: a sheet to read (F1) and a box to find one by any of its words and do it
-/// (F3). Return or a double click does what is marked; what cannot be done now is grey. Gui thread.
+/// Every action of the window with its key, by menu: a sheet to read (F1) and a box to find one by any of its words and
+/// do it (F3). Return or a double click does what is marked; what cannot be done now is grey. Gui thread.
 class CommandBox : public QDialog
 {
     Q_OBJECT

@@ -71,7 +71,8 @@ std::optional<Keys> read(const QString& text, const QString& id)
     if (text.isEmpty())
         return Keys();
     const Keys keys = QKeySequence::listFromString(text);
-    if (keys.size() > mostKeys || std::ranges::any_of(keys, [&](const QKeySequence& key) { return problemOf(key, id) != KeyProblem::None; }))
+    if (keys.size() > mostKeys ||
+        std::ranges::any_of(keys, [&](const QKeySequence& key) { return problemOf(key, id) != KeyProblem::None; }))
         return {};
     return keys;
 }
@@ -119,7 +120,8 @@ KeyProblem problemOf(const QKeySequence& sequence, const QString& id)
     case Qt::Key_Plus:
     case Qt::Key_Minus:
     case Qt::Key_0:
-        return held & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier) ? KeyProblem::None : KeyProblem::Widgets;
+        return held & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier) ? KeyProblem::None
+                                                                                 : KeyProblem::Widgets;
     default:
         const bool isLetter = QChar::isLetter(static_cast<char32_t>(key));
         return held == Qt::AltModifier && isLetter ? KeyProblem::Menus : KeyProblem::None;
@@ -133,7 +135,8 @@ bool isFixed(const QString& id)
 
 Keys presetKeys(KeyPreset preset, const QString& id)
 {
-    const auto row = std::ranges::find_if(actionTable(), [&](const ActionInfo& action) { return id == QLatin1StringView(action.id); });
+    const auto row = std::ranges::find_if(actionTable(),
+                                          [&](const ActionInfo& action) { return id == QLatin1StringView(action.id); });
     return row != actionTable().end() ? presetKeys(preset, *row) : Keys();
 }
 

@@ -28,8 +28,9 @@ bool isFixed(const QString& id);
 /// The preset's keys of the action; none if there is no such action.
 Keys presetKeys(KeyPreset preset, const QString& id);
 
-/// Which keys each action of the table has: never one key for two. What is unknown, cannot be read or cannot be in a choice is
-/// as if it were not there. Keys that a person chose go before the preset's, and among equals the table's order decides.
+/// Which keys each action of the table has: never one key for two. What is unknown, cannot be read or cannot be in a
+/// choice is as if it were not there. Keys that a person chose go before the preset's, and among equals the table's
+/// order decides.
 class KeyMap
 {
 public:

@@ -17,25 +17,16 @@ struct ToolAction
     const char* id;
     core::Tool tool;
 };
-constexpr ToolAction toolActions[] = {{"tool.pull", core::Tool::Pull},
-                                      {"tool.push", core::Tool::Push},
-                                      {"tool.inflate", core::Tool::Inflate},
-                                      {"tool.clay", core::Tool::Clay},
-                                      {"tool.layer", core::Tool::Layer},
-                                      {"tool.flatten", core::Tool::Flatten},
-                                      {"tool.scrape", core::Tool::Scrape},
-                                      {"tool.smooth", core::Tool::Smooth},
-                                      {"tool.pinch", core::Tool::Pinch},
-                                      {"tool.crease", core::Tool::Crease},
-                                      {"tool.grab", core::Tool::Grab},
-                                      {"tool.snake", core::Tool::SnakeHook},
-                                      {"tool.twist", core::Tool::Twist},
-                                      {"tool.stamp", core::Tool::Stamp},
-                                      {"tool.paint", core::Tool::Paint},
-                                      {"tool.mask", core::Tool::Mask}};
+constexpr ToolAction toolActions[] = {
+    {"tool.pull", core::Tool::Pull},     {"tool.push", core::Tool::Push},     {"tool.inflate", core::Tool::Inflate},
+    {"tool.clay", core::Tool::Clay},     {"tool.layer", core::Tool::Layer},   {"tool.flatten", core::Tool::Flatten},
+    {"tool.scrape", core::Tool::Scrape}, {"tool.smooth", core::Tool::Smooth}, {"tool.pinch", core::Tool::Pinch},
+    {"tool.crease", core::Tool::Crease}, {"tool.grab", core::Tool::Grab},     {"tool.snake", core::Tool::SnakeHook},
+    {"tool.twist", core::Tool::Twist},   {"tool.stamp", core::Tool::Stamp},   {"tool.paint", core::Tool::Paint},
+    {"tool.mask", core::Tool::Mask}};
 
 /// Checked while the setting is `on`, and sets it to `on` or `off`.
-template <class T> void connectChoice(QAction* action, BrushSettings* brush, T core::StrokeSettings::* what, T on, T off)
+template <class T> void connectChoice(QAction* action, BrushSettings* brush, T core::StrokeSettings::*what, T on, T off)
 {
     const auto show = [=] { action->setChecked(brush->stroke().*what == on); };
     QObject::connect(action, &QAction::triggered, brush, [=](bool checked) { brush->set(what, checked ? on : off); });
@@ -54,7 +45,8 @@ void connectBrush(const Actions& actions, BrushSettings* brush)
         const auto offer = [tool = action(row.id), brush, row] { tool->setEnabled(brush->isOffered(row.tool)); };
         QObject::connect(brush, &BrushSettings::changed, action(row.id), offer);
     }
-    connectChoice(action("brush.ray"), brush, &core::StrokeSettings::brush, core::BrushShape::Ray, core::BrushShape::Sphere);
+    connectChoice(action("brush.ray"), brush, &core::StrokeSettings::brush, core::BrushShape::Ray,
+                  core::BrushShape::Sphere);
     connectChoice(action("topology.uniform"), brush, &core::StrokeSettings::topology, core::Topology::Uniform,
                   core::Topology::Adaptive);
     connectChoice(action("topology.fusion"), brush, &core::StrokeSettings::fusion, true, false);
@@ -70,7 +62,9 @@ void connectBrush(const Actions& actions, BrushSettings* brush)
     QObject::connect(brush, &BrushSettings::changed, radial, showRadial);
     showRadial();
 
-    QObject::connect(action("brush.smaller"), &QAction::triggered, brush, [brush] { brush->scaleRadius(smallerRadius); });
-    QObject::connect(action("brush.larger"), &QAction::triggered, brush, [brush] { brush->scaleRadius(1 / smallerRadius); });
+    QObject::connect(action("brush.smaller"), &QAction::triggered, brush,
+                     [brush] { brush->scaleRadius(smallerRadius); });
+    QObject::connect(action("brush.larger"), &QAction::triggered, brush,
+                     [brush] { brush->scaleRadius(1 / smallerRadius); });
 }
 } // namespace ui

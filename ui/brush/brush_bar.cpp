@@ -59,7 +59,8 @@ void NumberBox::fixup(QString& text) const
 std::optional<double> NumberBox::numberIn(const QString& text) const
 {
     bool isNumber = false;
-    const double number = locale().toDouble(text.chopped(text.endsWith(suffix()) ? suffix().size() : 0).trimmed(), &isNumber);
+    const double number =
+        locale().toDouble(text.chopped(text.endsWith(suffix()) ? suffix().size() : 0).trimmed(), &isNumber);
     return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
@@ -132,7 +133,8 @@ double ParameterControl::valueAt(int position) const
 {
     const double min = m_brush->minOf(m_parameter), max = sliderMax(*m_brush, m_parameter);
     const double share = static_cast<double>(position) / sliderSteps;
-    return std::clamp(isLogarithmic(m_parameter) ? min * std::pow(max / min, share) : min + share * (max - min), min, max);
+    return std::clamp(isLogarithmic(m_parameter) ? min * std::pow(max / min, share) : min + share * (max - min), min,
+                      max);
 }
 
 BrushBar::BrushBar(BrushSettings* brush, QWidget* parent) : QWidget(parent)

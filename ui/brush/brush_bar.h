@@ -10,8 +10,8 @@ class QSlider;
 
 namespace ui
 {
-/// A number box into which every number can be typed: what it cannot show is asked for by a signal, and shown as the nearest
-/// that it can.
+/// A number box into which every number can be typed: what it cannot show is asked for by a signal, and shown as the
+/// nearest that it can.
 class NumberBox : public QDoubleSpinBox
 {
     Q_OBJECT

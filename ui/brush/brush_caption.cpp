@@ -14,8 +14,8 @@ namespace ui
 {
 namespace
 {
-constexpr double captionSize = 5.5;   ///< of the window's text: letters of 16 minutes of arc from 3 m
-constexpr double leastCaption = 1.6;  ///< the same
+constexpr double captionSize = 5.5;  ///< of the window's text: letters of 16 minutes of arc from 3 m
+constexpr double leastCaption = 1.6; ///< the same
 constexpr double shrinksBy = 0.97;
 constexpr double mostOfWindow = 0.08; ///< of its height
 constexpr double captionGap = 0.55;   ///< between words, of the letters' height

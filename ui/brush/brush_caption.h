@@ -20,8 +20,9 @@ struct CaptionWords
     }
 };
 
-/// One line in letters that are read from three metres: of a screen's usual size and distance between dots they are 14 mm high, and they grow
-/// with the window's text. Smaller only where the line would not fit its width, or would take too much of a low window; its height follows.
+/// One line in letters that are read from three metres: of a screen's usual size and distance between dots they are 14
+/// mm high, and they grow with the window's text. Smaller only where the line would not fit its width, or would take
+/// too much of a low window; its height follows.
 class BrushCaption : public QWidget
 {
     Q_OBJECT

@@ -2,8 +2,8 @@
 
 #include "ui/util/error_messages.h"
 
-#include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -35,7 +35,8 @@ template <class Shade> std::vector<std::uint8_t> shadesOf(const QImage& image, S
     shades.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
     for (int y = 0; y < image.height(); ++y) {
         const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
-        std::transform(row, row + image.width(), std::back_inserter(shades), [&](QRgb pixel) { return static_cast<std::uint8_t>(shadeOf(pixel)); });
+        std::transform(row, row + image.width(), std::back_inserter(shades),
+                       [&](QRgb pixel) { return static_cast<std::uint8_t>(shadeOf(pixel)); });
     }
     return shades;
 }
@@ -53,7 +54,8 @@ bool isBlack(const std::vector<std::uint8_t>& shades)
 
 bool hasHoles(const QImage& image)
 {
-    return std::ranges::any_of(shadesOf(image, [](QRgb pixel) { return 255 - qAlpha(pixel); }), [](std::uint8_t hole) { return hole > 0; });
+    return std::ranges::any_of(shadesOf(image, [](QRgb pixel) { return 255 - qAlpha(pixel); }),
+                               [](std::uint8_t hole) { return hole > 0; });
 }
 
 QString faultOf(const QString& path, const core::BrushModel::Made& made)
@@ -69,7 +71,8 @@ QString faultOf(const QString& path, const core::BrushModel::Made& made)
     case Fault::TooSmall:
         return BrushFiles::tr("%1 is too small for a brush's shape.").arg(path);
     case Fault::TooManyFaces:
-        return BrushFiles::tr("%1 has too many triangles for a brush's shape: at most %2 are taken. Export it with fewer triangles first.")
+        return BrushFiles::tr("%1 has too many triangles for a brush's shape: at most %2 are taken. Export it with "
+                              "fewer triangles first.")
             .arg(path, QLocale().toString(static_cast<qulonglong>(core::BrushModel::maxFaces)));
     }
     return {};
@@ -97,7 +100,10 @@ BrushFile<core::Alpha> readAlpha(const QString& path)
     const QSize size = reader.size();
     if (std::max(size.width(), size.height()) > core::Alpha::maxSide)
         return refused<core::Alpha>(BrushFiles::tr("%1 has %2 × %3 pixels: an alpha may have %4 on a side at most.")
-                                        .arg(path).arg(size.width()).arg(size.height()).arg(core::Alpha::maxSide));
+                                        .arg(path)
+                                        .arg(size.width())
+                                        .arg(size.height())
+                                        .arg(core::Alpha::maxSide));
     const QImage image = reader.read().convertToFormat(QImage::Format_ARGB32_Premultiplied);
     if (image.isNull() || std::max(image.width(), image.height()) > core::Alpha::maxSide)
         return refused<core::Alpha>(BrushFiles::tr("%1: this image is damaged.").arg(path));

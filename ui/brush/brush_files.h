@@ -15,8 +15,8 @@ template <class What> struct BrushFile
     QString problem;
 };
 
-/// An image in grey: bright is much; where it is transparent, nothing; a black shape on transparent ground is taken for white. Of more than
-/// core::Alpha::maxSide pixels a side nothing is decoded; SVG is refused. Any thread.
+/// An image in grey: bright is much; where it is transparent, nothing; a black shape on transparent ground is taken for
+/// white. Of more than core::Alpha::maxSide pixels a side nothing is decoded; SVG is refused. Any thread.
 BrushFile<core::Alpha> readAlpha(const QString& path);
 /// Of files that readAlpha takes.
 QStringList alphaEndings();

@@ -2,8 +2,8 @@
 
 #include "ui/brush/brush_bar.h"
 #include "ui/brush/falloff_curve.h"
-#include "ui/util/error_messages.h"
 #include "ui/brush/shape_choosers.h"
+#include "ui/util/error_messages.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 
@@ -33,7 +33,6 @@ struct BrushPanels
     Q_DECLARE_TR_FUNCTIONS(ui::BrushPanels)
 };
 
-
 template <class T> using Choices = std::vector<std::pair<QString, T>>;
 
 /// What a dock shows of the brush.
@@ -41,7 +40,9 @@ class Panel
 {
 public:
     Panel(BrushSettings* brush, const QString& name, const QString& title)
-        : dock(new QDockWidget(title)), m_brush(brush), m_form(new QFormLayout)
+        : dock(new QDockWidget(title))
+        , m_brush(brush)
+        , m_form(new QFormLayout)
     {
         auto* content = new QWidget;
         content->setLayout(m_form);
@@ -65,27 +66,33 @@ public:
         m_form->addRow(Messages::name(parameter), control);
     }
 
-    template <class T> void addChoice(const QString& name, const QString& text, T core::StrokeSettings::* what, const Choices<T>& choices) const
+    template <class T>
+    void addChoice(const QString& name, const QString& text, T core::StrokeSettings::*what,
+                   const Choices<T>& choices) const
     {
         auto* box = new QComboBox;
         box->setObjectName(name);
         box->setAccessibleName(text);
         for (const auto& [words, value] : choices)
             box->addItem(words, static_cast<int>(value));
-        const auto show = [box, brush = m_brush, what] { box->setCurrentIndex(box->findData(static_cast<int>(brush->stroke().*what))); };
-        QObject::connect(box, &QComboBox::activated, m_brush,
-                         [box, brush = m_brush, what] { brush->set(what, static_cast<T>(box->currentData().toInt())); });
+        const auto show = [box, brush = m_brush, what] {
+            box->setCurrentIndex(box->findData(static_cast<int>(brush->stroke().*what)));
+        };
+        QObject::connect(box, &QComboBox::activated, m_brush, [box, brush = m_brush, what] {
+            brush->set(what, static_cast<T>(box->currentData().toInt()));
+        });
         QObject::connect(m_brush, &BrushSettings::changed, box, show);
         show();
         m_form->addRow(text, box);
     }
 
-    void addCheck(const QString& name, const QString& text, bool core::StrokeSettings::* what) const
+    void addCheck(const QString& name, const QString& text, bool core::StrokeSettings::*what) const
     {
         auto* box = new QCheckBox(text);
         box->setObjectName(name);
         const auto show = [box, brush = m_brush, what] { box->setChecked(brush->stroke().*what); };
-        QObject::connect(box, &QCheckBox::clicked, m_brush, [brush = m_brush, what](bool checked) { brush->set(what, checked); });
+        QObject::connect(box, &QCheckBox::clicked, m_brush,
+                         [brush = m_brush, what](bool checked) { brush->set(what, checked); });
         QObject::connect(m_brush, &BrushSettings::changed, box, show);
         show();
         m_form->addRow(box);
@@ -104,7 +111,8 @@ public:
 
     void addSteady(const std::function<void()>& entered) const
     {
-        const QString tip = BrushPanels::tr("The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.");
+        const QString tip = BrushPanels::tr(
+            "The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.");
         auto* check = new QCheckBox(BrushPanels::tr("Steady stroke"));
         check->setObjectName(QStringLiteral("steady"));
         check->setToolTip(tip);
@@ -141,7 +149,8 @@ public:
         auto* count = new QSpinBox;
         count->setObjectName(QStringLiteral("radial"));
         count->setAccessibleName(BrushPanels::tr("Sectors of the radial symmetry"));
-        count->setToolTip(BrushPanels::tr("What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on."));
+        count->setToolTip(BrushPanels::tr("What you do is done in so many sectors around the upright axis (y), and "
+                                          "mirrored in each if Mirror is on."));
         count->setRange(1, core::maxRadial);
         count->setSpecialValueText(BrushPanels::tr("Off"));
         count->setKeyboardTracking(false);
@@ -154,7 +163,8 @@ public:
             count->setValue(radial);
             hint->setVisible(core::exactTurns(radial) != radial);
         };
-        QObject::connect(count, &QSpinBox::valueChanged, m_brush, [brush = m_brush](int radial) { brush->set(&core::StrokeSettings::radial, radial); });
+        QObject::connect(count, &QSpinBox::valueChanged, m_brush,
+                         [brush = m_brush](int radial) { brush->set(&core::StrokeSettings::radial, radial); });
         QObject::connect(count, &QSpinBox::editingFinished, dock, [=] {
             if (count->hasFocus())
                 entered();
@@ -180,7 +190,8 @@ QDockWidget* brushPanel(BrushSettings* brush, BrushShapes* shapes, const std::fu
     panel.add(new FalloffCurve(brush));
     panel.addNumber(core::Parameter::Spacing, entered);
     panel.addRow(BrushPanels::tr("Alpha"), alphaChooser(brush, shapes));
-    panel.addCheck(QStringLiteral("alphaFollows"), BrushPanels::tr("Follows the stroke"), &core::StrokeSettings::alphaFollows);
+    panel.addCheck(QStringLiteral("alphaFollows"), BrushPanels::tr("Follows the stroke"),
+                   &core::StrokeSettings::alphaFollows);
     panel.addRow(BrushPanels::tr("Stamp"), modelChooser(brush, shapes));
     panel.addSteady(entered);
     panel.alignNumbers();

@@ -17,7 +17,7 @@ struct BrushPanelPlace
     std::function<void()> entered; ///< a number was typed, and Return; the keys belong to the model again
 };
 
-/// Brush, topology and symmetry as docks at the window's right, each with an entry in `toggles` that shows and hides it. Brush and shapes
-/// must outlive the window's children. Gui thread.
+/// Brush, topology and symmetry as docks at the window's right, each with an entry in `toggles` that shows and hides
+/// it. Brush and shapes must outlive the window's children. Gui thread.
 void addBrushPanels(const BrushPanelPlace& place, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

@@ -23,7 +23,10 @@ template <class What> QString sourceOf(const std::shared_ptr<const What>& shape)
 } // namespace
 
 BrushShapes::BrushShapes(BrushSettings* brush, Settings* settings, QObject* parent)
-    : QObject(parent), m_brush(brush), m_settings(settings), m_stored(settings->shapes())
+    : QObject(parent)
+    , m_brush(brush)
+    , m_settings(settings)
+    , m_stored(settings->shapes())
 {
     settings->onReset([this] { restore(); });
 }
@@ -41,7 +44,8 @@ void BrushShapes::restore()
     else
         choose(m_alpha, wanted.alpha, Asked::ByRestoring);
     choose(m_model, wanted.model, Asked::ByRestoring);
-    connect(m_brush, &BrushSettings::changed, this, &BrushShapes::keep, Qt::UniqueConnection); // not before: what is stored would be lost
+    connect(m_brush, &BrushSettings::changed, this, &BrushShapes::keep,
+            Qt::UniqueConnection); // not before: what is stored would be lost
     Q_EMIT changed();
 }
 
@@ -76,15 +80,16 @@ template <class What> void BrushShapes::choose(Choice<What>& choice, const QStri
         return take(choice, std::shared_ptr<const What>());
     choice.isRestoring = asked == Asked::ByRestoring;
     const int question = ++choice.question;
-    m_aside.run([path, read = choice.read] { return read(path); }, [this, &choice, path, asked, question](const BrushFile<What>& file) {
-        if (question != choice.question)
-            return;
-        if (!file.what)
-            return refuse(choice, path, asked, file.problem);
-        putFirst(m_stored.*choice.files, path);
-        remember(path, file.what);
-        take(choice, file.what);
-    });
+    m_aside.run([path, read = choice.read] { return read(path); },
+                [this, &choice, path, asked, question](const BrushFile<What>& file) {
+                    if (question != choice.question)
+                        return;
+                    if (!file.what)
+                        return refuse(choice, path, asked, file.problem);
+                    putFirst(m_stored.*choice.files, path);
+                    remember(path, file.what);
+                    take(choice, file.what);
+                });
 }
 
 template <class What> void BrushShapes::take(Choice<What>& choice, const std::shared_ptr<const What>& what)
@@ -97,7 +102,8 @@ template <class What> void BrushShapes::take(Choice<What>& choice, const std::sh
 }
 
 /// What a hand chose and was refused is not offered again; a stored file may only be away.
-template <class What> void BrushShapes::refuse(Choice<What>& choice, const QString& path, Asked asked, const QString& problem)
+template <class What>
+void BrushShapes::refuse(Choice<What>& choice, const QString& path, Asked asked, const QString& problem)
 {
     choice.isRestoring = false;
     if (asked == Asked::ByHand) {
@@ -122,10 +128,13 @@ QString BrushShapes::goneWord(const core::BrushModel*) const
 void BrushShapes::remember(const QString& path, const std::shared_ptr<const core::Alpha>& alpha)
 {
     m_read.insert(path, alpha);
-    m_read.removeIf([this](std::pair<const QString&, std::shared_ptr<const core::Alpha>&> read) { return !m_stored.alphas.contains(read.first); });
+    m_read.removeIf([this](std::pair<const QString&, std::shared_ptr<const core::Alpha>&> read) {
+        return !m_stored.alphas.contains(read.first);
+    });
 }
 
-/// While the stored file is being read the brush has none yet, and what is stored stays; whoever gives it one meanwhile has chosen later.
+/// While the stored file is being read the brush has none yet, and what is stored stays; whoever gives it one meanwhile
+/// has chosen later.
 template <class What> void BrushShapes::note(Choice<What>& choice)
 {
     const std::shared_ptr<const What>& shape = m_brush->stroke().*choice.inBrush;

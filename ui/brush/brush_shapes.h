@@ -9,7 +9,8 @@
 
 namespace ui
 {
-/// Which alpha and which model the brush has: reads their files on a thread, and keeps what was chosen in the settings. Gui thread.
+/// Which alpha and which model the brush has: reads their files on a thread, and keeps what was chosen in the settings.
+/// Gui thread.
 class BrushShapes : public QObject
 {
     Q_OBJECT
@@ -19,7 +20,8 @@ public:
     BrushShapes(BrushSettings* brush, Settings* settings, QObject* parent = nullptr);
     ~BrushShapes() override;
 
-    /// What the settings name. A file that is gone or broken gives none, which refused() says; it is named no more then.
+    /// What the settings name. A file that is gone or broken gives none, which refused() says; it is named no more
+    /// then.
     void restore();
 
     /// A name of core::builtInAlphas(), or a path, which takes effect when it was read; empty: none.
@@ -72,7 +74,8 @@ private:
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
     Choice<core::Alpha> m_alpha{&core::StrokeSettings::alpha, &StoredShapes::alpha, &StoredShapes::alphas, readAlpha};
-    Choice<core::BrushModel> m_model{&core::StrokeSettings::model, &StoredShapes::model, &StoredShapes::models, readBrushModel};
+    Choice<core::BrushModel> m_model{&core::StrokeSettings::model, &StoredShapes::model, &StoredShapes::models,
+                                     readBrushModel};
     bool m_mayLoad = true;
     SideThread m_aside; ///< last
 };

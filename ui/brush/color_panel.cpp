@@ -1,14 +1,14 @@
 #include "ui/brush/color_panel.h"
 
 #include "ui/actions/actions.h"
-#include "ui/settings/brush_settings.h"
-#include "ui/util/color_convert.h"
 #include "ui/brush/color_swatches.h"
 #include "ui/brush/color_wheel.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
+#include "ui/util/color_convert.h"
+#include "ui/viewport/viewport.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
-#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -71,7 +71,8 @@ QLayout* ColorPanel::buildButtons(const Actions& actions)
 
     m_name->setObjectName(QStringLiteral("colorName"));
     m_name->setAccessibleName(tr("Colour as #rrggbb"));
-    m_name->setToolTip(tr("The paint colour as in web pages: # and two digits, 0 to f, for each of red, green and blue."));
+    m_name->setToolTip(
+        tr("The paint colour as in web pages: # and two digits, 0 to f, for each of red, green and blue."));
     m_name->setMaxLength(7);
     connect(m_name, &QLineEdit::editingFinished, this, &ColorPanel::setFromText);
     connect(m_name, &QLineEdit::returnPressed, this, &ColorPanel::entered);
@@ -92,7 +93,8 @@ QLayout* ColorPanel::buildButtons(const Actions& actions)
 
 QLayout* ColorPanel::buildChannels()
 {
-    const std::array<Channel, 3> made = {channel(tr("Red"), "red", &core::Rgb::r), channel(tr("Green"), "green", &core::Rgb::g),
+    const std::array<Channel, 3> made = {channel(tr("Red"), "red", &core::Rgb::r),
+                                         channel(tr("Green"), "green", &core::Rgb::g),
                                          channel(tr("Blue"), "blue", &core::Rgb::b)};
     m_channels = made;
     auto* grid = new QGridLayout;
@@ -109,7 +111,7 @@ QLayout* ColorPanel::buildChannels()
     return grid;
 }
 
-ColorPanel::Channel ColorPanel::channel(const QString& name, const char* id, std::uint8_t core::Rgb::* what)
+ColorPanel::Channel ColorPanel::channel(const QString& name, const char* id, std::uint8_t core::Rgb::*what)
 {
     const Channel made{new QSlider(Qt::Horizontal), new QSpinBox};
     const auto change = [this, what](int value) {

@@ -61,7 +61,7 @@ private:
     QLayout* buildButtons(const Actions& actions);
     QLayout* buildChannels();
     void buildSwatches();
-    Channel channel(const QString& name, const char* id, std::uint8_t core::Rgb::* what);
+    Channel channel(const QString& name, const char* id, std::uint8_t core::Rgb::*what);
     void showColor();
     QPixmap pairPicture() const;
     void set(const core::Rgb& color);
@@ -84,8 +84,8 @@ struct ColorPanelPlace
     Viewport* viewport;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles; brush.color raises it, color.pick and color.swap work.
-/// `notice` says a small word.
+/// As a dock behind the brush's, with its entry among the toggles; brush.color raises it, color.pick and color.swap
+/// work. `notice` says a small word.
 void addColorPanel(const ColorPanelPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice);
 } // namespace ui

@@ -112,7 +112,8 @@ QWidget* ColorSwatches::button(const core::Rgb& color)
     made->setIcon(patch(color, palette()));
     made->setIconSize(QSize(side, side));
     made->setFixedSize(side, side);
-    made->setStyleSheet(QStringLiteral("QPushButton{border:0;padding:0} QPushButton:focus{border:2px solid palette(highlight)}"));
+    made->setStyleSheet(
+        QStringLiteral("QPushButton{border:0;padding:0} QPushButton:focus{border:2px solid palette(highlight)}"));
     made->setFocusPolicy(Qt::StrongFocus);
     made->setAccessibleName(name);
     made->setToolTip(tr("%1: a click takes it, Delete removes it.").arg(name));

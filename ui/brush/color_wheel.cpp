@@ -29,7 +29,8 @@ ColorWheel::ColorWheel(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("colorWheel"));
     setAccessibleName(tr("Hue, saturation and value"));
-    setToolTip(tr("The ring is the hue, the square its saturation and value. Drag, or use the arrow keys and Page Up and Down."));
+    setToolTip(tr(
+        "The ring is the hue, the square its saturation and value. Drag, or use the arrow keys and Page Up and Down."));
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
@@ -158,13 +159,20 @@ void ColorWheel::drag(const QPointF& to)
 void ColorWheel::keyPressEvent(QKeyEvent* event)
 {
     switch (event->key()) {
-    case Qt::Key_Left: return set(m_hue, m_saturation - keyStep, m_value);
-    case Qt::Key_Right: return set(m_hue, m_saturation + keyStep, m_value);
-    case Qt::Key_Up: return set(m_hue, m_saturation, m_value + keyStep);
-    case Qt::Key_Down: return set(m_hue, m_saturation, m_value - keyStep);
-    case Qt::Key_PageUp: return set(m_hue + hueStep, m_saturation, m_value);
-    case Qt::Key_PageDown: return set(m_hue - hueStep, m_saturation, m_value);
-    default: QWidget::keyPressEvent(event);
+    case Qt::Key_Left:
+        return set(m_hue, m_saturation - keyStep, m_value);
+    case Qt::Key_Right:
+        return set(m_hue, m_saturation + keyStep, m_value);
+    case Qt::Key_Up:
+        return set(m_hue, m_saturation, m_value + keyStep);
+    case Qt::Key_Down:
+        return set(m_hue, m_saturation, m_value - keyStep);
+    case Qt::Key_PageUp:
+        return set(m_hue + hueStep, m_saturation, m_value);
+    case Qt::Key_PageDown:
+        return set(m_hue - hueStep, m_saturation, m_value);
+    default:
+        QWidget::keyPressEvent(event);
     }
 }
 

@@ -5,8 +5,8 @@
 
 namespace ui
 {
-/// b(x) of the brush (paper, section 3.3) drawn from the centre to the rim; dragging bends it to the n that passes nearest to the
-/// hand, the arrow keys step n. The brush must outlive it. Gui thread.
+/// b(x) of the brush (paper, section 3.3) drawn from the centre to the rim; dragging bends it to the n that passes
+/// nearest to the hand, the arrow keys step n. The brush must outlive it. Gui thread.
 class FalloffCurve : public CurveWidget
 {
     Q_OBJECT

@@ -32,19 +32,23 @@ const QString ownWord = QStringLiteral("\nown");
 QString nameOf(std::string_view builtIn)
 {
     const std::pair<std::string_view, QString> names[] = {
-        {"pores", ShapeChoosers::tr("Pores")},     {"scales", ShapeChoosers::tr("Scales")}, {"cracks", ShapeChoosers::tr("Cracks")},
-        {"weave", ShapeChoosers::tr("Weave")},     {"stripes", ShapeChoosers::tr("Stripes")}, {"noise", ShapeChoosers::tr("Noise")},
+        {"pores", ShapeChoosers::tr("Pores")},     {"scales", ShapeChoosers::tr("Scales")},
+        {"cracks", ShapeChoosers::tr("Cracks")},   {"weave", ShapeChoosers::tr("Weave")},
+        {"stripes", ShapeChoosers::tr("Stripes")}, {"noise", ShapeChoosers::tr("Noise")},
         {"ring", ShapeChoosers::tr("Ring")},       {"star", ShapeChoosers::tr("Star")}};
     const auto found = std::ranges::find(names, builtIn, [](const auto& row) { return row.first; });
-    return found != std::end(names) ? found->second : QString::fromUtf8(builtIn.data(), static_cast<qsizetype>(builtIn.size()));
+    return found != std::end(names) ? found->second
+                                    : QString::fromUtf8(builtIn.data(), static_cast<qsizetype>(builtIn.size()));
 }
 
 QIcon pictureOf(const std::shared_ptr<const core::Alpha>& alpha)
 {
     if (!alpha)
         return {};
-    const QImage image(alpha->pixels().data(), alpha->width(), alpha->height(), alpha->width(), QImage::Format_Grayscale8);
-    return QPixmap::fromImage(image.scaled(2 * picturePixels, 2 * picturePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    const QImage image(alpha->pixels().data(), alpha->width(), alpha->height(), alpha->width(),
+                       QImage::Format_Grayscale8);
+    return QPixmap::fromImage(
+        image.scaled(2 * picturePixels, 2 * picturePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
 }
 
 QString alphaOf(const BrushSettings& brush)
@@ -58,7 +62,8 @@ QString modelOf(const BrushSettings& brush)
 }
 
 /// Files by their names; the chosen one is there even if it is none of those.
-void addFiles(QComboBox* box, const QStringList& files, const QString& chosen, const std::function<QIcon(const QString&)>& pictureOf)
+void addFiles(QComboBox* box, const QStringList& files, const QString& chosen,
+              const std::function<QIcon(const QString&)>& pictureOf)
 {
     const bool isNew = !chosen.isEmpty() && !files.contains(chosen) && box->findData(chosen) < 0;
     for (const QString& file : isNew ? files + QStringList(chosen) : files) {
@@ -82,15 +87,18 @@ QComboBox* chooser(const QString& name, const QString& text, const QString& tip)
 QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
 {
     QComboBox* box = chooser(QStringLiteral("alpha"), ShapeChoosers::tr("Alpha"),
-                             ShapeChoosers::tr("An image that the brush is weighted with: bright is much, black nothing. A spacing of 2 sets prints side by side."));
+                             ShapeChoosers::tr("An image that the brush is weighted with: bright is much, black "
+                                               "nothing. A spacing of 2 sets prints side by side."));
     box->setIconSize({picturePixels, picturePixels});
     const auto fill = [=] {
         const QSignalBlocker quiet(box);
         box->clear();
         box->addItem(ShapeChoosers::tr("None"), QString());
         for (const std::string_view builtIn : core::builtInAlphas())
-            box->addItem(pictureOf(core::builtInAlpha(builtIn)), nameOf(builtIn), QString::fromUtf8(builtIn.data(), static_cast<qsizetype>(builtIn.size())));
-        addFiles(box, shapes->alphas(), alphaOf(*brush), [shapes](const QString& file) { return pictureOf(shapes->alpha(file)); });
+            box->addItem(pictureOf(core::builtInAlpha(builtIn)), nameOf(builtIn),
+                         QString::fromUtf8(builtIn.data(), static_cast<qsizetype>(builtIn.size())));
+        addFiles(box, shapes->alphas(), alphaOf(*brush),
+                 [shapes](const QString& file) { return pictureOf(shapes->alpha(file)); });
         if (shapes->mayLoad())
             box->addItem(ShapeChoosers::tr("Load Image…"), loadWord);
         box->setCurrentIndex(box->findData(alphaOf(*brush)));
@@ -105,7 +113,8 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
         show(); // until it was read
         if (source != loadWord)
             return shapes->chooseAlpha(source);
-        askForAlpha(box->window(), Settings().lastFolder(), alphaEndings(), [shapes](const QString& path) { shapes->chooseAlpha(path); });
+        askForAlpha(box->window(), Settings().lastFolder(), alphaEndings(),
+                    [shapes](const QString& path) { shapes->chooseAlpha(path); });
     });
     QObject::connect(brush, &BrushSettings::changed, box, show);
     QObject::connect(shapes, &BrushShapes::changed, box, fill);
@@ -115,8 +124,9 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
 
 QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
 {
-    QComboBox* box = chooser(QStringLiteral("stampShape"), ShapeChoosers::tr("Stamp"),
-                             ShapeChoosers::tr("The model that Stamp presses in or raises, its top outwards, and that Add Ball adds."));
+    QComboBox* box = chooser(
+        QStringLiteral("stampShape"), ShapeChoosers::tr("Stamp"),
+        ShapeChoosers::tr("The model that Stamp presses in or raises, its top outwards, and that Add Ball adds."));
     const auto fill = [=] {
         const QSignalBlocker quiet(box);
         box->clear();
@@ -124,7 +134,8 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
         addFiles(box, shapes->models(), modelOf(*brush), [](const QString&) { return QIcon(); });
         if (shapes->mayLoad()) {
             box->addItem(ShapeChoosers::tr("This Model"), ownWord);
-            box->setItemData(box->count() - 1, ShapeChoosers::tr("The model that you sculpt, as it is now."), Qt::ToolTipRole);
+            box->setItemData(box->count() - 1, ShapeChoosers::tr("The model that you sculpt, as it is now."),
+                             Qt::ToolTipRole);
             box->addItem(ShapeChoosers::tr("Load Model…"), loadWord);
         }
         box->setCurrentIndex(box->findData(modelOf(*brush)));
@@ -140,7 +151,8 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
             return shapes->chooseOwnModel();
         if (path != loadWord)
             return shapes->chooseModel(path);
-        askForModel(box->window(), ModelUse::Brush, Settings().lastFolder(), [shapes](const QString& chosen) { shapes->chooseModel(chosen); });
+        askForModel(box->window(), ModelUse::Brush, Settings().lastFolder(),
+                    [shapes](const QString& chosen) { shapes->chooseModel(chosen); });
     });
     QObject::connect(brush, &BrushSettings::changed, box, show);
     QObject::connect(shapes, &BrushShapes::changed, box, fill);

@@ -14,8 +14,13 @@
 
 namespace ui
 {
-StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools, QMainWindow* window)
-    : OfferBar("strokeBar", tr("Edit Last Stroke"), window), m_first(brush), m_told(brush), m_tools(new QComboBox), m_hint(new QLabel)
+StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools,
+                     QMainWindow* window)
+    : OfferBar("strokeBar", tr("Edit Last Stroke"), window)
+    , m_first(brush)
+    , m_told(brush)
+    , m_tools(new QComboBox)
+    , m_hint(new QLabel)
 {
     m_brush.fitTo(facts, brush.radius / facts.size.maxCoeff());
     m_brush.setTool(brush.tool);
@@ -35,7 +40,8 @@ StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, co
     addWidget(m_hint);
     QPushButton* keep = addButton("keepStroke", tr("&Keep"), tr("Leaves the stroke as it is now, and hides this bar."));
     keep->setDefault(true);
-    QPushButton* cancel = addButton("cancelStroke", tr("&Cancel"), tr("Gives the stroke back as it was, and hides this bar."));
+    QPushButton* cancel =
+        addButton("cancelStroke", tr("&Cancel"), tr("Gives the stroke back as it was, and hides this bar."));
     const auto leaveWith = [this](void (StrokeBar::*what)()) {
         Q_EMIT(this->*what)();
         leave();
@@ -68,7 +74,8 @@ void StrokeBar::addTools(const QList<OfferedTool>& tools)
     for (const auto& [tool, action] : tools)
         m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
-    connect(m_tools, &QComboBox::activated, this, [this] { m_brush.setTool(static_cast<core::Tool>(m_tools->currentData().toInt())); });
+    connect(m_tools, &QComboBox::activated, this,
+            [this] { m_brush.setTool(static_cast<core::Tool>(m_tools->currentData().toInt())); });
     addWidget(m_tools);
 }
 

@@ -25,8 +25,10 @@ class StrokeBar : public OfferBar
     Q_OBJECT
 
 public:
-    /// `facts`: of the model, for the radius's range. `tools`: in the order of the list; the stroke's own tool among them.
-    StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools, QMainWindow* window);
+    /// `facts`: of the model, for the radius's range. `tools`: in the order of the list; the stroke's own tool among
+    /// them.
+    StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools,
+              QMainWindow* window);
 
     /// What is to be said of the stroke as it is; empty: nothing.
     void setHint(const QString& sentence);

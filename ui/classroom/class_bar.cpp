@@ -39,10 +39,13 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     m_clock = addLabel("classClock");
     m_time = addLabel("classTime");
     m_resume = addButton("classResume", {},
-                         tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts."));
+                         tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. "
+                            "Possible until somebody sculpts."));
     m_resumeCell = actions().constLast();
-    m_next = addButton("classNext", tr("&Next Pupil"), tr("Keeps the work in the class's folder, and begins the next turn with fresh clay."));
-    m_leave = addButton("classLeave", tr("&Leave…"), tr("Asks for the teacher's PIN, keeps the work, and ends the class."));
+    m_next = addButton("classNext", tr("&Next Pupil"),
+                       tr("Keeps the work in the class's folder, and begins the next turn with fresh clay."));
+    m_leave =
+        addButton("classLeave", tr("&Leave…"), tr("Asks for the teacher's PIN, keeps the work, and ends the class."));
     connect(m_resume, &QPushButton::clicked, this, &ClassBar::resumeRequested);
     connect(m_next, &QPushButton::clicked, this, &ClassBar::nextRequested);
     connect(m_leave, &QPushButton::clicked, this, &ClassBar::leaveRequested);
@@ -105,7 +108,10 @@ void ClassBar::setTime(const std::optional<TurnTime>& time)
 void ClassBar::setResumable(const std::optional<QString>& pupil)
 {
     if (pupil)
-        m_resume->setText(tr("&Resume %1's Turn").arg(fontMetrics().elidedText(*pupil, Qt::ElideRight, mostNameWidth).replace(u'&', QStringLiteral("&&"))));
+        m_resume->setText(tr("&Resume %1's Turn")
+                              .arg(fontMetrics()
+                                       .elidedText(*pupil, Qt::ElideRight, mostNameWidth)
+                                       .replace(u'&', QStringLiteral("&&"))));
     m_resumeCell->setVisible(pupil.has_value());
 }
 

@@ -24,7 +24,8 @@ inline int minutesOf(int seconds)
     return (seconds + 59) / 60;
 }
 
-/// The topmost bar of a class: whose turn it is, how long it lasts, and whose comes next. Shows itself in the window. Gui thread.
+/// The topmost bar of a class: whose turn it is, how long it lasts, and whose comes next. Shows itself in the window.
+/// Gui thread.
 class ClassBar : public QToolBar
 {
     Q_OBJECT

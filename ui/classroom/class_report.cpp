@@ -2,11 +2,11 @@
 
 #include "ui/classroom/class_report.h"
 
-#include "ui/util/number_format.h"
-#include "ui/util/error_messages.h"
-#include "ui/util/path_display.h"
 #include "ui/classroom/report_html.h"
 #include "ui/classroom/report_pdf.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/number_format.h"
+#include "ui/util/path_display.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -35,9 +35,12 @@ ReportVerdict verdictOf(const ReportRow& row)
 QString wordOf(ReportVerdict verdict)
 {
     switch (verdict) {
-    case ReportVerdict::Ready: return ReportWords::tr("Print-ready");
-    case ReportVerdict::NotReady: return ReportWords::tr("Not print-ready");
-    case ReportVerdict::Unreadable: return ReportWords::tr("Cannot be read");
+    case ReportVerdict::Ready:
+        return ReportWords::tr("Print-ready");
+    case ReportVerdict::NotReady:
+        return ReportWords::tr("Not print-ready");
+    case ReportVerdict::Unreadable:
+        return ReportWords::tr("Cannot be read");
     }
     return {};
 }
@@ -63,7 +66,8 @@ struct ReportFormat
     QLatin1StringView ending;
     QByteArray (*write)(const ClassReport& report, const fs::path& path);
 };
-constexpr ReportFormat reportFormats[] = {{QLatin1StringView("html"), reportHtml}, {QLatin1StringView("pdf"), reportPdf}};
+constexpr ReportFormat reportFormats[] = {{QLatin1StringView("html"), reportHtml},
+                                          {QLatin1StringView("pdf"), reportPdf}};
 
 /// Links of folders followed, that "..", where it is needed, leads there. What the disk does not tell stays as it is.
 fs::path folderOf(const fs::path& file)
@@ -77,10 +81,18 @@ fs::path folderOf(const fs::path& file)
 
 ReportCells cellsOf(const ReportRow& row)
 {
-    ReportCells cells{plain(shownName(row.file.filename())), {}, {}, verdictOf(row), wordOf(verdictOf(row)), plain(noteOf(row)), {}, {}};
+    ReportCells cells{plain(shownName(row.file.filename())),
+                      {},
+                      {},
+                      verdictOf(row),
+                      wordOf(verdictOf(row)),
+                      plain(noteOf(row)),
+                      {},
+                      {}};
     if (row.report) {
         const core::Vec3& size = row.report->size;
-        cells.size = QStringLiteral("%1 × %2 × %3").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z()));
+        cells.size =
+            QStringLiteral("%1 × %2 × %3").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z()));
         cells.volume = row.report->volume ? volumeText(std::abs(*row.report->volume)) : QString();
     }
     if (row.work) {
@@ -107,15 +119,18 @@ QString reportSummary(const ClassReport& report)
         return number(static_cast<std::uint64_t>(std::ranges::count(report.rows, verdict, verdictOf)));
     };
     return ReportWords::tr("%1 · models: %2 · print-ready: %3 · not print-ready: %4 · cannot be read: %5")
-        .arg(QLocale().toString(report.date, QLocale::LongFormat), number(static_cast<std::uint64_t>(report.rows.size())),
-             count(ReportVerdict::Ready), count(ReportVerdict::NotReady), count(ReportVerdict::Unreadable));
+        .arg(QLocale().toString(report.date, QLocale::LongFormat),
+             number(static_cast<std::uint64_t>(report.rows.size())), count(ReportVerdict::Ready),
+             count(ReportVerdict::NotReady), count(ReportVerdict::Unreadable));
 }
 
 QString reportLink(const fs::path& report, const fs::path& model)
 {
     const fs::path way = (folderOf(model) / model.filename()).lexically_relative(folderOf(report));
     const std::u8string bytes = way.generic_u8string();
-    return QString::fromLatin1(QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())).toPercentEncoding("/"));
+    return QString::fromLatin1(
+        QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()))
+            .toPercentEncoding("/"));
 }
 
 void writeReport(core::AtomicFile& file, const ClassReport& report)

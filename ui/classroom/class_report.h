@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/util/atomic_file.h"
-#include "core/io/document_metadata.h"
 #include "core/analysis/mesh_check.h"
+#include "core/io/document_metadata.h"
+#include "core/util/atomic_file.h"
 
 #include <QDate>
 #include <QImage>
@@ -53,11 +53,11 @@ QString reportTitle(const ClassReport& report);
 /// One line with counts.
 QString reportSummary(const ClassReport& report);
 
-/// From the report's file to a model's, for people to click: relative, with / between folders, each byte of a name that means something in
-/// a URL as %XX. Asks the disk about links among the folders.
+/// From the report's file to a model's, for people to click: relative, with / between folders, each byte of a name that
+/// means something in a URL as %XX. Asks the disk about links among the folders.
 QString reportLink(const std::filesystem::path& report, const std::filesystem::path& model);
 
-/// In the format that the file's ending says, one of reportEndings() (ui/model_formats.h): the page of a browser, alone in its file, or A4 for a printer.
-/// Does not commit. Throws core::FileError. Any thread; a few ms a row.
+/// In the format that the file's ending says, one of reportEndings() (ui/model_formats.h): the page of a browser, alone
+/// in its file, or A4 for a printer. Does not commit. Throws core::FileError. Any thread; a few ms a row.
 void writeReport(core::AtomicFile& file, const ClassReport& report);
 } // namespace ui

@@ -2,8 +2,8 @@
 
 #include "ui/settings/preferences.h"
 
-#include "core/stroke/tool.h"
 #include "core/operations/starter_models.h"
+#include "core/stroke/tool.h"
 
 #include <QList>
 #include <QString>

@@ -1,10 +1,10 @@
 #include "ui/classroom/classroom_dialog.h"
 
 #include "ui/actions/actions.h"
-#include "ui/widgets/dialog_helpers.h"
-#include "ui/widgets/file_dialogs.h"
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/settings/stored_values.h"
+#include "ui/widgets/dialog_helpers.h"
+#include "ui/widgets/file_dialogs.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -32,10 +32,13 @@ class ClassroomDialog : public QDialog
     Q_DECLARE_TR_FUNCTIONS(ui::ClassroomDialog)
 
 public:
-    ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder) : QDialog(parent), m_startFolder(folder)
+    ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder)
+        : QDialog(parent)
+        , m_startFolder(folder)
     {
         QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
-        column->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class's folder. "
+        column->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
+                                        "the work in the class's folder. "
                                         "Nobody gets at other files, and leaving takes your PIN."),
                                      textWidth));
         auto* form = new QFormLayout;
@@ -94,13 +97,16 @@ private:
 
     void addNames(QFormLayout* form)
     {
-        m_title = named(new QLineEdit, "classTitleField", tr("Stands in the topmost bar, such as the name of the class."));
+        m_title =
+            named(new QLineEdit, "classTitleField", tr("Stands in the topmost bar, such as the name of the class."));
         form->addRow(tr("&Title:"), m_title);
-        m_folder = named(new QLineEdit, "classFolderField", tr("There each turn gets a folder with model, picture and record."));
+        m_folder = named(new QLineEdit, "classFolderField",
+                         tr("There each turn gets a folder with model, picture and record."));
         auto* choose = named(new QPushButton(tr("&Choose…")), "classFolderChoice", m_folder->toolTip());
         choose->setAutoDefault(false);
         connect(choose, &QPushButton::clicked, this, [this] {
-            askForFolder(this, m_startFolder, [this](const QString& path) { m_folder->setText(QDir::toNativeSeparators(path)); });
+            askForFolder(this, m_startFolder,
+                         [this](const QString& path) { m_folder->setText(QDir::toNativeSeparators(path)); });
         });
         auto* both = new QWidget;
         both->setFocusProxy(m_folder);
@@ -122,9 +128,12 @@ private:
             count->setSpecialValueText(none);
             return count;
         };
-        m_turn = minutes("classTurn", usual.turnMinutes, tr("no limit"), tr("So long is a turn. Nothing is taken away when it is over."));
-        m_warning = minutes("classWarning", usual.warningMinutes, tr("none"), tr("So long before the end a word is said, in the headset, too."));
-        m_fullScreen = named(new QCheckBox(tr("Full &screen")), "classFullScreen", tr("Nothing else is to be seen on the screen."));
+        m_turn = minutes("classTurn", usual.turnMinutes, tr("no limit"),
+                         tr("So long is a turn. Nothing is taken away when it is over."));
+        m_warning = minutes("classWarning", usual.warningMinutes, tr("none"),
+                            tr("So long before the end a word is said, in the headset, too."));
+        m_fullScreen = named(new QCheckBox(tr("Full &screen")), "classFullScreen",
+                             tr("Nothing else is to be seen on the screen."));
         m_fullScreen->setChecked(usual.fullScreen);
         m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
         for (const Named<Language>& row : languages)
@@ -195,7 +204,8 @@ private:
 };
 } // namespace
 
-void askForClassroom(QWidget* parent, const Actions& actions, const QString& folder, const std::function<void(const ClassroomDraft&)>& answer)
+void askForClassroom(QWidget* parent, const Actions& actions, const QString& folder,
+                     const std::function<void(const ClassroomDraft&)>& answer)
 {
     auto* dialog = new ClassroomDialog(parent, actions, folder);
     QObject::connect(dialog, &QDialog::accepted, parent, [dialog, parent, folder, answer] {

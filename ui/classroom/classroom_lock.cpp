@@ -18,12 +18,13 @@ namespace ui
 {
 namespace
 {
-constexpr QLatin1StringView closedCommands[] = {QLatin1StringView("edit.preferences"), QLatin1StringView("edit.classroom"),
-                                                QLatin1StringView("brush.fromModel"), QLatin1StringView("lesson.record"),
-                                                QLatin1StringView("model.insert"), QLatin1StringView("model.printCheck")};
+constexpr QLatin1StringView closedCommands[] = {
+    QLatin1StringView("edit.preferences"), QLatin1StringView("edit.classroom"), QLatin1StringView("brush.fromModel"),
+    QLatin1StringView("lesson.record"),    QLatin1StringView("model.insert"),   QLatin1StringView("model.printCheck")};
 /// What is new to the window is closed, until somebody has looked where it leads.
-constexpr QLatin1StringView openPanels[] = {QLatin1StringView("brushPanel"), QLatin1StringView("topologyPanel"), QLatin1StringView("symmetryPanel"),
-                                            QLatin1StringView("colorPanel"), QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel")};
+constexpr QLatin1StringView openPanels[] = {QLatin1StringView("brushPanel"),     QLatin1StringView("topologyPanel"),
+                                            QLatin1StringView("symmetryPanel"),  QLatin1StringView("colorPanel"),
+                                            QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel")};
 
 template <std::size_t count> bool isAmong(const QLatin1StringView (&names)[count], const QString& name)
 {
@@ -77,7 +78,8 @@ void pruneLines(const QToolBar* bar)
 
 bool isTool(const ActionInfo& row, const QList<core::Tool>& tools)
 {
-    return std::ranges::any_of(tools, [&row](core::Tool tool) { return std::string_view(row.id) == "tool." + std::string(core::name(tool)); });
+    return std::ranges::any_of(
+        tools, [&row](core::Tool tool) { return std::string_view(row.id) == "tool." + std::string(core::name(tool)); });
 }
 } // namespace
 

@@ -96,7 +96,8 @@ bool PinGate::isRight(const QString& pin)
         return true;
     }
     if (++m_wrong >= freeTries)
-        m_rest.setRemainingTime(1000 * std::min(firstRest << std::min(m_wrong - freeTries, mostDoublings), longestRest));
+        m_rest.setRemainingTime(1000 *
+                                std::min(firstRest << std::min(m_wrong - freeTries, mostDoublings), longestRest));
     return false;
 }
 

@@ -11,8 +11,8 @@ class QWidget;
 
 namespace ui
 {
-/// Asks for a PIN before something is done, in a dialog of our own. After three wrong ones it rests, longer each time, so that nobody tries
-/// all. Gui thread.
+/// Asks for a PIN before something is done, in a dialog of our own. After three wrong ones it rests, longer each time,
+/// so that nobody tries all. Gui thread.
 class PinGate : public QObject
 {
     Q_OBJECT

@@ -2,8 +2,8 @@
 
 #include "ui/actions/actions.h"
 #include "ui/classroom/classroom.h"
-#include "ui/widgets/spacing.h"
 #include "ui/settings/stored_values.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QButtonGroup>
@@ -24,7 +24,11 @@ constexpr double titleScale = 1.6;
 } // namespace
 
 NamePanel::NamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over)
-    : QFrame(over), m_over(over), m_name(new QLineEdit), m_starters(new QButtonGroup(this)), m_begin(new QPushButton(tr("&Begin")))
+    : QFrame(over)
+    , m_over(over)
+    , m_name(new QLineEdit)
+    , m_starters(new QButtonGroup(this))
+    , m_begin(new QPushButton(tr("&Begin")))
 {
     setObjectName(QStringLiteral("namePanel"));
     setAccessibleName(tr("The next turn"));
@@ -49,7 +53,8 @@ QWidget* NamePanel::card(const QList<core::Starter>& starters, const Actions& ac
     m_begin->setObjectName(QStringLiteral("beginTurn"));
     m_begin->setToolTip(tr("Begins the turn. (Return)"));
     m_begin->setDefault(true);
-    connect(m_name, &QLineEdit::textChanged, m_begin, [this](const QString& text) { m_begin->setEnabled(!text.trimmed().isEmpty()); });
+    connect(m_name, &QLineEdit::textChanged, m_begin,
+            [this](const QString& text) { m_begin->setEnabled(!text.trimmed().isEmpty()); });
     connect(m_name, &QLineEdit::returnPressed, this, &NamePanel::begin);
     connect(m_begin, &QPushButton::clicked, this, &NamePanel::begin);
 

@@ -13,7 +13,8 @@ namespace ui
 {
 class Actions;
 
-/// Asks who sculpts next, and with what to begin, before a turn. Lies over all of a widget, which nobody reaches meanwhile. Gui thread.
+/// Asks who sculpts next, and with what to begin, before a turn. Lies over all of a widget, which nobody reaches
+/// meanwhile. Gui thread.
 class NamePanel : public QFrame
 {
     Q_OBJECT

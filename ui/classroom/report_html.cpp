@@ -125,25 +125,29 @@ std::optional<double> volumeOf(const ReportRow& row)
 QString verdictCell(const ReportCells& cells)
 {
     const bool isReady = cells.verdict == ReportVerdict::Ready;
-    const QString note = cells.note.isEmpty() ? QString() : QStringLiteral("<small>%1</small>").arg(escaped(cells.note));
+    const QString note =
+        cells.note.isEmpty() ? QString() : QStringLiteral("<small>%1</small>").arg(escaped(cells.note));
     return QStringLiteral("<td class=\"%1\"%2><b>%3 %4</b>%5</td>\n")
-        .arg(QLatin1StringView(isReady ? "ready" : "not"), keyed(static_cast<double>(cells.verdict)), QLatin1StringView(isReady ? "&#10003;" : "&#10007;"),
-             escaped(cells.word), note);
+        .arg(QLatin1StringView(isReady ? "ready" : "not"), keyed(static_cast<double>(cells.verdict)),
+             QLatin1StringView(isReady ? "&#10003;" : "&#10007;"), escaped(cells.word), note);
 }
 
 QString rowText(const ReportRow& row, const std::filesystem::path& path)
 {
     const ReportCells cells = cellsOf(row);
     const QString link = escaped(reportLink(path, row.file));
-    const QString picture = row.picture.isNull() ? QString()
-                                                 : QStringLiteral("<a href=\"%1\"><img width=\"%2\" height=\"%2\" alt=\"\" src=\"%3\"></a>")
-                                                       .arg(link, QString::number(shownSide), pictureData(row.picture));
-    const auto work = [&row](auto member) { return row.work ? std::optional(static_cast<double>((*row.work).*member)) : std::nullopt; };
-    return QStringLiteral("<tr>\n<td class=\"picture\">%1</td>\n").arg(picture)
-           + QStringLiteral("<th scope=\"row\"><a href=\"%1\"><bdi>%2</bdi></a></th>\n").arg(link, escaped(cells.name))
-           + figureCell(longestSide(row), cells.size) + figureCell(volumeOf(row), cells.volume) + verdictCell(cells)
-           + figureCell(work(&core::WorkDone::seconds), cells.time) + figureCell(work(&core::WorkDone::strokes), cells.strokes)
-           + QStringLiteral("</tr>\n");
+    const QString picture =
+        row.picture.isNull() ? QString()
+                             : QStringLiteral("<a href=\"%1\"><img width=\"%2\" height=\"%2\" alt=\"\" src=\"%3\"></a>")
+                                   .arg(link, QString::number(shownSide), pictureData(row.picture));
+    const auto work = [&row](auto member) {
+        return row.work ? std::optional(static_cast<double>((*row.work).*member)) : std::nullopt;
+    };
+    return QStringLiteral("<tr>\n<td class=\"picture\">%1</td>\n").arg(picture) +
+           QStringLiteral("<th scope=\"row\"><a href=\"%1\"><bdi>%2</bdi></a></th>\n").arg(link, escaped(cells.name)) +
+           figureCell(longestSide(row), cells.size) + figureCell(volumeOf(row), cells.volume) + verdictCell(cells) +
+           figureCell(work(&core::WorkDone::seconds), cells.time) +
+           figureCell(work(&core::WorkDone::strokes), cells.strokes) + QStringLiteral("</tr>\n");
 }
 
 QString headRow()
@@ -162,13 +166,17 @@ QString headRow()
 QByteArray reportHtml(const ClassReport& report, const std::filesystem::path& path)
 {
     const QString title = escaped(reportTitle(report));
-    QByteArray page = QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"
-                                     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src %2; script-src %3\">\n"
-                                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>%4</title>\n")
-                          .arg(QLocale().bcp47Name(), hashOf(pageStyle), hashOf(pageScript), title)
-                          .toUtf8();
+    QByteArray page =
+        QStringLiteral("<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"
+                       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+                       "style-src %2; script-src %3\">\n"
+                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>%4</title>\n")
+            .arg(QLocale().bcp47Name(), hashOf(pageStyle), hashOf(pageScript), title)
+            .toUtf8();
     page += QByteArray("<style>") + pageStyle + "</style>\n</head>\n<body>\n";
-    page += QStringLiteral("<h1>%1</h1>\n<p>%2</p>\n<table>\n<thead>\n%3</thead>\n<tbody>\n").arg(title, escaped(reportSummary(report)), headRow()).toUtf8();
+    page += QStringLiteral("<h1>%1</h1>\n<p>%2</p>\n<table>\n<thead>\n%3</thead>\n<tbody>\n")
+                .arg(title, escaped(reportSummary(report)), headRow())
+                .toUtf8();
     for (const ReportRow& row : report.rows)
         page += rowText(row, path).toUtf8();
     page += QByteArray("</tbody>\n</table>\n<script>") + pageScript + "</script>\n</body>\n</html>\n";

@@ -1,5 +1,5 @@
-// lay out each row -> deal them to pages -> paint page by page. Everything is placed in 1/100 mm, so that fonts, which have whole sizes,
-// can be of any.
+// lay out each row -> deal them to pages -> paint page by page. Everything is placed in 1/100 mm, so that fonts, which
+// have whole sizes, can be of any.
 #include "ui/classroom/report_pdf.h"
 
 #include "ui/classroom/class_report.h"
@@ -29,12 +29,13 @@ struct PageWords
 constexpr int unitsAMm = 100, reportDotsPerInch = 1200; ///< of the painter, a mm; of the file
 constexpr double mmInAnInch = 25.4;
 constexpr QSizeF paperSize{210, 297};
-constexpr double pageMargin = 12, gapAcross = 2.5, gapDown = 1.6, pictureSide = 18; ///< mm
+constexpr double pageMargin = 12, gapAcross = 2.5, gapDown = 1.6, pictureSide = 18;       ///< mm
 constexpr double titleHeight = 5.5, headHeight = 2.7, cellHeight = 2.8, noteHeight = 2.5; ///< mm, of letters
-constexpr double titleRoom = 17, headRoom = 6, footRoom = 7; ///< mm
+constexpr double titleRoom = 17, headRoom = 6, footRoom = 7;                              ///< mm
 
 const QColor inkColor(Qt::black), faintColor(90, 90, 96), ruleColor(190, 190, 196);
-const QColor readyColor(0x1e, 0x7a, 0x3a), notReadyColor(0xb3, 0x26, 0x1e), linkColor(0x0b, 0x57, 0xb8); ///< those of the page for a browser
+/// Those of the page for a browser.
+const QColor readyColor(0x1e, 0x7a, 0x3a), notReadyColor(0xb3, 0x26, 0x1e), linkColor(0x0b, 0x57, 0xb8);
 
 /// Beside the picture; in the order of reportHeads().
 struct ReportColumn
@@ -42,9 +43,13 @@ struct ReportColumn
     double width; ///< mm
     Qt::Alignment side;
 };
-constexpr std::array reportColumns{ReportColumn{38, Qt::AlignLeft}, ReportColumn{37, Qt::AlignRight}, ReportColumn{20, Qt::AlignRight},
-                                   ReportColumn{39, Qt::AlignLeft}, ReportColumn{19, Qt::AlignRight}, ReportColumn{15, Qt::AlignRight}};
-constexpr double roomOf(const ReportColumn& column) { return column.width - gapAcross; }
+constexpr std::array reportColumns{ReportColumn{38, Qt::AlignLeft},  ReportColumn{37, Qt::AlignRight},
+                                   ReportColumn{20, Qt::AlignRight}, ReportColumn{39, Qt::AlignLeft},
+                                   ReportColumn{19, Qt::AlignRight}, ReportColumn{15, Qt::AlignRight}};
+constexpr double roomOf(const ReportColumn& column)
+{
+    return column.width - gapAcross;
+}
 
 struct TextStyle
 {
@@ -67,7 +72,9 @@ class TextBlock
 {
 public:
     /// `link`: where a click on it leads; empty: nowhere. A width in mm.
-    TextBlock(const QString& text, const TextStyle& style, double width, const QString& link = {}) : m_layout(text, fontOf(style)), m_color(style.color)
+    TextBlock(const QString& text, const TextStyle& style, double width, const QString& link = {})
+        : m_layout(text, fontOf(style))
+        , m_color(style.color)
     {
         QTextOption option(style.side);
         option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -196,7 +203,9 @@ void paintHeads(QPainter& painter, double y)
     double x = pageMargin + pictureSide;
     for (std::size_t i = 0; i < reportColumns.size(); ++i) {
         x += gapAcross / 2;
-        TextBlock(heads[static_cast<qsizetype>(i)], {headHeight, faintColor, true, reportColumns[i].side}, roomOf(reportColumns[i])).paint(painter, {x, y});
+        TextBlock(heads[static_cast<qsizetype>(i)], {headHeight, faintColor, true, reportColumns[i].side},
+                  roomOf(reportColumns[i]))
+            .paint(painter, {x, y});
         x += reportColumns[i].width - gapAcross / 2;
     }
     paintRule(painter, y + headRoom - 1);
@@ -206,7 +215,9 @@ void paintRow(QPainter& painter, const LaidRow& row, double y)
 {
     const double middle = y + row.height / 2;
     if (!row.picture->isNull())
-        painter.drawImage(QRectF(QPointF(pageMargin, middle - pictureSide / 2) * unitsAMm, QSizeF(pictureSide, pictureSide) * unitsAMm), *row.picture);
+        painter.drawImage(QRectF(QPointF(pageMargin, middle - pictureSide / 2) * unitsAMm,
+                                 QSizeF(pictureSide, pictureSide) * unitsAMm),
+                          *row.picture);
     double x = pageMargin + pictureSide;
     for (std::size_t i = 0; i < reportColumns.size(); ++i) {
         paintCell(painter, row.cells[i], {x + gapAcross / 2, middle - heightOf(row.cells[i]) / 2});
@@ -222,7 +233,8 @@ void paintFoot(QPainter& painter, const ClassReport& report, const QString& numb
     TextBlock(number, {noteHeight, faintColor, false, Qt::AlignRight}, width).paint(painter, {pageMargin, y});
     const double half = width / 2 * unitsAMm;
     const TextStyle style{noteHeight, faintColor};
-    TextBlock(QFontMetricsF(fontOf(style)).elidedText(reportTitle(report), Qt::ElideMiddle, half), style, width).paint(painter, {pageMargin, y});
+    TextBlock(QFontMetricsF(fontOf(style)).elidedText(reportTitle(report), Qt::ElideMiddle, half), style, width)
+        .paint(painter, {pageMargin, y});
 }
 } // namespace
 

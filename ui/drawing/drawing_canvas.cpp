@@ -43,7 +43,8 @@ QImage pictureOf(const Order& order)
 
 QColor mixed(const QColor& one, const QColor& other)
 {
-    return QColor::fromRgb((2 * one.red() + other.red()) / 3, (2 * one.green() + other.green()) / 3, (2 * one.blue() + other.blue()) / 3);
+    return QColor::fromRgb((2 * one.red() + other.red()) / 3, (2 * one.green() + other.green()) / 3,
+                           (2 * one.blue() + other.blue()) / 3);
 }
 } // namespace
 
@@ -105,7 +106,8 @@ void DrawingCanvas::render()
     small.setPixelSize(std::max(10, QFontInfo(font()).pixelSize() - 2));
     const QColor ink = palette().color(QPalette::Text);
     const DrawingLook look{ink, mixed(ink, palette().color(QPalette::Base)), 1.6, small};
-    m_aside.run([order = Order{m_drawing, m_choice, look, size(), devicePixelRatioF(), m_zoom, m_shift}] { return pictureOf(order); },
+    m_aside.run([order = Order{m_drawing, m_choice, look, size(), devicePixelRatioF(), m_zoom,
+                               m_shift}] { return pictureOf(order); },
                 [this](const QImage& picture) { take(picture); });
 }
 
@@ -168,14 +170,22 @@ void DrawingCanvas::keyPressEvent(QKeyEvent* event)
 {
     const QPointF middle = QRectF(rect()).center();
     switch (event->key()) {
-    case Qt::Key_Plus: return zoomBy(zoomAKey, middle);
-    case Qt::Key_Minus: return zoomBy(1 / zoomAKey, middle);
-    case Qt::Key_0: return fit();
-    case Qt::Key_Left: return moveBy({stepAKey, 0});
-    case Qt::Key_Right: return moveBy({-stepAKey, 0});
-    case Qt::Key_Up: return moveBy({0, stepAKey});
-    case Qt::Key_Down: return moveBy({0, -stepAKey});
-    default: QWidget::keyPressEvent(event);
+    case Qt::Key_Plus:
+        return zoomBy(zoomAKey, middle);
+    case Qt::Key_Minus:
+        return zoomBy(1 / zoomAKey, middle);
+    case Qt::Key_0:
+        return fit();
+    case Qt::Key_Left:
+        return moveBy({stepAKey, 0});
+    case Qt::Key_Right:
+        return moveBy({-stepAKey, 0});
+    case Qt::Key_Up:
+        return moveBy({0, stepAKey});
+    case Qt::Key_Down:
+        return moveBy({0, -stepAKey});
+    default:
+        QWidget::keyPressEvent(event);
     }
 }
 } // namespace ui

@@ -12,8 +12,9 @@ namespace ui
 {
 using SharedDrawing = std::shared_ptr<const core::LineDrawing>;
 
-/// Shows a drawing: fitted, or as far as it is zoomed and moved by wheel, drag and keys (+, -, arrows; 0 or a double click fits it
-/// again). However many lines it has, the gui thread only shows the picture that another thread made of it.
+/// Shows a drawing: fitted, or as far as it is zoomed and moved by wheel, drag and keys (+, -, arrows; 0 or a double
+/// click fits it again). However many lines it has, the gui thread only shows the picture that another thread made of
+/// it.
 class DrawingCanvas : public QWidget
 {
     Q_OBJECT

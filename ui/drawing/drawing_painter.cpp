@@ -26,16 +26,20 @@ public:
     static QString name(DrawnSide side)
     {
         switch (side) {
-        case DrawnSide::Front: return tr("Front");
-        case DrawnSide::Right: return tr("Right");
-        case DrawnSide::Top: return tr("Top");
+        case DrawnSide::Front:
+            return tr("Front");
+        case DrawnSide::Right:
+            return tr("Right");
+        case DrawnSide::Top:
+            return tr("Top");
         }
         return {};
     }
 };
 
 /// Of the text's height: what views leave free around them, and where a dimension's line stands.
-constexpr double captionRoom = 1.6, dimensionRoom = 2.0, dimensionAt = 1.5, plainRoom = 0.6, arrowLength = 0.5, arrowWidth = 0.16;
+constexpr double captionRoom = 1.6, dimensionRoom = 2.0, dimensionAt = 1.5, plainRoom = 0.6, arrowLength = 0.5,
+                 arrowWidth = 0.16;
 
 QPainterPath pathOf(const std::vector<core::DrawnLine>& lines)
 {
@@ -62,28 +66,45 @@ QRectF boxOf(const core::DrawnView& view)
 }
 } // namespace
 
-DrawingLayout::DrawingLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look, Arrangement arrangement)
-    : m_drawing(&drawing), m_choice(choice), m_look(look), m_text(QFontMetricsF(look.font).height())
+DrawingLayout::DrawingLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
+                             Arrangement arrangement)
+    : m_drawing(&drawing)
+    , m_choice(choice)
+    , m_look(look)
+    , m_text(QFontMetricsF(look.font).height())
 {
     const bool dimensions = choice.dimensions;
     switch (choice.sides) {
-    case DrawnSides::Front: m_cells = {{DrawnSide::Front, 0, 0, dimensions, dimensions}}; break;
-    case DrawnSides::Right: m_cells = {{DrawnSide::Right, 0, 0, dimensions, dimensions}}; break;
-    case DrawnSides::Top: m_cells = {{DrawnSide::Top, 0, 0, dimensions, dimensions}}; break;
+    case DrawnSides::Front:
+        m_cells = {{DrawnSide::Front, 0, 0, dimensions, dimensions}};
+        break;
+    case DrawnSides::Right:
+        m_cells = {{DrawnSide::Right, 0, 0, dimensions, dimensions}};
+        break;
+    case DrawnSides::Top:
+        m_cells = {{DrawnSide::Top, 0, 0, dimensions, dimensions}};
+        break;
     case DrawnSides::All:
         if (arrangement == Arrangement::Projection)
-            m_cells = {{DrawnSide::Top, 0, 0, false, false}, {DrawnSide::Front, 0, 1, dimensions, dimensions}, {DrawnSide::Right, 1, 1, dimensions, false}};
+            m_cells = {{DrawnSide::Top, 0, 0, false, false},
+                       {DrawnSide::Front, 0, 1, dimensions, dimensions},
+                       {DrawnSide::Right, 1, 1, dimensions, false}};
         else if (arrangement == Arrangement::Row)
-            m_cells = {{DrawnSide::Front, 0, 0, dimensions, dimensions}, {DrawnSide::Right, 1, 0, dimensions, false}, {DrawnSide::Top, 2, 0, false, false}};
+            m_cells = {{DrawnSide::Front, 0, 0, dimensions, dimensions},
+                       {DrawnSide::Right, 1, 0, dimensions, false},
+                       {DrawnSide::Top, 2, 0, false, false}};
         else
-            m_cells = {{DrawnSide::Front, 0, 0, dimensions, dimensions}, {DrawnSide::Right, 0, 1, dimensions, false}, {DrawnSide::Top, 0, 2, false, false}};
+            m_cells = {{DrawnSide::Front, 0, 0, dimensions, dimensions},
+                       {DrawnSide::Right, 0, 1, dimensions, false},
+                       {DrawnSide::Top, 0, 2, false, false}};
         break;
     }
 }
 
 double DrawingLayout::left(int column) const
 {
-    const bool has = std::ranges::any_of(m_cells, [column](const Cell& cell) { return cell.column == column && cell.hasHeight; });
+    const bool has =
+        std::ranges::any_of(m_cells, [column](const Cell& cell) { return cell.column == column && cell.hasHeight; });
     return (has ? dimensionRoom : plainRoom) * m_text;
 }
 
@@ -104,7 +125,8 @@ std::vector<double> DrawingLayout::columnWidths(double scale) const
     for (const Cell& cell : m_cells) {
         widths.resize(std::max(widths.size(), static_cast<std::size_t>(cell.column) + 1), 0.0);
         double& width = widths[static_cast<std::size_t>(cell.column)];
-        width = std::max(width, left(cell.column) + scale * boxOf(m_drawing->view(cell.side)).width() + plainRoom * m_text);
+        width =
+            std::max(width, left(cell.column) + scale * boxOf(m_drawing->view(cell.side)).width() + plainRoom * m_text);
     }
     return widths;
 }
@@ -131,7 +153,8 @@ double DrawingLayout::scaleFor(const QSizeF& room) const
     const QSizeF margins = sizeAt(0), grown = sizeAt(1) - margins;
     if (m_drawing->box.isEmpty() || grown.isEmpty())
         return 0;
-    return std::max(0.0, std::min((room.width() - margins.width()) / grown.width(), (room.height() - margins.height()) / grown.height()));
+    return std::max(0.0, std::min((room.width() - margins.width()) / grown.width(),
+                                  (room.height() - margins.height()) / grown.height()));
 }
 
 void DrawingLayout::paint(QPainter& painter, const QPointF& centre, double scale) const
@@ -170,7 +193,8 @@ void DrawingLayout::paintLines(QPainter& painter, const Cell& cell, const QPoint
     painter.scale(scale, -scale);
     painter.translate(-boxOf(view).topLeft());
     if (const core::DrawnImage& shaded = view.shaded; m_choice.shaded && !shaded.pixels.empty()) {
-        const QImage image(shaded.pixels.front().data(), shaded.width, shaded.height, 4 * shaded.width, QImage::Format_RGBA8888);
+        const QImage image(shaded.pixels.front().data(), shaded.width, shaded.height, 4 * shaded.width,
+                           QImage::Format_RGBA8888);
         const auto pixel = static_cast<double>(shaded.pixel);
         const QSizeF size(shaded.width * pixel, shaded.height * pixel);
         painter.save();
@@ -210,7 +234,8 @@ void DrawingLayout::paintDimension(QPainter& painter, const QPointF& from, const
     painter.save();
     painter.translate(from);
     painter.rotate(-QLineF(from, to).angle());
-    const double length = QLineF(from, to).length(), arrow = std::min(arrowLength * m_text, length / 3), width = arrowWidth * m_text;
+    const double length = QLineF(from, to).length(), arrow = std::min(arrowLength * m_text, length / 3),
+                 width = arrowWidth * m_text;
     painter.drawLine(QPointF(0, 0), QPointF(length, 0));
     for (const double sign : {1.0, -1.0}) {
         const double tip = sign > 0 ? 0 : length;
@@ -222,7 +247,8 @@ void DrawingLayout::paintDimension(QPainter& painter, const QPointF& from, const
     painter.restore();
 }
 
-DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look, const QSizeF& room)
+DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
+                         const QSizeF& room)
 {
     using Arrangement = DrawingLayout::Arrangement;
     DrawingLayout best(drawing, choice, look, Arrangement::Projection);

@@ -23,15 +23,16 @@ struct DrawingLook
     QFont font;        ///< with its pixel size set
 };
 
-/// How drawings stand on a sheet or in a panel: the top view above the front view, the right view beside it, each with its name, and
-/// dimensions where they are asked for. Any thread; the drawing must outlive the layout.
+/// How drawings stand on a sheet or in a panel: the top view above the front view, the right view beside it, each with
+/// its name, and dimensions where they are asked for. Any thread; the drawing must outlive the layout.
 class DrawingLayout
 {
 public:
     enum class Arrangement { Projection, Row, Column };
 
     /// In Row and Column the views stand side by side, or one below the other.
-    DrawingLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look, Arrangement arrangement);
+    DrawingLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
+                  Arrangement arrangement);
 
     /// The largest scale, in units a mm, at which it fits; 0 if none does.
     double scaleFor(const QSizeF& room) const;
@@ -65,5 +66,6 @@ private:
 };
 
 /// The arrangement that shows the drawing largest.
-DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look, const QSizeF& room);
+DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
+                         const QSizeF& room);
 } // namespace ui

@@ -1,5 +1,5 @@
-// The page: views in the middle, below them a strip with name, measures and scale. Everything is placed in 1/100 mm, so that fonts, which
-// have whole sizes, can be of any.
+// The page: views in the middle, below them a strip with name, measures and scale. Everything is placed in 1/100 mm, so
+// that fonts, which have whole sizes, can be of any.
 #include "ui/drawing/drawing_sheet.h"
 
 #include "ui/drawing/drawing_painter.h"
@@ -29,9 +29,9 @@ struct SheetWords
     Q_DECLARE_TR_FUNCTIONS(ui::DrawingSheet)
 };
 
-constexpr int unit = 100; ///< of the painter, a mm
+constexpr int unit = 100;                                     ///< of the painter, a mm
 constexpr double sheetMargin = 10, stripHeight = 24, pad = 4; ///< mm
-constexpr double smallText = 3, largeText = 5;           ///< mm
+constexpr double smallText = 3, largeText = 5;                ///< mm
 constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254, pdfDotsPerInch = 1200;
 constexpr double mmAnInch = 25.4;
 constexpr double longestBar = 50; ///< mm of paper
@@ -125,7 +125,8 @@ void paintScaleBar(QPainter& painter, const DrawingSheet& sheet)
     painter.setFont(textOf(smallText));
     const QRectF above(bar.left(), bar.top() - 1.6 * smallText, bar.width(), 1.5 * smallText);
     painter.drawText(inUnits(above), Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(0));
-    painter.drawText(inUnits(above.adjusted(0, 0, pad, 0)), Qt::AlignRight | Qt::AlignVCenter, SheetWords::tr("%1 mm").arg(QLocale().toString(length)));
+    painter.drawText(inUnits(above.adjusted(0, 0, pad, 0)), Qt::AlignRight | Qt::AlignVCenter,
+                     SheetWords::tr("%1 mm").arg(QLocale().toString(length)));
 }
 
 /// The cone that says on which side of the front view the others stand: as seen from there.
@@ -144,7 +145,9 @@ void paintStrip(QPainter& painter, const DrawingSheet& sheet)
     const core::Vec3 size = sheet.drawing.box.isEmpty() ? core::Vec3(0, 0, 0) : core::Vec3(sheet.drawing.box.sizes());
     const Field fields[] = {
         {SheetWords::tr("Model"), sheet.name, 0.27},
-        {SheetWords::tr("Width × height × depth"), SheetWords::tr("%1 × %2 × %3 mm").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())), 0.27},
+        {SheetWords::tr("Width × height × depth"),
+         SheetWords::tr("%1 × %2 × %3 mm").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())),
+         0.27},
         {SheetWords::tr("Volume"), volumeText(std::abs(sheet.drawing.volume)), 0.16},
         {SheetWords::tr("Scale"), sheetScaleText(sheetScale(sheet)), 0.12},
         {SheetWords::tr("Date"), QLocale().toString(sheet.date, QLocale::ShortFormat), 0.18}};
@@ -163,8 +166,8 @@ void paintStrip(QPainter& painter, const DrawingSheet& sheet)
     painter.drawLine(QPointF(room.left(), room.center().y()) * unit, QPointF(room.right(), room.center().y()) * unit);
     painter.setPen(look().faint);
     painter.setFont(textOf(smallText));
-    painter.drawText(inUnits({room.center().x(), room.center().y(), room.width() / 2 - 20, stripHeight / 2}), Qt::AlignRight | Qt::AlignVCenter,
-                     SheetWords::tr("True to scale when printed at 100 % on A4"));
+    painter.drawText(inUnits({room.center().x(), room.center().y(), room.width() / 2 - 20, stripHeight / 2}),
+                     Qt::AlignRight | Qt::AlignVCenter, SheetWords::tr("True to scale when printed at 100 % on A4"));
     paintProjectionSign(painter, {room.right() - 16, room.bottom() - stripHeight / 4});
     if (!sheet.drawing.box.isEmpty())
         paintScaleBar(painter, sheet);
@@ -210,7 +213,8 @@ struct Format
     QLatin1StringView ending;
     void (*paint)(QBuffer& file, const DrawingSheet& sheet);
 };
-constexpr Format formats[] = {{QLatin1StringView("pdf"), paintPdf}, {QLatin1StringView("svg"), paintSvg}, {QLatin1StringView("png"), paintPng}};
+constexpr Format formats[] = {
+    {QLatin1StringView("pdf"), paintPdf}, {QLatin1StringView("svg"), paintSvg}, {QLatin1StringView("png"), paintPng}};
 } // namespace
 
 QStringList drawingEndings()
@@ -248,7 +252,8 @@ QRectF sheetScaleBar(const DrawingSheet& sheet)
 QString sheetScaleText(double scale)
 {
     const auto text = [](double value) { return QLocale::c().toString(value, 'g', 12); };
-    return scale >= 1 ? text(scale) + QStringLiteral(":1") : QStringLiteral("1:") + text(scale > 0 ? std::round(1 / scale) : 0);
+    return scale >= 1 ? text(scale) + QStringLiteral(":1")
+                      : QStringLiteral("1:") + text(scale > 0 ? std::round(1 / scale) : 0);
 }
 
 void prepareForSheets(QPdfWriter& writer, const QString& title)

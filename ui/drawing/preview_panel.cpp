@@ -2,9 +2,9 @@
 
 #include "ui/actions/actions.h"
 #include "ui/drawing/drawing_sheet.h"
+#include "ui/settings/settings.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/panel_button.h"
-#include "ui/settings/settings.h"
 #include "ui/widgets/spacing.h"
 
 #include <QAction>
@@ -27,7 +27,9 @@ namespace
 class Content : public QWidget
 {
 public:
-    Content(QBoxLayout* controls, QWidget* canvas) : m_layout(new QBoxLayout(QBoxLayout::TopToBottom, this)), m_controls(controls)
+    Content(QBoxLayout* controls, QWidget* canvas)
+        : m_layout(new QBoxLayout(QBoxLayout::TopToBottom, this))
+        , m_controls(controls)
     {
         m_layout->setContentsMargins(gap, gap, gap, gap);
         m_layout->setSpacing(gap);
@@ -50,7 +52,9 @@ private:
 } // namespace
 
 PreviewPanel::PreviewPanel(Settings* settings, QAction* exporting, QWidget* parent)
-    : QDockWidget(tr("2D Preview"), parent), m_settings(settings), m_choice(settings->drawing())
+    : QDockWidget(tr("2D Preview"), parent)
+    , m_settings(settings)
+    , m_choice(settings->drawing())
 {
     setObjectName(QStringLiteral("previewPanel"));
     setWidget(content(exporting));
@@ -81,17 +85,22 @@ QWidget* PreviewPanel::content(QAction* exporting)
 
 QBoxLayout* PreviewPanel::controls(QAction* exporting)
 {
-    m_sides = choiceBox(QStringLiteral("preview.sides"), tr("Sides"), tr("Shows all three drawings, or one of them larger."),
-                        {tr("All sides"), tr("Front"), tr("Right"), tr("Top")}, static_cast<int>(m_choice.sides));
-    m_style = choiceBox(QStringLiteral("preview.style"), tr("Drawn as"), tr("Shows the lines only, or colours under them."),
-                        {tr("Lines"), tr("Shaded")}, m_choice.shaded ? 1 : 0);
-    m_dimensions = panelButton(QStringLiteral("preview.dimensions"), QStringLiteral("dimensions"), tr("Dimensions"), tr("Writes the model's measures beside it."));
+    m_sides =
+        choiceBox(QStringLiteral("preview.sides"), tr("Sides"), tr("Shows all three drawings, or one of them larger."),
+                  {tr("All sides"), tr("Front"), tr("Right"), tr("Top")}, static_cast<int>(m_choice.sides));
+    m_style =
+        choiceBox(QStringLiteral("preview.style"), tr("Drawn as"), tr("Shows the lines only, or colours under them."),
+                  {tr("Lines"), tr("Shaded")}, m_choice.shaded ? 1 : 0);
+    m_dimensions = panelButton(QStringLiteral("preview.dimensions"), QStringLiteral("dimensions"), tr("Dimensions"),
+                               tr("Writes the model's measures beside it."));
     m_dimensions->setCheckable(true);
     m_dimensions->setChecked(m_choice.dimensions);
     connect(m_dimensions, &QToolButton::toggled, this, &PreviewPanel::choose);
-    auto* fit = panelButton(QStringLiteral("preview.fit"), QStringLiteral("frame"), tr("Fit (0)"), tr("Shows the whole drawing; the wheel zooms, a drag moves it."));
+    auto* fit = panelButton(QStringLiteral("preview.fit"), QStringLiteral("frame"), tr("Fit (0)"),
+                            tr("Shows the whole drawing; the wheel zooms, a drag moves it."));
     connect(fit, &QToolButton::clicked, m_canvas, &DrawingCanvas::fit);
-    auto* write = panelButton(QStringLiteral("preview.export"), {}, Actions::plain(exporting->text()), exporting->statusTip());
+    auto* write =
+        panelButton(QStringLiteral("preview.export"), {}, Actions::plain(exporting->text()), exporting->statusTip());
     write->setIcon(exporting->icon());
     const auto showTip = [write, exporting] { write->setToolTip(exporting->toolTip()); };
     showTip();
@@ -109,7 +118,8 @@ QBoxLayout* PreviewPanel::controls(QAction* exporting)
     return row;
 }
 
-QComboBox* PreviewPanel::choiceBox(const QString& name, const QString& text, const QString& tip, const QStringList& words, int index)
+QComboBox* PreviewPanel::choiceBox(const QString& name, const QString& text, const QString& tip,
+                                   const QStringList& words, int index)
 {
     auto* box = new QComboBox;
     box->setObjectName(name);
@@ -132,7 +142,8 @@ void PreviewPanel::show(const DrawingChoice& choice)
 void PreviewPanel::choose()
 {
     const bool wasShaded = m_choice.shaded;
-    m_choice = {static_cast<DrawnSides>(m_sides->currentIndex()), m_style->currentIndex() == 1, m_dimensions->isChecked()};
+    m_choice = {static_cast<DrawnSides>(m_sides->currentIndex()), m_style->currentIndex() == 1,
+                m_dimensions->isChecked()};
     m_settings->setDrawing(m_choice);
     m_canvas->setChoice(m_choice);
     if (m_choice.shaded != wasShaded)
@@ -151,13 +162,15 @@ void PreviewPanel::setDrawing(SharedDrawing drawing)
 
 void PreviewPanel::exportAs(const QString& modelName)
 {
-    askForDrawing(window(), m_settings->lastFolder(), modelName, drawingEndings(), [this, modelName](const QString& path) {
-        m_settings->setLastFolder(QFileInfo(path).absolutePath());
-        Q_EMIT exportRequested(path, modelName, m_choice.shaded);
-    });
+    askForDrawing(window(), m_settings->lastFolder(), modelName, drawingEndings(),
+                  [this, modelName](const QString& path) {
+                      m_settings->setLastFolder(QFileInfo(path).absolutePath());
+                      Q_EMIT exportRequested(path, modelName, m_choice.shaded);
+                  });
 }
 
-void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, const std::function<QString()>& modelName, QMenu* toggles)
+void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, const std::function<QString()>& modelName,
+                QMenu* toggles)
 {
     auto* panel = new PreviewPanel(settings, exporting);
     window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea); // the panels there need the height

@@ -18,8 +18,8 @@ namespace ui
 {
 class Settings;
 
-/// The 2D preview: the model as front, side and top drawings while it changes. Makes no drawing: it says by wanted() when it can be
-/// seen, and shows what it is given. Gui thread.
+/// The 2D preview: the model as front, side and top drawings while it changes. Makes no drawing: it says by wanted()
+/// when it can be seen, and shows what it is given. Gui thread.
 class PreviewPanel : public QDockWidget
 {
     Q_OBJECT
@@ -43,7 +43,8 @@ Q_SIGNALS:
 private:
     QWidget* content(QAction* exporting);
     QBoxLayout* controls(QAction* exporting);
-    QComboBox* choiceBox(const QString& name, const QString& text, const QString& tip, const QStringList& words, int index);
+    QComboBox* choiceBox(const QString& name, const QString& text, const QString& tip, const QStringList& words,
+                         int index);
     void show(const DrawingChoice& choice);
     void choose();
 
@@ -56,6 +57,8 @@ private:
     DrawingCanvas* m_canvas = nullptr;
 };
 
-/// The panel at the window's bottom, hidden at first, with an entry in `toggles`. `exporting` asks where the model is to be drawn to.
-void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, const std::function<QString()>& modelName, QMenu* toggles);
+/// The panel at the window's bottom, hidden at first, with an entry in `toggles`. `exporting` asks where the model is
+/// to be drawn to.
+void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, const std::function<QString()>& modelName,
+                QMenu* toggles);
 } // namespace ui

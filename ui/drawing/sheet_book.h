@@ -10,8 +10,9 @@
 
 namespace ui
 {
-/// Sheets of several models in one PDF, a page each, as writeSheet() makes one. Nothing is seen under the path before commit(), and nothing
-/// remains without it. Needs a QGuiApplication, whose fonts it uses. One thread. Constructor and commit() throw core::FileError.
+/// Sheets of several models in one PDF, a page each, as writeSheet() makes one. Nothing is seen under the path before
+/// commit(), and nothing remains without it. Needs a QGuiApplication, whose fonts it uses. One thread. Constructor and
+/// commit() throw core::FileError.
 class SheetBook
 {
 public:

@@ -1,8 +1,8 @@
 #include "ui/files/export_dialog.h"
 
-#include "ui/widgets/dialog_helpers.h"
-#include "ui/settings/settings.h"
 #include "ui/files/slicer.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/dialog_helpers.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -31,16 +31,20 @@ constexpr Preset presets[] = {
     {QT_TRANSLATE_NOOP("ui::ExportDialog", "&Print: STL"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "The shape alone, in millimetres, Z up. Every slicer reads it.")},
     {QT_TRANSLATE_NOOP("ui::ExportDialog", "Print with &colour: 3MF"),
-     QT_TRANSLATE_NOOP("ui::ExportDialog", "Shape and colours, in millimetres for certain, Z up. Newer slicers read it.")},
+     QT_TRANSLATE_NOOP("ui::ExportDialog",
+                       "Shape and colours, in millimetres for certain, Z up. Newer slicers read it.")},
     {QT_TRANSLATE_NOOP("ui::ExportDialog", "&Game: GLB"),
-     QT_TRANSLATE_NOOP("ui::ExportDialog", "Shape and colours, in metres, Y up. Game engines, web pages and Blender read it.")}};
+     QT_TRANSLATE_NOOP("ui::ExportDialog",
+                       "Shape and colours, in metres, Y up. Game engines, web pages and Blender read it.")}};
 
 class ExportDialog : public QDialog
 {
     Q_DECLARE_TR_FUNCTIONS(ui::ExportDialog)
 
 public:
-    ExportDialog(QWidget* parent, const ModelFacts& facts, const ExportChoice& last) : QDialog(parent), m_presets(new QButtonGroup(this))
+    ExportDialog(QWidget* parent, const ModelFacts& facts, const ExportChoice& last)
+        : QDialog(parent)
+        , m_presets(new QButtonGroup(this))
     {
         QVBoxLayout* column = beginDialog(this, "exportChoice", tr("Export for Print or Game"));
         column->addWidget(dialogText(tr("What is the file for?"), textWidth));
@@ -58,7 +62,10 @@ public:
         });
     }
 
-    ExportChoice choice() const { return {use(), m_limits->isChecked() ? static_cast<quint64>(m_most->value()) : 0, m_slices->isChecked()}; }
+    ExportChoice choice() const
+    {
+        return {use(), m_limits->isChecked() ? static_cast<quint64>(m_most->value()) : 0, m_slices->isChecked()};
+    }
     bool tries() const { return m_slices->isChecked() && prints() && !installedSlicer().isEmpty(); }
 
 private:
@@ -85,7 +92,8 @@ private:
     {
         m_limits = new QCheckBox(tr("At &most so many triangles:"));
         m_limits->setObjectName(QStringLiteral("limits"));
-        m_limits->setToolTip(tr("Takes away triangles where the shape and the colours lose least by it. The model in the window keeps its own."));
+        m_limits->setToolTip(tr("Takes away triangles where the shape and the colours lose least by it. The model in "
+                                "the window keeps its own."));
         m_most = new QSpinBox;
         m_most->setObjectName(QStringLiteral("most"));
         m_most->setAccessibleName(tr("Most triangles"));
@@ -98,8 +106,10 @@ private:
         row->addWidget(m_limits);
         row->addWidget(m_most, 1);
         column->addLayout(row);
-        column->addWidget(dialogText(
-            tr("The model has %1 triangles. The file is read back and judged when it is written.").arg(QLocale().toString(facts.faces)), textWidth));
+        column->addWidget(
+            dialogText(tr("The model has %1 triangles. The file is read back and judged when it is written.")
+                           .arg(QLocale().toString(facts.faces)),
+                       textWidth));
         connect(m_limits, &QCheckBox::toggled, m_most, &QWidget::setEnabled);
     }
 
@@ -108,7 +118,8 @@ private:
     {
         m_slices = new QCheckBox(tr("&Try whether PrusaSlicer slices it"));
         m_slices->setObjectName(QStringLiteral("slices"));
-        m_slices->setToolTip(tr("Slices the file with PrusaSlicer's own settings, and tells layers and time or its complaint; Esc stops it."));
+        m_slices->setToolTip(tr("Slices the file with PrusaSlicer's own settings, and tells layers and time or its "
+                                "complaint; Esc stops it."));
         column->addWidget(m_slices);
         m_slices->setVisible(!installedSlicer().isEmpty());
     }
@@ -144,7 +155,8 @@ private:
 };
 } // namespace
 
-void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings, const std::function<void(const ExportChoice&)>& answer)
+void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings,
+                        const std::function<void(const ExportChoice&)>& answer)
 {
     auto* dialog = new ExportDialog(parent, facts, settings->exporting());
     QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, settings, answer] {

@@ -11,7 +11,8 @@ namespace ui
 {
 class Settings;
 
-/// What it is for, and with how many triangles; as last time, which the settings keep. Returns at once; the answer is called when the
-/// person agreed, and never else. It slices only where there is a slicer and the file is for print.
-void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings, const std::function<void(const ExportChoice&)>& answer);
+/// What it is for, and with how many triangles; as last time, which the settings keep. Returns at once; the answer is
+/// called when the person agreed, and never else. It slices only where there is a slicer and the file is for print.
+void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings,
+                        const std::function<void(const ExportChoice&)>& answer);
 } // namespace ui

@@ -4,11 +4,11 @@
 #include "ui/files/file_grid.h"
 #include "ui/files/file_item_delegate.h"
 #include "ui/files/file_list_model.h"
-#include "ui/widgets/panel_button.h"
-#include "ui/util/reveal_file.h"
-#include "ui/settings/settings.h"
-#include "ui/widgets/spacing.h"
 #include "ui/files/thumbnail_maker.h"
+#include "ui/settings/settings.h"
+#include "ui/util/reveal_file.h"
+#include "ui/widgets/panel_button.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -101,8 +101,10 @@ QLayout* FilesPanel::buildFolderLine()
     m_place->setObjectName(QStringLiteral("files.folder"));
     m_place->setAccessibleName(tr("Folder"));
     m_place->setToolTip(tr("The folder that is shown; type another and press Return."));
-    connect(m_place, &QLineEdit::returnPressed, this, [this] { goTo(QDir::fromNativeSeparators(m_place->text().trimmed())); });
-    return row({m_place, panelButton(m_actions.get(QStringLiteral("files.choose"))), panelButton(m_actions.get(QStringLiteral("files.up")))});
+    connect(m_place, &QLineEdit::returnPressed, this,
+            [this] { goTo(QDir::fromNativeSeparators(m_place->text().trimmed())); });
+    return row({m_place, panelButton(m_actions.get(QStringLiteral("files.choose"))),
+                panelButton(m_actions.get(QStringLiteral("files.up")))});
 }
 
 QLayout* FilesPanel::buildChoices()
@@ -123,7 +125,8 @@ QLayout* FilesPanel::buildChoices()
     m_order->setAccessibleName(tr("Sorted by"));
     m_order->setToolTip(tr("What the files are sorted by; folders come first."));
     m_order->addItems({tr("Name"), tr("Size"), tr("Date"), tr("Vertices")});
-    m_direction = panelButton(QStringLiteral("files.direction"), QStringLiteral("sort-up"), tr("Descending"), tr("Turns the order round."));
+    m_direction = panelButton(QStringLiteral("files.direction"), QStringLiteral("sort-up"), tr("Descending"),
+                              tr("Turns the order round."));
     m_direction->setCheckable(true);
     connect(m_order, &QComboBox::activated, this, &FilesPanel::choose);
     connect(m_direction, &QToolButton::clicked, this, &FilesPanel::choose);
@@ -137,7 +140,8 @@ QLayout* FilesPanel::buildFoot()
     m_state = new QLabel;
     m_state->setObjectName(QStringLiteral("files.state"));
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_stop = panelButton(QStringLiteral("files.stop"), QStringLiteral("stop"), tr("Stop"), tr("Makes no more pictures in this folder."));
+    m_stop = panelButton(QStringLiteral("files.stop"), QStringLiteral("stop"), tr("Stop"),
+                         tr("Makes no more pictures in this folder."));
     QSizePolicy keepsItsPlace = m_stop->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     m_stop->setSizePolicy(keepsItsPlace);
@@ -163,8 +167,12 @@ void FilesPanel::buildActions()
 {
     m_open = on("files.open", [this] { activate(m_grid->currentIndex()); });
     m_rename = on("files.rename", [this] { rename(); });
-    m_duplicate = on("files.duplicate", [this] { change([paths = chosenFiles()] { return FileJobs::duplicate(paths); }); });
-    m_trash = on("files.trash", [this] { change([paths = chosenFiles()] { return FileJobs::trash(paths); }, [this](const FileOutcome&) { Q_EMIT trashed(); }); });
+    m_duplicate =
+        on("files.duplicate", [this] { change([paths = chosenFiles()] { return FileJobs::duplicate(paths); }); });
+    m_trash = on("files.trash", [this] {
+        change([paths = chosenFiles()] { return FileJobs::trash(paths); },
+               [this](const FileOutcome&) { Q_EMIT trashed(); });
+    });
     m_reveal = on("files.reveal", [this] { reveal(); });
     m_up = on("files.up", [this] { goUp(); });
     m_chooseFolder = on("files.choose", [this] { askForFolder(); });

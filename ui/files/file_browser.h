@@ -32,8 +32,8 @@ class Settings;
 class ThumbnailMaker;
 struct Thumbnail;
 
-/// A folder of models as pictures: to open, rename, duplicate, put into the trash, and show where they lie. Asks the disk and draws in other
-/// threads, and only while it can be seen. Gui thread.
+/// A folder of models as pictures: to open, rename, duplicate, put into the trash, and show where they lie. Asks the
+/// disk and draws in other threads, and only while it can be seen. Gui thread.
 class FilesPanel : public QWidget
 {
     Q_OBJECT
@@ -94,9 +94,9 @@ private:
     Settings* m_settings;
     const Actions& m_actions;
     FilesChoice m_choice;
-    QString m_problem; ///< of the folder
+    QString m_problem;                            ///< of the folder
     bool m_isListed = false, m_isStopped = false; ///< stopped: by hand, until another folder is looked at
-    QStringList m_toSelect; ///< when they appear
+    QStringList m_toSelect;                       ///< when they appear
 
     FileListModel* m_files;
     FileSorter* m_sorter;
@@ -106,7 +106,8 @@ private:
     QToolButton *m_direction, *m_stop;
     QSlider* m_size;
     QLabel *m_state, *m_empty;
-    QAction *m_open = nullptr, *m_rename = nullptr, *m_duplicate = nullptr, *m_trash = nullptr, *m_reveal = nullptr, *m_up = nullptr, *m_chooseFolder = nullptr;
+    QAction *m_open = nullptr, *m_rename = nullptr, *m_duplicate = nullptr, *m_trash = nullptr, *m_reveal = nullptr,
+            *m_up = nullptr, *m_chooseFolder = nullptr;
 
     QFileSystemWatcher m_watcher;
     QTimer m_listSoon, m_wantSoon;
@@ -123,5 +124,6 @@ struct FilesPanelPlace
 };
 
 /// As a dock at the window's left, where it has the height, hidden at first, with its entry among the toggles.
-void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice);
+void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
+                   const std::function<void(const QString&)>& notice);
 } // namespace ui

@@ -1,15 +1,15 @@
 // The folder that the panel shows: looking into it, what is there, what is done with it.
 
 #include "ui/actions/actions.h"
-#include "ui/widgets/file_dialogs.h"
+#include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
 #include "ui/files/file_list_model.h"
-#include "ui/files/file_browser.h"
 #include "ui/files/model_files.h"
-#include "ui/util/format_filters.h"
-#include "ui/settings/settings.h"
-#include "ui/widgets/themed_icon.h"
 #include "ui/files/thumbnail_maker.h"
+#include "ui/settings/settings.h"
+#include "ui/util/format_filters.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -154,7 +154,8 @@ void FilesPanel::wantThumbnails()
                 wanted << m_files->entry(file);
         const QSet<FileEntry> inSight(wanted.begin(), wanted.end());
         for (int row = 0; row < m_sorter->rowCount(); ++row)
-            if (const QModelIndex file = m_sorter->mapToSource(m_sorter->index(row, 0)); m_files->isUnknown(file) && !inSight.contains(m_files->entry(file)))
+            if (const QModelIndex file = m_sorter->mapToSource(m_sorter->index(row, 0));
+                m_files->isUnknown(file) && !inSight.contains(m_files->entry(file)))
                 wanted << m_files->entry(file);
     }
     if (!m_maker && !wanted.isEmpty()) {
@@ -185,14 +186,15 @@ void FilesPanel::showState()
     }
     const bool isWorking = unknown > 0 && !m_isStopped;
     m_stop->setVisible(isWorking);
-    m_state->setText(isWorking ? tr("%L1 of %L2 read").arg(models - unknown).arg(models) : tr("%Ln models", nullptr, models));
+    m_state->setText(isWorking ? tr("%L1 of %L2 read").arg(models - unknown).arg(models)
+                               : tr("%Ln models", nullptr, models));
     const bool isEmpty = m_sorter->rowCount() == 0;
     m_empty->setVisible(isEmpty);
     if (isEmpty)
-        m_empty->setText(!m_problem.isEmpty()          ? m_problem
-                         : !m_isListed                 ? QString()
-                         : m_files->rowCount() == 0    ? tr("No models lie here (%1).").arg(modelFormats())
-                                                       : tr("No name here has %1 in it.").arg(m_filter->text().trimmed()));
+        m_empty->setText(!m_problem.isEmpty()       ? m_problem
+                         : !m_isListed              ? QString()
+                         : m_files->rowCount() == 0 ? tr("No models lie here (%1).").arg(modelFormats())
+                                                    : tr("No name here has %1 in it.").arg(m_filter->text().trimmed()));
 }
 
 QStringList FilesPanel::chosenFiles() const
@@ -258,7 +260,8 @@ void FilesPanel::hideEvent(QHideEvent* event)
     enable();
 }
 
-void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice)
+void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
+                   const std::function<void(const QString&)>& notice)
 {
     auto* panel = new FilesPanel(settings, actions);
     auto* dock = new QDockWidget(FilesPanel::tr("Files"));

@@ -5,7 +5,8 @@
 
 namespace ui
 {
-/// A file or folder as the disk had it when it was asked. Equal ones have the same content, as far as can be told without reading it.
+/// A file or folder as the disk had it when it was asked. Equal ones have the same content, as far as can be told
+/// without reading it.
 struct FileEntry
 {
     QString path; ///< absolute

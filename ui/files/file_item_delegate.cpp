@@ -31,13 +31,16 @@ QPixmap scaled(const QPixmap& picture, int size, double ratio)
 } // namespace
 
 FileItemDelegate::FileItemDelegate(const FileListModel* files, const FileSorter* sorter, QObject* parent)
-    : QStyledItemDelegate(parent), m_files(files), m_sorter(sorter), m_picture(defaultPicture)
-{
-}
+    : QStyledItemDelegate(parent)
+    , m_files(files)
+    , m_sorter(sorter)
+    , m_picture(defaultPicture)
+{}
 
 QSize FileItemDelegate::cell(const QFontMetrics& metrics) const
 {
-    return {qMax(m_picture, metrics.horizontalAdvance(FileListModel::longStamp())) + 2 * gap, m_picture + 3 * metrics.lineSpacing() + 2 * gap};
+    return {qMax(m_picture, metrics.horizontalAdvance(FileListModel::longStamp())) + 2 * gap,
+            m_picture + 3 * metrics.lineSpacing() + 2 * gap};
 }
 
 QSize FileItemDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const
@@ -58,7 +61,8 @@ void FileItemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const QRectF frame = QRectF(option.rect).adjusted(1, 1, -1, -1);
-    painter->setPen(hasFocus ? QPen(option.palette.color(isChosen ? QPalette::Text : QPalette::Highlight), 1.5) : QPen(Qt::NoPen));
+    painter->setPen(hasFocus ? QPen(option.palette.color(isChosen ? QPalette::Text : QPalette::Highlight), 1.5)
+                             : QPen(Qt::NoPen));
     painter->setBrush(isChosen ? option.palette.brush(QPalette::Highlight) : QBrush(Qt::NoBrush));
     painter->drawRoundedRect(frame, cornerRadius, cornerRadius);
     paintPicture(painter, {option.rect.left(), option.rect.top() + gap / 2, option.rect.width(), m_picture}, file);
@@ -85,7 +89,9 @@ void FileItemDelegate::paintPicture(QPainter* painter, const QRect& room, const 
         return;
     }
     const bool isBroken = !file.data(FileListModel::ProblemRole).toString().isEmpty();
-    const QString icon = m_files->entry(file).isFolder ? QStringLiteral("folder") : isBroken ? QStringLiteral("unreadable") : QStringLiteral("wait");
+    const QString icon = m_files->entry(file).isFolder ? QStringLiteral("folder")
+                         : isBroken                    ? QStringLiteral("unreadable")
+                                                       : QStringLiteral("wait");
     themedIcon(icon).paint(painter, QRect(room.center() - QPoint(iconSize, iconSize) / 2, QSize(iconSize, iconSize)));
 }
 
@@ -98,7 +104,8 @@ QWidget* FileItemDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
     return editor;
 }
 
-void FileItemDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+void FileItemDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                            const QModelIndex&) const
 {
     const int height = editor->sizeHint().height();
     const QRect name = nameRect(option);

@@ -24,7 +24,8 @@ public:
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     /// Filled once, when it is made: its picture may come while a name is typed.
     void setEditorData(QWidget*, const QModelIndex&) const override {}
-    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override;
 
 private:
     QRect nameRect(const QStyleOptionViewItem& option) const;

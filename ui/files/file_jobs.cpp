@@ -31,7 +31,8 @@ bool isModel(const QFileInfo& file)
 bool hasTrash()
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
-    return QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/Trash"));
+    return QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+                         QStringLiteral("/Trash"));
 #else
     return true;
 #endif
@@ -39,7 +40,8 @@ bool hasTrash()
 
 QString inFolder(const QFileInfo& file, const QString& base)
 {
-    return file.dir().absoluteFilePath(file.suffix().isEmpty() ? base : QStringLiteral("%1.%2").arg(base, file.suffix()));
+    return file.dir().absoluteFilePath(file.suffix().isEmpty() ? base
+                                                               : QStringLiteral("%1.%2").arg(base, file.suffix()));
 }
 } // namespace
 
@@ -92,8 +94,10 @@ FileOutcome FileJobs::rename(const QString& path, const QString& name)
 /// What some system or other forbids: a model shall be able to go to any of them.
 QString FileJobs::nameProblem(const QString& name)
 {
-    static const QRegularExpression forbidden(QStringLiteral("[/\\\\:*?\"<>|]")), control(QStringLiteral("[\\x00-\\x1f]"));
-    static const QRegularExpression device(QStringLiteral("^(con|prn|aux|nul|com[1-9]|lpt[1-9])(\\..*)?$"), QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression forbidden(QStringLiteral("[/\\\\:*?\"<>|]")),
+        control(QStringLiteral("[\\x00-\\x1f]"));
+    static const QRegularExpression device(QStringLiteral("^(con|prn|aux|nul|com[1-9]|lpt[1-9])(\\..*)?$"),
+                                           QRegularExpression::CaseInsensitiveOption);
     if (name.isEmpty())
         return tr("A file needs a name.");
     if (const auto match = forbidden.match(name); match.hasMatch())
@@ -149,7 +153,8 @@ QString FileJobs::numberedCopyOf(const QString& path)
         if (match.hasMatch() && other.completeBaseName().startsWith(base) && match.capturedStart() == base.size())
             last = std::max(last, match.capturedView(1).toInt());
     }
-    return file.dir().filePath(QStringLiteral("%1-%2.%3").arg(base).arg(last + 1, 3, 10, QLatin1Char('0')).arg(file.suffix()));
+    return file.dir().filePath(
+        QStringLiteral("%1-%2.%3").arg(base).arg(last + 1, 3, 10, QLatin1Char('0')).arg(file.suffix()));
 }
 
 FileOutcome FileJobs::trash(const QStringList& paths)
@@ -163,10 +168,13 @@ FileOutcome FileJobs::trash(const QStringList& paths)
         else if (hasTrash() && QFile::moveToTrash(path))
             ++moved;
         else
-            outcome.sentence = tr("%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.").arg(file.fileName());
+            outcome.sentence =
+                tr("%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.")
+                    .arg(file.fileName());
     }
     if (outcome.sentence.isEmpty())
-        outcome.sentence = moved == 1 ? tr("%1 is in the trash.").arg(QFileInfo(paths.constFirst()).fileName()) : tr("%Ln files are in the trash.", nullptr, moved);
+        outcome.sentence = moved == 1 ? tr("%1 is in the trash.").arg(QFileInfo(paths.constFirst()).fileName())
+                                      : tr("%Ln files are in the trash.", nullptr, moved);
     return outcome;
 }
 
@@ -175,7 +183,9 @@ QString FileJobs::changeProblem(const QString& path)
     const QFileInfo file(path), folder(file.absolutePath());
     if (!file.exists() && !file.isSymLink())
         return notThere(path);
-    return folder.isWritable() ? QString() : tr("Nothing in %1 can be changed: it is not permitted.").arg(QDir::toNativeSeparators(folder.filePath()));
+    return folder.isWritable() ? QString()
+                               : tr("Nothing in %1 can be changed: it is not permitted.")
+                                     .arg(QDir::toNativeSeparators(folder.filePath()));
 }
 
 QString FileJobs::notThere(const QString& path)

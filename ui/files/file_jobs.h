@@ -20,11 +20,12 @@ struct FolderContent
 /// What became of a change on disk.
 struct FileOutcome
 {
-    QString sentence;   ///< for the person; may be empty if all went well
-    QStringList paths;  ///< what there is now: the new name, the copies
+    QString sentence;  ///< for the person; may be empty if all went well
+    QStringList paths; ///< what there is now: the new name, the copies
 };
 
-/// What the files panel does on disk, in words for people. Nothing is overwritten, and nothing deleted but into the trash. May take long: not for the gui thread.
+/// What the files panel does on disk, in words for people. Nothing is overwritten, and nothing deleted but into the
+/// trash. May take long: not for the gui thread.
 class FileJobs
 {
     Q_DECLARE_TR_FUNCTIONS(ui::FileJobs)
@@ -38,7 +39,8 @@ public:
     /// Beside the files: "lion copy.stl", "lion copy 2.stl".
     static FileOutcome duplicate(const QStringList& paths);
     static FileOutcome trash(const QStringList& paths);
-    /// "vase.glb" and "vase-002.glb" give "vase-003.glb" where that is the first number after all that are there, whatever the endings.
+    /// "vase.glb" and "vase-002.glb" give "vase-003.glb" where that is the first number after all that are there,
+    /// whatever the endings.
     static QString numberedCopyOf(const QString& path);
 
 private:

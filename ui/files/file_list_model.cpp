@@ -80,7 +80,8 @@ void FileListModel::setThumbnail(const FileEntry& file, const Thumbnail& thumbna
     m_rows[index.row()].problem = thumbnail.problem;
     m_pictures.remove(file.path);
     if (!thumbnail.picture.isNull())
-        m_pictures.insert(file.path, new QPixmap(QPixmap::fromImage(thumbnail.picture)), thumbnail.picture.sizeInBytes());
+        m_pictures.insert(file.path, new QPixmap(QPixmap::fromImage(thumbnail.picture)),
+                          thumbnail.picture.sizeInBytes());
     Q_EMIT dataChanged(index, index);
 }
 
@@ -193,8 +194,7 @@ QString FileListModel::description(const QModelIndex& index) const
     return lines.join(QLatin1Char('\n'));
 }
 
-FileSorter::FileSorter(FileListModel* files)
-    : QSortFilterProxyModel(files), m_files(files), m_collator(nameCollator())
+FileSorter::FileSorter(FileListModel* files) : QSortFilterProxyModel(files), m_files(files), m_collator(nameCollator())
 {
     setFilterCaseSensitivity(Qt::CaseInsensitive);
     setSourceModel(files);
@@ -229,7 +229,8 @@ bool FileSorter::lessThan(const QModelIndex& left, const QModelIndex& right) con
     case FileOrder::Date:
         return less(a.modifiedMs, b.modifiedMs);
     case FileOrder::Vertices: {
-        const qint64 x = left.data(FileListModel::VerticesRole).toLongLong(), y = right.data(FileListModel::VerticesRole).toLongLong();
+        const qint64 x = left.data(FileListModel::VerticesRole).toLongLong(),
+                     y = right.data(FileListModel::VerticesRole).toLongLong();
         return (x < 0) != (y < 0) ? (y < 0) == isUp : less(x, y);
     }
     }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/files/file_entry.h"
-#include "ui/settings/file_browser_settings.h"
 #include "ui/files/thumbnail_cache.h"
+#include "ui/settings/file_browser_settings.h"
 
 #include <QAbstractListModel>
 #include <QCache>
@@ -12,7 +12,8 @@
 
 namespace ui
 {
-/// The folders and models of one folder, with what is known of each. Of the pictures it keeps as many as some 64 MB hold. Gui thread.
+/// The folders and models of one folder, with what is known of each. Of the pictures it keeps as many as some 64 MB
+/// hold. Gui thread.
 class FileListModel : public QAbstractListModel
 {
     Q_OBJECT

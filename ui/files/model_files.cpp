@@ -2,13 +2,13 @@
 
 #include "ui/actions/actions.h"
 #include "ui/files/export_dialog.h"
-#include "ui/widgets/file_dialogs.h"
 #include "ui/files/file_jobs.h"
 #include "ui/model/model_dialogs.h"
-#include "ui/settings/model_info.h"
-#include "ui/util/format_filters.h"
 #include "ui/scene/reference_image.h"
+#include "ui/settings/model_info.h"
 #include "ui/settings/settings.h"
+#include "ui/util/format_filters.h"
+#include "ui/widgets/file_dialogs.h"
 
 #include <QAction>
 #include <QDir>
@@ -27,8 +27,8 @@ namespace ui
 namespace
 {
 constexpr std::pair<const char*, core::Starter> starterIds[] = {
-    {"new.ball", core::Starter::Ball}, {"new.cube", core::Starter::Cube}, {"new.torus", core::Starter::Torus},
-    {"new.slab", core::Starter::Slab}, {"new.vase", core::Starter::Vase}, {"new.head", core::Starter::Head},
+    {"new.ball", core::Starter::Ball},    {"new.cube", core::Starter::Cube}, {"new.torus", core::Starter::Torus},
+    {"new.slab", core::Starter::Slab},    {"new.vase", core::Starter::Vase}, {"new.head", core::Starter::Head},
     {"new.tablet", core::Starter::Tablet}};
 
 /// The first local file that is being dragged, or nothing.
@@ -59,14 +59,17 @@ void ModelFiles::addMenus(QMenu* fileMenu, const Actions& actions)
     actions.fill(starters, MenuId::New);
     fileMenu->insertMenu(actions.get(QStringLiteral("file.open")), starters);
     for (const auto& [id, starter] : starterIds)
-        connect(actions.get(QLatin1StringView(id)), &QAction::triggered, this, [this, starter] { Q_EMIT starterRequested(starter); });
+        connect(actions.get(QLatin1StringView(id)), &QAction::triggered, this,
+                [this, starter] { Q_EMIT starterRequested(starter); });
 
     m_recent = new QMenu(tr("Open &Recent"), fileMenu);
     m_recent->setObjectName(QStringLiteral("recentMenu"));
     m_recent->setToolTipsVisible(true);
     m_revert = actions.get(QStringLiteral("file.revert"));
     fileMenu->insertMenu(m_revert, m_recent);
-    const auto on = [&](const char* id, const auto& what) { connect(actions.get(QLatin1StringView(id)), &QAction::triggered, this, what); };
+    const auto on = [&](const char* id, const auto& what) {
+        connect(actions.get(QLatin1StringView(id)), &QAction::triggered, this, what);
+    };
     on("file.open", [this] { open(); });
     on("file.revert", [this] { Q_EMIT openRequested(m_path); });
     on("file.save", [this] { save(); });
@@ -147,7 +150,8 @@ void ModelFiles::askToOverwrite()
 {
     const QString name = QFileInfo(m_path).fileName();
     auto* box = new QMessageBox(QMessageBox::Question, tr("The file was changed"),
-                                tr("Another program has changed %1 since it was read or written here.").arg(name), QMessageBox::Cancel, m_window);
+                                tr("Another program has changed %1 since it was read or written here.").arg(name),
+                                QMessageBox::Cancel, m_window);
     box->setObjectName(QStringLiteral("overwriteQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
@@ -173,7 +177,8 @@ void ModelFiles::look()
     if (std::exchange(m_isGone, isGone) || !isGone)
         return;
     Q_EMIT gone();
-    Q_EMIT noticed(tr("%1 is not there any more; the model is, and Save writes it again.").arg(QDir::toNativeSeparators(m_path)));
+    Q_EMIT noticed(
+        tr("%1 is not there any more; the model is, and Save writes it again.").arg(QDir::toNativeSeparators(m_path)));
 }
 
 void ModelFiles::setRenamed(const QString& from, const QString& to)
@@ -226,14 +231,16 @@ void ModelFiles::report()
 {
     askForFolder(m_window, m_settings->lastFolder(), [this](const QString& folder) {
         m_settings->setLastFolder(folder);
-        askForReport(m_window, folder, reportEndings(), [this, folder](const QString& path) { Q_EMIT reportRequested(folder, path); });
+        askForReport(m_window, folder, reportEndings(),
+                     [this, folder](const QString& path) { Q_EMIT reportRequested(folder, path); });
     });
 }
 
 void ModelFiles::exportFor(const ModelFacts& model)
 {
     askForExportChoice(m_window, model, m_settings, [this](const ExportChoice& choice) {
-        const QString ending = QLatin1StringView(std::ranges::find(exportUses, choice.use, &Named<ExportUse>::value)->key);
+        const QString ending =
+            QLatin1StringView(std::ranges::find(exportUses, choice.use, &Named<ExportUse>::value)->key);
         askForExport(m_window, m_settings->lastFolder(), m_name, {ending}, [this, choice](const QString& path) {
             remember(path);
             Q_EMIT exportRequested(path, choice.mostTriangles, choice.slices);
@@ -265,7 +272,8 @@ void ModelFiles::setSaved(const ModelFacts& model)
     if (wasGone)
         Q_EMIT noticed(tr("%1 was not there any more and was written anew.").arg(QDir::toNativeSeparators(m_path)));
     else if (!wasTold && !isDocumentFormat(m_path))
-        Q_EMIT noticed(tr("%1 was written. View, brush and symmetry are kept by GLB files only: Save As.").arg(QDir::toNativeSeparators(m_path)));
+        Q_EMIT noticed(tr("%1 was written. View, brush and symmetry are kept by GLB files only: Save As.")
+                           .arg(QDir::toNativeSeparators(m_path)));
     if (goOn)
         goOn();
 }
@@ -287,7 +295,8 @@ bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
         return true;
     drop->acceptProposedAction();
     if (event->type() == QEvent::Drop)
-        QMetaObject::invokeMethod(this, [this, path] { take(path); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, path] { take(path); }, Qt::QueuedConnection);
     return true;
 }
 

@@ -92,7 +92,7 @@ private:
     FileEntry m_file;       ///< at the path, when the model was read or written
     bool m_isGone = false;
     bool m_refusesDrops = false;
-    bool m_toldFormat = false; ///< that the file does not hold all of the document
+    bool m_toldFormat = false;         ///< that the file does not hold all of the document
     std::function<void()> m_afterSave; ///< which was preferred to losing changes
 };
 } // namespace ui

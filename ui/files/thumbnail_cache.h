@@ -18,8 +18,8 @@ struct Thumbnail
 
 inline constexpr int thumbnailPixels = 256;
 
-/// Pictures by the content that they show, as PNG files in a folder. They may vanish at any time, and where none can be written
-/// there are none: a cache is no promise. Several programs may use one folder. One thread.
+/// Pictures by the content that they show, as PNG files in a folder. They may vanish at any time, and where none can be
+/// written there are none: a cache is no promise. Several programs may use one folder. One thread.
 class ThumbnailCache
 {
 public:

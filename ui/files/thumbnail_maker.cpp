@@ -4,8 +4,8 @@
 #include "ui/util/error_messages.h"
 #include "ui/util/thread_priority.h"
 
-#include "core/io/mesh_io.h"
 #include "core/drawing/model_thumbnail.h"
+#include "core/io/mesh_io.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -23,14 +23,16 @@ constexpr qsizetype mostCachedKeys = 20'000;
 
 QImage toImage(const core::ModelThumbnail& picture)
 {
-    const QImage rgba(reinterpret_cast<const uchar*>(picture.rgba.data()), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied);
+    const QImage rgba(reinterpret_cast<const uchar*>(picture.rgba.data()), picture.width, picture.height,
+                      QImage::Format_RGBA8888_Premultiplied);
     return rgba.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
 ThumbnailMaker::ThumbnailMaker(const QString& cacheFolder, QObject* parent)
-    : QObject(parent), m_cache(cacheFolder), m_thread([this] { run(); })
-{
-}
+    : QObject(parent)
+    , m_cache(cacheFolder)
+    , m_thread([this] { run(); })
+{}
 
 ThumbnailMaker::~ThumbnailMaker()
 {
@@ -72,7 +74,8 @@ void ThumbnailMaker::run()
         lock.lock();
         FileEntry file = std::exchange(m_present, {});
         if (thumbnail && !stop.stop_requested())
-            m_mail.post([this, file = std::move(file), thumbnail = *std::move(thumbnail)] { Q_EMIT made(file, thumbnail); });
+            m_mail.post(
+                [this, file = std::move(file), thumbnail = *std::move(thumbnail)] { Q_EMIT made(file, thumbnail); });
     }
 }
 

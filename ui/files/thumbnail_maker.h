@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/files/file_entry.h"
-#include "ui/util/thread_mailbox.h"
 #include "ui/files/thumbnail_cache.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QHash>
 #include <QList>
@@ -24,8 +24,8 @@ namespace ui
 /// A copy.
 QImage toImage(const core::ModelThumbnail& picture);
 
-/// Makes pictures of model files on one thread of its own, which yields to all others; what was drawn before, under whatever name,
-/// comes from a cache. Gui thread; all returns at once.
+/// Makes pictures of model files on one thread of its own, which yields to all others; what was drawn before, under
+/// whatever name, comes from a cache. Gui thread; all returns at once.
 class ThumbnailMaker : public QObject
 {
     Q_OBJECT
@@ -35,8 +35,8 @@ public:
     /// Takes at most some 100 ms.
     ~ThumbnailMaker() override;
 
-    /// These, in this order, and nothing that was wanted before: a picture that is being made for another file is given up
-    /// (within some 100 ms).
+    /// These, in this order, and nothing that was wanted before: a picture that is being made for another file is given
+    /// up (within some 100 ms).
     void want(QList<FileEntry> files);
 
     /// So many were in no cache. Any thread.

@@ -14,8 +14,9 @@ namespace ui
 {
 namespace
 {
-const QString enterId = QStringLiteral("vr.enter"), followId = QStringLiteral("vr.follow"), findId = QStringLiteral("vr.status"),
-              pointId = QStringLiteral("vr.point"), takeOverId = QStringLiteral("vr.takeOver");
+const QString enterId = QStringLiteral("vr.enter"), followId = QStringLiteral("vr.follow"),
+              findId = QStringLiteral("vr.status"), pointId = QStringLiteral("vr.point"),
+              takeOverId = QStringLiteral("vr.takeOver");
 constexpr qint64 heldMs = 400; ///< a key that is down for longer is held, not struck
 } // namespace
 

@@ -77,7 +77,8 @@ void PartnerBar::tell()
     if (!m_isWorn)
         return;
     const std::string_view tool = core::name(m_parts.brush->tool());
-    const QAction* action = m_parts.actions->get(QStringLiteral("tool.%1").arg(QLatin1StringView(tool.data(), static_cast<qsizetype>(tool.size()))));
+    const QAction* action = m_parts.actions->get(
+        QStringLiteral("tool.%1").arg(QLatin1StringView(tool.data(), static_cast<qsizetype>(tool.size()))));
     CaptionWords words{action->icon(), Actions::plain(action->text()), {}, {}, m_time && m_time->isNearEnd};
     words.radius = tr("%1 mm").arg(figures(m_radius.value_or(m_parts.brush->value(core::Parameter::Radius))));
     if (m_time)

@@ -10,8 +10,8 @@ class BrushCaption;
 class BrushSettings;
 class Viewport;
 
-/// For the one at the desktop while somebody is in VR: a large caption of the brush for those who watch, and buttons to point and to take
-/// over. It is there only while VR is worn. Gui thread.
+/// For the one at the desktop while somebody is in VR: a large caption of the brush for those who watch, and buttons to
+/// point and to take over. It is there only while VR is worn. Gui thread.
 class PartnerBar : public QToolBar
 {
     Q_OBJECT

@@ -14,7 +14,8 @@ using Eigen::Isometry3d;
 constexpr double roomSide = 3, lowestEyes = 0.3, highestEyes = 2.5;
 constexpr double steepest = 1.4;
 constexpr double nearest = 0.15, farthest = 2;
-const Vec3 wrist{0.14, -0.24, 0.08};    ///< the right one, as seen from the eyes: a wand comes from there, out of the view's way
+/// The right one, as seen from the eyes: a wand comes from there, out of the view's way.
+const Vec3 wrist{0.14, -0.24, 0.08};
 const Vec3 resting{0.26, -0.34, -0.42}; ///< the right one's tip, as seen from the eyes of a head that looks straight
 constexpr double restsUp = 0.3;         ///< a wand at rest points so far up
 
@@ -90,7 +91,8 @@ void SimulatedPerson::look(double left, double up)
 void SimulatedPerson::walk(const Vec3& metres)
 {
     m_position += body().linear() * metres;
-    m_position = m_position.cwiseMax(Vec3(-roomSide, lowestEyes, -roomSide)).cwiseMin(Vec3(roomSide, highestEyes, roomSide));
+    m_position =
+        m_position.cwiseMax(Vec3(-roomSide, lowestEyes, -roomSide)).cwiseMin(Vec3(roomSide, highestEyes, roomSide));
 }
 
 void SimulatedPerson::point(const Eigen::Vector2d& place)

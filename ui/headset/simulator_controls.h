@@ -15,16 +15,18 @@ inline constexpr std::size_t simulatedHandCount = 2;
 /// What a hand does with the wand's buttons.
 struct SimulatedButtons
 {
-    double trigger = 0;                            ///< 0 to 1
-    Eigen::Vector2d pad = Eigen::Vector2d::Zero(); ///< the thumb, where it touches: x right, y away from the hand, at most 1 from the middle
+    double trigger = 0; ///< 0 to 1
+    /// The thumb, where it touches: x right, y away from the hand, at most 1 from the middle.
+    Eigen::Vector2d pad = Eigen::Vector2d::Zero();
     bool touchesPad = false, pressesPad = false;
     bool squeezes = false, pressesMenu = false;
 
     bool operator==(const SimulatedButtons&) const = default;
 };
 
-/// Who stands in the VR simulator's room while somebody sits at a desk: a head that looks and walks about, the hand that follows the mouse,
-/// and the other one, which rests before the body. Room space: metres, Y up, the floor at y = 0; what points, points along its own -Z.
+/// Who stands in the VR simulator's room while somebody sits at a desk: a head that looks and walks about, the hand
+/// that follows the mouse, and the other one, which rests before the body. Room space: metres, Y up, the floor at y =
+/// 0; what points, points along its own -Z.
 class SimulatedPerson
 {
 public:
@@ -67,7 +69,7 @@ private:
     double m_left = 0, m_up = slightlyDown;
     SimulatedHand m_hand = SimulatedHand::Right;
     Eigen::Vector2d m_place{0.3, -0.3}; ///< beside the model
-    double m_reach = atTheModel; ///< from the eye
+    double m_reach = atTheModel;        ///< from the eye
     double m_turn = 0;
     std::array<SimulatedButtons, simulatedHandCount> m_buttons;
     Eigen::Isometry3d m_other; ///< the other hand's wand, as seen from the body

@@ -12,7 +12,8 @@ namespace
 {
 using core::Vec3;
 
-/// A press that sculpts half as strongly as a whole one: the middle between where a trigger begins to count and its end.
+/// A press that sculpts half as strongly as a whole one: the middle between where a trigger begins to count and its
+/// end.
 constexpr double halfPull = 0.725;
 constexpr double padEdge = 0.8;           ///< where a thumb presses a side of the pad
 constexpr double radiansAPixel = 0.004;   ///< of looking about
@@ -35,7 +36,10 @@ struct PadKey
     int key;
     Eigen::Vector2d thumb;
 };
-const PadKey padKeys[] = {{Qt::Key_Left, {-padEdge, 0}}, {Qt::Key_Right, {padEdge, 0}}, {Qt::Key_Up, {0, padEdge}}, {Qt::Key_Down, {0, -padEdge}}};
+const PadKey padKeys[] = {{Qt::Key_Left, {-padEdge, 0}},
+                          {Qt::Key_Right, {padEdge, 0}},
+                          {Qt::Key_Up, {0, padEdge}},
+                          {Qt::Key_Down, {0, -padEdge}}};
 
 } // namespace
 
@@ -73,7 +77,8 @@ void SimulatorView::advance(double seconds)
 /// The picture's, as large as it fits.
 QRectF SimulatorView::frame() const
 {
-    const QSizeF size = QSizeF(SimulatedPerson::sideTangent, SimulatedPerson::upTangent).scaled(this->size(), Qt::KeepAspectRatio);
+    const QSizeF size =
+        QSizeF(SimulatedPerson::sideTangent, SimulatedPerson::upTangent).scaled(this->size(), Qt::KeepAspectRatio);
     return {QPointF(width() - size.width(), height() - size.height()) / 2, size};
 }
 

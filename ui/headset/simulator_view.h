@@ -10,7 +10,8 @@
 
 namespace ui
 {
-/// What the simulated headset shows, and the hand of who sits before it: mouse and keys become a person's head and wands. Gui thread.
+/// What the simulated headset shows, and the hand of who sits before it: mouse and keys become a person's head and
+/// wands. Gui thread.
 class SimulatorView : public QWidget
 {
     Q_OBJECT

@@ -27,11 +27,15 @@ struct Control
 constexpr Control controls[] = {
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Mouse"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "moves the wand")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Wheel"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "farther and nearer")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Shift and wheel"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "turns the wand about itself")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Left button, Space"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "trigger; with Shift half as strong")},
+    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Shift and wheel"),
+     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "turns the wand about itself")},
+    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Left button, Space"),
+     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "trigger; with Shift half as strong")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Tab"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "the other wand")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Arrows"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "press the pad at that side")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Ctrl and mouse"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "the thumb slides on the pad")},
+    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Arrows"),
+     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "press the pad at that side")},
+    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Ctrl and mouse"),
+     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "the thumb slides on the pad")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "M"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "menu button")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "G"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "squeezes the wand")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "B"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "squeezes both wands")},
@@ -57,7 +61,10 @@ QFont bold(QFont font)
 }
 } // namespace
 
-SimulatorWindow::SimulatorWindow(QWidget* main) : QWidget(main, Qt::Window), m_view(new SimulatorView), m_hand(wrapped({}))
+SimulatorWindow::SimulatorWindow(QWidget* main)
+    : QWidget(main, Qt::Window)
+    , m_view(new SimulatorView)
+    , m_hand(wrapped({}))
 {
     setObjectName(QStringLiteral("simulatorWindow"));
     setWindowTitle(tr("VR Simulator"));
@@ -111,7 +118,8 @@ void SimulatorWindow::begin()
 void SimulatorWindow::placeBesideMain()
 {
     const QRect main = parentWidget()->window()->frameGeometry();
-    const QRect screen = parentWidget()->screen()->availableGeometry().adjusted(edge, edge, -edge, -edge); // a frame comes around it
+    const QRect screen =
+        parentWidget()->screen()->availableGeometry().adjusted(edge, edge, -edge, -edge); // a frame comes around it
     resize(size().boundedTo(screen.size()));
     move(std::clamp(main.right() + 1, screen.left(), std::max(screen.left(), screen.right() + 1 - width())),
          std::clamp(main.top(), screen.top(), std::max(screen.top(), screen.bottom() + 1 - height())));
@@ -119,7 +127,8 @@ void SimulatorWindow::placeBesideMain()
 
 void SimulatorWindow::sayHand()
 {
-    m_hand->setText(m_view->person().hand() == SimulatedHand::Left ? tr("The mouse moves the left wand.") : tr("The mouse moves the right wand."));
+    m_hand->setText(m_view->person().hand() == SimulatedHand::Left ? tr("The mouse moves the left wand.")
+                                                                   : tr("The mouse moves the right wand."));
 }
 
 void SimulatorWindow::closeEvent(QCloseEvent* event)

@@ -16,10 +16,11 @@ struct About
 
 void showAbout(QWidget* parent)
 {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, About::tr("About Fettle"),
-                                About::tr("Fettle %1\n\nSculpt a model with mouse, pen or VR wands, and export it ready to print.")
-                                    .arg(QCoreApplication::applicationVersion()),
-                                QMessageBox::Ok, parent);
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, About::tr("About Fettle"),
+        About::tr("Fettle %1\n\nSculpt a model with mouse, pen or VR wands, and export it ready to print.")
+            .arg(QCoreApplication::applicationVersion()),
+        QMessageBox::Ok, parent);
     box->setIconPixmap(QIcon(QStringLiteral(":/icons/fettle.svg")).pixmap(QSize(64, 64), parent->devicePixelRatioF()));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();

@@ -60,7 +60,12 @@ void layOut(QTextDocument* document, const QColor& line)
 } // namespace
 
 GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
-    : QDialog(parent), m_actions(actions), m_words(new QLineEdit), m_contents(new QListWidget), m_text(new QTextBrowser), m_nothing(new QLabel)
+    : QDialog(parent)
+    , m_actions(actions)
+    , m_words(new QLineEdit)
+    , m_contents(new QListWidget)
+    , m_text(new QTextBrowser)
+    , m_nothing(new QLabel)
 {
     setObjectName(QStringLiteral("guide"));
     setWindowTitle(tr("User Guide"));
@@ -153,7 +158,8 @@ void GuideWindow::search()
     for (int i = 0; i < m_contents->count(); ++i) {
         QListWidgetItem* item = m_contents->item(i);
         const QString text = item->data(Text).toString();
-        const bool has = std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+        const bool has =
+            std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
         item->setHidden(!has);
         if (has && !first)
             first = item;

@@ -1,8 +1,8 @@
 #include "ui/help/help_actions.h"
 
-#include "ui/help/about.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
+#include "ui/help/about.h"
 #include "ui/help/guide_window.h"
 #include "ui/help/start_page.h"
 
@@ -25,7 +25,9 @@ StartPage* connectHelp(const Actions& actions, Settings* settings, QMainWindow* 
 {
     auto* start = new StartPage(actions, settings, window->centralWidget());
     QObject::connect(start, &StartPage::guideWanted, window, [&actions, window] { openGuide(actions, window); });
-    const auto on = [&](const char* id, auto what) { QObject::connect(actions.get(QLatin1StringView(id)), &QAction::triggered, window, what); };
+    const auto on = [&](const char* id, auto what) {
+        QObject::connect(actions.get(QLatin1StringView(id)), &QAction::triggered, window, what);
+    };
     on("help.start", [start] { start->open(); });
     on("help.guide", [&actions, window] { openGuide(actions, window); });
     on("help.keys", [&actions, window] { (new CommandBox(actions, window))->open(); });

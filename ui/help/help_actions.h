@@ -8,6 +8,7 @@ class Actions;
 class Settings;
 class StartPage;
 
-/// The Help menu's commands. The start page lies over the window's middle. Actions and settings must outlive the window. Gui thread.
+/// The Help menu's commands. The start page lies over the window's middle. Actions and settings must outlive the
+/// window. Gui thread.
 StartPage* connectHelp(const Actions& actions, Settings* settings, QMainWindow* window);
 } // namespace ui

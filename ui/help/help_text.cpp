@@ -42,7 +42,8 @@ struct HelpText
 /// Null if there is none.
 const ActionInfo* rowOf(const QString& id)
 {
-    const auto row = std::ranges::find_if(actionTable(), [&](const ActionInfo& action) { return id == QLatin1StringView(action.id); });
+    const auto row = std::ranges::find_if(actionTable(),
+                                          [&](const ActionInfo& action) { return id == QLatin1StringView(action.id); });
     return row != actionTable().end() ? &*row : nullptr;
 }
 
@@ -85,7 +86,9 @@ QString fill(const QString& what, const QString& id, const Actions& actions)
         return asKey(Actions::modifierName(Qt::ShiftModifier));
     if (!row)
         return {};
-    return what == QLatin1StringView("key") ? keyWords(*row, actions) : what == QLatin1StringView("menu") ? menuWords(*row, actions) : QString();
+    return what == QLatin1StringView("key")    ? keyWords(*row, actions)
+           : what == QLatin1StringView("menu") ? menuWords(*row, actions)
+                                               : QString();
 }
 } // namespace
 

@@ -21,8 +21,8 @@ std::span<const HelpPage> helpPages();
 /// Where the pages lie in the best of the languages that there are; English else.
 QString helpFolder(const QLocale& locale);
 
-/// The page as Markdown. In its source {key:ID} is an action's key now, {menu:ID} the way to it through the menus, {invert} and
-/// {smooth} what is held; an unknown one stays as it is. Empty if there is no such page.
+/// The page as Markdown. In its source {key:ID} is an action's key now, {menu:ID} the way to it through the menus,
+/// {invert} and {smooth} what is held; an unknown one stays as it is. Empty if there is no such page.
 QString helpText(const QString& id, const Actions& actions);
 /// The first line, without its mark.
 QString helpTitle(const QString& text);

@@ -47,8 +47,13 @@ QToolButton* tile(QSize icon)
 } // namespace
 
 StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
-    : QFrame(over), m_actions(actions), m_settings(settings), m_over(over), m_recent(new QListWidget), m_lessonsHead(heading(tr("Three short lessons"))),
-      m_lessons(new QHBoxLayout)
+    : QFrame(over)
+    , m_actions(actions)
+    , m_settings(settings)
+    , m_over(over)
+    , m_recent(new QListWidget)
+    , m_lessonsHead(heading(tr("Three short lessons")))
+    , m_lessons(new QHBoxLayout)
 {
     setObjectName(QStringLiteral("startPage"));
     setAccessibleName(tr("Start page"));
@@ -239,7 +244,8 @@ bool StartPage::eventFilter(QObject* watched, QEvent* event)
     const bool isEscape = event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
     if (event->type() == QEvent::Resize && isVisible())
         place();
-    else if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::TabletPress || event->type() == QEvent::TouchBegin || isEscape)
+    else if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::TabletPress ||
+             event->type() == QEvent::TouchBegin || isEscape)
         close();
     return QFrame::eventFilter(watched, event);
 }

@@ -12,8 +12,8 @@ class Actions;
 class Settings;
 struct LessonCard;
 
-/// What to begin with: a starter, a recent file, a lesson. Lies over the middle of a widget until something is chosen, Esc, or a
-/// press beside it, which is that widget's as ever. Gui thread.
+/// What to begin with: a starter, a recent file, a lesson. Lies over the middle of a widget until something is chosen,
+/// Esc, or a press beside it, which is that widget's as ever. Gui thread.
 class StartPage : public QFrame
 {
     Q_OBJECT

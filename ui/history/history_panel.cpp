@@ -1,10 +1,10 @@
 #include "ui/history/history_panel.h"
 
+#include "ui/history/timeline.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
-#include "ui/history/timeline.h"
 
 #include <QAbstractTableModel>
 #include <QDockWidget>
@@ -39,7 +39,10 @@ public:
     }
 
     const History& history() const { return m_history; }
-    int rowCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : static_cast<int>(m_history.steps.size()) + 1; }
+    int rowCount(const QModelIndex& parent = {}) const override
+    {
+        return parent.isValid() ? 0 : static_cast<int>(m_history.steps.size()) + 1;
+    }
     int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : 2; }
 
     Qt::ItemFlags flags(const QModelIndex& index) const override
@@ -83,7 +86,8 @@ private:
         const QString dabs = HistoryPanel::tr("%Ln dabs", nullptr, static_cast<int>(step(row).dabs));
         if (step(row).fusions == 0)
             return dabs;
-        return HistoryPanel::tr("%1, %2", "dabs, fusions").arg(dabs, HistoryPanel::tr("%Ln fusions", nullptr, static_cast<int>(step(row).fusions)));
+        return HistoryPanel::tr("%1, %2", "dabs, fusions")
+            .arg(dabs, HistoryPanel::tr("%Ln fusions", nullptr, static_cast<int>(step(row).fusions)));
     }
 
     QFont font(int row) const
@@ -128,7 +132,8 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     m_memory->setObjectName(QStringLiteral("historyMemory"));
     m_cap->setObjectName(QStringLiteral("historyCap"));
     m_cap->setAccessibleName(tr("Memory for the history"));
-    m_cap->setToolTip(tr("So much memory the history may take; older steps then go to disk, and if that is full they expire."));
+    m_cap->setToolTip(
+        tr("So much memory the history may take; older steps then go to disk, and if that is full they expire."));
     m_cap->setRange(minHistoryMegabytes, maxHistoryMegabytes);
     m_cap->setSuffix(tr(" MB"));
     m_cap->setKeyboardTracking(false);
@@ -167,7 +172,8 @@ void HistoryPanel::setHistory(History history)
     const QModelIndex present = m_model->index(m_model->history().present, 0);
     m_list->setCurrentIndex(present);
     m_list->scrollTo(present);
-    m_memory->setText(tr("%1 MB of").arg(QLocale().toString(static_cast<double>(m_model->history().bytes) / megabyte, 'f', 1)));
+    m_memory->setText(
+        tr("%1 MB of").arg(QLocale().toString(static_cast<double>(m_model->history().bytes) / megabyte, 'f', 1)));
 }
 
 qint64 HistoryPanel::cap() const

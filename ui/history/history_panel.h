@@ -19,7 +19,7 @@ class Timeline;
 struct HistoryStep
 {
     QString name;
-    QString icon;    ///< file in :/icons without ending
+    QString icon;     ///< file in :/icons without ending
     quint64 dabs = 0; ///< 0: it was no stroke
     quint64 fusions = 0;
 };
@@ -33,8 +33,8 @@ struct History
     qint64 bytes = 0;        ///< in memory
 };
 
-/// The steps that were done, a click or Return goes to any that is still kept, a timeline through them, and how much memory they may take. Knows no document: it shows
-/// what it is given, and asks. Gui thread.
+/// The steps that were done, a click or Return goes to any that is still kept, a timeline through them, and how much
+/// memory they may take. Knows no document: it shows what it is given, and asks. Gui thread.
 class HistoryPanel : public QWidget
 {
     Q_OBJECT

@@ -29,8 +29,9 @@ public:
     {
         QVBoxLayout* column = beginDialog(this, "timeLapse", tr("Export Time-Lapse"));
         column->setSpacing(dialogMargin);
-        column->addWidget(dialogText(
-            tr("Draws the model after its steps, as it is seen now, into numbered PNG files in a folder that you choose. Sculpting rests meanwhile."), textWidth));
+        column->addWidget(dialogText(tr("Draws the model after its steps, as it is seen now, into numbered PNG files "
+                                        "in a folder that you choose. Sculpting rests meanwhile."),
+                                     textWidth));
         auto* form = new QFormLayout;
         form->setSpacing(dialogGap);
         column->addLayout(form);
@@ -43,7 +44,9 @@ public:
         form->addRow(tr("Steps to a &picture:"), m_every);
         auto* count = new QLabel;
         count->setObjectName(QStringLiteral("frameCount"));
-        const auto show = [this, count, steps] { count->setText(tr("%Ln pictures", nullptr, (steps + m_every->value() - 1) / m_every->value() + 1)); };
+        const auto show = [this, count, steps] {
+            count->setText(tr("%Ln pictures", nullptr, (steps + m_every->value() - 1) / m_every->value() + 1));
+        };
         connect(m_every, &QSpinBox::valueChanged, count, show);
         show();
         form->addRow(QString(), count);

@@ -22,11 +22,16 @@ constexpr int paceMs = 400; ///< a step; slow enough to see what each did
 constexpr int statesAPage = 10;
 } // namespace
 
-Timeline::Timeline(QWidget* parent) : QWidget(parent), m_slider(new QSlider(Qt::Horizontal)), m_text(new QLabel), m_play(new QToolButton)
+Timeline::Timeline(QWidget* parent)
+    : QWidget(parent)
+    , m_slider(new QSlider(Qt::Horizontal))
+    , m_text(new QLabel)
+    , m_play(new QToolButton)
 {
     m_slider->setObjectName(QStringLiteral("timeline"));
     m_slider->setAccessibleName(tr("Timeline"));
-    m_slider->setToolTip(tr("Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps."));
+    m_slider->setToolTip(tr("Drag to see the model as it was after each step; Left and Right go by one. Sculpting "
+                            "there drops the later steps."));
     m_slider->setPageStep(statesAPage);
     m_text->setObjectName(QStringLiteral("timelineText"));
     m_text->setTextFormat(Qt::PlainText);
@@ -64,7 +69,8 @@ void Timeline::setHistory(const History& history)
     const int before = std::exchange(m_present, history.present);
     const bool isOther = std::exchange(m_names, names) != names;
     const auto away = [this](int state) { return std::abs(state - m_wanted.value_or(state)); };
-    const bool isLost = m_wanted && m_present != before && away(m_present) >= away(before); // somebody else went elsewhere
+    const bool isLost =
+        m_wanted && m_present != before && away(m_present) >= away(before); // somebody else went elsewhere
     if (isOther || isLost || m_wanted == m_present)
         m_wanted.reset();
     if (isOther || isLost)
@@ -92,7 +98,8 @@ QString Timeline::nameOf(int state) const
 void Timeline::showState(const QString& name)
 {
     const QLocale locale;
-    m_text->setText(tr("%1 of %2: %3", "step, steps, its name").arg(locale.toString(m_slider->value()), locale.toString(m_names.size()), name));
+    m_text->setText(tr("%1 of %2: %3", "step, steps, its name")
+                        .arg(locale.toString(m_slider->value()), locale.toString(m_names.size()), name));
     m_text->setToolTip(m_text->text());
 }
 

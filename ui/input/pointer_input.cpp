@@ -151,10 +151,12 @@ core::StrokeSettings PointerInput::stroke() const
     return strokeOpen() ? m_stroke.settings() : strokeFor(m_modifiers, m_isEraser);
 }
 
-/// Where the tool follows the hand, it follows every reading of it. The key that smooths does not where Smooth is not offered.
+/// Where the tool follows the hand, it follows every reading of it. The key that smooths does not where Smooth is not
+/// offered.
 core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const
 {
-    modifiers.setFlag(Qt::ShiftModifier, modifiers.testFlag(Qt::ShiftModifier) && m_brush->isOffered(core::Tool::Smooth));
+    modifiers.setFlag(Qt::ShiftModifier,
+                      modifiers.testFlag(Qt::ShiftModifier) && m_brush->isOffered(core::Tool::Smooth));
     core::StrokeSettings stroke = withKeysHeld(m_brush->stroke(), modifiers, m_habits.held.invert);
     if (eraser != m_brush->isTurnedRound())
         stroke = core::opposite(stroke);
@@ -204,7 +206,8 @@ void PointerInput::press(const Waiting& waiting)
 
 bool PointerInput::addsSphere(const PointerEvent& press) const
 {
-    return m_isAdding && press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers, m_habits) == Drag::None;
+    return m_isAdding && press.button == Qt::LeftButton &&
+           viewDrag(press.button, press.modifiers, m_habits) == Drag::None;
 }
 
 void PointerInput::addSphere(const Waiting& press)

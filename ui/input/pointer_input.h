@@ -5,8 +5,8 @@
 
 #include "core/mesh/footprint.h"
 #include "core/mesh/mesh_patch.h"
-#include "core/stroke/stroke.h"
 #include "core/mesh/surface_hit.h"
+#include "core/stroke/stroke.h"
 
 #include <QObject>
 
@@ -16,9 +16,9 @@
 namespace ui
 {
 /// Decides what a drag is: a stroke, or a turn, a move or a zoom of the view. A left press is a stroke if it is on the
-/// model, else it turns the view; that is asked by a hover question, and what happens before the answer waits in a queue.
-/// The other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place of the
-/// last stroke. Gui thread, no widget, no OpenGL.
+/// model, else it turns the view; that is asked by a hover question, and what happens before the answer waits in a
+/// queue. The other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place
+/// of the last stroke. Gui thread, no widget, no OpenGL.
 class PointerInput : public QObject
 {
     Q_OBJECT
@@ -45,14 +45,16 @@ public:
     void askAgain();
     /// The brush under the pointer takes something else.
     void brushChanged();
-    /// The model turns under the hand, about the Y axis, by so many radians in so many seconds. An open stroke is sampled anew.
+    /// The model turns under the hand, about the Y axis, by so many radians in so many seconds. An open stroke is
+    /// sampled anew.
     void turnModel(double angle, double seconds);
     /// The camera was moved by somebody else.
     void viewMoved();
     /// What was known belongs to another model.
     void forgetHover();
 
-    void setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint = {});
+    void setHover(const std::optional<core::SurfaceHit>& hit,
+                  const std::shared_ptr<const core::Footprint>& footprint = {});
 
     /// While on, the next press for the brush does nothing but tell what it is on by picked(), and that was that.
     void setPicking(bool on);
@@ -68,7 +70,8 @@ public:
     void setAdding(bool adding);
     bool isAdding() const { return m_isAdding; }
 
-    /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view; if armed, where the sphere would be.
+    /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view; if armed, where the
+    /// sphere would be.
     std::optional<core::SurfaceHit> hover() const;
     /// A press there would begin a stroke.
     bool wouldStroke() const;
@@ -154,7 +157,7 @@ private:
     bool m_isAdding = false;
     HandHabits m_habits;
     Qt::KeyboardModifiers m_modifiers;
-    bool m_isEraser = false; ///< the last that moved
+    bool m_isEraser = false;       ///< the last that moved
     std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet
 
     quint64 m_view = 0; ///< grows when an older answer no longer fits

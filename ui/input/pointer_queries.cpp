@@ -16,7 +16,8 @@ core::SurfaceHit leftBehind(core::SurfaceHit hit, double angle)
 }
 } // namespace
 
-/// What is seen and done is that the model turns; in the model's space, where everything is kept, camera and hand go the other way.
+/// What is seen and done is that the model turns; in the model's space, where everything is kept, camera and hand go
+/// the other way.
 void PointerInput::turnModel(double angle, double seconds)
 {
     m_camera->turnModel(angle);
@@ -67,11 +68,13 @@ void PointerInput::ask(Question question)
 void PointerInput::put(const Question& question)
 {
     const core::StrokeSettings settings = m_brush->stroke();
-    const bool wanted = settings.brush == core::BrushShape::Ray && !question.forPress && !m_holds && m_drag == Drag::None;
+    const bool wanted =
+        settings.brush == core::BrushShape::Ray && !question.forPress && !m_holds && m_drag == Drag::None;
     Q_EMIT hoverRequested(question.ray, wanted ? std::optional(settings) : std::nullopt);
 }
 
-void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint)
+void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit,
+                            const std::shared_ptr<const core::Footprint>& footprint)
 {
     if (!m_inFlight)
         return;
@@ -128,7 +131,8 @@ bool PointerInput::isUndecided(const PointerEvent& event) const
 std::optional<core::SurfaceHit> PointerInput::hover() const
 {
     if (m_isAdding && m_inside && !movesView())
-        return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0, core::noSlot};
+        return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0,
+                                core::noSlot};
     const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_habits) != Drag::None;
     return m_inside && !m_holds && !movesView() && !next && !m_isPicking && !m_isPointing ? m_hit : std::nullopt;
 }

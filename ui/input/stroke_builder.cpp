@@ -78,7 +78,8 @@ void StrokeMaker::sample(const core::Ray& ray)
     const double pressure = penPressure(m_hand.pressure, m_habits.penExponent);
     sample.pressure = m_habits.pressureToStrength ? pressure : 1;
     if (m_habits.pressureToRadius)
-        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius), m_settings.radius * std::max(pressure, leastRadiusShare));
+        sample.radius =
+            std::max(m_brush->minOf(core::Parameter::Radius), m_settings.radius * std::max(pressure, leastRadiusShare));
     Q_EMIT sampled(sample);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/settings/brush_settings.h"
 #include "ui/input/pointer_event.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/settings/preferences.h"
 
 #include "core/stroke/stroke.h"
@@ -10,8 +10,8 @@
 
 namespace ui
 {
-/// Makes a stroke of what the hand does. A steady stroke hangs on a string behind the hand and comes to where the hand is when it
-/// ends. Where the model turns under the hand, a resting hand goes on. Gui thread.
+/// Makes a stroke of what the hand does. A steady stroke hangs on a string behind the hand and comes to where the hand
+/// is when it ends. Where the model turns under the hand, a resting hand goes on. Gui thread.
 class StrokeMaker : public QObject
 {
     Q_OBJECT

@@ -51,8 +51,8 @@ void TouchInput::oneFinger(const QTouchEvent& event)
         send(lifted ? PointerEvent::Kind::Release : PointerEvent::Kind::Move, at, event);
 }
 
-/// Zooms by the ratio of the fingers' distances, toward the place between them; then follows that place, which is on the surface
-/// if that is known there.
+/// Zooms by the ratio of the fingers' distances, toward the place between them; then follows that place, which is on
+/// the surface if that is known there.
 void TouchInput::twoFingers(const QTouchEvent& event)
 {
     if (m_pressed)

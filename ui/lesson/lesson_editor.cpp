@@ -24,7 +24,7 @@ namespace ui
 {
 namespace
 {
-constexpr int stepsShown = 4; ///< rows of the list, at most
+constexpr int stepsShown = 4;   ///< rows of the list, at most
 constexpr int stepHeight = 168; ///< pixels, at least: of the pages of a step
 
 QLabel* head(const QString& text)
@@ -44,7 +44,8 @@ QString nameOfLanguage(const QString& code)
     return name.isEmpty() ? code : name;
 }
 
-/// Those of the program, as far as the lesson does not have them under a plainer code, and then those that only the lesson has.
+/// Those of the program, as far as the lesson does not have them under a plainer code, and then those that only the
+/// lesson has.
 QStringList languagesOf(const core::Lesson& lesson)
 {
     QStringList own;
@@ -82,7 +83,10 @@ QToolButton* button(const char* name, const char* icon, const QString& tip)
 }
 } // namespace
 
-LessonEditor::LessonEditor(const Actions& actions, QWidget* parent) : QWidget(parent), m_stack(new QStackedWidget), m_step(new LessonStepEditor(actions))
+LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
+    : QWidget(parent)
+    , m_stack(new QStackedWidget)
+    , m_step(new LessonStepEditor(actions))
 {
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
@@ -95,13 +99,16 @@ void LessonEditor::addStarts(const Actions& actions)
 {
     auto* page = new QWidget;
     QVBoxLayout* rows = panelColumn(page);
-    rows->addWidget(head(tr("A lesson records what you sculpt, step by step, here or in the headset. It begins with:")));
+    rows->addWidget(
+        head(tr("A lesson records what you sculpt, step by step, here or in the headset. It begins with:")));
     m_start = new QComboBox;
     m_start->setObjectName(QStringLiteral("lessonStart"));
     m_start->setAccessibleName(tr("Begins with"));
     m_start->addItem(tr("The model as it is now"), -1);
     for (const core::Starter starter : core::starters)
-        m_start->addItem(Actions::plain(actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)))->text()), static_cast<int>(starter));
+        m_start->addItem(
+            Actions::plain(actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)))->text()),
+            static_cast<int>(starter));
     auto* record = new QPushButton(tr("Record"));
     record->setObjectName(QStringLiteral("lessonBegin"));
     record->setToolTip(tr("Begins a lesson of one step. The strokes before it cannot be undone any more."));
@@ -167,8 +174,10 @@ void LessonEditor::addHead(QVBoxLayout* rows)
     rows->addLayout(row);
     rows->addWidget(m_summary);
     connect(m_language, &QComboBox::activated, this, &LessonEditor::showWords);
-    connect(m_title, &QLineEdit::textEdited, this, [this](const QString& words) { m_draft->setTitle(language(), words.toStdString()); });
-    connect(m_summary, &QLineEdit::textEdited, this, [this](const QString& words) { m_draft->setSummary(language(), words.toStdString()); });
+    connect(m_title, &QLineEdit::textEdited, this,
+            [this](const QString& words) { m_draft->setTitle(language(), words.toStdString()); });
+    connect(m_summary, &QLineEdit::textEdited, this,
+            [this](const QString& words) { m_draft->setSummary(language(), words.toStdString()); });
 }
 
 void LessonEditor::addSteps(QVBoxLayout* rows)

@@ -24,7 +24,7 @@ namespace ui
 namespace
 {
 constexpr double speeds[] = {0.25, 0.5, 1, 2, 4};
-constexpr int usualSpeed = 2; ///< its place
+constexpr int usualSpeed = 2;                                      ///< its place
 constexpr int pictureSide = 80, cardSide = 72, progressHeight = 8; ///< pixels
 
 QLabel* label(const char* name)
@@ -46,7 +46,9 @@ void enlarge(QLabel* label, double factor)
 
 QPixmap pixmapOf(const QImage& picture, int side)
 {
-    return picture.isNull() ? QPixmap() : QPixmap::fromImage(picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    return picture.isNull()
+               ? QPixmap()
+               : QPixmap::fromImage(picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
 }
 } // namespace
 

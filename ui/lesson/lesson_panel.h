@@ -35,7 +35,7 @@ struct LessonPage
     QImage picture; ///< may be null
     int step = 0;   ///< from 0
     int steps = 1;
-    bool isShown = false; ///< the teacher has strokes for it
+    bool isShown = false;    ///< the teacher has strokes for it
     bool isCompared = false; ///< with a shape: there is a difference to be seen
 };
 
@@ -55,8 +55,8 @@ struct LessonShown
 };
 enum class LessonButton { Play, Try, Back, Next };
 
-/// A lesson beside the model: what to do, what the teacher does, and whether it is done. Knows no lesson file and no mesh: it says what is
-/// wanted and shows what it is given. Gui thread.
+/// A lesson beside the model: what to do, what the teacher does, and whether it is done. Knows no lesson file and no
+/// mesh: it says what is wanted and shows what it is given. Gui thread.
 class LessonPanel : public QWidget
 {
     Q_OBJECT

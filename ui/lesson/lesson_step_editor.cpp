@@ -22,8 +22,8 @@ namespace ui
 {
 namespace
 {
-constexpr double mostShown = 1e9; ///< of a fact, as far as it can be typed
-constexpr double maxTolerance = 1000; ///< mm
+constexpr double mostShown = 1e9;            ///< of a fact, as far as it can be typed
+constexpr double maxTolerance = 1000;        ///< mm
 constexpr int spinWidth = 84, iconSide = 16; ///< pixels
 
 QLabel* sentence(const QString& text)
@@ -96,7 +96,8 @@ void LessonStepEditor::addStrokes()
     m_strokes->setIconSize(QSize(iconSide, iconSide));
     m_cut = new QPushButton(tr("Cut Stroke"));
     m_cut->setObjectName(QStringLiteral("lessonCut"));
-    m_cut->setToolTip(tr("Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved."));
+    m_cut->setToolTip(
+        tr("Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved."));
     rows->addWidget(m_strokes, 1);
     rows->addWidget(m_cut);
     connect(m_cut, &QPushButton::clicked, this, &LessonStepEditor::cutStroke);
@@ -175,7 +176,8 @@ void LessonStepEditor::addCheckpoint()
     m_printReady->setObjectName(QStringLiteral("lessonPrintReady"));
     auto* take = new QPushButton(tr("Take from the Model"));
     take->setObjectName(QStringLiteral("lessonFacts"));
-    take->setToolTip(tr("Asks for the holes and parts that the model in the window has, for its height at least, and that it can be printed."));
+    take->setToolTip(tr("Asks for the holes and parts that the model in the window has, for its height at least, and "
+                        "that it can be printed."));
     rows->addWidget(m_printReady);
     rows->addWidget(take);
     rows->addStretch();
@@ -216,7 +218,8 @@ void LessonStepEditor::takeFact(const Bounds& bounds, const QDoubleSpinBox* chan
         const QSignalBlocker quiet(other);
         other->setValue(changed->value());
     }
-    m_draft->setFact(m_step, {bounds.fact, bounds.least->value(), hasMost ? bounds.most->value() : core::FactBounds::unbounded});
+    m_draft->setFact(
+        m_step, {bounds.fact, bounds.least->value(), hasMost ? bounds.most->value() : core::FactBounds::unbounded});
 }
 
 void LessonStepEditor::cutStroke()
@@ -241,7 +244,8 @@ void LessonStepEditor::showStep(core::LessonDraft* draft, std::size_t step, cons
     const core::LessonText none;
     const auto show = [&](const core::LessonText& text, auto field) {
         const auto found = text.words.find(m_language);
-        field(found == text.words.end() ? QString() : QString::fromStdString(found->second), QString::fromStdString(text.in(m_language)));
+        field(found == text.words.end() ? QString() : QString::fromStdString(found->second),
+              QString::fromStdString(text.in(m_language)));
     };
     show(hasStep() ? draft->step(step).title : none, [this](const QString& words, const QString& instead) {
         m_title->setText(words);
@@ -266,7 +270,9 @@ void LessonStepEditor::showStrokes()
     if (hasStep() && m_describe)
         for (const core::FileEntry& entry : m_draft->step(m_step).strokes) {
             const LessonStroke stroke = m_describe(entry);
-            m_strokes->addItem(new QListWidgetItem(themedIcon(stroke.icon), tr("%1. %2", "number of a stroke; what it is").arg(m_strokes->count() + 1).arg(stroke.text)));
+            m_strokes->addItem(new QListWidgetItem(
+                themedIcon(stroke.icon),
+                tr("%1. %2", "number of a stroke; what it is").arg(m_strokes->count() + 1).arg(stroke.text)));
         }
     m_strokes->setCurrentRow(std::min(row, m_strokes->count() - 1));
     m_cut->setEnabled(m_strokes->currentRow() >= 0);
@@ -282,7 +288,8 @@ void LessonStepEditor::showCheckpoint()
         bounds.most->setValue(hasMost ? asked->max : bounds.most->minimum());
     }
     m_printReady->setChecked(hasStep() && m_draft->fact(m_step, core::Fact::PrintReady).has_value());
-    m_tolerance->setValue(hasStep() && m_draft->step(m_step).checkpoint.target ? m_draft->step(m_step).checkpoint.target->tolerance : 0);
+    m_tolerance->setValue(
+        hasStep() && m_draft->step(m_step).checkpoint.target ? m_draft->step(m_step).checkpoint.target->tolerance : 0);
     m_isShowing = false;
 }
 } // namespace ui

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/repair/repair.h"
 #include "core/operations/model_command.h"
+#include "core/repair/repair.h"
 
 #include <QString>
 
@@ -16,6 +16,7 @@ struct Insertion
     core::Insert::Place place = core::Insert::Place::Beside;
     core::Vec3 centre = core::Vec3::Zero(); ///< with Place::Centre
     double unit = 1;                        ///< as so many mm the file's unit is taken; above 0
-    std::optional<core::RepairOptions> mend = std::nullopt; ///< a model that is not in order is legalised; else it is refused
+    /// A model that is not in order is legalised; else it is refused.
+    std::optional<core::RepairOptions> mend = std::nullopt;
 };
 } // namespace ui

@@ -1,8 +1,8 @@
 #include "ui/model/model_actions.h"
 
 #include "ui/actions/actions.h"
-#include "ui/settings/brush_settings.h"
 #include "ui/model/model_dialogs.h"
+#include "ui/settings/brush_settings.h"
 
 #include <QAction>
 #include <QWidget>
@@ -15,13 +15,14 @@ namespace
 {
 using How = core::MaskOperation::Kind;
 
-constexpr std::pair<const char*, How> maskActions[] = {{"mask.invert", How::Invert}, {"mask.clear", How::Clear},   {"mask.blur", How::Blur},
-                                                       {"mask.sharpen", How::Sharpen}, {"mask.grow", How::Grow},   {"mask.shrink", How::Shrink},
-                                                       {"mask.cavity", How::Cavity},   {"mask.part", How::Part}};
+constexpr std::pair<const char*, How> maskActions[] = {{"mask.invert", How::Invert}, {"mask.clear", How::Clear},
+                                                       {"mask.blur", How::Blur},     {"mask.sharpen", How::Sharpen},
+                                                       {"mask.grow", How::Grow},     {"mask.shrink", How::Shrink},
+                                                       {"mask.cavity", How::Cavity}, {"mask.part", How::Part}};
 } // namespace
 
-void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelFacts&()>& facts, const BrushSettings* brush,
-                  const std::function<void(const core::ModelCommand&)>& request)
+void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelFacts&()>& facts,
+                  const BrushSettings* brush, const std::function<void(const core::ModelCommand&)>& request)
 {
     const auto on = [&](const char* id, const auto& what) {
         QObject::connect(actions.get(QLatin1StringView(id)), &QAction::triggered, window, what);

@@ -45,7 +45,9 @@ Number millimetreField(double value, double least = -farthest, double most = far
 class CommandDialog : public QDialog
 {
 public:
-    CommandDialog(QWidget* parent, const char* name, const QString& title, const QString& sentence) : QDialog(parent), m_form(new QFormLayout)
+    CommandDialog(QWidget* parent, const char* name, const QString& title, const QString& sentence)
+        : QDialog(parent)
+        , m_form(new QFormLayout)
     {
         QVBoxLayout* column = beginDialog(this, name, title);
         column->setSpacing(dialogMargin);
@@ -155,9 +157,11 @@ void askForRotation(QWidget* parent, const CommandAnswer& answer)
     auto* dialog = new CommandDialog(parent, "rotateDialog", ModelDialogs::tr("Rotate the Model"),
                                      ModelDialogs::tr("The model turns about an axis through the origin, "
                                                       "anticlockwise as seen from the axis's tip."));
-    const auto* axes = dialog->addChoice(ModelDialogs::tr("Axis"), {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"),
-                                                                    ModelDialogs::tr("Z, to the front")});
-    const auto* angle = dialog->addNumber("angle", ModelDialogs::tr("Angle"), {90, -360, 360, 2, ModelDialogs::tr("°")});
+    const auto* axes = dialog->addChoice(
+        ModelDialogs::tr("Axis"),
+        {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"), ModelDialogs::tr("Z, to the front")});
+    const auto* angle =
+        dialog->addNumber("angle", ModelDialogs::tr("Angle"), {90, -360, 360, 2, ModelDialogs::tr("°")});
     dialog->ask(ModelDialogs::tr("Rotate"), answer, [axes, angle] {
         const core::Vec3 directions[] = {core::Vec3::UnitY(), core::Vec3::UnitX(), core::Vec3::UnitZ()};
         const double radians = angle->value() * std::numbers::pi / 180;
@@ -173,8 +177,9 @@ void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& 
                                      ModelDialogs::tr("How large is the model to be?"));
     auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest side"), millimetreField(size, 0.001));
     auto* factor = dialog->addNumber("factor", ModelDialogs::tr("Factor"), {1, 1e-6, 1e6, 6, {}});
-    const auto* units = dialog->addChoice(ModelDialogs::tr("It was made in"), {ModelDialogs::tr("Millimetres"), ModelDialogs::tr("Centimetres"),
-                                                                               ModelDialogs::tr("Inches"), ModelDialogs::tr("Metres")});
+    const auto* units = dialog->addChoice(ModelDialogs::tr("It was made in"),
+                                          {ModelDialogs::tr("Millimetres"), ModelDialogs::tr("Centimetres"),
+                                           ModelDialogs::tr("Inches"), ModelDialogs::tr("Metres")});
     QObject::connect(units, &QButtonGroup::idClicked, factor, [factor](int unit) {
         constexpr double millimetresAUnit[] = {1, 10, 25.4, 1000};
         factor->setValue(millimetresAUnit[unit]);
@@ -197,8 +202,9 @@ void askForMirror(QWidget* parent, const CommandAnswer& answer)
 {
     auto* dialog = new CommandDialog(parent, "mirrorDialog", ModelDialogs::tr("Mirror the Model"),
                                      ModelDialogs::tr("The mirror goes through the origin. What changes sides?"));
-    const auto* sides = dialog->addChoice({}, {ModelDialogs::tr("Left and right (X)"), ModelDialogs::tr("Top and bottom (Y)"),
-                                               ModelDialogs::tr("Front and back (Z)")});
+    const auto* sides =
+        dialog->addChoice({}, {ModelDialogs::tr("Left and right (X)"), ModelDialogs::tr("Top and bottom (Y)"),
+                               ModelDialogs::tr("Front and back (Z)")});
     dialog->ask(ModelDialogs::tr("Mirror"), answer, [sides] { return core::Mirror{sides->checkedId()}; });
 }
 
@@ -206,9 +212,10 @@ void askForSymmetry(QWidget* parent, const CommandAnswer& answer)
 {
     auto* dialog = new CommandDialog(parent, "symmetryDialog", ModelDialogs::tr("Symmetrize the Model"),
                                      ModelDialogs::tr("The mirror goes through the origin. Which half is kept?"));
-    const auto* halves = dialog->addChoice({}, {ModelDialogs::tr("Right (X above 0)"), ModelDialogs::tr("Left (X below 0)"),
-                                                ModelDialogs::tr("Top (Y above 0)"), ModelDialogs::tr("Bottom (Y below 0)"),
-                                                ModelDialogs::tr("Front (Z above 0)"), ModelDialogs::tr("Back (Z below 0)")});
+    const auto* halves =
+        dialog->addChoice({}, {ModelDialogs::tr("Right (X above 0)"), ModelDialogs::tr("Left (X below 0)"),
+                               ModelDialogs::tr("Top (Y above 0)"), ModelDialogs::tr("Bottom (Y below 0)"),
+                               ModelDialogs::tr("Front (Z above 0)"), ModelDialogs::tr("Back (Z below 0)")});
     dialog->ask(ModelDialogs::tr("Symmetrize"), answer, [halves] {
         constexpr core::Symmetry planes[] = {core::Symmetry::X, core::Symmetry::Y, core::Symmetry::Z};
         const int choice = halves->checkedId();
@@ -218,11 +225,13 @@ void askForSymmetry(QWidget* parent, const CommandAnswer& answer)
 
 void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)
 {
-    auto* dialog = new CommandDialog(parent, "remeshDialog", ModelDialogs::tr("Remesh Uniformly"),
-                                     ModelDialogs::tr("All triangles of the model become about as large. How long may their edges be?"));
+    auto* dialog = new CommandDialog(
+        parent, "remeshDialog", ModelDialogs::tr("Remesh Uniformly"),
+        ModelDialogs::tr("All triangles of the model become about as large. How long may their edges be?"));
     const double least = std::max(facts.size.maxCoeff() * 1e-4, 0.001);
-    auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest edge"),
-                                      millimetreField(facts.uniformDetail, least, std::max(facts.size.maxCoeff(), least)));
+    auto* longest =
+        dialog->addNumber("longest", ModelDialogs::tr("Longest edge"),
+                          millimetreField(facts.uniformDetail, least, std::max(facts.size.maxCoeff(), least)));
     auto* outcome = dialog->addText({});
     outcome->setObjectName(QStringLiteral("outcome"));
     const auto show = [outcome, facts](double mm) {
@@ -243,25 +252,32 @@ void askForBase(QWidget* parent, const ModelFacts& facts, const CommandAnswer& a
     constexpr double usualShare = 0.02; ///< of the height
     const double height = facts.size.y(), least = std::min(0.001, height / 2);
     auto* dialog = new CommandDialog(parent, "baseDialog", ModelDialogs::tr("Flatten the Base"),
-                                     ModelDialogs::tr("What lies below a level cut goes, and the model stands flat. How high above its lowest point is the cut?"));
-    const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"), millimetreField(usualShare * height, least, std::max(height - least, least)));
+                                     ModelDialogs::tr("What lies below a level cut goes, and the model stands flat. "
+                                                      "How high above its lowest point is the cut?"));
+    const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"),
+                                        millimetreField(usualShare * height, least, std::max(height - least, least)));
     dialog->ask(ModelDialogs::tr("Flatten"), answer, [cut] { return core::FlattenBase{cut->value()}; });
 }
 
 void askForPlace(QWidget* parent, const QString& path, const std::function<void(const Insertion& insertion)>& answer)
 {
-    auto* dialog = new CommandDialog(parent, "insertDialog", ModelDialogs::tr("Insert a Model"),
-                                     ModelDialogs::tr("%1 must not touch the present model. Where does it go?").arg(QFileInfo(path).fileName()));
-    const auto* places = dialog->addChoice({}, {ModelDialogs::tr("Beside the present model"), ModelDialogs::tr("Where its file has it"),
-                                                ModelDialogs::tr("With its middle at")});
+    auto* dialog = new CommandDialog(
+        parent, "insertDialog", ModelDialogs::tr("Insert a Model"),
+        ModelDialogs::tr("%1 must not touch the present model. Where does it go?").arg(QFileInfo(path).fileName()));
+    const auto* places =
+        dialog->addChoice({}, {ModelDialogs::tr("Beside the present model"), ModelDialogs::tr("Where its file has it"),
+                               ModelDialogs::tr("With its middle at")});
     const Coordinates centre = addCoordinates(dialog);
     centre.setEnabled(false);
-    QObject::connect(places, &QButtonGroup::idToggled, dialog, [centre, places] { centre.setEnabled(places->checkedId() == 2); });
-    const auto* units = dialog->addList("unit", ModelDialogs::tr("Its unit"),
-                                        {ModelDialogs::tr("As the file says, or millimetres"), ModelDialogs::tr("Centimetres"),
-                                         ModelDialogs::tr("Metres"), ModelDialogs::tr("Inches")});
+    QObject::connect(places, &QButtonGroup::idToggled, dialog,
+                     [centre, places] { centre.setEnabled(places->checkedId() == 2); });
+    const auto* units =
+        dialog->addList("unit", ModelDialogs::tr("Its unit"),
+                        {ModelDialogs::tr("As the file says, or millimetres"), ModelDialogs::tr("Centimetres"),
+                         ModelDialogs::tr("Metres"), ModelDialogs::tr("Inches")});
     dialog->ask(ModelDialogs::tr("Insert"), answer, [path, places, centre, units] {
-        constexpr core::Insert::Place all[] = {core::Insert::Place::Beside, core::Insert::Place::AsItIs, core::Insert::Place::Centre};
+        constexpr core::Insert::Place all[] = {core::Insert::Place::Beside, core::Insert::Place::AsItIs,
+                                               core::Insert::Place::Centre};
         constexpr double millimetresOf[] = {1, 10, 1000, 25.4};
         return Insertion{path, all[places->checkedId()], centre.value(), millimetresOf[units->currentIndex()], {}};
     });

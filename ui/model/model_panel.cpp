@@ -37,7 +37,11 @@ template <class Count> QString count(Count value)
 }
 } // namespace
 
-ModelPanel::ModelPanel(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(this)), m_icon(new QLabel), m_word(new QLabel)
+ModelPanel::ModelPanel(QWidget* parent)
+    : QWidget(parent)
+    , m_form(new QFormLayout(this))
+    , m_icon(new QLabel)
+    , m_word(new QLabel)
 {
     m_form->setContentsMargins(gap, gap, gap, gap);
     m_form->setSpacing(gap);
@@ -51,7 +55,8 @@ ModelPanel::ModelPanel(QWidget* parent) : QWidget(parent), m_form(new QFormLayou
     addRow("vertices", tr("Vertices"), tr("Corners of the triangles."));
     addRow("faces", tr("Faces"), tr("Triangles of the surface."));
     addRow("components", tr("Components"), tr("Parts of the surface that do not hang together, hollows among them."));
-    addRow("genus", tr("Genus"), tr("How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup."));
+    addRow("genus", tr("Genus"),
+           tr("How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup."));
     addRow("size", tr("Size"), tr("Width, height and depth of the box around the model."));
     addRow("volume", tr("Volume"), tr("Of the matter within the surface."));
     addRow("area", tr("Area"), tr("Of the whole surface."));
@@ -74,7 +79,9 @@ void ModelPanel::addRow(const char* id, const QString& name, const QString& tip)
 
 void ModelPanel::setReport(const core::MeshReport& report)
 {
-    const auto set = [this](const char* id, const QString& text) { m_values.value(QLatin1StringView(id))->setText(text); };
+    const auto set = [this](const char* id, const QString& text) {
+        m_values.value(QLatin1StringView(id))->setText(text);
+    };
     const QString none = QStringLiteral("–");
     set("vertices", count(report.vertices));
     set("faces", count(report.faces));
@@ -87,16 +94,19 @@ void ModelPanel::setReport(const core::MeshReport& report)
     for (QLabel* value : std::as_const(m_values))
         value->setEnabled(true);
     if (report.printReady())
-        showHealth(Health::Sound, tr("In fine fettle"), tr("Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now."));
+        showHealth(Health::Sound, tr("In fine fettle"),
+                   tr("Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now."));
     else
-        showHealth(Health::Unsound, tr("Not sound"), tr("The surface is not closed, meets itself, or bounds no solid."));
+        showHealth(Health::Unsound, tr("Not sound"),
+                   tr("The surface is not closed, meets itself, or bounds no solid."));
 }
 
 void ModelPanel::setStale()
 {
     for (QLabel* value : std::as_const(m_values))
         value->setEnabled(false);
-    showHealth(Health::Unknown, tr("Not checked since the last change"), tr("The figures are of before. They are found anew when the model rests."));
+    showHealth(Health::Unknown, tr("Not checked since the last change"),
+               tr("The figures are of before. They are found anew when the model rests."));
 }
 
 /// Icon and word say it; colour only repeats it.
@@ -119,7 +129,8 @@ void ModelPanel::showColors()
         colors.setColor(QPalette::WindowText, QColor(isDark(palette()) ? onDark[kind] : onLight[kind]));
     m_word->setPalette(colors);
     static const QString icons[] = {QStringLiteral("wait"), QStringLiteral("sound"), QStringLiteral("unsound")};
-    m_icon->setPixmap(themedIcon(icons[static_cast<int>(m_health)]).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    m_icon->setPixmap(
+        themedIcon(icons[static_cast<int>(m_health)]).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
 }
 
 void ModelPanel::changeEvent(QEvent* event)

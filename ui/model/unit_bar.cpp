@@ -16,15 +16,17 @@ struct UnitChoice
     const char* text;
     const char* tip;
 };
-constexpr UnitChoice units[] = {
-    {"asMetres", 1000, core::UnitDoubt::Metres, QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long: metres? That would be %3 mm."),
-     QT_TRANSLATE_NOOP("ui::UnitBar", "As Me&tres"),
-     QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 1000 times as large, as one step.")},
-    {"asInches", 25.4, core::UnitDoubt::Inches, QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long: inches? That would be %3 mm."),
-     QT_TRANSLATE_NOOP("ui::UnitBar", "As I&nches"),
-     QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 25.4 times as large, as one step.")},
-    {"asCentimetres", 10, core::UnitDoubt::None, "", QT_TRANSLATE_NOOP("ui::UnitBar", "As &Centimetres"),
-     QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 10 times as large, as one step.")}};
+constexpr UnitChoice units[] = {{"asMetres", 1000, core::UnitDoubt::Metres,
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long: metres? That would be %3 mm."),
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "As Me&tres"),
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 1000 times as large, as one step.")},
+                                {"asInches", 25.4, core::UnitDoubt::Inches,
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long: inches? That would be %3 mm."),
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "As I&nches"),
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 25.4 times as large, as one step.")},
+                                {"asCentimetres", 10, core::UnitDoubt::None, "",
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "As &Centimetres"),
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 10 times as large, as one step.")}};
 } // namespace
 
 UnitBar::UnitBar(const Doubt& doubt, QMainWindow* window) : OfferBar("unitBar", tr("Unit of the Model"), window)
@@ -35,13 +37,15 @@ UnitBar::UnitBar(const Doubt& doubt, QMainWindow* window) : OfferBar("unitBar", 
     };
     for (const UnitChoice& unit : units)
         if (unit.guess == doubt.guess)
-            say("unitText", tr(unit.question).arg(shortened(doubt.name), length(1), length(unit.millimetres)), doubt.name);
+            say("unitText", tr(unit.question).arg(shortened(doubt.name), length(1), length(unit.millimetres)),
+                doubt.name);
     for (const UnitChoice& unit : units) {
         QPushButton* button = addButton(unit.name, tr(unit.text), tr(unit.tip));
         button->setDefault(unit.guess == doubt.guess);
         connect(button, &QPushButton::clicked, this, [this, &unit] { Q_EMIT unitChosen(unit.millimetres); });
     }
-    QPushButton* leaveIt = addButton("asMillimetres", tr("Le&ave as mm"), tr("Leaves the model as it is, and hides this bar."));
+    QPushButton* leaveIt =
+        addButton("asMillimetres", tr("Le&ave as mm"), tr("Leaves the model as it is, and hides this bar."));
     connect(leaveIt, &QPushButton::clicked, this, &UnitBar::leave);
 }
 } // namespace ui

@@ -15,7 +15,7 @@ public:
     struct Doubt
     {
         QString name;
-        double longest = 0; ///< side of the model, as its file has it
+        double longest = 0;                              ///< side of the model, as its file has it
         core::UnitDoubt guess = core::UnitDoubt::Inches; ///< not None
     };
     UnitBar(const Doubt& doubt, QMainWindow* window);

@@ -1,11 +1,11 @@
 #include "ui/preferences/preferences_actions.h"
 
 #include "ui/actions/actions.h"
-#include "ui/settings/brush_settings.h"
 #include "ui/preferences/preferences_dialog.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
-#include "ui/widgets/theme.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/theme.h"
 
 #include <QAction>
 #include <QMainWindow>

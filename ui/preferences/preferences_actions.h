@@ -19,7 +19,7 @@ struct PreferencesPlace
     Viewport* viewport;
 };
 
-/// The stored preferences hold from now on, and Edit > Preferences changes them. Where the panels are now is where they come
-/// back to when all is reset. Gui thread.
+/// The stored preferences hold from now on, and Edit > Preferences changes them. Where the panels are now is where they
+/// come back to when all is reset. Gui thread.
 void connectPreferences(const PreferencesPlace& place);
 } // namespace ui

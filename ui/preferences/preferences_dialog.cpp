@@ -1,8 +1,8 @@
 #include "ui/preferences/preferences_dialog.h"
 
-#include "ui/preferences/shortcuts_page.h"
 #include "ui/preferences/pressure_curve.h"
 #include "ui/preferences/pressure_test.h"
+#include "ui/preferences/shortcuts_page.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
@@ -36,7 +36,9 @@ QLabel* remark(const QString& sentence)
 }
 } // namespace
 
-PreferencesDialog::PreferencesDialog(const Preferences& now, const Actions& actions, QWidget* parent) : QDialog(parent), m_now(now)
+PreferencesDialog::PreferencesDialog(const Preferences& now, const Actions& actions, QWidget* parent)
+    : QDialog(parent)
+    , m_now(now)
 {
     setObjectName(QStringLiteral("preferences"));
     setWindowTitle(tr("Preferences"));
@@ -72,12 +74,13 @@ QWidget* PreferencesDialog::buttonRow()
 
 void PreferencesDialog::askToReset()
 {
-    auto* question = new QMessageBox(QMessageBox::Question, windowTitle(), tr("Should everything be as it was at first?"),
-                                     QMessageBox::Cancel, this);
+    auto* question = new QMessageBox(QMessageBox::Question, windowTitle(),
+                                     tr("Should everything be as it was at first?"), QMessageBox::Cancel, this);
     question->setObjectName(QStringLiteral("resetQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("This is about colours, language, keys, pen and mouse, brush, view and the panels' places. "
-                                    "Models, recent files and swatches stay. The language is spoken from the next start on."));
+    question->setInformativeText(
+        tr("This is about colours, language, keys, pen and mouse, brush, view and the panels' places. "
+           "Models, recent files and swatches stay. The language is spoken from the next start on."));
     QPushButton* reset = question->addButton(tr("&Reset"), QMessageBox::AcceptRole);
     connect(reset, &QPushButton::clicked, this, &PreferencesDialog::resetRequested);
     question->open();
@@ -87,12 +90,17 @@ QWidget* PreferencesDialog::appearancePage()
 {
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
-    addChoice(form, {"theme", tr("&Colours"), tr("Chooses a light or a dark window, or what the desktop has.")}, themeChoices,
-              &Preferences::theme);
-    addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages, &Preferences::language);
-    addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's texts larger than the desktop has them.")}, textSizes, &Preferences::textSize);
+    addChoice(form, {"theme", tr("&Colours"), tr("Chooses a light or a dark window, or what the desktop has.")},
+              themeChoices, &Preferences::theme);
+    addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages,
+              &Preferences::language);
+    addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's texts larger than the desktop has them.")},
+              textSizes, &Preferences::textSize);
     form->addRow(remark(tr("Another language and another text size hold from the next start on.")));
-    addCheck(form, {"calm", tr("&Reduced motion"), tr("The view goes at once where it is sent, instead of flying there, and the light of who points stands still.")},
+    addCheck(form,
+             {"calm", tr("&Reduced motion"),
+              tr("The view goes at once where it is sent, instead of flying there, and the light of who points stands "
+                 "still.")},
              [](Preferences& all) { return &all.isCalm; });
     return page;
 }
@@ -101,11 +109,18 @@ QWidget* PreferencesDialog::inputPage()
 {
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
-    addCheck(form, {"pressureToStrength", tr("A pen's pressure is the &strength"), tr("A light touch changes little, a firm one much.")},
+    addCheck(form,
+             {"pressureToStrength", tr("A pen's pressure is the &strength"),
+              tr("A light touch changes little, a firm one much.")},
              [](Preferences& all) { return &all.hand.pressureToStrength; });
-    addCheck(form, {"pressureToRadius", tr("A pen's pressure is the &radius"), tr("A light touch makes a narrow stroke, a firm one a wide one.")},
+    addCheck(form,
+             {"pressureToRadius", tr("A pen's pressure is the &radius"),
+              tr("A light touch makes a narrow stroke, a firm one a wide one.")},
              [](Preferences& all) { return &all.hand.pressureToRadius; });
-    addCheck(form, {"altMovesView", tr("Alt and the &mouse move the view"), tr("With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.")},
+    addCheck(form,
+             {"altMovesView", tr("Alt and the &mouse move the view"),
+              tr("With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have "
+                 "it otherwise.")},
              [](Preferences& all) { return &all.hand.altMovesView; });
     addPen(form);
     return page;
@@ -116,10 +131,13 @@ QWidget* PreferencesDialog::filesPage()
     static_assert(keptVersions == 3, "the words below");
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
-    addCheck(form, {"keepsVersions", tr("Keep the last three &versions of a file that is saved again"),
-                    tr("What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like any other.")},
+    addCheck(form,
+             {"keepsVersions", tr("Keep the last three &versions of a file that is saved again"),
+              tr("What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like "
+                 "any other.")},
              [](Preferences& all) { return &all.keepsVersions; });
-    form->addRow(remark(tr("Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.")));
+    form->addRow(remark(tr("Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the "
+                           "next start offers them.")));
     return page;
 }
 
@@ -170,7 +188,8 @@ template <class Part> void PreferencesDialog::addCheck(QFormLayout* form, const 
 }
 
 template <class T, std::size_t count>
-void PreferencesDialog::addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices, T Preferences::*what)
+void PreferencesDialog::addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices,
+                                  T Preferences::*what)
 {
     auto* box = new QComboBox;
     box->setObjectName(QLatin1StringView(words.name));

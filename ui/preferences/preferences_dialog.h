@@ -47,7 +47,8 @@ private:
     QWidget* buttonRow();
     void askToReset();
     template <class T, std::size_t count>
-    void addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices, T Preferences::*what);
+    void addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices,
+                   T Preferences::*what);
     template <class Part> void addCheck(QFormLayout* form, const Words& words, Part part);
     void addPen(QFormLayout* form);
     static QString words(ThemeChoice theme);

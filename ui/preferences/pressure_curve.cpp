@@ -14,7 +14,8 @@ PenCurve::PenCurve(QWidget* parent) : CurveWidget(parent)
 {
     setObjectName(QStringLiteral("penCurve"));
     setAccessibleName(tr("Pressure curve"));
-    setToolTip(tr("How a pen's pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it."));
+    setToolTip(tr(
+        "How a pen's pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it."));
 }
 
 void PenCurve::setExponent(double exponent)

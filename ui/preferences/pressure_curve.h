@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ui/widgets/curve_widget.h"
 #include "ui/settings/preferences.h"
+#include "ui/widgets/curve_widget.h"
 
 namespace ui
 {
-/// What counts as pressure over what the pen says (penPressure): dragging bends it, the arrow keys make it softer (up) or
-/// firmer. Gui thread.
+/// What counts as pressure over what the pen says (penPressure): dragging bends it, the arrow keys make it softer (up)
+/// or firmer. Gui thread.
 class PenCurve : public CurveWidget
 {
     Q_OBJECT

@@ -62,7 +62,8 @@ void PenTest::tabletEvent(QTabletEvent* event)
     if (event->type() != QEvent::TabletRelease && event->pressure() > 0)
         draw(event->position(), pressure, event->type() == QEvent::TabletPress);
     const QString number = locale().toString(pressure, 'f', 2);
-    say(event->pointerType() == QPointingDevice::PointerType::Eraser ? tr("Eraser: %1").arg(number) : tr("Pen: %1").arg(number));
+    say(event->pointerType() == QPointingDevice::PointerType::Eraser ? tr("Eraser: %1").arg(number)
+                                                                     : tr("Pen: %1").arg(number));
 }
 
 void PenTest::paintEvent(QPaintEvent*)
@@ -72,11 +73,13 @@ void PenTest::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), palette().base());
     for (qsizetype i = 0; i < m_dots.size(); ++i) {
         const Dot &dot = m_dots[i], &before = i == 0 || dot.begins ? dot : m_dots[i - 1];
-        painter.setPen(QPen(palette().highlight(), thinnest + dot.pressure * (widest - thinnest), Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(
+            QPen(palette().highlight(), thinnest + dot.pressure * (widest - thinnest), Qt::SolidLine, Qt::RoundCap));
         before.at == dot.at ? painter.drawPoint(dot.at) : painter.drawLine(before.at, dot.at);
     }
     painter.setPen(palette().text().color());
-    painter.drawText(rect().adjusted(margin, margin, -margin, -margin), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_words);
+    painter.drawText(rect().adjusted(margin, margin, -margin, -margin), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                     m_words);
     painter.setPen(palette().mid().color());
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }

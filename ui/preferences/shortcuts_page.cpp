@@ -44,8 +44,14 @@ QPushButton* button(const char* name, const QString& text, const QString& tip)
 } // namespace
 
 KeysPage::KeysPage(const Actions& actions, QWidget* parent)
-    : QWidget(parent), m_actions(actions), m_preset(new QComboBox), m_held(new QLabel), m_words(new QLineEdit), m_list(new CommandList(actions)), m_name(new QLabel),
-      m_word(new QLabel)
+    : QWidget(parent)
+    , m_actions(actions)
+    , m_preset(new QComboBox)
+    , m_held(new QLabel)
+    , m_words(new QLineEdit)
+    , m_list(new CommandList(actions))
+    , m_name(new QLabel)
+    , m_word(new QLabel)
 {
     m_words->setObjectName(QStringLiteral("keyWords"));
     m_words->setPlaceholderText(tr("Search for a command or a key"));

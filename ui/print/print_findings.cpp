@@ -1,7 +1,7 @@
 #include "ui/print/print_findings.h"
 
-#include "ui/util/number_format.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/number_format.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -34,22 +34,32 @@ QString degrees(double angle)
 PrintFinding surface(const core::MeshReport& mesh)
 {
     if (mesh.printReady())
-        return {PrintVerdict::Good, PrintWords::tr("Sound surface"),
-                PrintWords::tr("Closed, every face looks outward, nothing meets itself: checked exactly."), {}, {}};
-    return {PrintVerdict::Bad, PrintWords::tr("The surface is not sound"),
-            PrintWords::tr("It is not closed, meets itself, or bounds no solid; walls were not measured."), {}, {}};
+        return {PrintVerdict::Good,
+                PrintWords::tr("Sound surface"),
+                PrintWords::tr("Closed, every face looks outward, nothing meets itself: checked exactly."),
+                {},
+                {}};
+    return {PrintVerdict::Bad,
+            PrintWords::tr("The surface is not sound"),
+            PrintWords::tr("It is not closed, meets itself, or bounds no solid; walls were not measured."),
+            {},
+            {}};
 }
 
 PrintFinding parts(const core::MeshReport& mesh)
 {
     const QString text = PrintWords::tr("%Ln parts", nullptr, static_cast<int>(mesh.components));
-    return {mesh.components == 1 ? PrintVerdict::Good : PrintVerdict::Care, text,
-            PrintWords::tr("Parts of the surface that do not hang together; hollows count, too."), {}, {}};
+    return {mesh.components == 1 ? PrintVerdict::Good : PrintVerdict::Care,
+            text,
+            PrintWords::tr("Parts of the surface that do not hang together; hollows count, too."),
+            {},
+            {}};
 }
 
 PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, const QString& printer)
 {
-    const QString size = PrintWords::tr("%1 × %2 × %3 mm wide, deep and high.").arg(millimetres(mesh.size.x()), millimetres(mesh.size.z()), millimetres(mesh.size.y()));
+    const QString size = PrintWords::tr("%1 × %2 × %3 mm wide, deep and high.")
+                             .arg(millimetres(mesh.size.x()), millimetres(mesh.size.z()), millimetres(mesh.size.y()));
     switch (print.fit) {
     case core::BedFit::AsItStands:
         return {PrintVerdict::Good, PrintWords::tr("Fits %1").arg(printer), size, {}, {}};
@@ -63,31 +73,42 @@ PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, c
 
 PrintFinding walls(const core::PrintReport& print, double limit)
 {
-    const auto mm = [](const std::optional<double>& length) { return length ? millimetres(*length) : QStringLiteral("–"); };
+    const auto mm = [](const std::optional<double>& length) {
+        return length ? millimetres(*length) : QStringLiteral("–");
+    };
     PrintFinding finding;
-    finding.tip = PrintWords::tr("Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.").arg(mm(print.minByRays), mm(print.minByBalls));
+    finding.tip =
+        PrintWords::tr("Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.")
+            .arg(mm(print.minByRays), mm(print.minByBalls));
     if (print.thin.count == 0) {
-        finding.text = print.minByBalls ? PrintWords::tr("Walls from %1 mm on").arg(mm(print.minByBalls)) : PrintWords::tr("No thin walls");
+        finding.text = print.minByBalls ? PrintWords::tr("Walls from %1 mm on").arg(mm(print.minByBalls))
+                                        : PrintWords::tr("No thin walls");
         return finding;
     }
     finding.verdict = PrintVerdict::Bad;
-    finding.text = PrintWords::tr("%1 thinner than %2 mm").arg(percent(print.thin.area / print.area), QLocale().toString(limit, 'g', 4));
+    finding.text = PrintWords::tr("%1 thinner than %2 mm")
+                       .arg(percent(print.thin.area / print.area), QLocale().toString(limit, 'g', 4));
     finding.places = print.thin.places;
     for (const core::PrintPlace& place : finding.places)
-        finding.placeTexts << PrintWords::tr("%1 mm, %2", "thickness, area").arg(millimetres(place.worst), areaText(place.area));
+        finding.placeTexts
+            << PrintWords::tr("%1 mm, %2", "thickness, area").arg(millimetres(place.worst), areaText(place.area));
     return finding;
 }
 
 PrintFinding overhangs(const core::PrintReport& print, double limit)
 {
     PrintFinding finding;
-    finding.tip = PrintWords::tr("Faces that lean out more than %1 from the vertical print on supports only; those on the bed do not count.").arg(degrees(limit));
+    finding.tip =
+        PrintWords::tr(
+            "Faces that lean out more than %1 from the vertical print on supports only; those on the bed do not count.")
+            .arg(degrees(limit));
     if (print.overhangs.count == 0) {
         finding.text = PrintWords::tr("No overhangs beyond %1").arg(degrees(limit));
         return finding;
     }
     finding.verdict = PrintVerdict::Care;
-    finding.text = PrintWords::tr("%1 overhangs beyond %2").arg(percent(print.overhangs.area / print.area), degrees(limit));
+    finding.text =
+        PrintWords::tr("%1 overhangs beyond %2").arg(percent(print.overhangs.area / print.area), degrees(limit));
     finding.places = print.overhangs.places;
     for (const core::PrintPlace& place : finding.places)
         finding.placeTexts << PrintWords::tr("up to %1, %2").arg(degrees(place.worst), areaText(place.area));
@@ -103,8 +124,8 @@ PrintFinding base(const core::PrintReport& print)
 }
 } // namespace
 
-QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print, const core::PrintLimits& limits,
-                                  const QString& printer)
+QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print,
+                                  const core::PrintLimits& limits, const QString& printer)
 {
     QList<PrintFinding> findings{surface(mesh)};
     if (!printer.isEmpty())
@@ -113,7 +134,8 @@ QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::Prin
         findings << walls(print, limits.minWall);
     findings << overhangs(print, limits.overhang) << base(print) << parts(mesh);
     if (const QString doubt = mesh.volume ? Messages::unitDoubt(*mesh.volume) : QString(); !doubt.isEmpty())
-        findings << PrintFinding{PrintVerdict::Care, doubt, PrintWords::tr("Scale the model, or choose millimetres in the slicer."), {}, {}};
+        findings << PrintFinding{
+            PrintVerdict::Care, doubt, PrintWords::tr("Scale the model, or choose millimetres in the slicer."), {}, {}};
     return findings;
 }
 } // namespace ui

@@ -20,6 +20,6 @@ struct PrintFinding
     QStringList placeTexts; ///< of each place
 };
 
-QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print, const core::PrintLimits& limits,
-                                  const QString& printer);
+QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print,
+                                  const core::PrintLimits& limits, const QString& printer);
 } // namespace ui

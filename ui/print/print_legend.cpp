@@ -13,15 +13,18 @@ namespace
 constexpr int stripHeight = 14, labelGap = 4;
 constexpr std::uint8_t mostSound = 127;
 
-/// As in clay.frag, in sRGB: blue to pale where all is well, yellow to vermilion where it is not; told apart by the colour-blind,
-/// too (Okabe and Ito 2008).
+/// As in clay.frag, in sRGB: blue to pale where all is well, yellow to vermilion where it is not; told apart by the
+/// colour-blind, too (Okabe and Ito 2008).
 QColor colorOf(double shade)
 {
     const auto mixed = [](const QColor& a, const QColor& b, double share) {
-        const auto between = [share](int from, int to) { return static_cast<int>(std::lround(from + share * (to - from))); };
+        const auto between = [share](int from, int to) {
+            return static_cast<int>(std::lround(from + share * (to - from)));
+        };
         return QColor(between(a.red(), b.red()), between(a.green(), b.green()), between(a.blue(), b.blue()));
     };
-    return shade < 0.5 ? mixed({0, 114, 178}, {214, 232, 238}, 2 * shade) : mixed({240, 228, 66}, {200, 60, 0}, 2 * shade - 1);
+    return shade < 0.5 ? mixed({0, 114, 178}, {214, 232, 238}, 2 * shade)
+                       : mixed({240, 228, 66}, {200, 60, 0}, 2 * shade - 1);
 }
 } // namespace
 
@@ -38,7 +41,8 @@ std::uint8_t PrintScale::shade(float value) const
     return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * mostSound));
 }
 
-std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, const std::vector<float>& values, const PrintScale& scale)
+std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, const std::vector<float>& values,
+                                                const PrintScale& scale)
 {
     auto shades = std::make_shared<core::Footprint>();
     shades->slots = std::move(slots);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh/footprint.h"
 #include "core/analysis/print_check.h"
+#include "core/mesh/footprint.h"
 
 #include <QWidget>
 
@@ -11,7 +11,8 @@
 
 namespace ui
 {
-/// From what was measured to a shade: 0 is far from a fault, 128 all but one, and more is one, the worse the more (255).
+/// From what was measured to a shade: 0 is far from a fault, 128 all but one, and more is one, the worse the more
+/// (255).
 struct PrintScale
 {
     core::PrintPicture picture = core::PrintPicture::Thickness;
@@ -21,7 +22,8 @@ struct PrintScale
 };
 
 /// The shades on the model's vertices: a footprint's slots, with shades for weights. `values`: for each slot.
-std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, const std::vector<float>& values, const PrintScale& scale);
+std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, const std::vector<float>& values,
+                                                const PrintScale& scale);
 
 /// What the colours on the model mean: the scale as a strip, with figures below it. Faults are hatched, there as here.
 class PrintLegend : public QWidget

@@ -1,13 +1,13 @@
 #include "ui/print/print_panel.h"
 
 #include "ui/actions/actions.h"
-#include "ui/widgets/panel_button.h"
 #include "ui/print/printers_dialog.h"
 #include "ui/settings/settings.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/panel_button.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
-#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -103,7 +103,8 @@ void PrintPanel::addWishes()
     m_printer->setObjectName(QStringLiteral("print.printer"));
     m_printer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_printer->setMinimumContentsLength(12);
-    auto* edit = panelButton(QStringLiteral("print.printers"), QStringLiteral("preferences"), tr("Printers…"), tr("Changes the list of printers."));
+    auto* edit = panelButton(QStringLiteral("print.printers"), QStringLiteral("preferences"), tr("Printers…"),
+                             tr("Changes the list of printers."));
     connect(edit, &QToolButton::clicked, this, &PrintPanel::editPrinters);
     auto* row = new QHBoxLayout;
     row->setSpacing(gap / 2);
@@ -246,7 +247,8 @@ void PrintPanel::addRow(const PrintFinding& finding)
     };
     QListWidgetItem* row = add(finding.text, -1);
     row->setIcon(themedIcon(iconOf(finding.verdict)));
-    row->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(tr(verdicts[static_cast<int>(finding.verdict)]), finding.text));
+    row->setData(Qt::AccessibleTextRole,
+                 QStringLiteral("%1: %2").arg(tr(verdicts[static_cast<int>(finding.verdict)]), finding.text));
     QPixmap nothing(rowIconSide, rowIconSide); // below its sentence, not below the sign
     nothing.fill(Qt::transparent);
     for (qsizetype i = 0; i < finding.placeTexts.size(); ++i) {
@@ -272,7 +274,8 @@ void PrintPanel::show(State state)
     const QString what = isRunning ? tr("Stop") : tr("Check Now");
     m_button->setIcon(themedIcon(isRunning ? QStringLiteral("stop") : QStringLiteral("print-check")));
     m_button->setAccessibleName(what);
-    m_button->setToolTip(QStringLiteral("%1\n%2").arg(what, isRunning ? tr("Ends the check.") : tr("Checks the model as it is now.")));
+    m_button->setToolTip(
+        QStringLiteral("%1\n%2").arg(what, isRunning ? tr("Ends the check.") : tr("Checks the model as it is now.")));
     m_button->setEnabled(state != State::Answered);
     m_progress->setVisible(isRunning);
     m_list->setEnabled(state == State::Answered);
@@ -285,10 +288,14 @@ void PrintPanel::showColors()
     PrintVerdict worst = PrintVerdict::Good;
     for (const PrintFinding& finding : std::as_const(m_findings))
         worst = std::max(worst, finding.verdict);
-    const QString words[] = {tr("Prints as it is"), tr("Prints with some care"), tr("Should be changed before it is printed")};
+    const QString words[] = {tr("Prints as it is"), tr("Prints with some care"),
+                             tr("Should be changed before it is printed")};
     const bool isKnown = m_state == State::Answered;
-    m_word->setText(isKnown ? words[static_cast<int>(worst)] : m_state == State::Running ? tr("Checking…") : tr("Not checked since the last change"));
-    m_icon->setPixmap(themedIcon(isKnown ? iconOf(worst) : QStringLiteral("wait")).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    m_word->setText(isKnown                     ? words[static_cast<int>(worst)]
+                    : m_state == State::Running ? tr("Checking…")
+                                                : tr("Not checked since the last change"));
+    m_icon->setPixmap(themedIcon(isKnown ? iconOf(worst) : QStringLiteral("wait"))
+                          .pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
 }
 
 void PrintPanel::changeEvent(QEvent* event)

@@ -23,8 +23,8 @@ class Actions;
 class Settings;
 class Viewport;
 
-/// Will it print? What was found of the model when that was last looked at, and by which limits. Knows no mesh: it says what is wanted
-/// and shows what it is given. Gui thread.
+/// Will it print? What was found of the model when that was last looked at, and by which limits. Knows no mesh: it says
+/// what is wanted and shows what it is given. Gui thread.
 class PrintPanel : public QWidget
 {
     Q_OBJECT
@@ -94,6 +94,7 @@ struct PrintPanelPlace
     Viewport* viewport;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles; model.printCheck raises it. A place that is chosen is flown to.
+/// As a dock behind the brush's, with its entry among the toggles; model.printCheck raises it. A place that is chosen
+/// is flown to.
 void addPrintPanel(const PrintPanelPlace& place, Settings* settings, const Actions& actions);
 } // namespace ui

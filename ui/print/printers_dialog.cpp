@@ -17,7 +17,9 @@ constexpr int margin = 2 * gap;
 constexpr QSize dialogSize(560, 400);
 } // namespace
 
-PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent) : QDialog(parent), m_table(new QTableWidget(0, 4))
+PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent)
+    : QDialog(parent)
+    , m_table(new QTableWidget(0, 4))
 {
     setObjectName(QStringLiteral("printersDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -85,7 +87,9 @@ QList<Printer> PrintersDialog::printers() const
     QList<Printer> printers;
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const QString name = m_table->item(row, 0)->text().simplified();
-        const auto side = [&](int column) { return qobject_cast<QDoubleSpinBox*>(m_table->cellWidget(row, column))->value(); };
+        const auto side = [&](int column) {
+            return qobject_cast<QDoubleSpinBox*>(m_table->cellWidget(row, column))->value();
+        };
         if (!name.isEmpty())
             printers << Printer{name, {side(1), side(2), side(3)}};
     }

@@ -1,13 +1,13 @@
 #include "ui/reference/reference_actions.h"
 
 #include "ui/actions/actions.h"
-#include "ui/widgets/file_dialogs.h"
 #include "ui/files/model_files.h"
 #include "ui/reference/reference_images.h"
 #include "ui/reference/reference_panel.h"
 #include "ui/settings/settings.h"
-#include "ui/widgets/side_dock.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/side_dock.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -28,13 +28,17 @@ QString folderFor(OrbitCamera::Side side, const ReferenceImages& images, const S
     return path.isEmpty() ? settings.lastFolder() : QFileInfo(path).absolutePath();
 }
 
-void connectCommands(const ReferencePlace& place, ReferenceImages* images, const Settings* settings, const Actions& actions)
+void connectCommands(const ReferencePlace& place, ReferenceImages* images, const Settings* settings,
+                     const Actions& actions)
 {
     Viewport* viewport = place.viewport;
-    const auto choose = [=](const QString& path) { images->choose(nearestSide(viewport->camera()), path, viewport->box()); };
-    QObject::connect(actions.get(QStringLiteral("reference.choose")), &QAction::triggered, images, [=, window = place.window] {
-        askForPicture(window, folderFor(nearestSide(viewport->camera()), *images, *settings), choose);
-    });
+    const auto choose = [=](const QString& path) {
+        images->choose(nearestSide(viewport->camera()), path, viewport->box());
+    };
+    QObject::connect(actions.get(QStringLiteral("reference.choose")), &QAction::triggered, images,
+                     [=, window = place.window] {
+                         askForPicture(window, folderFor(nearestSide(viewport->camera()), *images, *settings), choose);
+                     });
     QObject::connect(place.files, &ModelFiles::pictureDropped, images, choose);
 
     QAction* show = actions.get(QStringLiteral("reference.show"));
@@ -58,7 +62,8 @@ void turnTo(OrbitCamera::Side side, Viewport* viewport)
 }
 } // namespace
 
-void addReferences(const ReferencePlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice)
+void addReferences(const ReferencePlace& place, Settings* settings, const Actions& actions,
+                   const std::function<void(const QString&)>& notice)
 {
     Viewport* viewport = place.viewport;
     auto* images = new ReferenceImages(settings, viewport);

@@ -22,7 +22,8 @@ struct ReferencePlace
     ModelFiles* files; ///< says what is dropped
 };
 
-/// Reference images behind the model: the commands, the panel, a dock that is hidden until an image is chosen, and what the settings
-/// remember, which is read now. None is owned. `notice` says a small word.
-void addReferences(const ReferencePlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice);
+/// Reference images behind the model: the commands, the panel, a dock that is hidden until an image is chosen, and what
+/// the settings remember, which is read now. None is owned. `notice` says a small word.
+void addReferences(const ReferencePlace& place, Settings* settings, const Actions& actions,
+                   const std::function<void(const QString&)>& notice);
 } // namespace ui

@@ -1,7 +1,7 @@
 #include "ui/reference/reference_images.h"
 
-#include "ui/util/error_messages.h"
 #include "ui/settings/settings.h"
+#include "ui/util/error_messages.h"
 
 #include <QFileInfo>
 
@@ -11,7 +11,9 @@
 namespace ui
 {
 ReferenceImages::ReferenceImages(Settings* settings, QObject* parent)
-    : QObject(parent), m_settings(settings), m_isShown(settings->showsReferences())
+    : QObject(parent)
+    , m_settings(settings)
+    , m_isShown(settings->showsReferences())
 {
     settings->onReset([this] { setShown(m_settings->showsReferences()); });
 }

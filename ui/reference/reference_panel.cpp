@@ -2,9 +2,9 @@
 
 #include "ui/actions/actions.h"
 #include "ui/reference/reference_images.h"
+#include "ui/viewport/viewport.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
-#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -39,7 +39,8 @@ int percentOf(double opacity)
 QPixmap thumbnailOf(const ReferencePicture& picture, double ratio)
 {
     const int wanted = static_cast<int>(std::lround(thumbnailSize * ratio));
-    const auto small = std::ranges::find_if(picture.levels, [&](const QImage& level) { return std::max(level.width(), level.height()) < 2 * wanted; });
+    const auto small = std::ranges::find_if(
+        picture.levels, [&](const QImage& level) { return std::max(level.width(), level.height()) < 2 * wanted; });
     QPixmap pixmap = QPixmap::fromImage(small->scaled(wanted, wanted, Qt::KeepAspectRatio, Qt::SmoothTransformation));
     pixmap.setDevicePixelRatio(ratio);
     return pixmap;
@@ -59,13 +60,16 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     m_sides->setToolTip(tr("The side to which the image is pinned; choosing another one turns the view to it."));
     m_sides->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_sides->setMinimumWidth(leastWidth);
-    connect(m_sides, &QComboBox::activated, this, [this](int index) { m_viewport->turnTo(static_cast<OrbitCamera::Side>(index)); });
-    m_width = lengthBox(QStringLiteral("reference.width"), tr("Width"), tr("How wide the image is, measured beside the model."), minReferenceWidth,
-                        maxReferenceWidth);
+    connect(m_sides, &QComboBox::activated, this,
+            [this](int index) { m_viewport->turnTo(static_cast<OrbitCamera::Side>(index)); });
+    m_width = lengthBox(QStringLiteral("reference.width"), tr("Width"),
+                        tr("How wide the image is, measured beside the model."), minReferenceWidth, maxReferenceWidth);
     m_width->setStepType(QDoubleSpinBox::AdaptiveDecimalStepType);
-    m_x = lengthBox(QStringLiteral("reference.x"), tr("To the right"), tr("How far the image's middle is to the right of the origin."),
-                    -maxReferenceOffset, maxReferenceOffset);
-    m_y = lengthBox(QStringLiteral("reference.y"), tr("Upwards"), tr("How far the image's middle is above the origin in this view."), -maxReferenceOffset,
+    m_x = lengthBox(QStringLiteral("reference.x"), tr("To the right"),
+                    tr("How far the image's middle is to the right of the origin."), -maxReferenceOffset,
+                    maxReferenceOffset);
+    m_y = lengthBox(QStringLiteral("reference.y"), tr("Upwards"),
+                    tr("How far the image's middle is above the origin in this view."), -maxReferenceOffset,
                     maxReferenceOffset);
     m_inFront->setObjectName(QStringLiteral("reference.inFront"));
     m_inFront->setToolTip(tr("Draws the image over the model instead of behind it, so that both can be compared."));
@@ -141,7 +145,8 @@ QLayout* ReferencePanel::buildOpacity()
     return row;
 }
 
-QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name, const QString& tip, double least, double most)
+QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name, const QString& tip, double least,
+                                          double most)
 {
     auto* box = new QDoubleSpinBox;
     box->setObjectName(id);
@@ -190,7 +195,8 @@ void ReferencePanel::showSides()
     const QString names[] = {tr("Front"), tr("Back"), tr("Right"), tr("Left"), tr("Top"), tr("Bottom")};
     for (const auto& side : viewSides) {
         const auto index = static_cast<int>(side.value);
-        const QString words = m_images->reference(side.value).picture ? tr("%1, with an image").arg(names[index]) : names[index];
+        const QString words =
+            m_images->reference(side.value).picture ? tr("%1, with an image").arg(names[index]) : names[index];
         if (index == m_sides->count())
             m_sides->addItem(words);
         else
@@ -204,17 +210,20 @@ void ReferencePanel::showFile()
     const QString path = m_images->path(m_side);
     const QString name = path.isEmpty() ? tr("No image") : QFileInfo(path).fileName();
     m_name->setText(m_name->fontMetrics().elidedText(name, Qt::ElideMiddle, longestName));
-    m_name->setToolTip(path.isEmpty() ? tr("Choose an image, or drop its file on the window.") : QDir::toNativeSeparators(path));
+    m_name->setToolTip(path.isEmpty() ? tr("Choose an image, or drop its file on the window.")
+                                      : QDir::toNativeSeparators(path));
     const SharedReferencePicture& picture = m_images->reference(m_side).picture;
     if (picture && picture != m_thumbnailOf)
         m_thumbnail->setPixmap(thumbnailOf(*picture, devicePixelRatioF()));
     else if (!picture)
-        m_thumbnail->setPixmap(themedIcon(path.isEmpty() ? QStringLiteral("reference") : QStringLiteral("unreadable")).pixmap(iconSize, iconSize));
+        m_thumbnail->setPixmap(themedIcon(path.isEmpty() ? QStringLiteral("reference") : QStringLiteral("unreadable"))
+                                   .pixmap(iconSize, iconSize));
     m_thumbnailOf = picture;
 }
 
 void ReferencePanel::place()
 {
-    m_images->place(m_side, {m_width->value(), m_x->value(), m_y->value(), m_percent->value() / 100.0, m_inFront->isChecked()});
+    m_images->place(m_side,
+                    {m_width->value(), m_x->value(), m_y->value(), m_percent->value() / 100.0, m_inFront->isChecked()});
 }
 } // namespace ui

@@ -52,7 +52,8 @@ void GhostPainter::take(Shape& shape, const std::shared_ptr<const core::DrawArra
     shape.buffer.apply(core::wholePatchOf(*arrays));
 }
 
-/// The nearest surface only: first its depths, then its colours. Whoever stands far behind the model, or between the eye and it, is not cut off.
+/// The nearest surface only: first its depths, then its colours. Whoever stands far behind the model, or between the
+/// eye and it, is not cut off.
 void GhostPainter::draw(const OrbitCamera& camera)
 {
     if (!m_wearer && !m_teacher)

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ui/scene/headset_avatar.h"
 #include "ui/scene/mesh_buffer.h"
 #include "ui/scene/orbit_camera.h"
-#include "ui/scene/headset_avatar.h"
 
 #include <QOpenGLFunctions_3_3_Core>
 
@@ -12,9 +12,10 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// Draws a person in the headset and a teacher's brush, half transparent, with OpenGL 3.3 core into the framebuffer that is bound, after all else; clay hides
-/// them. Plain OpenGL and not Qt3D, so that they are there in layers, too, and so that to move them costs nothing. The context that was
-/// current at create() must be current at every call but show().
+/// Draws a person in the headset and a teacher's brush, half transparent, with OpenGL 3.3 core into the framebuffer
+/// that is bound, after all else; clay hides them. Plain OpenGL and not Qt3D, so that they are there in layers, too,
+/// and so that to move them costs nothing. The context that was current at create() must be current at every call but
+/// show().
 class GhostPainter
 {
 public:

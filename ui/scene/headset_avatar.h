@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh/draw_arrays.h"
 #include "core/geometry/geometry.h"
+#include "core/mesh/draw_arrays.h"
 
 #include <Eigen/Geometry>
 

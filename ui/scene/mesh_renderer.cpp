@@ -72,7 +72,9 @@ void MeshRenderer::destroy()
 
 void MeshRenderer::setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror)
 {
-    const auto packed = [](const core::Vec3& center, double radius) { return QVector4D(toQt(center), static_cast<float>(radius)); };
+    const auto packed = [](const core::Vec3& center, double radius) {
+        return QVector4D(toQt(center), static_cast<float>(radius));
+    };
     m_ball = packed(ball.center, ball.radius);
     m_ballImage = packed(ball.center - 2 * mirror * mirror.dot(ball.center), mirror.isZero() ? 0 : ball.radius);
     m_ballFalloff = static_cast<float>(falloff);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/scene/mesh_buffer.h"
 #include "ui/scene/materials.h"
+#include "ui/scene/mesh_buffer.h"
 #include "ui/scene/orbit_camera.h"
 
 #include <QSize>
@@ -41,8 +41,8 @@ public:
     /// A line where the plane through the origin with that unit normal cuts the clay; zero: none.
     void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
 
-    /// The vertices in the ball are tinted as b(x) of that n weighs them; so are those in its image about the plane through the origin
-    /// with that unit normal, unless that is zero. Radius 0: none.
+    /// The vertices in the ball are tinted as b(x) of that n weighs them; so are those in its image about the plane
+    /// through the origin with that unit normal, unless that is zero. Radius 0: none.
     void setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror);
     /// About y, in each of which that ball and its image are tinted; 1 at first.
     void setSectors(int sectors) { m_sectors = static_cast<float>(sectors); }

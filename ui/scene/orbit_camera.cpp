@@ -159,7 +159,8 @@ OrbitCamera::Pose OrbitCamera::facing(const core::Vec3& point, const core::Vec3&
     const bool hasYaw = std::hypot(normal.x(), normal.z()) > 1e-3 * normal.norm();
     const double pitch = std::atan2(normal.y(), std::hypot(normal.x(), normal.z()));
     const double distance = reachable(1.5 * extent / std::tan(halfFieldOfView));
-    return {point, distance, hasYaw ? std::atan2(normal.x(), normal.z()) + aside : m_yaw, std::clamp(pitch, -steepest, steepest)};
+    return {point, distance, hasYaw ? std::atan2(normal.x(), normal.z()) + aside : m_yaw,
+            std::clamp(pitch, -steepest, steepest)};
 }
 
 OrbitCamera::Pose OrbitCamera::standing(const core::Vec3& eye, double yaw, double pitch) const
@@ -171,8 +172,9 @@ OrbitCamera::Pose OrbitCamera::standing(const core::Vec3& eye, double yaw, doubl
 OrbitCamera::Pose OrbitCamera::between(const Pose& from, const Pose& to, double share)
 {
     const double turn = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
-    return {from.target + share * (to.target - from.target), from.distance * std::pow(to.distance / from.distance, share),
-            from.yaw + share * turn, from.pitch + share * (to.pitch - from.pitch)};
+    return {from.target + share * (to.target - from.target),
+            from.distance * std::pow(to.distance / from.distance, share), from.yaw + share * turn,
+            from.pitch + share * (to.pitch - from.pitch)};
 }
 
 core::Vec3 OrbitCamera::eye() const
@@ -214,7 +216,9 @@ core::Ray OrbitCamera::ray(const Pixel& pixel) const
 core::Vec3 OrbitCamera::acrossPivot(const core::Ray& ray) const
 {
     const core::Vec3 normal = viewDirection();
-    const auto along = [&](const core::Vec3& point) { return (point - ray.origin).dot(normal) / ray.direction.dot(normal); };
+    const auto along = [&](const core::Vec3& point) {
+        return (point - ray.origin).dot(normal) / ray.direction.dot(normal);
+    };
     const double there = along(pivot());
     return ray.origin + (there > 0 ? there : along(m_target)) * ray.direction;
 }

@@ -33,14 +33,15 @@ public:
     void setProjection(Projection projection) { m_projection = projection; }
     Projection projection() const { return m_projection; }
 
-    /// What orbit() and turnTo() turn about; it keeps its place in the picture. None: the scene's centre. It is given up
-    /// when the scene is no longer where it was.
+    /// What orbit() and turnTo() turn about; it keeps its place in the picture. None: the scene's centre. It is given
+    /// up when the scene is no longer where it was.
     void setPivot(const std::optional<core::Vec3>& pivot) { m_pivot = pivot; }
     core::Vec3 pivot() const { return m_pivot.value_or(m_sceneCenter); }
     /// A drag by so many pixels. The view's height is half a turn.
     void orbit(const Pixel& delta);
     void turnTo(Side side);
-    /// As if the model turned about the Y axis, anticlockwise seen from above: the camera goes round it the other way. Radians.
+    /// As if the model turned about the Y axis, anticlockwise seen from above: the camera goes round it the other way.
+    /// Radians.
     void turnModel(double angle);
 
     /// The target moves along the view to the point's depth, the picture stays: pan() and zoom() go by that depth. A
@@ -64,7 +65,8 @@ public:
 
     /// Origin at the eye, in orthographic views on the near plane: ahead of all that is seen. Unit direction.
     core::Ray ray(const Pixel& pixel) const;
-    /// Where a ray meets the plane through the pivot that faces the camera; through the target if the pivot lies behind the eye.
+    /// Where a ray meets the plane through the pivot that faces the camera; through the target if the pivot lies behind
+    /// the eye.
     core::Vec3 acrossPivot(const core::Ray& ray) const;
     /// In pixels; in perspective a point behind the eye has no meaningful answer.
     Pixel project(const core::Vec3& point) const;
@@ -79,7 +81,8 @@ public:
     };
     Pose pose() const { return {m_target, m_distance, m_yaw, m_pitch}; }
     void setPose(const Pose& pose);
-    /// Looks at a point of a surface with that normal, a little from above, so that `extent` mm fill a third of the picture.
+    /// Looks at a point of a surface with that normal, a little from above, so that `extent` mm fill a third of the
+    /// picture.
     Pose facing(const core::Vec3& point, const core::Vec3& normal, double extent) const;
     /// Stands there and looks so; the target is as far away as the scene's centre.
     Pose standing(const core::Vec3& eye, double yaw, double pitch) const;

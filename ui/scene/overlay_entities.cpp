@@ -35,10 +35,10 @@ namespace
 {
 using Qt3DRender::QParameter;
 
-constexpr double ringHalfWidth = 2.4; ///< logical pixels, dark edges included
-constexpr double planeBorder = 1.2;    ///< logical pixels
+constexpr double ringHalfWidth = 2.4;   ///< logical pixels, dark edges included
+constexpr double planeBorder = 1.2;     ///< logical pixels
 constexpr double sectorHalfWidth = 0.7; ///< logical pixels
-constexpr double bordersReach = 1.5;   ///< of lines on the ground, in the model's own reach from the upright axis
+constexpr double bordersReach = 1.5;    ///< of lines on the ground, in the model's own reach from the upright axis
 
 /// One attribute of an interleaved float array.
 struct Field
@@ -97,7 +97,8 @@ Qt3DRender::QShaderProgram* program(const QString& vertex, const QString& fragme
     auto* made = new Qt3DRender::QShaderProgram;
     const QString url = QStringLiteral("qrc:/shaders/%1.%2");
     made->setVertexShaderCode(Qt3DRender::QShaderProgram::loadSource(QUrl(url.arg(vertex, QStringLiteral("vert")))));
-    made->setFragmentShaderCode(Qt3DRender::QShaderProgram::loadSource(QUrl(url.arg(fragment, QStringLiteral("frag")))));
+    made->setFragmentShaderCode(
+        Qt3DRender::QShaderProgram::loadSource(QUrl(url.arg(fragment, QStringLiteral("frag")))));
     return made;
 }
 
@@ -275,7 +276,8 @@ void SymmetryPlane::setPixelRatio(double ratio)
 
 SectorBorders::SectorBorders(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform(new Qt3DCore::QTransform)
 {
-    auto* look = material({blendedPass(program(QStringLiteral("plane"), QStringLiteral("sectors")), Qt3DRender::QDepthTest::LessOrEqual)});
+    auto* look = material({blendedPass(program(QStringLiteral("plane"), QStringLiteral("sectors")),
+                                       Qt3DRender::QDepthTest::LessOrEqual)});
     m_color = parameter(look, "color", QVector3D());
     m_border = parameter(look, "border", static_cast<float>(sectorHalfWidth));
     m_sectors = parameter(look, "sectors", 2.0F);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/stroke/tool.h"
 #include "core/geometry/geometry.h"
+#include "core/stroke/tool.h"
 
 #include <QColor>
 #include <Qt3DCore/QEntity>
@@ -69,8 +69,8 @@ private:
     Qt3DCore::QTransform* m_transform;
     Qt3DRender::QParameter *m_color, *m_border;
 };
-/// Where the sectors of radial symmetry meet: lines on the ground, from the upright axis outwards. With an upright plane of symmetry as well
-/// they are their own image in it. Clay hides what lies under it.
+/// Where the sectors of radial symmetry meet: lines on the ground, from the upright axis outwards. With an upright
+/// plane of symmetry as well they are their own image in it. Clay hides what lies under it.
 class SectorBorders : public Qt3DCore::QEntity
 {
     Q_OBJECT

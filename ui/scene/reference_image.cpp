@@ -48,7 +48,8 @@ QImage decoded(const QString& path)
     reader.setDecideFormatFromContent(true);
     const QSize size = reader.size();
     if (std::max(size.width(), size.height()) > maxReferencePixels)
-        reader.setScaledSize(size.scaled(maxReferencePixels, maxReferencePixels, Qt::KeepAspectRatio).expandedTo({1, 1}));
+        reader.setScaledSize(
+            size.scaled(maxReferencePixels, maxReferencePixels, Qt::KeepAspectRatio).expandedTo({1, 1}));
     return reader.read();
 }
 } // namespace
@@ -65,7 +66,8 @@ SharedReferencePicture readReference(const QString& path)
     while (picture->levels.back().size() != QSize(1, 1)) {
         const QImage& last = picture->levels.back();
         const QSize half = QSize(last.width() / 2, last.height() / 2).expandedTo({1, 1});
-        picture->levels.push_back(last.scaled(half, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGBA8888_Premultiplied));
+        picture->levels.push_back(last.scaled(half, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                                      .convertToFormat(QImage::Format_RGBA8888_Premultiplied));
     }
     return picture;
 }
@@ -110,7 +112,11 @@ PlacedReference seenReference(const References& references, const OrbitCamera& c
     const ReferencePlacement& at = reference.placement;
     const double depth = shown.center().dot(axes.back);
     const double halfWidth = 0.5 * at.width;
-    return {reference.picture, at.x * axes.right + at.y * axes.up + depth * axes.back, halfWidth * axes.right,
-            halfWidth * size.height() / size.width() * axes.up, at.opacity, at.inFront};
+    return {reference.picture,
+            at.x * axes.right + at.y * axes.up + depth * axes.back,
+            halfWidth * axes.right,
+            halfWidth * size.height() / size.width() * axes.up,
+            at.opacity,
+            at.inFront};
 }
 } // namespace ui

@@ -33,7 +33,8 @@ bool isNamedLikePicture(const QString& path);
 OrbitCamera::Side nearestSide(const OrbitCamera& camera);
 bool looksFrom(const OrbitCamera& camera, OrbitCamera::Side side);
 
-/// In the middle of the box, so large that all of the box lies before it. An empty box is taken as 100 mm about the origin.
+/// In the middle of the box, so large that all of the box lies before it. An empty box is taken as 100 mm about the
+/// origin.
 ReferencePlacement fitted(QSize picture, OrbitCamera::Side side, const core::Box& box);
 
 struct Reference
@@ -52,7 +53,8 @@ struct PlacedReference
     bool inFront = false;
 };
 
-/// What the camera sees of them: the one of the side that it looks from; its picture is null where there is none. In perspective it is
-/// as large as if it stood in the middle of the box, where the model's outline is; it hides nothing that stands before or behind that.
+/// What the camera sees of them: the one of the side that it looks from; its picture is null where there is none. In
+/// perspective it is as large as if it stood in the middle of the box, where the model's outline is; it hides nothing
+/// that stands before or behind that.
 PlacedReference seenReference(const References& references, const OrbitCamera& camera, const core::Box& box);
 } // namespace ui

@@ -20,7 +20,8 @@ bool ReferencePainter::create(QOpenGLFunctions_3_3_Core* gl)
     m_gl->glGenVertexArrays(1, &m_noVertices);
     m_program = std::make_unique<QOpenGLShaderProgram>();
     return m_program->addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/reference.vert")) &&
-           m_program->addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/reference.frag")) && m_program->link();
+           m_program->addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/reference.frag")) &&
+           m_program->link();
 }
 
 void ReferencePainter::destroy()
@@ -56,8 +57,8 @@ void ReferencePainter::uploadSome()
     const auto isSmall = [](const QImage& image) { return image.width() * image.height() <= pixelsAtOnce; };
     do {
         const QImage& image = m_picture->levels[--m_missing];
-        m_gl->glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(m_missing), GL_RGBA8, image.width(), image.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                           image.constBits());
+        m_gl->glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(m_missing), GL_RGBA8, image.width(), image.height(), 0,
+                           GL_RGBA, GL_UNSIGNED_BYTE, image.constBits());
     } while (m_missing > 0 && isSmall(m_picture->levels[m_missing - 1]));
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, static_cast<GLint>(m_missing));
 }

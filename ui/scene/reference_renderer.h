@@ -10,9 +10,9 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// Draws a reference image with OpenGL 3.3 core into the framebuffer that is bound, over what is there, and leaves the depths as they
-/// are. Plain OpenGL and not Qt3D, so that it is there in layers, too, and none is uploaded but what is seen. The context that was
-/// current at create() must be current at every call.
+/// Draws a reference image with OpenGL 3.3 core into the framebuffer that is bound, over what is there, and leaves the
+/// depths as they are. Plain OpenGL and not Qt3D, so that it is there in layers, too, and none is uploaded but what is
+/// seen. The context that was current at create() must be current at every call.
 class ReferencePainter
 {
 public:
@@ -23,8 +23,8 @@ public:
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
-    /// Uploads the picture if it is not the last one that was drawn, a large one over some calls: true while the next will draw it sharper.
-    /// A null picture is nothing.
+    /// Uploads the picture if it is not the last one that was drawn, a large one over some calls: true while the next
+    /// will draw it sharper. A null picture is nothing.
     bool draw(const OrbitCamera& camera, const PlacedReference& reference);
 
 private:

@@ -43,10 +43,10 @@ struct Scene::State
     QOffscreenSurface surface;                  ///< outlives the engine and the contexts
     std::unique_ptr<QOpenGLContext> ownContext; ///< Layered only
     std::unique_ptr<Qt3dEngine> engine;
-    Ground* ground = nullptr;      ///< owned by the engine's root
+    Ground* ground = nullptr;                       ///< owned by the engine's root
     BrushCursor *cursor = nullptr, *mark = nullptr; ///< owned by the engine's root
-    SymmetryPlane* plane = nullptr; ///< owned by the engine's root
-    SectorBorders* borders = nullptr; ///< the same
+    SymmetryPlane* plane = nullptr;                 ///< owned by the engine's root
+    SectorBorders* borders = nullptr;               ///< the same
     Mode mode = Mode::InQt3dContext;
     QOpenGLContext* context = nullptr; ///< the one that clay and target live in
     QOpenGLFunctions_3_3_Core* gl = nullptr;
@@ -173,7 +173,8 @@ void Scene::State::layOver(unsigned int texture)
     gl->glDisable(GL_BLEND);
 }
 
-/// In layers there is neither ground nor pane nor a line on the ground: their depth would not be compared with the clay's.
+/// In layers there is neither ground nor pane nor a line on the ground: their depth would not be compared with the
+/// clay's.
 void Scene::State::showGround()
 {
     ground->setEnabled(hasModel && wantsGround && mode == Mode::InQt3dContext);

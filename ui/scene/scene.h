@@ -1,14 +1,14 @@
 #pragma once
 
+#include "ui/scene/headset_avatar.h"
 #include "ui/scene/mesh_renderer.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/reference_image.h"
-#include "ui/scene/headset_avatar.h"
 
 #include "core/mesh/footprint.h"
 #include "core/mesh/mesh_patch.h"
-#include "core/stroke/stroke.h"
 #include "core/mesh/surface_hit.h"
+#include "core/stroke/stroke.h"
 
 #include <QOpenGLContext>
 
@@ -34,7 +34,7 @@ public:
     {
         unsigned int texture = 0; ///< readable in any context of the share group, once `ready` was waited for
         void* ready = nullptr;    ///< GLsync; the caller deletes it
-        bool isDraft = false; ///< the next one of the same will be sharper
+        bool isDraft = false;     ///< the next one of the same will be sharper
         double drawMs = 0, sceneMs = 0;
     };
 
@@ -52,7 +52,8 @@ public:
     void placeGround(const core::Box& box);
     void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);
     void hideCursor();
-    /// Tints what the next dab of a spherical brush at `center` would take, in all sectors and with mirror images, in place of what was tinted before.
+    /// Tints what the next dab of a spherical brush at `center` would take, in all sectors and with mirror images, in
+    /// place of what was tinted before.
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
     /// Those of a footprint; null: none.
     void tint(const std::shared_ptr<const core::Footprint>& footprint);

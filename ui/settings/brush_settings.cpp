@@ -12,7 +12,7 @@ namespace ui
 {
 namespace
 {
-constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
+constexpr double anotherSize = 2;            ///< so many times larger or smaller a model is of quite another size
 constexpr core::Rgb firstPaint{216, 58, 52}; ///< is seen on every material; a model's own colour would not be
 
 core::StrokeSettings firstStroke()
@@ -36,8 +36,7 @@ BrushSettings::BrushSettings(QObject* parent)
     : QObject(parent)
     , m_stroke(firstStroke())
     , m_maxRadius(core::info(core::Parameter::Radius).max)
-{
-}
+{}
 
 void BrushSettings::offerTools(const QList<core::Tool>& tools)
 {
@@ -180,7 +179,9 @@ bool BrushSettings::fits(const ModelFacts& facts) const
 double BrushSettings::minOf(core::Parameter parameter) const
 {
     const double least = core::info(parameter).min;
-    return parameter == core::Parameter::Radius ? std::clamp(core::radiusFor(m_leastDetail, m_stroke.detail), least, m_maxRadius) : least;
+    return parameter == core::Parameter::Radius
+               ? std::clamp(core::radiusFor(m_leastDetail, m_stroke.detail), least, m_maxRadius)
+               : least;
 }
 
 double BrushSettings::maxOf(core::Parameter parameter) const
@@ -188,7 +189,8 @@ double BrushSettings::maxOf(core::Parameter parameter) const
     return parameter == core::Parameter::Radius ? m_maxRadius : core::info(parameter).max;
 }
 
-core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert)
+core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
+                                  Qt::KeyboardModifier invert)
 {
     if (modifiers & Qt::ShiftModifier) {
         stroke.tool = core::Tool::Smooth;

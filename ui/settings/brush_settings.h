@@ -28,7 +28,7 @@ public:
     double value(core::Parameter parameter) const;
 
     /// What has no range: tool, shape, topology, fusion, symmetry, colour.
-    template <class T> void set(T core::StrokeSettings::* what, const T& value)
+    template <class T> void set(T core::StrokeSettings::*what, const T& value)
     {
         if constexpr (std::is_same_v<T, core::Tool>)
             if (!isOffered(value))
@@ -47,13 +47,17 @@ public:
     void offerTools(const QList<core::Tool>& tools);
     bool isOffered(core::Tool tool) const { return m_tools.isEmpty() || m_tools.contains(tool); }
     /// About the plane that was chosen last; x = 0 at first.
-    void setSymmetric(bool symmetric) { set(&core::StrokeSettings::symmetry, symmetric ? m_plane : core::Symmetry::None); }
+    void setSymmetric(bool symmetric)
+    {
+        set(&core::StrokeSettings::symmetry, symmetric ? m_plane : core::Symmetry::None);
+    }
     /// In as many sectors as were chosen last; six at first.
     void setRadial(bool radial) { set(&core::StrokeSettings::radial, radial ? m_sectors : 1); }
     /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
-    /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where that one has none.
+    /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where
+    /// that one has none.
     void take(const core::StrokeSettings& stroke);
     /// As a new user's, but for the radius, which is the model's; of the tools that are offered the first.
     void reset();
@@ -100,5 +104,6 @@ private:
 };
 
 /// What a stroke that begins with these keys held does: Shift smooths, `invert` does the opposite.
-core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert = Qt::ControlModifier);
+core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
+                                  Qt::KeyboardModifier invert = Qt::ControlModifier);
 } // namespace ui

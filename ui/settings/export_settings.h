@@ -9,7 +9,8 @@ namespace ui
 enum class ExportUse { Print, ColorPrint, Game };
 
 /// The keys are the endings of the formats.
-inline constexpr std::array<Named<ExportUse>, 3> exportUses{{{ExportUse::Print, "stl"}, {ExportUse::ColorPrint, "3mf"}, {ExportUse::Game, "glb"}}};
+inline constexpr std::array<Named<ExportUse>, 3> exportUses{
+    {{ExportUse::Print, "stl"}, {ExportUse::ColorPrint, "3mf"}, {ExportUse::Game, "glb"}}};
 
 inline constexpr int leastExportTriangles = 4, mostExportTriangles = 100'000'000;
 

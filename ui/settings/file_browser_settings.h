@@ -8,8 +8,10 @@ namespace ui
 {
 enum class FileOrder { Name, Size, Date, Vertices };
 
-inline constexpr std::array<Named<FileOrder>, 4> fileOrders{
-    {{FileOrder::Name, "name"}, {FileOrder::Size, "size"}, {FileOrder::Date, "date"}, {FileOrder::Vertices, "vertices"}}};
+inline constexpr std::array<Named<FileOrder>, 4> fileOrders{{{FileOrder::Name, "name"},
+                                                             {FileOrder::Size, "size"},
+                                                             {FileOrder::Date, "date"},
+                                                             {FileOrder::Vertices, "vertices"}}};
 
 /// Of a picture in the files panel, in logical pixels.
 inline constexpr int minPicture = 64, maxPicture = 256, defaultPicture = 96;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/io/document_metadata.h"
 #include "core/analysis/print_check.h"
+#include "core/io/document_metadata.h"
 
 #include <QString>
 
@@ -19,7 +19,8 @@ struct ModelFacts
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
     double leastDetail = 0;               ///< mm; the finest d_detail that the model's lattice holds
     QString path = {};                    ///< empty: it comes from no file
-    core::DocumentMetadata metadata = {};       ///< that its file keeps; when it was opened, but for the palette and the work
+    /// That its file keeps; when it was opened, but for the palette and the work.
+    core::DocumentMetadata metadata = {};
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< when it was opened, where its file has no unit
 };
 } // namespace ui

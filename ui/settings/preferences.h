@@ -42,7 +42,7 @@ struct HandHabits
     bool pressureToRadius = false;
     bool altMovesView = true; ///< held with a button; else Alt means nothing to the view
     double penExponent = 1;
-    HeldKeys held{};          ///< as the preset of keys has it
+    HeldKeys held{}; ///< as the preset of keys has it
 
     bool operator==(const HandHabits&) const = default;
 };
@@ -56,7 +56,8 @@ struct Preferences
     ThemeChoice theme = ThemeChoice::System;
     Language language = Language::System; ///< of the next start
     TextSize textSize = TextSize::Usual;  ///< of the next start
-    bool isCalm = false;                  ///< nothing moves that nobody moves: the view goes at once where it is sent, a light stands still
+    /// Nothing moves that nobody moves: the view goes at once where it is sent, a light stands still.
+    bool isCalm = false;
     HandHabits hand;
     KeyChoice keys{};
     bool keepsVersions = false; ///< what a file held stays beside it when it is saved again

@@ -11,10 +11,11 @@ constexpr QLatin1Char divider('\t');
 
 QList<Printer> usualPrinters()
 {
-    return {{QStringLiteral("Prusa MK4"), {250, 210, 220}},      {QStringLiteral("Prusa MINI"), {180, 180, 180}},
-            {QStringLiteral("Prusa XL"), {360, 360, 360}},       {QStringLiteral("Bambu Lab A1"), {256, 256, 256}},
-            {QStringLiteral("Bambu Lab A1 mini"), {180, 180, 180}}, {QStringLiteral("Creality Ender-3"), {220, 220, 250}},
-            {QStringLiteral("UltiMaker S5"), {330, 240, 300}},   {QStringLiteral("Formlabs Form 4"), {200, 125, 210}}};
+    return {
+        {QStringLiteral("Prusa MK4"), {250, 210, 220}},         {QStringLiteral("Prusa MINI"), {180, 180, 180}},
+        {QStringLiteral("Prusa XL"), {360, 360, 360}},          {QStringLiteral("Bambu Lab A1"), {256, 256, 256}},
+        {QStringLiteral("Bambu Lab A1 mini"), {180, 180, 180}}, {QStringLiteral("Creality Ender-3"), {220, 220, 250}},
+        {QStringLiteral("UltiMaker S5"), {330, 240, 300}},      {QStringLiteral("Formlabs Form 4"), {200, 125, 210}}};
 }
 
 QStringList toLines(const QList<Printer>& printers)

@@ -13,11 +13,11 @@ inline constexpr double minReferenceWidth = 0.01, maxReferenceWidth = 100000, ma
 inline constexpr double minReferenceOpacity = 0.05, defaultReferenceOpacity = 0.6;
 
 inline constexpr std::array<Named<ViewSide>, 6> viewSides{{{ViewSide::Front, "front"},
-                                                        {ViewSide::Back, "back"},
-                                                        {ViewSide::Right, "right"},
-                                                        {ViewSide::Left, "left"},
-                                                        {ViewSide::Top, "top"},
-                                                        {ViewSide::Bottom, "bottom"}}};
+                                                           {ViewSide::Back, "back"},
+                                                           {ViewSide::Right, "right"},
+                                                           {ViewSide::Left, "left"},
+                                                           {ViewSide::Top, "top"},
+                                                           {ViewSide::Bottom, "bottom"}}};
 
 /// How a reference image stands on its side: mm, as seen from there.
 struct ReferencePlacement

@@ -87,7 +87,8 @@ FilesChoice Settings::files() const
 {
     const QString folder = m_settings.value(shownFolderKey).toString();
     const bool isThere = !folder.isEmpty() && QDir(folder).exists();
-    return {isThere ? folder : lastFolder(), choice(m_settings, fileOrderKey, fileOrders, FileOrder::Name), yesNo(m_settings, filesDescendingKey, false),
+    return {isThere ? folder : lastFolder(), choice(m_settings, fileOrderKey, fileOrders, FileOrder::Name),
+            yesNo(m_settings, filesDescendingKey, false),
             static_cast<int>(number(m_settings, filePictureKey, minPicture, maxPicture, defaultPicture))};
 }
 
@@ -101,7 +102,8 @@ void Settings::setFiles(const FilesChoice& choice)
 
 int Settings::historyMegabytes() const
 {
-    return static_cast<int>(number(m_settings, historyKey, minHistoryMegabytes, maxHistoryMegabytes, defaultHistoryMegabytes));
+    return static_cast<int>(
+        number(m_settings, historyKey, minHistoryMegabytes, maxHistoryMegabytes, defaultHistoryMegabytes));
 }
 
 void Settings::setHistoryMegabytes(int megabytes)
@@ -112,7 +114,8 @@ void Settings::setHistoryMegabytes(int megabytes)
 ExportChoice Settings::exporting() const
 {
     const double most = number(m_settings, exportTrianglesKey, leastExportTriangles, mostExportTriangles, 0);
-    return {choice(m_settings, exportUseKey, exportUses, ExportUse::Print), static_cast<quint64>(most), yesNo(m_settings, exportSlicesKey, false)};
+    return {choice(m_settings, exportUseKey, exportUses, ExportUse::Print), static_cast<quint64>(most),
+            yesNo(m_settings, exportSlicesKey, false)};
 }
 
 void Settings::setExporting(const ExportChoice& choice)
@@ -125,8 +128,10 @@ void Settings::setExporting(const ExportChoice& choice)
 PrintChoice Settings::print() const
 {
     const PrintChoice usual;
-    return {m_settings.value(printerKey).toString(), number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, usual.wall),
-            number(m_settings, printOverhangKey, 0, 90, usual.overhang), static_cast<int>(number(m_settings, printPictureKey, 0, 2, usual.picture))};
+    return {m_settings.value(printerKey).toString(),
+            number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, usual.wall),
+            number(m_settings, printOverhangKey, 0, 90, usual.overhang),
+            static_cast<int>(number(m_settings, printPictureKey, 0, 2, usual.picture))};
 }
 
 void Settings::setPrint(const PrintChoice& choice)
@@ -151,7 +156,8 @@ void Settings::setPrinters(const QList<Printer>& printers)
 void Settings::reset()
 {
     for (const QString& key : m_settings.allKeys())
-        if (key != recentKey && key != folderKey && key != swatchesKey && key != printersKey && key != alphaFilesKey && key != modelFilesKey && !key.startsWith(referenceKeys))
+        if (key != recentKey && key != folderKey && key != swatchesKey && key != printersKey && key != alphaFilesKey &&
+            key != modelFilesKey && !key.startsWith(referenceKeys))
             m_settings.remove(key);
     for (const auto& takeUp : m_onReset)
         takeUp();

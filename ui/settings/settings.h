@@ -10,8 +10,8 @@
 #include "ui/settings/turntable_settings.h"
 #include "ui/settings/view_appearance.h"
 
-#include "core/stroke/tool.h"
 #include "core/geometry/geometry.h"
+#include "core/stroke/tool.h"
 
 #include <QByteArray>
 #include <QList>
@@ -27,11 +27,12 @@ namespace ui
 /// The radii that make sense, as shares of the model's longest side. The least that the lattice takes is a little more.
 inline constexpr double minRadiusShare = 0.002, maxRadiusShare = 0.5;
 
-/// The spacing of a new user's brush, in radii: dense enough for an even furrow, wide enough that a slow hand does not dig a hole.
+/// The spacing of a new user's brush, in radii: dense enough for an even furrow, wide enough that a slow hand does not
+/// dig a hole.
 inline constexpr double handSpacing = 0.25;
 
-inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail,
-                                                       core::Parameter::Spacing};
+inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength, core::Parameter::Falloff,
+                                                       core::Parameter::Detail, core::Parameter::Spacing};
 
 inline constexpr int minHistoryMegabytes = 16, maxHistoryMegabytes = 65536, defaultHistoryMegabytes = 512;
 
@@ -49,7 +50,7 @@ struct StoredShapes
 {
     QString alpha; ///< a name of core::builtInAlphas(), or a path; empty: none
     bool alphaFollows = false;
-    QString model; ///< a path; empty: a ball
+    QString model;              ///< a path; empty: a ball
     QStringList alphas, models; ///< paths
 
     bool operator==(const StoredShapes&) const = default;
@@ -58,10 +59,10 @@ struct StoredShapes
 /// Of the print check: whose bed, what is too thin and what leans out too far, and what the model shows (0: nothing).
 struct PrintChoice
 {
-    QString printer; ///< by name
-    double wall = 0.8; ///< mm
+    QString printer;      ///< by name
+    double wall = 0.8;    ///< mm
     double overhang = 45; ///< degrees
-    int picture = 1; ///< 1 and core::PrintPicture
+    int picture = 1;      ///< 1 and core::PrintPicture
 };
 
 /// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The
@@ -117,8 +118,8 @@ public:
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);
 
-    /// Everything to its default but what a person made: recent files and folder, swatches, reference images, printers. Then all are called that asked
-    /// for it, in that order, to take up what holds now.
+    /// Everything to its default but what a person made: recent files and folder, swatches, reference images, printers.
+    /// Then all are called that asked for it, in that order, to take up what holds now.
     void reset();
     void onReset(std::function<void()> takeUp);
 

@@ -45,9 +45,10 @@ struct HabitSwitch
     QString key;
     bool HandHabits::*what;
 };
-const HabitSwitch habitSwitches[] = {{QStringLiteral("preferences/pressureToStrength"), &HandHabits::pressureToStrength},
-                                     {QStringLiteral("preferences/pressureToRadius"), &HandHabits::pressureToRadius},
-                                     {QStringLiteral("preferences/altMovesView"), &HandHabits::altMovesView}};
+const HabitSwitch habitSwitches[] = {
+    {QStringLiteral("preferences/pressureToStrength"), &HandHabits::pressureToStrength},
+    {QStringLiteral("preferences/pressureToRadius"), &HandHabits::pressureToRadius},
+    {QStringLiteral("preferences/altMovesView"), &HandHabits::altMovesView}};
 } // namespace
 
 double Settings::value(core::Parameter parameter) const
@@ -80,7 +81,8 @@ Preferences Settings::preferences() const
     preferences.isCalm = yesNo(m_settings, calmKey, preferences.isCalm);
     for (const HabitSwitch& row : habitSwitches)
         preferences.hand.*row.what = yesNo(m_settings, row.key, preferences.hand.*row.what);
-    preferences.hand.penExponent = number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
+    preferences.hand.penExponent =
+        number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
     preferences.keepsVersions = yesNo(m_settings, keepsVersionsKey, preferences.keepsVersions);
     preferences.keys.preset = choice(m_settings, keyPresetKey, keyPresets, preferences.keys.preset);
     for (const QString& key : m_settings.allKeys())
@@ -107,8 +109,9 @@ void Settings::setPreferences(const Preferences& preferences)
 
 StoredShapes Settings::shapes() const
 {
-    return {m_settings.value(alphaKey).toString(), yesNo(m_settings, alphaFollowsKey, false), m_settings.value(modelKey).toString(),
-            m_settings.value(alphaFilesKey).toStringList(), m_settings.value(modelFilesKey).toStringList()};
+    return {m_settings.value(alphaKey).toString(), yesNo(m_settings, alphaFollowsKey, false),
+            m_settings.value(modelKey).toString(), m_settings.value(alphaFilesKey).toStringList(),
+            m_settings.value(modelFilesKey).toStringList()};
 }
 
 void Settings::setShapes(const StoredShapes& shapes)

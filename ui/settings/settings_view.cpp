@@ -2,8 +2,8 @@
 
 #include "ui/settings/settings.h"
 
-#include "ui/util/color_convert.h"
 #include "ui/settings/stored_values.h"
+#include "ui/util/color_convert.h"
 
 namespace ui
 {
@@ -19,9 +19,9 @@ const QString backgroundKey = QStringLiteral("view/background");
 const QString showsReferencesKey = QStringLiteral("view/references");
 
 /// Clay, earth, slip, white, grey, black, and what children paint with.
-const QList<core::Rgb> firstSwatches = {{200, 110, 80}, {138, 90, 60},  {242, 227, 204}, {255, 255, 255},
-                                        {128, 128, 128}, {32, 32, 32},  {216, 58, 52},   {240, 180, 41},
-                                        {76, 154, 74},  {47, 111, 181}, {122, 79, 160}};
+const QList<core::Rgb> firstSwatches = {{200, 110, 80},  {138, 90, 60},  {242, 227, 204}, {255, 255, 255},
+                                        {128, 128, 128}, {32, 32, 32},   {216, 58, 52},   {240, 180, 41},
+                                        {76, 154, 74},   {47, 111, 181}, {122, 79, 160}};
 
 struct LookSwitch
 {
@@ -92,11 +92,12 @@ StoredReference Settings::reference(ViewSide side) const
     const ReferencePlacement usual;
     StoredReference stored;
     stored.path = m_settings.value(key + QStringLiteral("path")).toString();
-    stored.placement = {number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, usual.width),
-                        number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, usual.x),
-                        number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, usual.y),
-                        number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, usual.opacity),
-                        yesNo(m_settings, key + QStringLiteral("inFront"), usual.inFront)};
+    stored.placement = {
+        number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, usual.width),
+        number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, usual.x),
+        number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, usual.y),
+        number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, usual.opacity),
+        yesNo(m_settings, key + QStringLiteral("inFront"), usual.inFront)};
     return stored;
 }
 

@@ -26,7 +26,8 @@ struct KeyChoice
 struct HeldKeys
 {
     Qt::KeyboardModifier invert = Qt::ControlModifier;
-    /// The right button orbits, with Alt it pans, with Ctrl it zooms; Alt and left pan beside the model and are the brush's on it.
+    /// The right button orbits, with Alt it pans, with Ctrl it zooms; Alt and left pan beside the model and are the
+    /// brush's on it.
     bool rightOrbits = false;
 
     bool operator==(const HeldKeys&) const = default;

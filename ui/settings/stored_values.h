@@ -34,7 +34,8 @@ template <class T, std::size_t count>
 T choice(const QSettings& settings, const QString& key, const std::array<Named<T>, count>& choices, T otherwise)
 {
     const QString stored = settings.value(key).toString();
-    const auto found = std::ranges::find_if(choices, [&](const Named<T>& row) { return stored == QLatin1StringView(row.key); });
+    const auto found =
+        std::ranges::find_if(choices, [&](const Named<T>& row) { return stored == QLatin1StringView(row.key); });
     return found != choices.end() ? found->value : otherwise;
 }
 

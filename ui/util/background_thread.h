@@ -9,8 +9,8 @@
 
 namespace ui
 {
-/// A thread for what takes long, from the first job on: one job after the other, in order. As the last member of its owner it may use
-/// all others.
+/// A thread for what takes long, from the first job on: one job after the other, in order. As the last member of its
+/// owner it may use all others.
 class SideThread
 {
 public:
@@ -21,7 +21,8 @@ public:
 
     /// Any thread.
     void run(std::function<void()> job);
-    /// take(work()): the work is done on this thread, and taken by the event loop of the one that made this. Any thread.
+    /// take(work()): the work is done on this thread, and taken by the event loop of the one that made this. Any
+    /// thread.
     template <class Work, class Take> void run(Work work, Take take)
     {
         run([this, work = std::move(work), take = std::move(take)]() mutable {

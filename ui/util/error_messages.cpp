@@ -1,12 +1,12 @@
 #include "ui/util/error_messages.h"
 
+#include "ui/util/format_filters.h"
 #include "ui/util/number_format.h"
 #include "ui/util/path_display.h"
-#include "ui/util/format_filters.h"
 
 #include "core/analysis/mesh_check.h"
-#include "core/io/mesh_io.h"
 #include "core/analysis/print_check.h"
+#include "core/io/mesh_io.h"
 
 #include <QDir>
 #include <QLocale>
@@ -74,7 +74,8 @@ QString Messages::refusal(const QString& file, const core::MeshReport& report)
 
 QString Messages::noBrush(const QString& file, const core::MeshReport& report)
 {
-    return tr("%1 cannot be a brush's shape, because its surface does not bound a solid (%2).").arg(file, faults(report));
+    return tr("%1 cannot be a brush's shape, because its surface does not bound a solid (%2).")
+        .arg(file, faults(report));
 }
 
 QString Messages::unitDoubt(double volume)
@@ -113,7 +114,8 @@ QString Messages::remarks(const QString& file, const core::ReadRemarks& remarks)
     if (remarks.poses)
         left << tr("poses");
     if (!left.isEmpty())
-        clauses << tr("left out: %1", "materials, textures").arg(left.join(tr(", ", "between the parts of a model that are left out")));
+        clauses << tr("left out: %1", "materials, textures")
+                       .arg(left.join(tr(", ", "between the parts of a model that are left out")));
     if (remarks.objects > 1)
         clauses << tr("%n objects are one model now", nullptr, static_cast<int>(remarks.objects));
     return clauses.isEmpty() ? QString() : QStringLiteral("%1: %2.").arg(file, clauses.join(QStringLiteral("; ")));
@@ -122,15 +124,25 @@ QString Messages::remarks(const QString& file, const core::ReadRemarks& remarks)
 QString Messages::shortfall(core::Shortfall shortfall)
 {
     switch (shortfall) {
-    case core::Shortfall::None: return {};
-    case core::Shortfall::Blocked: return tr("Nothing happened here: the surface would have met itself.");
-    case core::Shortfall::Contact: return tr("The brush stopped where surfaces met that may not join.");
-    case core::Shortfall::Wall: return tr("The brush stopped at the wall of the working volume.");
-    case core::Shortfall::Capped: return tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on.");
-    case core::Shortfall::Inside: return tr("Nothing was added, because it would lie inside the model.");
-    case core::Shortfall::TooClose: return tr("Nothing was added, because it would be too close to the surface.");
-    case core::Shortfall::NoRoom: return tr("Nothing was added, because it would reach beyond the working volume.");
-    case core::Shortfall::Unfit: return tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid.");
+    case core::Shortfall::None:
+        return {};
+    case core::Shortfall::Blocked:
+        return tr("Nothing happened here: the surface would have met itself.");
+    case core::Shortfall::Contact:
+        return tr("The brush stopped where surfaces met that may not join.");
+    case core::Shortfall::Wall:
+        return tr("The brush stopped at the wall of the working volume.");
+    case core::Shortfall::Capped:
+        return tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on.");
+    case core::Shortfall::Inside:
+        return tr("Nothing was added, because it would lie inside the model.");
+    case core::Shortfall::TooClose:
+        return tr("Nothing was added, because it would be too close to the surface.");
+    case core::Shortfall::NoRoom:
+        return tr("Nothing was added, because it would reach beyond the working volume.");
+    case core::Shortfall::Unfit:
+        return tr(
+            "Nothing was added, because the brush's shape is not sound at that size on the program's working grid.");
     }
     return {};
 }
@@ -142,17 +154,20 @@ QString Messages::asymmetric()
 
 QString Messages::apart()
 {
-    return tr("The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.");
+    return tr("The sectors meet here, or the model is not alike in all of them: they were worked on one after the "
+              "other and are not exact copies.");
 }
 
 QString Messages::notADrawing(const QString& path)
 {
-    return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.").arg(QDir::toNativeSeparators(path));
+    return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.")
+        .arg(QDir::toNativeSeparators(path));
 }
 
 QString Messages::notAReport(const QString& path)
 {
-    return tr("%1: class reports are written as HTML or PDF; the ending says which.").arg(QDir::toNativeSeparators(path));
+    return tr("%1: class reports are written as HTML or PDF; the ending says which.")
+        .arg(QDir::toNativeSeparators(path));
 }
 
 QString Messages::notABook(const QString& path)
@@ -173,11 +188,16 @@ QString Messages::goneReference(const QString& path)
 QString Messages::name(core::Parameter parameter)
 {
     switch (parameter) {
-    case core::Parameter::Radius: return tr("Radius");
-    case core::Parameter::Strength: return tr("Strength");
-    case core::Parameter::Falloff: return tr("Falloff");
-    case core::Parameter::Detail: return tr("Detail");
-    case core::Parameter::Spacing: return tr("Spacing");
+    case core::Parameter::Radius:
+        return tr("Radius");
+    case core::Parameter::Strength:
+        return tr("Strength");
+    case core::Parameter::Falloff:
+        return tr("Falloff");
+    case core::Parameter::Detail:
+        return tr("Detail");
+    case core::Parameter::Spacing:
+        return tr("Spacing");
     }
     return {};
 }
@@ -244,9 +264,11 @@ QString Messages::content(const core::FileError& error)
         return tr("%1: a face names vertex %2, but there are %3 vertices.")
             .arg(where, token(error), number(error.expected));
     case FileErrorKind::OutsideFolder:
-        return tr("%1 names \"%2\", which is not in its folder; nothing from elsewhere is read.").arg(where, token(error));
+        return tr("%1 names \"%2\", which is not in its folder; nothing from elsewhere is read.")
+            .arg(where, token(error));
     case FileErrorKind::UnpacksTooLarge:
-        return tr("%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.").arg(where, bytes(error.expected));
+        return tr("%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.")
+            .arg(where, bytes(error.expected));
     case FileErrorKind::TooManyElements:
         return tr("%1: too many %2; at most %3 are taken.").arg(where, token(error), number(error.expected));
     case FileErrorKind::ReaderRefused:
@@ -255,9 +277,11 @@ QString Messages::content(const core::FileError& error)
     case FileErrorKind::ReaderDied:
         return tr("%1 was not read: its reader, a process of its own, broke off over it.").arg(where);
     case FileErrorKind::ReaderTooSlow:
-        return tr("%1 was not read: its reader took more than the %2 seconds that a file of its size is given.").arg(where, number(error.expected));
+        return tr("%1 was not read: its reader took more than the %2 seconds that a file of its size is given.")
+            .arg(where, number(error.expected));
     case FileErrorKind::ReaderOutOfMemory:
-        return tr("%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.").arg(where, bytes(error.expected));
+        return tr("%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.")
+            .arg(where, bytes(error.expected));
     case FileErrorKind::NoFaces:
         return tr("%1 holds no faces.").arg(where);
     default:
@@ -270,7 +294,8 @@ QString Messages::writing(const core::FileError& error)
     const QString path = nativePath(error.path), reason = systemReason(error);
     switch (error.kind) {
     case FileErrorKind::NotWritten:
-        return tr("%1 was not written: %2 is only read; %3 can be written.").arg(path, token(error).toUpper(), writtenFormats());
+        return tr("%1 was not written: %2 is only read; %3 can be written.")
+            .arg(path, token(error).toUpper(), writtenFormats());
     case FileErrorKind::NoFolder:
         return tr("%1 cannot be written: there is no folder %2.").arg(path, nativePath(error.path.parent_path()));
     case FileErrorKind::NotWritable:

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/stroke/stroke.h"
 #include "core/stroke/tool.h"
 #include "core/util/file_error.h"
-#include "core/stroke/stroke.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -11,7 +11,7 @@ namespace core
 {
 struct MeshReport;
 struct ReadRemarks;
-}
+} // namespace core
 
 namespace ui
 {

@@ -43,6 +43,8 @@ QString durationText(double seconds)
     const qint64 minutes = (whole + minute / 2) / minute * minute;
     if (minutes < hour)
         return Measures::tr("%1 min").arg(QLocale().toString(minutes / minute));
-    return Measures::tr("%1 h %2 min").arg(QLocale().toString(minutes / hour)).arg(minutes % hour / minute, 2, 10, QLatin1Char('0'));
+    return Measures::tr("%1 h %2 min")
+        .arg(QLocale().toString(minutes / hour))
+        .arg(minutes % hour / minute, 2, 10, QLatin1Char('0'));
 }
 } // namespace ui

@@ -34,14 +34,16 @@ QStringList MendingWords::steps(const core::RepairReport& report)
     add(report.degenerateFaces, tr("Faces without area removed: %1"));
     add(report.duplicateFaces, tr("Duplicate faces removed: %1"));
     if (report.joined > 0)
-        steps << tr("Open points joined at cracks: %1, within %2 mm").arg(number(report.joined), shortMillimetres(report.joinedWithin));
+        steps << tr("Open points joined at cracks: %1, within %2 mm")
+                     .arg(number(report.joined), shortMillimetres(report.joinedWithin));
     add(report.turnedFaces, tr("Faces or parts turned outwards: %1"));
     add(report.membraneFaces, tr("Faces of inner sheets removed: %1"));
     add(report.holes, tr("Holes filled: %1"));
     add(report.largeHoles, tr("of these, longer than a quarter of the model: %1"));
     add(report.innerParts, tr("Parts inside of others: %1"));
     add(report.intersections, tr("Pairs of faces that met, cut and joined: %1"));
-    add(report.touchingEdges + report.touchingVertices, tr("Edges and points at which parts merely touched, drawn apart: %1"));
+    add(report.touchingEdges + report.touchingVertices,
+        tr("Edges and points at which parts merely touched, drawn apart: %1"));
     add(report.unmasked, tr("Masked points that went, and their mask with them: %1"));
     if (report.remeshedAt)
         steps << tr("The surface was made anew, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
@@ -51,29 +53,39 @@ QStringList MendingWords::steps(const core::RepairReport& report)
 QString MendingWords::doing(const QString& file, core::RepairStep step)
 {
     switch (step) {
-    case core::RepairStep::CleanUp: return tr("Mending %1: points and faces").arg(file);
-    case core::RepairStep::Stitch: return tr("Mending %1: cracks").arg(file);
-    case core::RepairStep::Orient: return tr("Mending %1: directions of the faces").arg(file);
-    case core::RepairStep::Fill: return tr("Mending %1: holes").arg(file);
-    case core::RepairStep::Resolve: return tr("Mending %1: intersections").arg(file);
-    case core::RepairStep::Remesh: return tr("Mending %1: a new surface").arg(file);
-    case core::RepairStep::Check: return tr("Mending %1: the check").arg(file);
-    case core::RepairStep::Measure: return tr("Mending %1: measuring what moved").arg(file);
+    case core::RepairStep::CleanUp:
+        return tr("Mending %1: points and faces").arg(file);
+    case core::RepairStep::Stitch:
+        return tr("Mending %1: cracks").arg(file);
+    case core::RepairStep::Orient:
+        return tr("Mending %1: directions of the faces").arg(file);
+    case core::RepairStep::Fill:
+        return tr("Mending %1: holes").arg(file);
+    case core::RepairStep::Resolve:
+        return tr("Mending %1: intersections").arg(file);
+    case core::RepairStep::Remesh:
+        return tr("Mending %1: a new surface").arg(file);
+    case core::RepairStep::Check:
+        return tr("Mending %1: the check").arg(file);
+    case core::RepairStep::Measure:
+        return tr("Mending %1: measuring what moved").arg(file);
     }
     return {};
 }
 
 QString MendingWords::distance(const core::RepairReport& report)
 {
-    return tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) from the new.")
-        .arg(shortMillimetres(report.fromNew.largest), shortMillimetres(report.fromNew.mean), shortMillimetres(report.fromOld.largest),
-             shortMillimetres(report.fromOld.mean));
+    return tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) "
+              "from the new.")
+        .arg(shortMillimetres(report.fromNew.largest), shortMillimetres(report.fromNew.mean),
+             shortMillimetres(report.fromOld.largest), shortMillimetres(report.fromOld.mean));
 }
 
 QString MendingWords::refusal(const QString& file, const core::RepairResult& legalised)
 {
     if (legalised.refusal == core::RepairRefusal::LargeHoles)
-        return tr("%1 was not mended: it has holes longer than a quarter of it (%2).").arg(file, number(legalised.report.largeHoles));
+        return tr("%1 was not mended: it has holes longer than a quarter of it (%2).")
+            .arg(file, number(legalised.report.largeHoles));
     return tr("%1 cannot be mended: its faces enclose no space.").arg(file);
 }
 } // namespace ui

@@ -22,14 +22,16 @@ void showFolder(const QString& path, const std::function<void(const QString&)>& 
 {
     const QString folder = QFileInfo(path).absolutePath();
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-        refused(RevealFile::tr("There is no program here that shows folders; the file lies in %1.").arg(QDir::toNativeSeparators(folder)));
+        refused(RevealFile::tr("There is no program here that shows folders; the file lies in %1.")
+                    .arg(QDir::toNativeSeparators(folder)));
 }
 } // namespace
 
 void revealFile(const QString& path, QObject* context, const std::function<void(const QString&)>& refused)
 {
-    QDBusMessage call = QDBusMessage::createMethodCall(QStringLiteral("org.freedesktop.FileManager1"), QStringLiteral("/org/freedesktop/FileManager1"),
-                                                       QStringLiteral("org.freedesktop.FileManager1"), QStringLiteral("ShowItems"));
+    QDBusMessage call = QDBusMessage::createMethodCall(
+        QStringLiteral("org.freedesktop.FileManager1"), QStringLiteral("/org/freedesktop/FileManager1"),
+        QStringLiteral("org.freedesktop.FileManager1"), QStringLiteral("ShowItems"));
     call << QStringList{QUrl::fromLocalFile(path).toString()} << QString();
     auto* watcher = new QDBusPendingCallWatcher(QDBusConnection::sessionBus().asyncCall(call), context);
     QObject::connect(watcher, &QDBusPendingCallWatcher::finished, context, [=] {

@@ -8,9 +8,9 @@
 
 namespace ui
 {
-/// How other threads reach the one that made it: what they post is run there, by its event loop, among its other events in the order of
-/// posting. What waits when the mailbox goes is dropped. Letters change hands under a mutex; Qt's queue only rings for each, and carries
-/// nothing of ours.
+/// How other threads reach the one that made it: what they post is run there, by its event loop, among its other events
+/// in the order of posting. What waits when the mailbox goes is dropped. Letters change hands under a mutex; Qt's queue
+/// only rings for each, and carries nothing of ours.
 class Mailbox : public QObject
 {
     Q_OBJECT

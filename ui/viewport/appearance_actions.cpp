@@ -2,8 +2,8 @@
 
 #include "ui/actions/actions.h"
 #include "ui/settings/settings.h"
-#include "ui/widgets/themed_icon.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -28,13 +28,19 @@ constexpr Switch switches[] = {{"view.wireframe", &ViewLook::wireframe},
 class Looks
 {
 public:
-    Looks(const Actions& actions, Viewport* viewport, Settings* settings) : m_actions(actions), m_viewport(viewport), m_settings(settings) {}
+    Looks(const Actions& actions, Viewport* viewport, Settings* settings)
+        : m_actions(actions)
+        , m_viewport(viewport)
+        , m_settings(settings)
+    {}
 
     void addSwitches() const
     {
         for (const Switch& row : switches) {
             QAction* action = m_actions.get(QLatin1StringView(row.id));
-            const auto show = [action, viewport = m_viewport, what = row.what] { action->setChecked(viewport->look().*what); };
+            const auto show = [action, viewport = m_viewport, what = row.what] {
+                action->setChecked(viewport->look().*what);
+            };
             show();
             m_settings->onReset(show);
             connect(action, [what = row.what](ViewLook& look, bool on) { look.*what = on; });
@@ -48,7 +54,9 @@ public:
         for (const Named<T>& choice : choices) {
             QAction* action = m_actions.get(family + QLatin1StringView(choice.key));
             group->addAction(action);
-            const auto show = [action, viewport = m_viewport, what, value = choice.value] { action->setChecked(viewport->look().*what == value); };
+            const auto show = [action, viewport = m_viewport, what, value = choice.value] {
+                action->setChecked(viewport->look().*what == value);
+            };
             show();
             m_settings->onReset(show);
             connect(action, [what, value = choice.value](ViewLook& look, bool on) {
@@ -61,12 +69,13 @@ public:
 private:
     template <class Change> void connect(QAction* action, Change change) const
     {
-        QObject::connect(action, &QAction::toggled, m_viewport, [viewport = m_viewport, settings = m_settings, change](bool on) {
-            ViewLook look = viewport->look();
-            change(look, on);
-            viewport->setLook(look);
-            settings->setLook(look);
-        });
+        QObject::connect(action, &QAction::toggled, m_viewport,
+                         [viewport = m_viewport, settings = m_settings, change](bool on) {
+                             ViewLook look = viewport->look();
+                             change(look, on);
+                             viewport->setLook(look);
+                             settings->setLook(look);
+                         });
     }
 
     const Actions& m_actions;

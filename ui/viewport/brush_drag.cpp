@@ -21,7 +21,8 @@ BrushDrag::BrushDrag(BrushSettings* brush, Viewport* viewport) : QLabel(viewport
 {
     setObjectName(QStringLiteral("brushDrag"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    setStyleSheet(QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 4px; padding: 4px 8px;"));
+    setStyleSheet(
+        QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 4px; padding: 4px 8px;"));
     hide();
     connect(brush, &BrushSettings::changed, this, &BrushDrag::showValue);
     viewport->installEventFilter(this);
@@ -110,7 +111,8 @@ void BrushDrag::moveTo(double x)
     const double moved = x - m_from.value_or(x);
     m_from = x - moved;
     const double perPixel = parameter == core::Parameter::Radius ? 1 / m_viewport->pixelsPerMm() : strengthPerPixel;
-    m_brush->setValue(parameter, std::clamp(m_before + moved * perPixel, m_brush->minOf(parameter), m_brush->maxOf(parameter)));
+    m_brush->setValue(parameter,
+                      std::clamp(m_before + moved * perPixel, m_brush->minOf(parameter), m_brush->maxOf(parameter)));
 }
 
 void BrushDrag::keep()
@@ -145,7 +147,8 @@ void BrushDrag::place()
 {
     const bool grows = *m_parameter == core::Parameter::Radius;
     const double rim = grows ? m_brush->value(core::Parameter::Radius) * m_viewport->pixelsPerMm() : 0;
-    const QPoint beside = m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + wordDistance, wordDistance);
+    const QPoint beside =
+        m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + wordDistance, wordDistance);
     const QPoint corner(m_viewport->width() - width(), m_viewport->height() - height());
     move(std::clamp(beside.x(), 0, std::max(corner.x(), 0)), std::clamp(beside.y(), 0, std::max(corner.y(), 0)));
 }

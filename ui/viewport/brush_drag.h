@@ -12,8 +12,9 @@ namespace ui
 {
 class Viewport;
 
-/// Changes a value of the brush by moving the pointer over the view, no button held: a click or Return keeps it, Esc or the
-/// right button goes back. The ring stays where it is and shows the radius; the word beside it shows the value. Gui thread.
+/// Changes a value of the brush by moving the pointer over the view, no button held: a click or Return keeps it, Esc or
+/// the right button goes back. The ring stays where it is and shows the radius; the word beside it shows the value. Gui
+/// thread.
 class BrushDrag : public QLabel
 {
     Q_OBJECT
@@ -42,7 +43,7 @@ private:
     Viewport* m_viewport;
     std::optional<core::Parameter> m_parameter; ///< while it goes on
     std::optional<double> m_from;               ///< x of the first move
-    QPoint m_center; ///< of the ring, in the view
+    QPoint m_center;                            ///< of the ring, in the view
     double m_before = 0;
     bool m_releaseFollows = false; ///< of the press that ended it
 };

@@ -1,12 +1,12 @@
 #include "ui/viewport/input_actions.h"
 
 #include "ui/actions/actions.h"
-#include "ui/viewport/brush_drag.h"
 #include "ui/settings/settings.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/viewport/brush_drag.h"
 #include "ui/viewport/turntable.h"
 #include "ui/viewport/turntable_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/side_dock.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -54,21 +54,24 @@ void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
 }
 void connectAdding(QAction* action, const HandPlace& place)
 {
-    QObject::connect(action, &QAction::triggered, place.viewport, [viewport = place.viewport, notice = place.notice](bool adds) {
-        viewport->setAdding(adds);
-        if (adds)
-            notice(HandActions::tr("Click where the ball should be. Esc puts it away."));
-    });
+    QObject::connect(action, &QAction::triggered, place.viewport,
+                     [viewport = place.viewport, notice = place.notice](bool adds) {
+                         viewport->setAdding(adds);
+                         if (adds)
+                             notice(HandActions::tr("Click where the ball should be. Esc puts it away."));
+                     });
     QObject::connect(place.viewport, &Viewport::addingChanged, action, &QAction::setChecked);
 }
 
 void connectKeys(QAction* action, const HandPlace& place)
 {
-    QObject::connect(action, &QAction::triggered, place.viewport, [viewport = place.viewport, notice = place.notice](bool on) {
-        viewport->setKeyHand(on);
-        if (on)
-            notice(HandActions::tr("Arrow keys move the cross. Space presses while it is held, Return until the next Return."));
-    });
+    QObject::connect(
+        action, &QAction::triggered, place.viewport, [viewport = place.viewport, notice = place.notice](bool on) {
+            viewport->setKeyHand(on);
+            if (on)
+                notice(HandActions::tr(
+                    "Arrow keys move the cross. Space presses while it is held, Return until the next Return."));
+        });
     QObject::connect(place.viewport, &Viewport::keyHandChanged, action, &QAction::setChecked);
 }
 

@@ -22,8 +22,8 @@ struct HandPlace
     std::function<void(const QString&)> notice; ///< says a small word
 };
 
-/// The commands that change what the hand does next in the view: values by moving the pointer, the steady stroke, a ball, and the
-/// turntable with its dock. What is to be remembered is taken from the settings now and written
-/// there when it changes. None is owned.
+/// The commands that change what the hand does next in the view: values by moving the pointer, the steady stroke, a
+/// ball, and the turntable with its dock. What is to be remembered is taken from the settings now and written there
+/// when it changes. None is owned.
 void connectHand(const HandPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions);
 } // namespace ui

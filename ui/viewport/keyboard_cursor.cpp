@@ -71,7 +71,8 @@ bool KeyHand::press(const QKeyEvent& key)
         step(key);
         return true;
     }
-    const bool isSpace = key.key() == Qt::Key_Space, isReturn = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    const bool isSpace = key.key() == Qt::Key_Space,
+               isReturn = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
     if (!isSpace && !isReturn)
         return false;
     if (!key.isAutoRepeat())

@@ -6,9 +6,9 @@ class QKeyEvent;
 
 namespace ui
 {
-/// The hand of somebody who works with keys alone: a place in the view that the arrow keys move, and that presses there as the left button
-/// does, while Space is held, or from one Return to the next for who cannot hold a key and press another. On the model that is a stroke, beside
-/// it the view turns. Gui thread, no widget.
+/// The hand of somebody who works with keys alone: a place in the view that the arrow keys move, and that presses there
+/// as the left button does, while Space is held, or from one Return to the next for who cannot hold a key and press
+/// another. On the model that is a stroke, beside it the view turns. Gui thread, no widget.
 class KeyHand : public QObject
 {
     Q_OBJECT
@@ -54,7 +54,7 @@ private:
     bool m_isPlaced = false; ///< somewhere, ever
     Reach m_reach;
     OrbitCamera::Pixel m_at{0, 0};
-    double m_step = 0; ///< pixels; grows while a key is held
+    double m_step = 0;   ///< pixels; grows while a key is held
     QList<int> m_arrows; ///< that are held
 };
 } // namespace ui

@@ -33,7 +33,8 @@ void KeyCross::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(QRectF(rect()).center());
-    for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 4, Qt::SolidLine, Qt::RoundCap), QPen(QColor(255, 246, 232), 1.8, Qt::SolidLine, Qt::RoundCap)}) {
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 4, Qt::SolidLine, Qt::RoundCap),
+                            QPen(QColor(255, 246, 232), 1.8, Qt::SolidLine, Qt::RoundCap)}) {
         painter.setPen(pen);
         for (const QPointF& direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
             painter.drawLine(hole * direction, arm * direction);

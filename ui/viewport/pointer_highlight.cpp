@@ -8,11 +8,11 @@ namespace ui
 {
 namespace
 {
-constexpr int lightSide = 72;                                      ///< pixels; the ring at its widest is within
+constexpr int lightSide = 72;                                   ///< pixels; the ring at its widest is within
 constexpr double spotRadius = 7, leastRing = 12, mostRing = 32; ///< the same
 constexpr int frameMs = 40;
 constexpr double pulseMs = 1200, calmPulse = 0.4; ///< as in the headset
-constexpr QColor lightColor(160, 255, 70); ///< nothing else has it; as in the headset
+constexpr QColor lightColor(160, 255, 70);        ///< nothing else has it; as in the headset
 } // namespace
 
 PointLight::PointLight(QWidget* parent) : QWidget(parent)

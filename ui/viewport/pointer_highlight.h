@@ -8,7 +8,8 @@
 
 namespace ui
 {
-/// A light where somebody points: a bright spot with a ring that spreads, over its parent, and the mouse goes through it.
+/// A light where somebody points: a bright spot with a ring that spreads, over its parent, and the mouse goes through
+/// it.
 class PointLight : public QWidget
 {
     Q_OBJECT

@@ -15,7 +15,7 @@ namespace ui
 namespace
 {
 constexpr double longest = 140;                     ///< pixels
-constexpr int margin = 16, between = 4, tick = 8;       ///< pixels
+constexpr int margin = 16, between = 4, tick = 8;   ///< pixels
 constexpr double leastText = 0.001, mostText = 1e6; ///< mm; beyond them nobody reads it
 
 /// The largest of 1, 2, 5 times a power of ten that is no more.
@@ -64,7 +64,8 @@ void ScaleBar::paintEvent(QPaintEvent*)
     const double left = 2, right = left + m_pixels, base = height() - 3;
     QPainterPath bar, text;
     bar.addPolygon({{left, base - tick}, {left, base}, {right, base}, {right, base - tick}});
-    text.addText({left + 2 * between, base - between - fontMetrics().descent()}, font(), tr("%L1 mm").arg(m_millimetres));
+    text.addText({left + 2 * between, base - between - fontMetrics().descent()}, font(),
+                 tr("%L1 mm").arg(m_millimetres));
     const QColor light(240, 242, 245), dark(28, 31, 36);
     QColor halo = m_light ? dark : light;
     halo.setAlpha(150);

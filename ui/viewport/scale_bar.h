@@ -6,8 +6,8 @@ namespace ui
 {
 class OrbitCamera;
 
-/// A length in mm as long as the model's own: in orthographic views everywhere, in perspective at the depth of the point
-/// that the view turns about. Stands in the lower left corner of its parent; the mouse goes through it.
+/// A length in mm as long as the model's own: in orthographic views everywhere, in perspective at the depth of the
+/// point that the view turns about. Stands in the lower left corner of its parent; the mouse goes through it.
 class ScaleBar : public QWidget
 {
     Q_OBJECT

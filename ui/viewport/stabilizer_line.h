@@ -5,7 +5,8 @@
 
 namespace ui
 {
-/// The string of a steady stroke, from the hand to the brush that it draws; over its parent, and the mouse goes through it.
+/// The string of a steady stroke, from the hand to the brush that it draws; over its parent, and the mouse goes through
+/// it.
 class StringLine : public QWidget
 {
     Q_OBJECT

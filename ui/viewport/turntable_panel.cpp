@@ -1,7 +1,7 @@
 #include "ui/viewport/turntable_panel.h"
 
-#include "ui/widgets/spacing.h"
 #include "ui/viewport/turntable.h"
+#include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -20,12 +20,12 @@ struct TurntablePanel
     Q_DECLARE_TR_FUNCTIONS(ui::TurntablePanel)
 };
 
-
 QCheckBox* makeSwitch(TurntableMotor* turntable)
 {
     auto* box = new QCheckBox(TurntablePanel::tr("The model turns"));
     box->setObjectName(QStringLiteral("turns"));
-    box->setToolTip(TurntablePanel::tr("Turns the model under the hand: a hand that rests makes a groove all around (T)."));
+    box->setToolTip(
+        TurntablePanel::tr("Turns the model under the hand: a hand that rests makes a groove all around (T)."));
     QObject::connect(box, &QCheckBox::clicked, turntable, &TurntableMotor::setOn);
     return box;
 }
@@ -38,7 +38,8 @@ QComboBox* makeDirection(TurntableMotor* turntable)
     box->setToolTip(TurntablePanel::tr("Which way the model turns, seen from above."));
     box->addItem(TurntablePanel::tr("Anticlockwise"));
     box->addItem(TurntablePanel::tr("Clockwise"));
-    QObject::connect(box, &QComboBox::activated, turntable, [turntable](int index) { turntable->setClockwise(index == 1); });
+    QObject::connect(box, &QComboBox::activated, turntable,
+                     [turntable](int index) { turntable->setClockwise(index == 1); });
     return box;
 }
 

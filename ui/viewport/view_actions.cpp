@@ -14,16 +14,18 @@ struct SideAction
     const char* id;
     OrbitCamera::Side side;
 };
-constexpr double turnStep = 15;    ///< degrees
-constexpr double zoomStep = 0.87;  ///< as a notch of the wheel
+constexpr double turnStep = 15;   ///< degrees
+constexpr double zoomStep = 0.87; ///< as a notch of the wheel
 
 struct TurnAction
 {
     const char* id;
     double right, down;
 };
-constexpr TurnAction turnActions[] = {
-    {"view.turnLeft", -turnStep, 0}, {"view.turnRight", turnStep, 0}, {"view.turnUp", 0, -turnStep}, {"view.turnDown", 0, turnStep}};
+constexpr TurnAction turnActions[] = {{"view.turnLeft", -turnStep, 0},
+                                      {"view.turnRight", turnStep, 0},
+                                      {"view.turnUp", 0, -turnStep},
+                                      {"view.turnDown", 0, turnStep}};
 
 constexpr SideAction sideActions[] = {
     {"view.front", OrbitCamera::Side::Front}, {"view.back", OrbitCamera::Side::Back},
@@ -40,9 +42,12 @@ void connectView(const Actions& actions, Viewport* viewport)
         QObject::connect(action(row.id), &QAction::triggered, viewport,
                          [viewport, side = row.side] { viewport->turnTo(side); });
     for (const TurnAction& row : turnActions)
-        QObject::connect(action(row.id), &QAction::triggered, viewport, [viewport, row] { viewport->turnView(row.right, row.down); });
-    QObject::connect(action("view.nearer"), &QAction::triggered, viewport, [viewport] { viewport->zoomView(zoomStep); });
-    QObject::connect(action("view.farther"), &QAction::triggered, viewport, [viewport] { viewport->zoomView(1 / zoomStep); });
+        QObject::connect(action(row.id), &QAction::triggered, viewport,
+                         [viewport, row] { viewport->turnView(row.right, row.down); });
+    QObject::connect(action("view.nearer"), &QAction::triggered, viewport,
+                     [viewport] { viewport->zoomView(zoomStep); });
+    QObject::connect(action("view.farther"), &QAction::triggered, viewport,
+                     [viewport] { viewport->zoomView(1 / zoomStep); });
     QObject::connect(action("view.orthographic"), &QAction::toggled, viewport, [viewport](bool on) {
         viewport->setProjection(on ? Projection::Orthographic : Projection::Perspective);
     });

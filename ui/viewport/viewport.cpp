@@ -1,8 +1,8 @@
 #include "ui/viewport/viewport.h"
 
 #include "ui/scene/cursor_color.h"
-#include "ui/widgets/themed_icon.h"
 #include "ui/viewport/viewport_state.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -86,7 +86,8 @@ void Viewport::State::placeCursor()
 void Viewport::State::spanString()
 {
     const auto spanned = input.string();
-    string->span(spanned ? QLineF(spanned->hand.x(), spanned->hand.y(), spanned->brush.x(), spanned->brush.y()) : QLineF());
+    string->span(spanned ? QLineF(spanned->hand.x(), spanned->hand.y(), spanned->brush.x(), spanned->brush.y())
+                         : QLineF());
 }
 
 /// The widget's context is current.
@@ -306,7 +307,8 @@ void Viewport::setPicking(bool on)
     m_state->input.setPicking(on);
 }
 
-void Viewport::setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint)
+void Viewport::setHover(const std::optional<core::SurfaceHit>& hit,
+                        const std::shared_ptr<const core::Footprint>& footprint)
 {
     m_state->input.setHover(hit, footprint);
 }

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "ui/settings/brush_settings.h"
-#include "ui/scene/orbit_camera.h"
-#include "ui/settings/preferences.h"
-#include "ui/scene/reference_image.h"
-#include "ui/settings/view_appearance.h"
 #include "ui/scene/headset_avatar.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/scene/reference_image.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/settings/preferences.h"
+#include "ui/settings/view_appearance.h"
 
 #include "core/mesh/footprint.h"
 #include "core/mesh/mesh_patch.h"
+#include "core/mesh/surface_hit.h"
 #include "core/render/shading.h"
 #include "core/stroke/stroke.h"
-#include "core/mesh/surface_hit.h"
 
 #include <QOpenGLWidget>
 
@@ -40,11 +40,11 @@ struct ViewportStats
     double worstLatencyMs = 0;
 };
 
-/// Shows the clay and turns mouse, pen and fingers into strokes. Knows no mesh: it draws the patches it takes and asks where the
-/// surface is. Lives on the gui thread; every signal is emitted there.
+/// Shows the clay and turns mouse, pen and fingers into strokes. Knows no mesh: it draws the patches it takes and asks
+/// where the surface is. Lives on the gui thread; every signal is emitted there.
 ///
-/// A left press, or a finger, is a stroke if it is on the model, else it turns the view. Whether it is on the model is the answer to
-/// a hover question; events that come before the answer wait for it, none is lost.
+/// A left press, or a finger, is a stroke if it is on the model, else it turns the view. Whether it is on the model is
+/// the answer to a hover question; events that come before the answer wait for it, none is lost.
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
@@ -66,8 +66,8 @@ public:
     void frame();
     void turnTo(OrbitCamera::Side side);
     void setView(const core::SavedView& view);
-    /// About the Y axis by so many radians, anticlockwise seen from above, in so many seconds; under an open stroke, too. Not while
-    /// the view follows a head, but for such a stroke.
+    /// About the Y axis by so many radians, anticlockwise seen from above, in so many seconds; under an open stroke,
+    /// too. Not while the view follows a head, but for such a stroke.
     void turnModel(double angle, double seconds);
     void setProjection(OrbitCamera::Projection projection);
 
@@ -87,17 +87,18 @@ public:
 
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;
-    /// Colours the model by shades (see PrintScale) until the next model or null; they belong to the mesh as it is drawn.
+    /// Colours the model by shades (see PrintScale) until the next model or null; they belong to the mesh as it is
+    /// drawn.
     void setShades(const std::shared_ptr<const core::Footprint>& shades);
     /// Flies to a place of the surface that is `extent` mm large, and marks it.
     void flyTo(const core::Vec3& point, const core::Vec3& normal, double extent);
     void forgetMark();
 
-    /// Somebody in the headset, as a ghost over the clay, until the next call; nobody: following ends. As often as wanted: it costs nothing
-    /// until the next frame.
+    /// Somebody in the headset, as a ghost over the clay, until the next call; nobody: following ends. As often as
+    /// wanted: it costs nothing until the next frame.
     void showWearer(const std::optional<Wearer>& wearer);
-    /// The view goes, smoothed, where the wearer's head is and looks, and shows no ghost of it, until the hand, frame(), turnTo() or
-    /// flyTo() takes it elsewhere. Without a wearer it cannot begin.
+    /// The view goes, smoothed, where the wearer's head is and looks, and shows no ghost of it, until the hand,
+    /// frame(), turnTo() or flyTo() takes it elsewhere. Without a wearer it cannot begin.
     void setFollowing(bool on);
     bool isFollowing() const;
 
@@ -122,8 +123,8 @@ public:
     /// The brush of a lesson's teacher, as a ghost besides; nothing: nobody teaches.
     void showTeacher(const std::optional<core::Sphere>& brush);
 
-    /// While on, the pointer does not sculpt but shows a light where it is on the model, and pointed() tells. Escape ends it, and so does what
-    /// else a press may be for.
+    /// While on, the pointer does not sculpt but shows a light where it is on the model, and pointed() tells. Escape
+    /// ends it, and so does what else a press may be for.
     void setPointing(bool on);
     bool isPointing() const;
 
@@ -136,11 +137,12 @@ public Q_SLOTS:
     /// The answer to the hover question in flight. Each hoverRequested() is answered exactly once, in order, at any
     /// later time: with the surface's point, or with nothing if the ray misses or there is no model.
     /// `footprint`: of the brush that was asked about; it belongs to the mesh as it is drawn, or soon will be.
-    void setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint = {});
+    void setHover(const std::optional<core::SurfaceHit>& hit,
+                  const std::shared_ptr<const core::Footprint>& footprint = {});
 
 Q_SIGNALS:
-    /// At most one is in flight: the next is asked after setHover(), with the newest ray only. `brush`: whose footprint there is
-    /// wanted, too; of a spherical brush none is, for that is seen without asking.
+    /// At most one is in flight: the next is asked after setHover(), with the newest ray only. `brush`: whose footprint
+    /// there is wanted, too; of a spherical brush none is, for that is seen without asking.
     void hoverRequested(const core::Ray& ray, const std::optional<core::StrokeSettings>& brush);
 
     /// A stroke: began, one sample or more (the first at the press), ended. Placement is Ray. The settings are those at

@@ -31,7 +31,8 @@ PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& even
     return made;
 }
 
-/// A touchpad's fingers, where the system tells pinching from scrolling, which comes as a wheel. False: it means nothing to us.
+/// A touchpad's fingers, where the system tells pinching from scrolling, which comes as a wheel. False: it means
+/// nothing to us.
 bool takeGesture(PointerInput& input, const QNativeGestureEvent& event)
 {
     switch (event.gestureType()) {

@@ -48,7 +48,8 @@ void Viewport::turnView(double right, double down)
 void Viewport::zoomView(double factor)
 {
     m_state->flight.stop();
-    m_state->input.zoom(factor, hasKeyHand() ? m_state->keys.at() : OrbitCamera::Pixel(0.5 * m_state->camera.viewport()));
+    m_state->input.zoom(factor,
+                        hasKeyHand() ? m_state->keys.at() : OrbitCamera::Pixel(0.5 * m_state->camera.viewport()));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "ui/viewport/keyboard_cursor_overlay.h"
-#include "ui/viewport/keyboard_cursor.h"
-#include "ui/viewport/pointer_highlight.h"
 #include "ui/input/pointer_input.h"
-#include "ui/viewport/scale_bar.h"
-#include "ui/scene/scene.h"
-#include "ui/viewport/stabilizer_line.h"
 #include "ui/input/touch_input.h"
+#include "ui/scene/scene.h"
+#include "ui/viewport/keyboard_cursor.h"
+#include "ui/viewport/keyboard_cursor_overlay.h"
+#include "ui/viewport/pointer_highlight.h"
+#include "ui/viewport/scale_bar.h"
+#include "ui/viewport/stabilizer_line.h"
 #include "ui/viewport/viewport.h"
 
 #include <QElapsedTimer>
@@ -16,9 +16,9 @@
 
 namespace ui
 {
-/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does, viewport_keys.cpp what keys do,
-/// viewport_navigation.cpp goes where somebody wants to look, viewport_avatar.cpp to where the headset is, and viewport_pointing.cpp shows
-/// somebody where to look.
+/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does, viewport_keys.cpp
+/// what keys do, viewport_navigation.cpp goes where somebody wants to look, viewport_avatar.cpp to where the headset
+/// is, and viewport_pointing.cpp shows somebody where to look.
 struct Viewport::State
 {
     explicit State(BrushSettings* settings) : brush(settings) {}
@@ -50,8 +50,8 @@ struct Viewport::State
     std::optional<Wearer> wearer;
     std::optional<core::Sphere> teacher;
     std::optional<core::SurfaceHit> pointed; ///< as was told last
-    QTimer pointRest; ///< runs out: the light goes
-    QTimer following; ///< runs while the view follows the head
+    QTimer pointRest;                        ///< runs out: the light goes
+    QTimer following;                        ///< runs while the view follows the head
     QElapsedTimer sinceFollowed;
     bool patchWaiting = false;
     unsigned int readFramebuffer = 0;

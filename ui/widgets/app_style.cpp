@@ -28,13 +28,15 @@ QColor hairline(const QPalette& palette)
 QRect middleOf(const QRect& rect, Qt::Orientation along)
 {
     const QPoint middle = rect.center();
-    return along == Qt::Horizontal ? QRect(rect.left(), middle.y(), rect.width(), 1) : QRect(middle.x(), rect.top(), 1, rect.height());
+    return along == Qt::Horizontal ? QRect(rect.left(), middle.y(), rect.width(), 1)
+                                   : QRect(middle.x(), rect.top(), 1, rect.height());
 }
 
 /// The bar lies where the page begins.
 void drawTab(const QStyleOptionTab& tab, QPainter* painter)
 {
-    const bool isChosen = tab.state & QStyle::State_Selected, isHot = tab.state & QStyle::State_MouseOver && tab.state & QStyle::State_Enabled;
+    const bool isChosen = tab.state & QStyle::State_Selected,
+               isHot = tab.state & QStyle::State_MouseOver && tab.state & QStyle::State_Enabled;
     if (isHot && !isChosen) {
         QColor shade = tab.palette.color(QPalette::WindowText);
         shade.setAlphaF(0.08F);
@@ -70,7 +72,8 @@ bool isOneOfTabs(const QWidget* widget)
     auto* dock = qobject_cast<QDockWidget*>(const_cast<QWidget*>(widget));
     const auto* window = dock && !dock->isFloating() ? qobject_cast<QMainWindow*>(dock->parentWidget()) : nullptr;
     const QList<QDockWidget*> others = window ? window->tabifiedDockWidgets(dock) : QList<QDockWidget*>();
-    return std::ranges::any_of(others, [](const QDockWidget* other) { return !other->isHidden() && !other->isFloating(); });
+    return std::ranges::any_of(others,
+                               [](const QDockWidget* other) { return !other->isHidden() && !other->isFloating(); });
 }
 } // namespace
 
@@ -81,7 +84,9 @@ bool isDark(const QPalette& palette)
 
 int AppStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const
 {
-    return hint == SH_DialogButtonBox_ButtonsHaveIcons || hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons || hint == SH_EtchDisabledText
+               ? 0
+               : QProxyStyle::styleHint(hint, option, widget, data);
 }
 
 int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
@@ -98,7 +103,8 @@ int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const 
 }
 
 /// Words do not touch the frame of their button.
-QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size, const QWidget* widget) const
+QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                 const QWidget* widget) const
 {
     QSize whole = QProxyStyle::sizeFromContents(type, option, size, widget);
     if (type == CT_PushButton)
@@ -134,7 +140,8 @@ QIcon AppStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, co
     }
 }
 
-void AppStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const
+void AppStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                           const QWidget* widget) const
 {
     const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
     const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
@@ -144,17 +151,21 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
         drawTab(*tab, painter);
     else if (element == CE_DockWidgetTitle && isOneOfTabs(widget))
         return;
-    else if (element == CE_MenuItem && item && item->menuItemType == QStyleOptionMenuItem::Separator && item->text.isEmpty())
-        painter->fillRect(middleOf(option->rect.adjusted(gap / 2, 0, -gap / 2, 0), Qt::Horizontal), hairline(option->palette));
+    else if (element == CE_MenuItem && item && item->menuItemType == QStyleOptionMenuItem::Separator &&
+             item->text.isEmpty())
+        painter->fillRect(middleOf(option->rect.adjusted(gap / 2, 0, -gap / 2, 0), Qt::Horizontal),
+                          hairline(option->palette));
     else
         QProxyStyle::drawControl(element, option, painter, widget);
 }
 
-void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const
+void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const
 {
     if (element == PE_IndicatorToolBarSeparator) { // it stands across the bar
         const bool isUpright = option->state & State_Horizontal;
-        const QRect room = isUpright ? option->rect.adjusted(0, gap / 2, 0, -gap / 2) : option->rect.adjusted(gap / 2, 0, -gap / 2, 0);
+        const QRect room =
+            isUpright ? option->rect.adjusted(0, gap / 2, 0, -gap / 2) : option->rect.adjusted(gap / 2, 0, -gap / 2, 0);
         painter->fillRect(middleOf(room, isUpright ? Qt::Vertical : Qt::Horizontal), hairline(option->palette));
         return;
     }
@@ -168,7 +179,8 @@ void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
     }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     const bool isOutlined = option->state & State_HasFocus && option->state & State_KeyboardFocusChange;
-    if ((element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) || !isDark(option->palette) || isOutlined)
+    if ((element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) || !isDark(option->palette) ||
+        isOutlined)
         return;
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing, element == PE_IndicatorRadioButton);

@@ -31,7 +31,8 @@ QRectF CurveWidget::plot() const
 void CurveWidget::bendTo(const QPointF& at)
 {
     const QRectF area = plot();
-    bendTo(std::clamp((at.x() - area.left()) / area.width(), 0.0, 1.0), std::clamp((area.bottom() - at.y()) / area.height(), 0.0, 1.0));
+    bendTo(std::clamp((at.x() - area.left()) / area.width(), 0.0, 1.0),
+           std::clamp((area.bottom() - at.y()) / area.height(), 0.0, 1.0));
 }
 
 void CurveWidget::paintEvent(QPaintEvent*)

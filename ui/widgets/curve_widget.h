@@ -4,7 +4,8 @@
 
 namespace ui
 {
-/// A curve from 0 to 1 over 0 to 1 that is drawn in a frame and bent by dragging, or step by step by the arrow keys. Gui thread.
+/// A curve from 0 to 1 over 0 to 1 that is drawn in a frame and bent by dragging, or step by step by the arrow keys.
+/// Gui thread.
 class CurveWidget : public QWidget
 {
     Q_OBJECT

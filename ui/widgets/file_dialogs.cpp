@@ -33,8 +33,8 @@ void show(QFileDialog* dialog, const PathAnswer& answer)
 }
 
 /// The filter gives the ending if none is typed.
-void askForTarget(QWidget* parent, const QString& title, const QString& name, const QString& folder, const QString& modelName,
-                  const QStringList& endings, const PathAnswer& answer)
+void askForTarget(QWidget* parent, const QString& title, const QString& name, const QString& folder,
+                  const QString& modelName, const QStringList& endings, const PathAnswer& answer)
 {
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(name);
@@ -53,7 +53,8 @@ void askForTarget(QWidget* parent, const QString& title, const QString& name, co
     show(dialog, answer);
 }
 
-void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder, const QStringList& endings, const PathAnswer& answer)
+void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder,
+                 const QStringList& endings, const PathAnswer& answer)
 {
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(name);
@@ -84,12 +85,15 @@ void askForSaving(QWidget* parent, const QString& folder, const QString& modelNa
 {
     QStringList all = writtenEndings();
     std::ranges::stable_partition(all, [](const QString& ending) { return ending == QLatin1StringView("glb"); });
-    askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all, answer);
+    askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all,
+                 answer);
 }
 
-void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer)
+void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
+                  PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, endings, answer);
+    askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName,
+                 endings, answer);
 }
 
 void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer)
@@ -108,15 +112,17 @@ void askForLesson(QWidget* parent, PathAnswer answer)
 
 void askForLessonTarget(QWidget* parent, const QString& title, PathAnswer answer)
 {
-    const QString zip = QStringLiteral("zip"), file = FileDialogs::tr("One file (%1)").arg(QStringLiteral("*.zip")), folder = FileDialogs::tr("A folder (*)");
+    const QString zip = QStringLiteral("zip"), file = FileDialogs::tr("One file (%1)").arg(QStringLiteral("*.zip")),
+                  folder = FileDialogs::tr("A folder (*)");
     auto* dialog = new QFileDialog(parent, FileDialogs::tr("Save the Lesson"));
     dialog->setObjectName(QStringLiteral("lessonTargetDialog"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({file, folder});
     dialog->setDefaultSuffix(zip);
     dialog->selectFile(title);
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog,
-                     [dialog, zip, file](const QString& filter) { dialog->setDefaultSuffix(filter == file ? zip : QString()); });
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, zip, file](const QString& filter) {
+        dialog->setDefaultSuffix(filter == file ? zip : QString());
+    });
     show(dialog, answer);
 }
 
@@ -125,7 +131,8 @@ void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
     QStringList endings;
     for (const QByteArray& ending : QImageReader::supportedImageFormats())
         endings << QLatin1StringView(ending);
-    askForImage(parent, FileDialogs::tr("Choose a Reference Image"), QStringLiteral("pictureDialog"), folder, endings, answer);
+    askForImage(parent, FileDialogs::tr("Choose a Reference Image"), QStringLiteral("pictureDialog"), folder, endings,
+                answer);
 }
 
 void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer)
@@ -139,16 +146,20 @@ void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer)
 
 void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Save the Class"), QStringLiteral("classDialog"), folder, FileDialogs::tr("class"), {QStringLiteral("ini")}, answer);
+    askForTarget(parent, FileDialogs::tr("Save the Class"), QStringLiteral("classDialog"), folder,
+                 FileDialogs::tr("class"), {QStringLiteral("ini")}, answer);
 }
 
-void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer)
+void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
+                   PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName, endings, answer);
+    askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName,
+                 endings, answer);
 }
 
 void askForReport(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Write the Class Report"), QStringLiteral("reportDialog"), folder, FileDialogs::tr("Class report"), endings, answer);
+    askForTarget(parent, FileDialogs::tr("Write the Class Report"), QStringLiteral("reportDialog"), folder,
+                 FileDialogs::tr("Class report"), endings, answer);
 }
 } // namespace ui

@@ -18,7 +18,8 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
 /// First what holds all of the document.
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 /// `endings`: of the formats that are offered.
-void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer);
+void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
+                  PathAnswer answer);
 
 /// `endings`, here and below: of the formats that are offered, the first one suggested.
 void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer);
@@ -34,7 +35,8 @@ void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer);
 void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer);
 
 /// For the sheet of drawings.
-void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer);
+void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
+                   PathAnswer answer);
 
 void askForReport(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer);
 } // namespace ui

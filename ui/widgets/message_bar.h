@@ -8,8 +8,8 @@ class QPushButton;
 
 namespace ui
 {
-/// A sentence and a few buttons under the window's tool bar, while work goes on: a question that waits. It stays until somebody chooses, or
-/// whoever made it takes it away. Gui thread.
+/// A sentence and a few buttons under the window's tool bar, while work goes on: a question that waits. It stays until
+/// somebody chooses, or whoever made it takes it away. Gui thread.
 class OfferBar : public QToolBar
 {
     Q_OBJECT

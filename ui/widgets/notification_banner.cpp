@@ -60,7 +60,8 @@ void Banner::place()
     const int width = std::min(oneLine, most);
     const int height = heightForWidth(width);
     QRect where((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
-    if (m_sibling && !m_sibling->isHidden() && where.adjusted(-between, -between, between, between).intersects(m_sibling->geometry()))
+    if (m_sibling && !m_sibling->isHidden() &&
+        where.adjusted(-between, -between, between, between).intersects(m_sibling->geometry()))
         where.moveBottom(m_sibling->y() - between - 1);
     setGeometry(where);
 }

@@ -40,7 +40,8 @@ void KeyEdit::setKey(const QKeySequence& key)
 /// Qt's own would take Tab and Escape for keys like others.
 bool KeyEdit::event(QEvent* event)
 {
-    if ((event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) && leaves(*static_cast<QKeyEvent*>(event)))
+    if ((event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&
+        leaves(*static_cast<QKeyEvent*>(event)))
         return QWidget::event(event);
     return QKeySequenceEdit::event(event);
 }
@@ -49,7 +50,8 @@ void KeyEdit::keyPressEvent(QKeyEvent* event)
 {
     if (leaves(*event))
         return QWidget::keyPressEvent(event);
-    const bool clears = event->modifiers() == Qt::NoModifier && (event->key() == Qt::Key_Backspace || event->key() == Qt::Key_Delete);
+    const bool clears =
+        event->modifiers() == Qt::NoModifier && (event->key() == Qt::Key_Backspace || event->key() == Qt::Key_Delete);
     Q_EMIT entered(clears ? QKeySequence() : keyOf(*event));
 }
 

@@ -4,8 +4,8 @@
 
 namespace ui
 {
-/// Takes one key with what is held, those of the number pad as such, and tells; nothing is shown before setKey(). Backspace and
-/// Delete take the key away. Tab and Escape move on and close, as everywhere. Gui thread.
+/// Takes one key with what is held, those of the number pad as such, and tells; nothing is shown before setKey().
+/// Backspace and Delete take the key away. Tab and Escape move on and close, as everywhere. Gui thread.
 class KeyEdit : public QKeySequenceEdit
 {
     Q_OBJECT

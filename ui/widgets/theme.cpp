@@ -39,14 +39,28 @@ QPalette paletteOf(const Colors& c)
 
 QPalette lightPalette()
 {
-    return paletteOf({.window = {238, 240, 242}, .base = {255, 255, 255}, .alternate = {245, 247, 249}, .button = {240, 242, 244}, .text = {28, 31, 36},
-                      .faint = {128, 134, 142}, .highlight = {38, 116, 184}, .link = {24, 96, 164}, .tip = {255, 255, 255}});
+    return paletteOf({.window = {238, 240, 242},
+                      .base = {255, 255, 255},
+                      .alternate = {245, 247, 249},
+                      .button = {240, 242, 244},
+                      .text = {28, 31, 36},
+                      .faint = {128, 134, 142},
+                      .highlight = {38, 116, 184},
+                      .link = {24, 96, 164},
+                      .tip = {255, 255, 255}});
 }
 
 QPalette darkPalette()
 {
-    return paletteOf({.window = {45, 48, 53}, .base = {31, 33, 37}, .alternate = {38, 40, 45}, .button = {56, 60, 66}, .text = {226, 229, 233},
-                      .faint = {135, 140, 148}, .highlight = {52, 124, 190}, .link = {116, 178, 236}, .tip = {62, 66, 72}});
+    return paletteOf({.window = {45, 48, 53},
+                      .base = {31, 33, 37},
+                      .alternate = {38, 40, 45},
+                      .button = {56, 60, 66},
+                      .text = {226, 229, 233},
+                      .faint = {135, 140, 148},
+                      .highlight = {52, 124, 190},
+                      .link = {116, 178, 236},
+                      .tip = {62, 66, 72}});
 }
 
 QFont scaled(QFont font, double factor)
@@ -59,7 +73,9 @@ QFont scaled(QFont font, double factor)
 }
 
 Theme::Theme(ThemeChoice choice, QObject* parent)
-    : QObject(parent), m_choice(choice), m_startedDark(ui::isDark(QApplication::palette()))
+    : QObject(parent)
+    , m_choice(choice)
+    , m_startedDark(ui::isDark(QApplication::palette()))
 {
     connect(&m_system, &SystemScheme::changed, this, &Theme::apply);
     QApplication::setStyle(new AppStyle);
@@ -76,7 +92,8 @@ bool Theme::isDark() const
 {
     if (m_choice != ThemeChoice::System)
         return m_choice == ThemeChoice::Dark;
-    return m_system.scheme() == SystemScheme::Scheme::Unknown ? m_startedDark : m_system.scheme() == SystemScheme::Scheme::Dark;
+    return m_system.scheme() == SystemScheme::Scheme::Unknown ? m_startedDark
+                                                              : m_system.scheme() == SystemScheme::Scheme::Dark;
 }
 
 void Theme::apply()

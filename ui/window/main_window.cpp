@@ -1,9 +1,9 @@
 #include "ui/window/main_window_state.h"
 
-#include "ui/widgets/notification_banner.h"
 #include "ui/brush/brush_shapes.h"
-#include "ui/window/progress_bar.h"
+#include "ui/widgets/notification_banner.h"
 #include "ui/window/info_bar.h"
+#include "ui/window/progress_bar.h"
 #include "ui/window/window_geometry.h"
 
 #include <QAction>
@@ -23,8 +23,8 @@ void MainWindow::State::setBusy(bool isBusy)
     for (const ActionInfo& row : actionTable())
         if (row.menu == MenuId::Model || row.menu == MenuId::Mask)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
-    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor", "file.exportDrawing", "file.timeLapse", "file.report",
-                           "brush.fromModel"})
+    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor",
+                           "file.exportDrawing", "file.timeLapse", "file.report", "brush.fromModel"})
         actions.get(QLatin1StringView(id))->setEnabled(!isBusy);
 }
 

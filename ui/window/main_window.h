@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ui/settings/brush_settings.h"
 #include "ui/classroom/classroom_dialog.h"
 #include "ui/headset/headset_actions.h"
 #include "ui/model/insert_request.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/settings/model_info.h"
 
 #include "core/operations/starter_models.h"

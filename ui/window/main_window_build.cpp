@@ -2,32 +2,32 @@
 
 #include "ui/window/main_window_state.h"
 
-#include "ui/widgets/notification_banner.h"
 #include "ui/brush/brush_actions.h"
 #include "ui/brush/brush_bar.h"
 #include "ui/brush/brush_panels.h"
 #include "ui/brush/brush_shapes.h"
-#include "ui/window/progress_bar.h"
 #include "ui/brush/color_panel.h"
-#include "ui/window/info_bar.h"
+#include "ui/drawing/preview_panel.h"
 #include "ui/files/file_browser.h"
-#include "ui/viewport/input_actions.h"
+#include "ui/headset/partner_bar.h"
 #include "ui/help/help_actions.h"
+#include "ui/help/start_page.h"
 #include "ui/history/history_panel.h"
 #include "ui/lesson/lesson_editor.h"
 #include "ui/lesson/lesson_panel.h"
-#include "ui/viewport/appearance_actions.h"
-#include "ui/util/error_messages.h"
 #include "ui/model/model_actions.h"
 #include "ui/model/model_panel.h"
-#include "ui/headset/partner_bar.h"
 #include "ui/preferences/preferences_actions.h"
-#include "ui/drawing/preview_panel.h"
 #include "ui/print/print_panel.h"
 #include "ui/reference/reference_actions.h"
 #include "ui/scene/scene.h"
-#include "ui/help/start_page.h"
+#include "ui/util/error_messages.h"
+#include "ui/viewport/appearance_actions.h"
+#include "ui/viewport/input_actions.h"
 #include "ui/viewport/view_actions.h"
+#include "ui/widgets/notification_banner.h"
+#include "ui/window/info_bar.h"
+#include "ui/window/progress_bar.h"
 
 #include <QAction>
 #include <QLabel>
@@ -60,7 +60,8 @@ void MainWindow::State::buildView()
 
 void MainWindow::State::buildBars()
 {
-    for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
+    for (const MenuId id :
+         {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
         QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
         if (id == MenuId::Sculpt) {
             for (const MenuId sub : {MenuId::Tool, MenuId::Mask})
@@ -104,16 +105,20 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     shapes = new BrushShapes(&brush, &settings, q);
     connect(shapes, &BrushShapes::refused, q, &MainWindow::showNotice);
     addBrushPanels({q, toggles, [this] { viewport->setFocus(); }}, &brush, shapes);
-    connectHand({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings, actions);
-    addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    connectHand({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings,
+                actions);
+    addColorPanel({q, toggles, viewport}, &brush, &settings, actions,
+                  [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
     modelPanel = addModelPanel(q, toggles);
     addPrintPanel({q, toggles, viewport}, &settings, actions);
     addLessonPanel({q, toggles}, actions);
     addLessonEditor({q, toggles}, actions);
     addFilesPanel({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
-    addReferences({q, toggles, viewport, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
-    addPreview(q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
+    addReferences({q, toggles, viewport, &files}, &settings, actions,
+                  [this](const QString& word) { q->showNotice(word); });
+    addPreview(
+        q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
 }
 
 void MainWindow::State::buildStatusBar()
@@ -138,8 +143,9 @@ template <class What> void MainWindow::State::on(const char* id, What what)
 void MainWindow::State::connectActions()
 {
     connectFiles();
-    connectModel(actions, q, [this]() -> const ModelFacts& { return model; }, &brush,
-                 [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
+    connectModel(
+        actions, q, [this]() -> const ModelFacts& { return model; }, &brush,
+        [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
     connectTools();
     connectHeadset();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
@@ -156,7 +162,8 @@ void MainWindow::State::connectFiles()
 {
     on("file.exportFor", [this] { files.exportFor(model); });
     on("edit.classroom", [this] {
-        askForClassroom(q, actions, settings.lastFolder(), [this](const ClassroomDraft& draft) { Q_EMIT q->classroomDrafted(draft); });
+        askForClassroom(q, actions, settings.lastFolder(),
+                        [this](const ClassroomDraft& draft) { Q_EMIT q->classroomDrafted(draft); });
     });
     on("file.quit", [this] { q->close(); });
     connect(&files, &ModelFiles::openRequested, q, &MainWindow::openRequested);

@@ -3,8 +3,8 @@
 #include "ui/window/main_window_state.h"
 
 #include "ui/brush/brush_shapes.h"
-#include "ui/classroom/classroom_lock.h"
 #include "ui/brush/color_panel.h"
+#include "ui/classroom/classroom_lock.h"
 
 #include <QAction>
 
@@ -17,7 +17,8 @@ void MainWindow::setClassroom(const Classroom& classroom)
     m_state->shapes->setMayLoad(false);
     m_state->brush.offerTools(classroom.tools);
     lockWindow(this, m_state->actions, classroom);
-    m_state->beginning = {switchesOf(m_state->actions), findChild<ColorPanel*>()->swatches(), saveState(), m_state->viewport->camera().saved()};
+    m_state->beginning = {switchesOf(m_state->actions), findChild<ColorPanel*>()->swatches(), saveState(),
+                          m_state->viewport->camera().saved()};
 }
 
 /// The settings first: they bring panels and switches of their own, of which a class has less.

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "ui/actions/actions.h"
-#include "ui/settings/brush_settings.h"
 #include "ui/classroom/classroom.h"
-#include "ui/window/main_window.h"
 #include "ui/files/model_files.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QHash>
 #include <QPointer>

@@ -14,7 +14,10 @@ constexpr int progressSteps = 100;
 } // namespace
 
 BusyBar::BusyBar(QAction* stop, QWidget* parent)
-    : QWidget(parent), m_what(new QLabel), m_progress(new QProgressBar), m_stop(new QToolButton)
+    : QWidget(parent)
+    , m_what(new QLabel)
+    , m_progress(new QProgressBar)
+    , m_stop(new QToolButton)
 {
     m_what->setObjectName(QStringLiteral("busyText"));
     m_progress->setMaximumSize(120, 12);

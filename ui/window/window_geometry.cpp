@@ -22,7 +22,8 @@ void keepOnScreen(QMainWindow* window)
     const QRect room = window->screen()->availableGeometry();
     const int title = window->style()->pixelMetric(QStyle::PM_TitleBarHeight);
     if (window->width() > room.width() || window->height() > room.height() - title)
-        window->setGeometry({room.topLeft() + QPoint(0, title), window->size().boundedTo(room.size() - QSize(0, title))});
+        window->setGeometry(
+            {room.topLeft() + QPoint(0, title), window->size().boundedTo(room.size() - QSize(0, title))});
 }
 /// Qt puts a bar that the state does not know below the others, where it has no room.
 void restoreBars(QMainWindow* window, const QByteArray& state)

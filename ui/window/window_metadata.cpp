@@ -1,8 +1,8 @@
 #include "ui/window/window_metadata.h"
 
 #include "ui/settings/brush_settings.h"
-#include "ui/window/main_window.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 

@@ -26,10 +26,12 @@ inline constexpr std::size_t framePhaseCount = 7;
 struct FrameTiming
 {
     std::array<double, framePhaseCount> cpuMs{}; ///< of this thread, by FramePhase
-    double drawCallMs = 0; ///< of Draw, within calls that draw: without a graphics card those make the picture themselves
-    double workMs = 0;                           ///< wall time from the wait's end to the frame's
-    double periodMs = 0;                         ///< from this frame to the next, as the runtime plans it
-    std::uint32_t dropped = 0;                      ///< frames that should have been shown before this one, and were not
+    /// Of Draw, within calls that draw: without a graphics card those make the picture themselves.
+    double drawCallMs = 0;
+    double workMs = 0;   ///< wall time from the wait's end to the frame's
+    double periodMs = 0; ///< from this frame to the next, as the runtime plans it
+    /// Frames that should have been shown before this one, and were not.
+    std::uint32_t dropped = 0;
     bool isShown = false;
 
     double of(FramePhase phase) const { return cpuMs[static_cast<std::size_t>(phase)]; }
@@ -62,7 +64,8 @@ private:
 class DroppedFrameCounter
 {
 public:
-    /// Returns the frames dropped before this one. Only between two frames that are both shown: others may come as they like.
+    /// Returns the frames dropped before this one. Only between two frames that are both shown: others may come as they
+    /// like.
     std::uint32_t count(std::int64_t displayNs, std::int64_t periodNs, bool isShown);
 
 private:

@@ -83,13 +83,18 @@ std::optional<HeadsetEnd> HeadsetLoop::pollEvents()
 std::optional<HeadsetEnd> HeadsetLoop::handleEvent(const XrEvent& event)
 {
     switch (event.type()) {
-    case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: return handleEvent(event.as<XrEventDataSessionStateChanged>());
-    case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING: return HeadsetEnd::RuntimeLost;
+    case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
+        return handleEvent(event.as<XrEventDataSessionStateChanged>());
+    case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+        return HeadsetEnd::RuntimeLost;
     case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING:
         m_spaces.notePendingChange(event.as<XrEventDataReferenceSpaceChangePending>());
         return {};
-    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED: m_areProfilesStale = true; return {};
-    default: return {};
+    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
+        m_areProfilesStale = true;
+        return {};
+    default:
+        return {};
     }
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "vr/frame/frame_client.h"
-#include "vr/gl/gl_context.h"
 #include "vr/frame/headset_report.h"
+#include "vr/gl/gl_context.h"
 #include "vr/openxr/session_state.h"
 #include "vr/openxr/xr_actions.h"
-#include "vr/openxr/xr_views.h"
 #include "vr/openxr/xr_session.h"
 #include "vr/openxr/xr_spaces.h"
+#include "vr/openxr/xr_views.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -31,8 +31,8 @@ private:
     std::condition_variable m_wake;
 };
 
-/// One visit to the headset from a session's beginning to its end: events, frames, events, frames. All on one thread; the constructor and
-/// run() throw XrError.
+/// One visit to the headset from a session's beginning to its end: events, frames, events, frames. All on one thread;
+/// the constructor and run() throw XrError.
 class HeadsetLoop
 {
 public:
@@ -80,7 +80,7 @@ private:
     HeadsetStage m_seenStage = HeadsetStage::Starting;
     Clock::time_point m_seenSince;
     Clock::time_point m_exitDeadline; ///< set once the exit is requested
-    bool m_exitRequested = false;  ///< the client
+    bool m_exitRequested = false;     ///< the client
     bool m_areProfilesStale = false;
     std::optional<Pose> m_head;
     PhaseTimer m_clock;

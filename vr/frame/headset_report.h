@@ -17,15 +17,15 @@ enum class HeadsetStage {
 
 /// Why it ended.
 enum class HeadsetEnd {
-    Left,        ///< we wanted it
-    EndedByRuntime,    ///< the runtime wanted it
-    Unavailable,    ///< no runtime or no headset
-    NoBinding,   ///< the window's OpenGL is of a kind that the runtime does not take
-    CannotRender,   ///< the room cannot be drawn here
-    RuntimeLost, ///< or it restarts
-    SessionLost, ///< as when the headset is unplugged
-    NotResponding,    ///< we wanted it, and the runtime did not answer in time
-    StillNotResponding,       ///< the same, at an earlier visit: this one could not begin
+    Left,               ///< we wanted it
+    EndedByRuntime,     ///< the runtime wanted it
+    Unavailable,        ///< no runtime or no headset
+    NoBinding,          ///< the window's OpenGL is of a kind that the runtime does not take
+    CannotRender,       ///< the room cannot be drawn here
+    RuntimeLost,        ///< or it restarts
+    SessionLost,        ///< as when the headset is unplugged
+    NotResponding,      ///< we wanted it, and the runtime did not answer in time
+    StillNotResponding, ///< the same, at an earlier visit: this one could not begin
     Failed
 };
 

@@ -14,10 +14,13 @@ HeadsetEnd endOf(XrResult result)
 {
     switch (result) {
     case XR_ERROR_INSTANCE_LOST:
-    case XR_ERROR_RUNTIME_UNAVAILABLE: return HeadsetEnd::RuntimeLost;
+    case XR_ERROR_RUNTIME_UNAVAILABLE:
+        return HeadsetEnd::RuntimeLost;
     case XR_ERROR_SESSION_LOST:
-    case XR_ERROR_FORM_FACTOR_UNAVAILABLE: return HeadsetEnd::SessionLost;
-    default: return HeadsetEnd::Failed;
+    case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
+        return HeadsetEnd::SessionLost;
+    default:
+        return HeadsetEnd::Failed;
     }
 }
 
@@ -25,7 +28,11 @@ HeadsetEnd endOf(XrResult result)
 class CreatedClient
 {
 public:
-    CreatedClient(FrameClient& client, GlContext& gl) : m_client(client), m_gl(gl), m_isCreated(client.create(gl.context())) {}
+    CreatedClient(FrameClient& client, GlContext& gl)
+        : m_client(client)
+        , m_gl(gl)
+        , m_isCreated(client.create(gl.context()))
+    {}
     ~CreatedClient()
     {
         m_gl.makeCurrent();
@@ -117,7 +124,9 @@ bool HeadsetThread::enter(std::shared_ptr<FrameClient> client)
     m_isLeaving = false;
     m_isAbandoned = false;
     m_thread.start([this, visit = m_visit](const RuntimeThread::Post& post) {
-        const auto onReport = [&](const HeadsetReport& report) { post([this, report] { handleReport(report); }); }; // only tasks on the gui thread use `this`
+        const auto onReport = [&](const HeadsetReport& report) {
+            post([this, report] { handleReport(report); });
+        }; // only tasks on the gui thread use `this`
         visit->last = visit->run(onReport);
         visit->gl.destroy();
     });

@@ -8,23 +8,24 @@
 
 namespace vr
 {
-/// Enters the headset and leaves it, any number of times: each visit has a thread, an OpenGL context and an OpenXR session of its own, and
-/// leaves none of them behind. All on the thread that made this one, which has to be the gui's.
+/// Enters the headset and leaves it, any number of times: each visit has a thread, an OpenGL context and an OpenXR
+/// session of its own, and leaves none of them behind. All on the thread that made this one, which has to be the gui's.
 ///
-/// A visit that was to be left and has not ended in time, because the headset's program does not answer, is abandoned: it counts as ended,
-/// and when that program wakes it ends by itself, which nobody is told of.
+/// A visit that was to be left and has not ended in time, because the headset's program does not answer, is abandoned:
+/// it counts as ended, and when that program wakes it ends by itself, which nobody is told of.
 class HeadsetThread : public QObject
 {
     Q_OBJECT
 
 public:
     /// `exitTimeout`: the time that a visit has to end.
-    explicit HeadsetThread(std::chrono::milliseconds exitTimeout = RuntimeThread::responseTimeout, QObject* parent = nullptr);
+    explicit HeadsetThread(std::chrono::milliseconds exitTimeout = RuntimeThread::responseTimeout,
+                           QObject* parent = nullptr);
     /// Leaves, and waits for the end until that timeout. What then goes on goes on without this: see RuntimeThread.
     ~HeadsetThread() override;
 
-    /// Returns at once; reported() tells how it goes. False, and nothing happens, while there is a visit that has not ended, abandoned or
-    /// not. The client is used on the visit's thread until it has ended.
+    /// Returns at once; reported() tells how it goes. False, and nothing happens, while there is a visit that has not
+    /// ended, abandoned or not. The client is used on the visit's thread until it has ended.
     bool enter(std::shared_ptr<FrameClient> client);
     /// Returns at once; reported() tells of the end, and of nothing before it.
     void leave();
@@ -51,7 +52,7 @@ private:
     std::shared_ptr<Visit> m_visit; ///< its thread's, too
     bool m_isLeaving = false;
     bool m_isAbandoned = false;
-    QTimer m_exitTimer;      ///< runs while we leave
+    QTimer m_exitTimer;     ///< runs while we leave
     RuntimeThread m_thread; ///< last
 };
 } // namespace vr

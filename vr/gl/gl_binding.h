@@ -16,7 +16,8 @@ public:
     virtual const void* next() const = 0;
 };
 
-/// Of the context that is current on this thread; null where none is, or where it is of a kind that OpenXR has no word for.
+/// Of the context that is current on this thread; null where none is, or where it is of a kind that OpenXR has no word
+/// for.
 std::unique_ptr<GlBinding> currentGlBinding();
 
 /// The same for EGL alone, as under Wayland.

@@ -35,7 +35,7 @@ std::unique_ptr<GlBinding> currentEglBinding()
     EGLConfig config = nullptr;
     if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1)
         return nullptr;
-    return std::make_unique<EglBinding>(
-        XrGraphicsBindingEGLMNDX{XR_TYPE_GRAPHICS_BINDING_EGL_MNDX, nullptr, eglGetProcAddress, display, config, context});
+    return std::make_unique<EglBinding>(XrGraphicsBindingEGLMNDX{XR_TYPE_GRAPHICS_BINDING_EGL_MNDX, nullptr,
+                                                                 eglGetProcAddress, display, config, context});
 }
 } // namespace vr

@@ -34,8 +34,8 @@ std::unique_ptr<GlBinding> currentGlBinding()
     int visual = 0;
     if (!config || glXGetFBConfigAttrib(display, config, GLX_VISUAL_ID, &visual) != 0)
         return nullptr;
-    return std::make_unique<GlxBinding>(XrGraphicsBindingOpenGLXlibKHR{XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR, nullptr, display,
-                                                                       static_cast<std::uint32_t>(visual), config,
-                                                                       glXGetCurrentDrawable(), context});
+    return std::make_unique<GlxBinding>(
+        XrGraphicsBindingOpenGLXlibKHR{XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR, nullptr, display,
+                                       static_cast<std::uint32_t>(visual), config, glXGetCurrentDrawable(), context});
 }
 } // namespace vr

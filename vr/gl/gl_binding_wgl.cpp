@@ -1,7 +1,7 @@
 #include "vr/gl/gl_binding.h"
 
-#include <windows.h>
 #include <unknwn.h> // OpenXR's header names IUnknown
+#include <windows.h>
 
 #define XR_USE_PLATFORM_WIN32
 #define XR_USE_GRAPHICS_API_OPENGL
@@ -30,7 +30,7 @@ std::unique_ptr<GlBinding> currentGlBinding()
     const HGLRC context = wglGetCurrentContext();
     if (!context)
         return nullptr;
-    return std::make_unique<WglBinding>(
-        XrGraphicsBindingOpenGLWin32KHR{XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR, nullptr, wglGetCurrentDC(), context});
+    return std::make_unique<WglBinding>(XrGraphicsBindingOpenGLWin32KHR{XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR,
+                                                                        nullptr, wglGetCurrentDC(), context});
 }
 } // namespace vr

@@ -4,9 +4,10 @@
 
 namespace vr
 {
-/// A context on a connection of its own to the window system, which Qt cannot make. Of what comes over one connection Mesa's software
-/// driver (llvmpipe, 22.3) searches the scenes of all contexts whenever one of them copies a picture, while their threads change them: two
-/// threads that draw over one connection crash sooner or later. One file per platform makes it. Used and destroyed on one thread.
+/// A context on a connection of its own to the window system, which Qt cannot make. Of what comes over one connection
+/// Mesa's software driver (llvmpipe, 22.3) searches the scenes of all contexts whenever one of them copies a picture,
+/// while their threads change them: two threads that draw over one connection crash sooner or later. One file per
+/// platform makes it. Used and destroyed on one thread.
 class GlConnection
 {
 public:
@@ -16,7 +17,7 @@ public:
     virtual bool makeCurrent() = 0;
 };
 
-/// Like the context that is current on this thread, sharing nothing with it; null where the window system has no such connections, or
-/// gives none.
+/// Like the context that is current on this thread, sharing nothing with it; null where the window system has no such
+/// connections, or gives none.
 std::unique_ptr<GlConnection> separateConnection();
 } // namespace vr

@@ -18,7 +18,8 @@ class GlxConnection : public GlConnection
 {
 public:
     GlxConnection(OwnDisplay display, GLXFBConfig config, GLXContext context)
-        : m_display(std::move(display)), m_context(context)
+        : m_display(std::move(display))
+        , m_context(context)
     {
         const int smallest[] = {GLX_PBUFFER_WIDTH, 1, GLX_PBUFFER_HEIGHT, 1, 0};
         m_surface = glXCreatePbuffer(m_display.get(), config, smallest);
@@ -47,8 +48,9 @@ GLXContext coreContext(Display* display, GLXFBConfig config)
 {
     const auto create = reinterpret_cast<PFNGLXCREATECONTEXTATTRIBSARBPROC>(
         glXGetProcAddressARB(reinterpret_cast<const GLubyte*>("glXCreateContextAttribsARB")));
-    const int wanted[] = {GLX_CONTEXT_MAJOR_VERSION_ARB, 3, GLX_CONTEXT_MINOR_VERSION_ARB, 3,
-                          GLX_CONTEXT_PROFILE_MASK_ARB, GLX_CONTEXT_CORE_PROFILE_BIT_ARB, 0};
+    const int wanted[] = {
+        GLX_CONTEXT_MAJOR_VERSION_ARB,    3, GLX_CONTEXT_MINOR_VERSION_ARB, 3, GLX_CONTEXT_PROFILE_MASK_ARB,
+        GLX_CONTEXT_CORE_PROFILE_BIT_ARB, 0};
     return create ? create(display, config, nullptr, True, wanted) : nullptr;
 }
 } // namespace
@@ -63,7 +65,8 @@ std::unique_ptr<GlConnection> separateConnection()
         return nullptr;
     GLXFBConfig config = configOf(theirs, glXGetCurrentContext(), display.get());
     int drawables = 0;
-    if (!config || glXGetFBConfigAttrib(display.get(), config, GLX_DRAWABLE_TYPE, &drawables) != 0 || !(drawables & GLX_PBUFFER_BIT))
+    if (!config || glXGetFBConfigAttrib(display.get(), config, GLX_DRAWABLE_TYPE, &drawables) != 0 ||
+        !(drawables & GLX_PBUFFER_BIT))
         return nullptr;
     GLXContext context = coreContext(display.get(), config);
     if (!context)

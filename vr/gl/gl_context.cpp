@@ -44,8 +44,8 @@ void GlContext::DeleteOnGuiThread::operator()(QOffscreenSurface* surface) const
 
 bool GlContext::isGoodEnough() const
 {
-    return m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
-           m_context->format().version() >= std::pair(3, 3);
+    return m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() &&
+           !m_context->isOpenGLES() && m_context->format().version() >= std::pair(3, 3);
 }
 
 bool GlContext::claim()

@@ -9,8 +9,8 @@ class QOpenGLContext;
 
 namespace vr
 {
-/// An OpenGL context for another thread. Made on the gui thread, where Qt wants that; used on the one that claims it. Any thread may destroy
-/// it, except one that was claimed, which has to be destroyed by destroy() first.
+/// An OpenGL context for another thread. Made on the gui thread, where Qt wants that; used on the one that claims it.
+/// Any thread may destroy it, except one that was claimed, which has to be destroyed by destroy() first.
 class GlContext
 {
 public:
@@ -19,7 +19,8 @@ public:
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
 
-    /// From here on it belongs to the thread that calls, and is current there. False where there is no OpenGL 3.3, or not on other threads.
+    /// From here on it belongs to the thread that calls, and is current there. False where there is no OpenGL 3.3, or
+    /// not on other threads.
     bool claim();
     /// Again: a runtime may put its own in its place whenever it is called. Costs next to nothing where it has not.
     void makeCurrent();
@@ -28,7 +29,8 @@ public:
     /// By the thread that claimed it, before that ends. It cannot be claimed again.
     void destroy();
 
-    /// Whose functions are to be called: Qt takes it for current wherever ours is, over whichever connection that draws.
+    /// Whose functions are to be called: Qt takes it for current wherever ours is, over whichever connection that
+    /// draws.
     QOpenGLContext& context() { return *m_context; }
 
 private:

@@ -10,7 +10,8 @@ namespace vr
 {
 class Program;
 
-/// A uniform of one program, by its name in the shaders. Set while the program is in use; a name that no shader has is ignored.
+/// A uniform of one program, by its name in the shaders. Set while the program is in use; a name that no shader has is
+/// ignored.
 class Uniform
 {
 public:
@@ -34,8 +35,8 @@ private:
     int m_location = -1;
 };
 
-/// A vertex and a fragment shader of :/shaders. Derive and give the class its uniforms as members: `Uniform color{this, "color"};`
-/// The context that was current at create() must be current at every call.
+/// A vertex and a fragment shader of :/shaders. Derive and give the class its uniforms as members: `Uniform color{this,
+/// "color"};` The context that was current at create() must be current at every call.
 class Program
 {
 public:
@@ -43,8 +44,8 @@ public:
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    /// File names without their folder. An input named vertexPosition is attribute 0. False if something does not compile; the log is
-    /// in the debug output.
+    /// File names without their folder. An input named vertexPosition is attribute 0. False if something does not
+    /// compile; the log is in the debug output.
     bool create(QOpenGLExtraFunctions* gl, const char* vertexFile, const char* fragmentFile);
     void destroy();
     void use() const;

@@ -7,8 +7,8 @@ class QOpenGLExtraFunctions;
 
 namespace vr
 {
-/// A texture for a panel or a label: what was painted with premultiplied alpha, as a screen would show it, with smaller copies of itself for
-/// the distance. The context that was current at create() must be current at every call.
+/// A texture for a panel or a label: what was painted with premultiplied alpha, as a screen would show it, with smaller
+/// copies of itself for the distance. The context that was current at create() must be current at every call.
 class Texture
 {
 public:

@@ -7,15 +7,16 @@
 
 namespace vr
 {
-/// Paper: as in section 4.1 of Zhu & Yang 2024, but that save and restore are held. Studio: as other programs of the field have it.
-/// OneHand: the sculpting hand does all, and no panel goes with a hand; a second wand may lie on a table.
+/// Paper: as in section 4.1 of Zhu & Yang 2024, but that save and restore are held. Studio: as other programs of the
+/// field have it. OneHand: the sculpting hand does all, and no panel goes with a hand; a second wand may lie on a
+/// table.
 enum class ButtonPreset { Paper, Studio, OneHand };
 
 /// In the paper the right hand sculpts.
 enum class HandRole { Sculpting, Support };
 
-/// Whether a hand's panel is open: the support hand has the tool menu, the sculpting hand the colour panel. One hand has both: the colours
-/// count before the tools.
+/// Whether a hand's panel is open: the support hand has the tool menu, the sculpting hand the colour panel. One hand
+/// has both: the colours count before the tools.
 enum class HandMode {
     Any,   ///< in rows: open or not
     Plain, ///< closed
@@ -65,8 +66,8 @@ enum class WandFunction {
     SetChannel
 };
 
-/// One row a function of a button. WandMapping follows these rows, and labels at the buttons are written from them. A button of no row
-/// does nothing.
+/// One row a function of a button. WandMapping follows these rows, and labels at the buttons are written from them. A
+/// button of no row does nothing.
 struct PresetRow
 {
     HandRole hand;

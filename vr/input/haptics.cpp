@@ -14,8 +14,8 @@ struct PulseShape
     double amplitude, frequency, seconds;
 };
 
-// Chosen to be told apart: what is touched is light and high, what fails is long and low. By Sensation; the texture's length is
-// another's matter.
+// Chosen to be told apart: what is touched is light and high, what fails is long and low. By Sensation; the texture's
+// length is another's matter.
 constexpr std::array<PulseShape, sensationCount> pulseShapes{{
     {0.35, 180, 0.02}, // Contact
     {0.45, 120, 0},    // Texture
@@ -25,14 +25,14 @@ constexpr std::array<PulseShape, sensationCount> pulseShapes{{
     {0.7, 160, 0.02},  // Hold
 }};
 
-constexpr double contactPause = 0.15; ///< seconds; a brush that grazes a surface does not rattle
-constexpr double eventPause = 0.25;   ///< seconds without it, and it happens anew
-constexpr double trainPeriod = 0.05;  ///< seconds from one pulse of the texture to the next
-constexpr double trainShare = 0.3;    ///< of the time that its pulses fill
-constexpr double maxPulse = 0.1;  ///< seconds, of the texture
-constexpr double minTexture = 0.2;  ///< of its amplitude, under the lightest pressure
-constexpr double frameRoundOff = 1e-9;     ///< of sums of frames
-constexpr int holdTicks = 4;          ///< while a hold's ring fills; the last when it is full
+constexpr double contactPause = 0.15;  ///< seconds; a brush that grazes a surface does not rattle
+constexpr double eventPause = 0.25;    ///< seconds without it, and it happens anew
+constexpr double trainPeriod = 0.05;   ///< seconds from one pulse of the texture to the next
+constexpr double trainShare = 0.3;     ///< of the time that its pulses fill
+constexpr double maxPulse = 0.1;       ///< seconds, of the texture
+constexpr double minTexture = 0.2;     ///< of its amplitude, under the lightest pressure
+constexpr double frameRoundOff = 1e-9; ///< of sums of frames
+constexpr int holdTicks = 4;           ///< while a hold's ring fills; the last when it is full
 
 PulseShape pulseShapeOf(Sensation what)
 {
@@ -115,7 +115,6 @@ std::optional<HapticPulse> Haptics::texture(Side side, const HapticInput& input,
     hand.trainAt = time;
     const PulseShape feel = pulseShapeOf(Sensation::Texture);
     const double strength = minTexture + (1 - minTexture) * input.pressure;
-    return HapticPulse{side, feel.amplitude * strength * level, feel.frequency,
-                       std::min(trainShare * since, maxPulse)};
+    return HapticPulse{side, feel.amplitude * strength * level, feel.frequency, std::min(trainShare * since, maxPulse)};
 }
 } // namespace vr

@@ -30,9 +30,10 @@ struct HapticInput
     double hold = 0;      ///< 0 to 1, of the button that it holds
 };
 
-/// Makes pulses of what happens. A frame has one for each hand at most, of what matters most to it, and the texture waits until
-/// that has been felt. Surfaces that join dab by dab, and clay that will not give way, are felt once, when that begins. Times are
-/// the frames' own: the texture is a train of pulses that takes as large a part of the time at 5 frames a second as at 144.
+/// Makes pulses of what happens. A frame has one for each hand at most, of what matters most to it, and the texture
+/// waits until that has been felt. Surfaces that join dab by dab, and clay that will not give way, are felt once, when
+/// that begins. Times are the frames' own: the texture is a train of pulses that takes as large a part of the time at 5
+/// frames a second as at 144.
 class Haptics
 {
 public:
@@ -47,7 +48,7 @@ private:
     struct Hand
     {
         bool touched = false;
-        double contactFrom = 0; ///< a contact before that is none
+        double contactFrom = 0;                 ///< a contact before that is none
         double fusionFrom = 0, refusalFrom = 0; ///< what happens before that goes on, and was felt
         double hold = 0;
         double quietUntil = 0;         ///< what is felt until then is no texture

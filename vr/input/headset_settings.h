@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vr/input/wand_mapping.h"
 #include "vr/input/haptics.h"
+#include "vr/input/wand_mapping.h"
 
 namespace vr
 {
@@ -9,7 +9,8 @@ namespace vr
 struct HeadsetSettings
 {
     WandSettings wands;
-    double heightOffset = 0; ///< metres that the model is placed higher, at most SettingsPanel::maxHeightOffset up or down
+    /// Metres that the model is placed higher, at most SettingsPanel::maxHeightOffset up or down.
+    double heightOffset = 0;
     double turnRate = turnSpeed; ///< degrees a second
     bool showsFloor = true;
     bool showsPerformance = false;

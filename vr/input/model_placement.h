@@ -4,9 +4,10 @@
 
 namespace vr
 {
-/// Where the model stands in the room: a similarity from document space (mm) to room space (m). It is a way to look at the model and
-/// changes no millimetre of it; a brush of one length in the room is smaller on a model that is shown larger. Nothing here but
-/// place() and what hands do changes it: a model that grows, or a new object, never moves what is seen.
+/// Where the model stands in the room: a similarity from document space (mm) to room space (m). It is a way to look at
+/// the model and changes no millimetre of it; a brush of one length in the room is smaller on a model that is shown
+/// larger. Nothing here but place() and what hands do changes it: a model that grows, or a new object, never moves what
+/// is seen.
 class ModelPlacement
 {
 public:
@@ -19,15 +20,16 @@ public:
 
     /// `model`: its box, mm; an empty one counts as that of a ball of 100 mm.
     explicit ModelPlacement(const core::Box& model = {});
-    /// Its box has changed: from now on it turns and grows about another middle, and has other bounds. What is seen stays.
+    /// Its box has changed: from now on it turns and grows about another middle, and has other bounds. What is seen
+    /// stays.
     void setModel(const core::Box& model);
 
-    /// In front of a head, upright, its front (+Z) turned to it, at a comfortable size. A head standing or seated, anywhere in the
-    /// room, looking anywhere. `heightOffset`: metres higher, if the user wants it so.
+    /// In front of a head, upright, its front (+Z) turned to it, at a comfortable size. A head standing or seated,
+    /// anywhere in the room, looking anywhere. `heightOffset`: metres higher, if the user wants it so.
     void place(const Pose& head, double heightOffset = 0);
 
-    /// About the room's vertical through the model's middle; radians, anticlockwise seen from above. Clockwise, which the paper has
-    /// at the left of the pad, the side that faces the person goes to the left.
+    /// About the room's vertical through the model's middle; radians, anticlockwise seen from above. Clockwise, which
+    /// the paper has at the left of the pad, the side that faces the person goes to the left.
     void turn(double angle);
     /// About the model's middle. `factor` above 0; as far as the bounds go.
     void scale(double factor);
@@ -39,8 +41,8 @@ public:
     {
         core::Vec3 a = core::Vec3::Zero(), b = core::Vec3::Zero();
     };
-    /// The model goes with two hands: the middle between them with the middle, turned the shortest way and scaled, as far as the bounds
-    /// go, as what lies between them.
+    /// The model goes with two hands: the middle between them with the middle, turned the shortest way and scaled, as
+    /// far as the bounds go, as what lies between them.
     void stretch(const Span& from, const Span& to);
 
     double metresPerMm() const { return m_scale; }

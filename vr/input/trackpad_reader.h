@@ -12,13 +12,14 @@ enum class Sector { Left, Right, Top, Bottom };
 // Lengths on a pad are in its radii.
 /// A thumb that rests or presses rolls as far: about 2 mm on a Vive wand.
 inline constexpr double slideThreshold = 0.12;
-inline constexpr double maxSlideBeforePress = 0.6; ///< seconds; a slide that was so short when a press came was the way to it
-inline constexpr double padCentre = 0.35;   ///< the dead centre, for a thumb that comes from there
+/// Seconds; a slide that was so short when a press came was the way to it.
+inline constexpr double maxSlideBeforePress = 0.6;
+inline constexpr double padCentre = 0.35;           ///< the dead centre, for a thumb that comes from there
 inline constexpr double padCentreHysteresis = 0.25; ///< the dead centre for a thumb that comes from a sector
-inline constexpr double sectorOverlap = 8;    ///< degrees that a sector keeps a thumb beyond its edge
+inline constexpr double sectorOverlap = 8;          ///< degrees that a sector keeps a thumb beyond its edge
 inline constexpr double stickPress = 0.7, stickRelease = 0.5;
-inline constexpr double stickDeadZone = 0.2;  ///< of a clicked stick: it slides only beyond this
-inline constexpr double stickSlide = 1.5; ///< radii a second that a clicked stick slides at its end
+inline constexpr double stickDeadZone = 0.2; ///< of a clicked stick: it slides only beyond this
+inline constexpr double stickSlide = 1.5;    ///< radii a second that a clicked stick slides at its end
 
 /// What a thumb does on a pad, or with a stick, in one frame.
 struct TrackpadGestures
@@ -30,10 +31,10 @@ struct TrackpadGestures
     Eigen::Vector2d slide = Eigen::Vector2d::Zero();
 };
 
-/// Reads the pad or the stick of one wand. A press in the dead centre is none. A slide is a thumb that moves without pressing: it
-/// begins past the threshold, from there; a press ends it, and where a thumb comes down or lifts is no part of it. What turns out to
-/// have been a thumb on its way to press is slid back in the frame of the press. A pushed stick is a press; a clicked one slides
-/// at a rate.
+/// Reads the pad or the stick of one wand. A press in the dead centre is none. A slide is a thumb that moves without
+/// pressing: it begins past the threshold, from there; a press ends it, and where a thumb comes down or lifts is no
+/// part of it. What turns out to have been a thumb on its way to press is slid back in the frame of the press. A pushed
+/// stick is a press; a clicked one slides at a rate.
 class TrackpadReader
 {
 public:

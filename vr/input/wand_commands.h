@@ -11,8 +11,8 @@ namespace vr
 /// One is open at a time: what follows up to EndStroke is its.
 struct BeginStroke
 {
-    bool smooths = false; ///< whatever the tool is
-    bool continues = false;  ///< the trigger was not pulled again: the stroke before it ended because the tool changed
+    bool smooths = false;   ///< whatever the tool is
+    bool continues = false; ///< the trigger was not pulled again: the stroke before it ended because the tool changed
 };
 
 /// Room space.
@@ -113,10 +113,10 @@ struct ReleasePanel
 struct Refuse
 {};
 
-using WandAction = std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel, ToggleTopology,
-                          ToggleBrushShape, ToggleSymmetry, ToggleInverse, StepTool, ScaleRadius, SelectChannel,
-                          ChangeChannel, TurnModel, ScaleModel, MoveModel, StretchModel, OpenToolMenu, OpenColorPanel,
-                          PressPanel, ReleasePanel, Refuse>;
+using WandAction = std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel,
+                                ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse, StepTool, ScaleRadius,
+                                SelectChannel, ChangeChannel, TurnModel, ScaleModel, MoveModel, StretchModel,
+                                OpenToolMenu, OpenColorPanel, PressPanel, ReleasePanel, Refuse>;
 
 /// What a hand wants done, and by which gesture: its label may fade.
 struct WandCommand

@@ -7,8 +7,9 @@ namespace vr
 // Shares of the trigger's way. A Vive wand clicks at about 0.8, which is late.
 inline constexpr double triggerPress = 0.55, triggerRelease = 0.45;
 inline constexpr double minPressure = 0.05; ///< of a trigger that is down: a stroke does something
-inline constexpr double holdSeconds = 0.8;    ///< for what must not happen by accident
-/// Seconds. No frame counts as longer: what is held after a stall was perhaps let go meanwhile. Longer than a frame at 5 Hz.
+inline constexpr double holdSeconds = 0.8;  ///< for what must not happen by accident
+/// Seconds. No frame counts as longer: what is held after a stall was perhaps let go meanwhile. Longer than a frame at
+/// 5 Hz.
 inline constexpr double maxFrameSeconds = 0.25;
 
 /// A button in one frame.
@@ -57,9 +58,9 @@ private:
     std::optional<double> m_held; ///< seconds of a press
 };
 
-/// Reads one wand, frame by frame. The same motion gives the same gestures at 5 frames a second and at 144, as far as a frame shows
-/// it at all. A wand that is not active lets everything go, and what is pressed when it comes back does nothing until it
-/// has been let go. Squeezing a wand fires its side button: no hold runs while the trigger is down.
+/// Reads one wand, frame by frame. The same motion gives the same gestures at 5 frames a second and at 144, as far as a
+/// frame shows it at all. A wand that is not active lets everything go, and what is pressed when it comes back does
+/// nothing until it has been let go. Squeezing a wand fires its side button: no hold runs while the trigger is down.
 class GestureReader
 {
 public:

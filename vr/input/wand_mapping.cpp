@@ -304,7 +304,7 @@ void WandMapping::updateGrabs(const InputFrame& frame)
     const bool both = to[0] && to[1];
     if (both && from[0] && from[1])
         return addCommand(sides[0], gestureAt(sides[0]),
-                    StretchModel{{from[0]->position, from[1]->position}, {to[0]->position, to[1]->position}});
+                          StretchModel{{from[0]->position, from[1]->position}, {to[0]->position, to[1]->position}});
     for (std::size_t i = 0; i < sideCount && !both; ++i)
         if (from[i] && to[i])
             addCommand(sides[i], gestureAt(sides[i]), MoveModel{*from[i], *to[i]});

@@ -7,14 +7,15 @@
 
 namespace vr
 {
-/// The brush's centre, or where its ray begins: so far before the palm along the aim as the wand is long. From the palm, because runtimes put
-/// the aim's own origin where they like.
+/// The brush's centre, or where its ray begins: so far before the palm along the aim as the wand is long. From the
+/// palm, because runtimes put the aim's own origin where they like.
 Pose tipOf(const WandState& wand);
 
-inline constexpr double turnSpeed = 60;     ///< degrees a second, as the desktop's turntable
+inline constexpr double turnSpeed = 60;       ///< degrees a second, as the desktop's turntable
 inline constexpr double maxTrackingGap = 0.1; ///< seconds; a wand unseen for longer ends its stroke
-inline constexpr double slidePerDoubling = 1;   ///< radii of the pad that double the model's size, or the brush's
-/// Of a colour channel, for a radius of the pad: its whole height is half the channel's range, which leaves a thumb its finest steps.
+inline constexpr double slidePerDoubling = 1; ///< radii of the pad that double the model's size, or the brush's
+/// Of a colour channel, for a radius of the pad: its whole height is half the channel's range, which leaves a thumb its
+/// finest steps.
 inline constexpr double channelSlide = 255.0 / 4;
 
 struct InputFrame
@@ -34,10 +35,10 @@ struct WandSettings
 
 /// Maps the gestures of both wands to commands, frame by frame. Pure: any thread, no clock but the frames' own.
 ///
-/// A trigger that is pulled while its wand points at a panel is the panel's until it is let go. Else it begins a stroke, at the wand's
-/// tip in that same frame, if its hand sculpts; one stroke is open at a time. While a hand draws, nothing else of it counts:
-/// squeezing a wand fires its other buttons. While a stroke is open, nothing is undone, redone, saved or restored. What the other
-/// hand does to the view comes, in a frame's list, before the stroke's point.
+/// A trigger that is pulled while its wand points at a panel is the panel's until it is let go. Else it begins a
+/// stroke, at the wand's tip in that same frame, if its hand sculpts; one stroke is open at a time. While a hand draws,
+/// nothing else of it counts: squeezing a wand fires its other buttons. While a stroke is open, nothing is undone,
+/// redone, saved or restored. What the other hand does to the view comes, in a frame's list, before the stroke's point.
 ///
 /// Points come as the frames fall: to stand the dabs evenly along their path is core's (StrokeSettings::spacing).
 class WandMapping

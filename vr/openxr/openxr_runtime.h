@@ -23,8 +23,8 @@ struct HeadsetStatus
     QString text;    ///< one or two sentences for people, with the reason
 };
 
-/// Asks the OpenXR loader. May take as long as a runtime takes to start, up to seconds: not for the gui thread. Any thread.
-/// Never throws: no runtime and no headset are answers.
+/// Asks the OpenXR loader. May take as long as a runtime takes to start, up to seconds: not for the gui thread. Any
+/// thread. Never throws: no runtime and no headset are answers.
 class OpenXrRuntime
 {
     Q_DECLARE_TR_FUNCTIONS(vr::OpenXrRuntime)

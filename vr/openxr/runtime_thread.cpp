@@ -57,7 +57,8 @@ void RuntimeThread::post(TaskQueue& tasks, Task task)
     if (!tasks.receiver)
         return;
     tasks.pending.push_back(std::move(task));
-    QMetaObject::invokeMethod(tasks.receiver, "open", Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
+    QMetaObject::invokeMethod(tasks.receiver, "open",
+                              Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
 }
 
 /// Runs one task: every post() queues one call.

@@ -12,15 +12,17 @@
 
 namespace vr
 {
-/// A thread for work that calls the headset's program, which may never answer: nobody has to wait for its end. All that the work uses has
-/// to belong to the work, for it may outlive everything else. All on the thread that made this one, which has to be the gui's.
+/// A thread for work that calls the headset's program, which may never answer: nobody has to wait for its end. All that
+/// the work uses has to belong to the work, for it may outlive everything else. All on the thread that made this one,
+/// which has to be the gui's.
 class RuntimeThread : public QObject
 {
     Q_OBJECT
 
 public:
     using Task = std::function<void()>;
-    /// Any thread; returns at once. The gui thread runs the tasks in the order of posting, unless this object is gone by then.
+    /// Any thread; returns at once. The gui thread runs the tasks in the order of posting, unless this object is gone
+    /// by then.
     using Post = std::function<void(Task task)>;
     using Work = std::function<void(const Post& post)>;
 
@@ -38,8 +40,8 @@ public:
     /// Blocks until the work has ended, no longer than that. False: it goes on.
     bool waitForEnd(std::chrono::milliseconds timeout) const;
 
-    /// Work was abandoned. What libraries keep for the whole process may not go while that goes on: the process has to end by
-    /// std::_Exit(). Any thread.
+    /// Work was abandoned. What libraries keep for the whole process may not go while that goes on: the process has to
+    /// end by std::_Exit(). Any thread.
     static bool hasAbandonedWork();
 
 Q_SIGNALS:
@@ -49,7 +51,7 @@ Q_SIGNALS:
 private:
     struct TaskQueue
     {
-        std::mutex mutex;      ///< of the next two
+        std::mutex mutex;        ///< of the next two
         RuntimeThread* receiver; ///< null: it has gone
         std::deque<Task> pending;
     };

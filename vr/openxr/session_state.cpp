@@ -11,10 +11,14 @@ SessionStep nextStep(const SessionStatus& status, XrSessionState state)
         if (status.isRunning)
             return SessionStep::Continue;
         return status.isExiting ? SessionStep::Exit : SessionStep::Begin;
-    case XR_SESSION_STATE_STOPPING: return status.isRunning ? SessionStep::End : SessionStep::Continue;
-    case XR_SESSION_STATE_EXITING: return SessionStep::Exit;
-    case XR_SESSION_STATE_LOSS_PENDING: return SessionStep::Lost;
-    default: return SessionStep::Continue;
+    case XR_SESSION_STATE_STOPPING:
+        return status.isRunning ? SessionStep::End : SessionStep::Continue;
+    case XR_SESSION_STATE_EXITING:
+        return SessionStep::Exit;
+    case XR_SESSION_STATE_LOSS_PENDING:
+        return SessionStep::Lost;
+    default:
+        return SessionStep::Continue;
     }
 }
 

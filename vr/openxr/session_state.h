@@ -19,11 +19,12 @@ enum class SessionStep {
     Continue,
     Begin, ///< xrBeginSession
     End,   ///< xrEndSession
-    Exit, ///< destroy it: it is over
+    Exit,  ///< destroy it: it is over
     Lost   ///< destroy it: it has died
 };
 
-/// The call to make when the runtime reports `state`. Never returns a call that is invalid in the current status, even if the runtime misbehaves.
+/// The call to make when the runtime reports `state`. Never returns a call that is invalid in the current status, even
+/// if the runtime misbehaves.
 SessionStep nextStep(const SessionStatus& status, XrSessionState state);
 
 /// The status after that call.

@@ -21,8 +21,9 @@ struct WandState
     bool isTracked = false; ///< the poses are of this frame, not of some time ago
     Pose grip;              ///< the palm
     Pose aim;               ///< where it points: -Z
-    bool isActive = false;  ///< the runtime gives us its buttons: it is there, and we have the focus; else all below is at rest
-    double trigger = 0;     ///< 0 to 1
+    /// The runtime gives us its buttons: it is there, and we have the focus; else all below is at rest.
+    bool isActive = false;
+    double trigger = 0;                            ///< 0 to 1
     Eigen::Vector2d pad = Eigen::Vector2d::Zero(); ///< -1 to 1; x right, y away from the hand
     bool padTouched = false;
     bool padPressed = false;

@@ -45,15 +45,24 @@ Actions::Actions(const Instance& instance, XrSession session) : m_instance(insta
 QString Actions::nameOf(Control control)
 {
     switch (control) {
-    case Control::Grip: return tr("Hand");
-    case Control::Aim: return tr("Pointing");
-    case Control::Trigger: return tr("Trigger");
-    case Control::Pad: return tr("Pad");
-    case Control::PadTouch: return tr("Pad touched");
-    case Control::PadPress: return tr("Pad pressed");
-    case Control::Side: return tr("Side button");
-    case Control::Menu: return tr("Menu button");
-    case Control::Pulse: return tr("Buzz");
+    case Control::Grip:
+        return tr("Hand");
+    case Control::Aim:
+        return tr("Pointing");
+    case Control::Trigger:
+        return tr("Trigger");
+    case Control::Pad:
+        return tr("Pad");
+    case Control::PadTouch:
+        return tr("Pad touched");
+    case Control::PadPress:
+        return tr("Pad pressed");
+    case Control::Side:
+        return tr("Side button");
+    case Control::Menu:
+        return tr("Menu button");
+    case Control::Pulse:
+        return tr("Buzz");
     }
     return {};
 }
@@ -91,9 +100,11 @@ void Actions::suggest(const WandProfile& profile)
         const std::array<const char*, sideCount> parts{binding.left, binding.right};
         for (std::size_t side = 0; side < sideCount; ++side)
             if (parts[side])
-                bindings.push_back({action(binding.control), m_instance.path((std::string(handPaths[side]) + parts[side]).c_str())});
+                bindings.push_back(
+                    {action(binding.control), m_instance.path((std::string(handPaths[side]) + parts[side]).c_str())});
     }
-    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, m_instance.path(profile.path),
+    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
+                                                    m_instance.path(profile.path),
                                                     static_cast<std::uint32_t>(bindings.size()), bindings.data()};
     const XrResult result = xrSuggestInteractionProfileBindings(m_instance.handle(), &info);
     if (XR_FAILED(result)) // if all is lost, the next call says so
@@ -172,7 +183,8 @@ bool Actions::isPressed(Control control, std::size_t side) const
 void Actions::readButtons(std::size_t side)
 {
     WandState& wand = m_wands[side];
-    const XrActionStateGetInfo triggerInfo = stateGetInfo(Control::Trigger, side), padInfo = stateGetInfo(Control::Pad, side);
+    const XrActionStateGetInfo triggerInfo = stateGetInfo(Control::Trigger, side),
+                               padInfo = stateGetInfo(Control::Pad, side);
     XrActionStateFloat trigger{};
     trigger.type = XR_TYPE_ACTION_STATE_FLOAT;
     check(xrGetActionStateFloat(m_session, &triggerInfo, &trigger), "xrGetActionStateFloat");
@@ -200,7 +212,8 @@ void Actions::pulse(const HapticPulse& pulse)
     vibration.amplitude = static_cast<float>(std::clamp(pulse.amplitude, 0.0, 1.0));
     const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, action(Control::Pulse),
                                   m_hands[static_cast<std::size_t>(pulse.side)].path};
-    check(xrApplyHapticFeedback(m_session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)), "xrApplyHapticFeedback");
+    check(xrApplyHapticFeedback(m_session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)),
+          "xrApplyHapticFeedback");
 }
 
 void Actions::refreshProfiles()

@@ -18,7 +18,8 @@ class Actions
 public:
     Actions(const Instance& instance, XrSession session);
 
-    /// At that time in that space. Without the focus buttons are at rest, and not asked about; a pose that is not known stays what it was.
+    /// At that time in that space. Without the focus buttons are at rest, and not asked about; a pose that is not known
+    /// stays what it was.
     Wands read(XrSpace room, XrTime time, bool hasFocus);
 
     /// Only with the focus; else it is not felt.

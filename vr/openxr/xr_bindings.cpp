@@ -60,11 +60,7 @@ constexpr Binding motion[]{
 };
 
 constexpr Binding simple[]{
-    grip,
-    aim,
-    {Control::Trigger, "/input/select/click"},
-    {Control::Menu, "/input/menu/click"},
-    pulse,
+    grip, aim, {Control::Trigger, "/input/select/click"}, {Control::Menu, "/input/menu/click"}, pulse,
 };
 
 constexpr WandProfile profiles[]{

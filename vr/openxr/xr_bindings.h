@@ -39,7 +39,11 @@ struct Binding
     const char* right;
 
     constexpr Binding(Control which, const char* both) : control(which), left(both), right(both) {}
-    constexpr Binding(Control which, const char* ofLeft, const char* ofRight) : control(which), left(ofLeft), right(ofRight) {}
+    constexpr Binding(Control which, const char* ofLeft, const char* ofRight)
+        : control(which)
+        , left(ofLeft)
+        , right(ofRight)
+    {}
 };
 
 /// One kind of wand.

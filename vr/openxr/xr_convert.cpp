@@ -40,14 +40,15 @@ bool isRotation(const XrQuaternionf& rotation)
 
 bool isValid(const XrSpaceLocation& location)
 {
-    return hasAll(location.locationFlags, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT) &&
+    return hasAll(location.locationFlags,
+                  XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT) &&
            isFinitePosition(location.pose.position) && isRotation(location.pose.orientation);
 }
 
 bool isTracked(const XrSpaceLocation& location)
 {
-    return isValid(location) &&
-           hasAll(location.locationFlags, XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT);
+    return isValid(location) && hasAll(location.locationFlags, XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT |
+                                                                   XR_SPACE_LOCATION_POSITION_TRACKED_BIT);
 }
 
 Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane)
@@ -56,8 +57,8 @@ Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane)
     const float down = std::tan(fov.angleDown), up = std::tan(fov.angleUp);
     const float depth = farPlane - nearPlane;
     Eigen::Matrix4f projection;
-    projection << 2 / (right - left), 0, (right + left) / (right - left), 0, //
-        0, 2 / (up - down), (up + down) / (up - down), 0,                    //
+    projection << 2 / (right - left), 0, (right + left) / (right - left), 0,      //
+        0, 2 / (up - down), (up + down) / (up - down), 0,                         //
         0, 0, -(farPlane + nearPlane) / depth, -2 * farPlane * nearPlane / depth, //
         0, 0, -1, 0;
     return projection;

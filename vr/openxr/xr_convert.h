@@ -10,7 +10,8 @@ namespace vr
 Pose fromXr(const XrPosef& pose);
 XrPosef toXr(const Pose& pose);
 
-/// They are numbers, and a rotation is one: a runtime that calls something else known would spoil all that is done with it, once for all.
+/// They are numbers, and a rotation is one: a runtime that calls something else known would spoil all that is done with
+/// it, once for all.
 bool isFinitePosition(const XrVector3f& place);
 bool isRotation(const XrQuaternionf& rotation);
 
@@ -22,7 +23,7 @@ bool isTracked(const XrSpaceLocation& location);
 /// OpenGL's clip space; near and far in metres.
 Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane);
 
-/// A room that has its origin below this head and its -Z where the head looks, level. Of a head that looks straight up or down its top, or
-/// what is opposite, says where that is.
+/// A room that has its origin below this head and its -Z where the head looks, level. Of a head that looks straight up
+/// or down its top, or what is opposite, says where that is.
 Pose levelBelow(const Pose& head);
 } // namespace vr

@@ -20,13 +20,15 @@ template <std::size_t N> QString textOf(const char (&name)[N])
 
 std::vector<const char*> offeredExtensions()
 {
-    const auto offered = enumerate("xrEnumerateInstanceExtensionProperties", XrExtensionProperties{XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 0},
-                                [](auto capacity, auto* count, auto* items) {
-                                    return xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
-                                });
+    const auto offered = enumerate("xrEnumerateInstanceExtensionProperties",
+                                   XrExtensionProperties{XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 0},
+                                   [](auto capacity, auto* count, auto* items) {
+                                       return xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
+                                   });
     std::vector<const char*> found;
     for (const char* wanted : wantedExtensions)
-        if (std::any_of(offered.begin(), offered.end(), [&](const auto& one) { return std::strcmp(one.extensionName, wanted) == 0; }))
+        if (std::any_of(offered.begin(), offered.end(),
+                        [&](const auto& one) { return std::strcmp(one.extensionName, wanted) == 0; }))
             found.push_back(wanted);
     return found;
 }
@@ -99,7 +101,8 @@ void Instance::findHeadset()
 
 bool Instance::has(const char* extension) const
 {
-    return std::any_of(m_extensions.begin(), m_extensions.end(), [&](const char* one) { return std::strcmp(one, extension) == 0; });
+    return std::any_of(m_extensions.begin(), m_extensions.end(),
+                       [&](const char* one) { return std::strcmp(one, extension) == 0; });
 }
 
 XrPath Instance::path(const char* text) const

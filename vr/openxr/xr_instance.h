@@ -30,8 +30,8 @@ private:
     XrEventDataBuffer m_data;
 };
 
-/// The loader's one instance, and the headset that it knows. Making one may take as long as a runtime takes to start, up to seconds. To be
-/// used, and destroyed, on the thread that made it.
+/// The loader's one instance, and the headset that it knows. Making one may take as long as a runtime takes to start,
+/// up to seconds. To be used, and destroyed, on the thread that made it.
 class Instance
 {
 public:

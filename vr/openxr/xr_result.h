@@ -13,8 +13,9 @@ namespace vr
 /// "XR_ERROR_INSTANCE_LOST"; needs no instance. "XrResult -7" for those that the headers do not know.
 QString resultName(XrResult result);
 
-/// A call that OpenXR refused. An exception, because each call of a session may be refused at each moment, all of that ends the
-/// session, and one place catches it. What people meet every day, no runtime and no headset, is a value: HeadsetStatus.
+/// A call that OpenXR refused. An exception, because each call of a session may be refused at each moment, all of that
+/// ends the session, and one place catches it. What people meet every day, no runtime and no headset, is a value:
+/// HeadsetStatus.
 class XrError : public std::runtime_error
 {
 public:
@@ -31,7 +32,8 @@ private:
 /// Throws XrError if the result is an error; `call` is the function's name.
 XrResult check(XrResult result, const char* call);
 
-/// What a function of the two-call idiom lists; ask(capacity, count, items). `blank` has type and next filled in. Throws XrError.
+/// What a function of the two-call idiom lists; ask(capacity, count, items). `blank` has type and next filled in.
+/// Throws XrError.
 template <class Item, class Ask> std::vector<Item> enumerate(const char* call, const Item& blank, Ask ask)
 {
     for (;;) {

@@ -12,8 +12,8 @@ namespace
 /// Two eyes, or else one.
 XrViewConfigurationType viewConfigurationOf(const Instance& instance)
 {
-    const auto offered =
-        enumerate("xrEnumerateViewConfigurations", XrViewConfigurationType{}, [&](auto capacity, auto* count, auto* items) {
+    const auto offered = enumerate(
+        "xrEnumerateViewConfigurations", XrViewConfigurationType{}, [&](auto capacity, auto* count, auto* items) {
             return xrEnumerateViewConfigurations(instance.handle(), instance.system(), capacity, count, items);
         });
     for (const auto type : {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO})
@@ -25,8 +25,8 @@ XrViewConfigurationType viewConfigurationOf(const Instance& instance)
 /// Opaque, unless the headset can only show the real room behind the picture.
 XrEnvironmentBlendMode blendModeOf(const Instance& instance, XrViewConfigurationType type)
 {
-    const auto offered =
-        enumerate("xrEnumerateEnvironmentBlendModes", XrEnvironmentBlendMode{}, [&](auto capacity, auto* count, auto* items) {
+    const auto offered = enumerate(
+        "xrEnumerateEnvironmentBlendModes", XrEnvironmentBlendMode{}, [&](auto capacity, auto* count, auto* items) {
             return xrEnumerateEnvironmentBlendModes(instance.handle(), instance.system(), type, capacity, count, items);
         });
     const bool hasOpaque = std::find(offered.begin(), offered.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != offered.end();
@@ -37,12 +37,15 @@ std::vector<ImageSize> imageSizesOf(const Instance& instance, XrViewConfiguratio
 {
     XrViewConfigurationView blank{};
     blank.type = XR_TYPE_VIEW_CONFIGURATION_VIEW;
-    const auto views = enumerate("xrEnumerateViewConfigurationViews", blank, [&](auto capacity, auto* count, auto* items) {
-        return xrEnumerateViewConfigurationViews(instance.handle(), instance.system(), type, capacity, count, items);
-    });
+    const auto views =
+        enumerate("xrEnumerateViewConfigurationViews", blank, [&](auto capacity, auto* count, auto* items) {
+            return xrEnumerateViewConfigurationViews(instance.handle(), instance.system(), type, capacity, count,
+                                                     items);
+        });
     std::vector<ImageSize> sizes;
     for (const XrViewConfigurationView& view : views)
-        sizes.push_back({static_cast<int>(view.recommendedImageRectWidth), static_cast<int>(view.recommendedImageRectHeight)});
+        sizes.push_back(
+            {static_cast<int>(view.recommendedImageRectWidth), static_cast<int>(view.recommendedImageRectHeight)});
     return sizes;
 }
 
@@ -67,9 +70,10 @@ SessionHandle makeSession(const Instance& instance, const GlBinding& binding)
 
 ImageFormat imageFormatOf(XrSession session)
 {
-    const auto offered = enumerate("xrEnumerateSwapchainFormats", std::int64_t{}, [&](auto capacity, auto* count, auto* items) {
-        return xrEnumerateSwapchainFormats(session, capacity, count, items);
-    });
+    const auto offered =
+        enumerate("xrEnumerateSwapchainFormats", std::int64_t{}, [&](auto capacity, auto* count, auto* items) {
+            return xrEnumerateSwapchainFormats(session, capacity, count, items);
+        });
     if (const auto best = bestFormat(offered))
         return *best;
     throw XrError("xrEnumerateSwapchainFormats", XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED);
@@ -82,8 +86,7 @@ Session::Session(const Instance& instance, const GlBinding& binding)
     , m_imageSizes(imageSizesOf(instance, m_viewConfiguration))
     , m_handle(makeSession(instance, binding))
     , m_imageFormat(imageFormatOf(handle()))
-{
-}
+{}
 
 void Session::begin()
 {
@@ -130,7 +133,8 @@ void Frame::show(XrSpace space, std::span<const XrCompositionLayerProjectionView
     picture.viewCount = static_cast<std::uint32_t>(views.size());
     picture.views = views.data();
     const auto* layer = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&picture);
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, m_display, m_session.m_blendMode, views.empty() ? 0U : 1U, &layer};
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,  nullptr, m_display, m_session.m_blendMode,
+                              views.empty() ? 0U : 1U, &layer};
     m_isEnded = true;
     check(xrEndFrame(m_session.handle(), &info), "xrEndFrame");
 }

@@ -13,13 +13,13 @@ namespace vr
 /// What the runtime says of the frame that is to be made.
 struct FrameTime
 {
-    XrTime display = 0;      ///< when it will be seen
-    XrDuration period = 0;   ///< from one frame to the next
+    XrTime display = 0;    ///< when it will be seen
+    XrDuration period = 0; ///< from one frame to the next
     bool shouldRender = false;
 };
 
-/// A session with one headset, and what the runtime wants to be given for it. Members throw XrError; the context that the binding tells of is
-/// current whenever one of them is called.
+/// A session with one headset, and what the runtime wants to be given for it. Members throw XrError; the context that
+/// the binding tells of is current whenever one of them is called.
 class Session
 {
 public:

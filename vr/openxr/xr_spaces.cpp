@@ -23,9 +23,10 @@ SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& 
 
 XrReferenceSpaceType roomSpaceType(XrSession session)
 {
-    const auto offered = enumerate("xrEnumerateReferenceSpaces", XrReferenceSpaceType{}, [&](auto capacity, auto* count, auto* items) {
-        return xrEnumerateReferenceSpaces(session, capacity, count, items);
-    });
+    const auto offered =
+        enumerate("xrEnumerateReferenceSpaces", XrReferenceSpaceType{}, [&](auto capacity, auto* count, auto* items) {
+            return xrEnumerateReferenceSpaces(session, capacity, count, items);
+        });
     const bool hasStage = std::find(offered.begin(), offered.end(), XR_REFERENCE_SPACE_TYPE_STAGE) != offered.end();
     return hasStage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
 }
@@ -46,16 +47,15 @@ Spaces::Spaces(XrSession session)
     , m_base(firstBase(m_type))
     , m_room(makeSpace(session, m_type, m_base))
     , m_view(makeSpace(session, XR_REFERENCE_SPACE_TYPE_VIEW, {}))
-{
-}
+{}
 
 std::optional<Pose> Spaces::head(XrTime time)
 {
     XrSpaceLocation location{};
     location.type = XR_TYPE_SPACE_LOCATION;
     check(xrLocateSpace(m_view.get(), room(), time, &location), "xrLocateSpace");
-    const bool isTurnKnown =
-        (location.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) != 0 && isRotation(location.pose.orientation);
+    const bool isTurnKnown = (location.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) != 0 &&
+                             isRotation(location.pose.orientation);
     if (isValid(location))
         m_head = fromXr(location.pose);
     else if (m_head && isTurnKnown)

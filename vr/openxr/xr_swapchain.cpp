@@ -13,8 +13,10 @@ namespace vr
 {
 namespace
 {
-/// OpenXR takes what is in a format without sRGB for linear light: eight bits of that show bands in the dark, so it is the last.
-constexpr ImageFormat formats[] = {{GL_SRGB8_ALPHA8, true}, {GL_RGBA16F, false}, {GL_RGB10_A2, false}, {GL_RGBA8, false}};
+/// OpenXR takes what is in a format without sRGB for linear light: eight bits of that show bands in the dark, so it is
+/// the last.
+constexpr ImageFormat formats[] = {
+    {GL_SRGB8_ALPHA8, true}, {GL_RGBA16F, false}, {GL_RGB10_A2, false}, {GL_RGBA8, false}};
 
 SwapchainHandle makeSwapchain(XrSession session, const ImageFormat& format, const ImageSize& size)
 {
@@ -43,13 +45,15 @@ std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered)
 }
 
 Swapchain::Swapchain(XrSession session, const ImageFormat& format, const ImageSize& size)
-    : m_size(size), m_handle(makeSwapchain(session, format, size))
+    : m_size(size)
+    , m_handle(makeSwapchain(session, format, size))
 {
-    const auto images =
-        enumerate("xrEnumerateSwapchainImages", XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0},
-               [&](auto capacity, auto* count, auto* items) {
-                   return xrEnumerateSwapchainImages(handle(), capacity, count, reinterpret_cast<XrSwapchainImageBaseHeader*>(items));
-               });
+    const auto images = enumerate(
+        "xrEnumerateSwapchainImages", XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0},
+        [&](auto capacity, auto* count, auto* items) {
+            return xrEnumerateSwapchainImages(handle(), capacity, count,
+                                              reinterpret_cast<XrSwapchainImageBaseHeader*>(items));
+        });
     for (const XrSwapchainImageOpenGLKHR& image : images)
         m_textures.push_back(image.image);
 }

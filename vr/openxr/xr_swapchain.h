@@ -13,7 +13,8 @@ namespace vr
 struct ImageFormat
 {
     std::int64_t name = 0; ///< OpenGL's
-    bool isSrgb = false;   ///< OpenGL encodes what is written where GL_FRAMEBUFFER_SRGB is on; else the image holds linear light as written
+    /// OpenGL encodes what is written where GL_FRAMEBUFFER_SRGB is on; else the image holds linear light as written.
+    bool isSrgb = false;
 
     friend bool operator==(const ImageFormat&, const ImageFormat&) = default;
 };
@@ -26,7 +27,8 @@ struct ImageSize
     int width = 0, height = 0; ///< pixels
 };
 
-/// The images that one eye is shown by turns: GL_TEXTURE_2D, one sample, one level. Members throw XrError. The session's context is current.
+/// The images that one eye is shown by turns: GL_TEXTURE_2D, one sample, one level. Members throw XrError. The
+/// session's context is current.
 class Swapchain
 {
 public:

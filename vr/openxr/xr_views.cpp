@@ -22,7 +22,8 @@ public:
     ~Acquired()
     {
         if (m_isHeld)
-            xrReleaseSwapchainImage(m_from.handle(), nullptr); // something else has gone wrong: that is what people are told
+            xrReleaseSwapchainImage(m_from.handle(),
+                                    nullptr); // something else has gone wrong: that is what people are told
     }
     Acquired(const Acquired&) = delete;
     Acquired& operator=(const Acquired&) = delete;
@@ -59,11 +60,14 @@ bool Views::locate(XrSpace room, XrTime time)
     state.type = XR_TYPE_VIEW_STATE;
     std::vector<XrView> views(count(), unknownView);
     std::uint32_t located = 0;
-    check(xrLocateViews(m_session, &info, &state, static_cast<std::uint32_t>(views.size()), &located, views.data()), "xrLocateViews");
-    const bool hasPlace = (state.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT) != 0 &&
-                          std::ranges::all_of(views, [](const XrView& view) { return isFinitePosition(view.pose.position); });
-    const bool hasTurn = (state.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) != 0 &&
-                         std::ranges::all_of(views, [](const XrView& view) { return isRotation(view.pose.orientation); });
+    check(xrLocateViews(m_session, &info, &state, static_cast<std::uint32_t>(views.size()), &located, views.data()),
+          "xrLocateViews");
+    const bool hasPlace =
+        (state.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT) != 0 &&
+        std::ranges::all_of(views, [](const XrView& view) { return isFinitePosition(view.pose.position); });
+    const bool hasTurn =
+        (state.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) != 0 &&
+        std::ranges::all_of(views, [](const XrView& view) { return isRotation(view.pose.orientation); });
     if (located != count() || !hasTurn)
         return false;
     for (std::size_t eye = 0; eye < count(); ++eye) {

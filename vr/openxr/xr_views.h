@@ -15,10 +15,12 @@ public:
 
     std::size_t count() const { return m_swapchains.size(); }
 
-    /// Where the eyes will be; false while that is not known, and nothing can be shown. What is lost of them for a while stays where it was.
+    /// Where the eyes will be; false while that is not known, and nothing can be shown. What is lost of them for a
+    /// while stays where it was.
     bool locate(XrSpace room, XrTime time);
 
-    /// To be called for each, once between locate() and the frame's end; `draw` fills the image. It is given back whatever happens.
+    /// To be called for each, once between locate() and the frame's end; `draw` fills the image. It is given back
+    /// whatever happens.
     void draw(std::size_t eye, const std::function<void(const EyeImage&, const EyeView&)>& draw);
 
     /// What was drawn, for Frame::show(), until the next locate().

@@ -9,8 +9,8 @@ namespace vr
 {
 namespace
 {
-constexpr double filesWidth = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84, pageWidth = 120,
-                 openWidth = 316, titleWidth = 340, groupGap = 8;
+constexpr double filesWidth = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84,
+                 pageWidth = 120, openWidth = 316, titleWidth = 340, groupGap = 8;
 constexpr double filesDistance = 0.6; ///< metres: at arm's length
 } // namespace
 

@@ -189,10 +189,8 @@ void ItemPainter::operator()(const TileLook& look) const
         const QSize pixels = m_painter.transform().mapRect(target).size().toSize();
         m_painter.drawImage(target, look.picture.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     }
-    const TextStyle style{.height = theme::bodyHeight,
-                          .minHeight = theme::minHeight,
-                          .cut = Qt::ElideMiddle,
-                          .weight = QFont::Medium};
+    const TextStyle style{
+        .height = theme::bodyHeight, .minHeight = theme::minHeight, .cut = Qt::ElideMiddle, .weight = QFont::Medium};
     paintLines(fitted(look.name, inside.width(), style), {inside.left(), place.bottom(), inside.width(), nameHeight},
                Qt::AlignCenter, theme::text);
 }

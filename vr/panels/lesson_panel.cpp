@@ -29,13 +29,15 @@ int pageCountOf(const FittedText& text)
 
 void LessonPanel::addTitle(PanelBuilder& builder) const
 {
-    const FittedText shown = fitted(title, builder.innerWidth(),
-                                    {.height = theme::titleHeight, .minHeight = theme::titleHeight, .lines = 3, .weight = QFont::DemiBold});
+    const FittedText shown =
+        fitted(title, builder.innerWidth(),
+               {.height = theme::titleHeight, .minHeight = theme::titleHeight, .lines = 3, .weight = QFont::DemiBold});
     builder.add(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())),
                 TextLook{.text = title, .role = TextRole::Title, .lines = static_cast<int>(shown.lines.size())});
     //: %1: a lesson's name; %2 of %3: its step
-    builder.add(builder.nextRow(noteHeight),
-                TextLook{.text = tr("%1: step %2 of %3").arg(lesson).arg(step + 1).arg(steps), .role = TextRole::Faint});
+    builder.add(
+        builder.nextRow(noteHeight),
+        TextLook{.text = tr("%1: step %2 of %3").arg(lesson).arg(step + 1).arg(steps), .role = TextRole::Faint});
 }
 
 void LessonPanel::addText(PanelBuilder& builder) const
@@ -61,12 +63,12 @@ void LessonPanel::addMarks(PanelBuilder& builder) const
 {
     for (qsizetype i = 0; i < std::min<qsizetype>(marks.size(), maxMarks); ++i) {
         const LessonMark& mark = marks[i];
-        const FittedText shown =
-            fitted(mark.text, builder.innerWidth() - markSign - theme::gap,
-                   {.height = theme::bodyHeight, .minHeight = theme::minHeight, .lines = 2});
+        const FittedText shown = fitted(mark.text, builder.innerWidth() - markSign - theme::gap,
+                                        {.height = theme::bodyHeight, .minHeight = theme::minHeight, .lines = 2});
         const std::vector<QRectF> places =
             cells(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())), {markSign, 0});
-        builder.add(places[0], TextLook{.text = mark.holds ? QStringLiteral("✓") : QStringLiteral("○"), .alignment = Qt::AlignCenter});
+        builder.add(places[0], TextLook{.text = mark.holds ? QStringLiteral("✓") : QStringLiteral("○"),
+                                        .alignment = Qt::AlignCenter});
         builder.add(places[1],
                     TextLook{.text = mark.text, .role = mark.holds ? TextRole::Body : TextRole::Faint, .lines = 2});
     }

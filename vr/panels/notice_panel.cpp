@@ -12,8 +12,8 @@ namespace
 {
 constexpr double noticeWidth = 700; ///< of its text
 constexpr int noticeLines = 6;
-constexpr double noticeDistance = 0.5;             ///< metres: before the clay, which must not hide it; it passes
-constexpr double fadeIn = 0.15, fadeOut = 0.6;     ///< seconds
+constexpr double noticeDistance = 0.5;               ///< metres: before the clay, which must not hide it; it passes
+constexpr double fadeIn = 0.15, fadeOut = 0.6;       ///< seconds
 constexpr double toBeSeen = 1, minReadingTime = 1.5; ///< seconds: eyes are elsewhere when it comes
 constexpr double perLetter = 0.06,
                  perHanLetter = 0.2; ///< seconds of a slow reader; the latter stands for a word or half of one

@@ -23,7 +23,7 @@ enum class PanelCommand {
     RestoreModel, ///< as it was when it was opened
     InvertMask,
     ClearMask,
-    SaveModel,    ///< under a new number
+    SaveModel, ///< under a new number
     Recentre,
     LeaveVr
 };
@@ -136,9 +136,10 @@ struct Slide
 };
 
 /// What a person wants by an item of a panel.
-using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage,
-                                 ShowPanel, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
-                                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
+using PanelAction =
+    std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
+                 ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile, ChooseHand,
+                 ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
 
 /// Whether one item wants both: sliders want one thing after the other.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

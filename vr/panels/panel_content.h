@@ -26,10 +26,10 @@ public:
     core::BrushShape brush = core::BrushShape::Sphere;
     core::Topology topology = core::Topology::Adaptive;
     bool isSymmetric = false;
-    int radial = 1; ///< sectors
+    int radial = 1;         ///< sectors
     bool isInverse = false; ///< strokes do the opposite
     bool canUndo = false, canRedo = false;
-    bool canChange = true; ///< the model as a whole: restore it, or change its mask
+    bool canChange = true;                          ///< the model as a whole: restore it, or change its mask
     bool showsFiles = false, showsSettings = false; ///< those panels
 
     bool operator==(const ToolPanel&) const = default;
@@ -108,7 +108,7 @@ struct SettingsPanel
     Q_DECLARE_TR_FUNCTIONS(vr::SettingsPanel)
 
 public:
-    static constexpr double maxHeightOffset = 0.4;                    ///< metres up or down
+    static constexpr double maxHeightOffset = 0.4;               ///< metres up or down
     static constexpr double minTurnRate = 15, maxTurnRate = 180; ///< degrees a second
 
     SettingsPage page = SettingsPage::General;
@@ -118,7 +118,8 @@ public:
 
     bool operator==(const SettingsPanel&) const = default;
     PanelLayout layout() const;
-    /// Returns the settings after `action`. Values are clamped to their ranges; an action that is no setting changes nothing.
+    /// Returns the settings after `action`. Values are clamped to their ranges; an action that is no setting changes
+    /// nothing.
     static HeadsetSettings after(HeadsetSettings settings, const PanelAction& action);
 
 private:
@@ -142,7 +143,8 @@ public:
     int framesPerSecond = 0; ///< that were shown
     std::uint64_t dropped = 0;
 
-    /// Of the last second. `timings`: the oldest first. Takes some microseconds; numbers that are to be read change a few times a second.
+    /// Of the last second. `timings`: the oldest first. Takes some microseconds; numbers that are to be read change a
+    /// few times a second.
     static PerformancePanel of(const std::vector<FrameTiming>& timings, std::uint64_t droppedFrames);
 
     bool operator==(const PerformancePanel&) const = default;
@@ -161,7 +163,8 @@ struct LessonMark
     bool operator==(const LessonMark&) const = default;
 };
 
-/// A step of the lesson that is open in the window. A text that is too long for the panel has pages: no letter is smaller than another panel's.
+/// A step of the lesson that is open in the window. A text that is too long for the panel has pages: no letter is
+/// smaller than another panel's.
 struct LessonPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::LessonPanel)
@@ -197,7 +200,8 @@ struct NoticePanel
 double noticeOpacity(const NoticePanel& notice, double age);
 
 using PanelContent =
-    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, NoticePanel, LessonPanel>; ///< by PanelKind
+    /// By PanelKind.
+    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, NoticePanel, LessonPanel>;
 
 PanelKind kindOf(const PanelContent& content);
 PanelLayout layoutOf(const PanelContent& content);

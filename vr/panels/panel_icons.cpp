@@ -1,8 +1,8 @@
 #include "vr/panels/panel_icons.h"
 
-#include <QtCore/QBuffer> // Qt3D has one of that name, too
 #include <QFile>
 #include <QImageReader>
+#include <QtCore/QBuffer> // Qt3D has one of that name, too
 
 namespace vr
 {

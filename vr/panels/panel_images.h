@@ -17,16 +17,16 @@ struct PanelImage
     QImage image; ///< premultiplied
 };
 
-/// Paints panels on a thread of its own, each when what it shows has changed. show() and take() belong to one thread, which they never let
-/// wait: they cost a comparison and a copy of values.
+/// Paints panels on a thread of its own, each when what it shows has changed. show() and take() belong to one thread,
+/// which they never let wait: they cost a comparison and a copy of values.
 class PanelImages
 {
 public:
     PanelImages();
     ~PanelImages();
 
-    /// What the panel of that kind shows from now on. May be called each frame; if the painter is just taking what was asked, this is not
-    /// heard, and the next call is.
+    /// What the panel of that kind shows from now on. May be called each frame; if the painter is just taking what was
+    /// asked, this is not heard, and the next call is.
     void show(const PanelContent& content, const PanelTouches& touches = {});
     /// The newest, once.
     std::optional<PanelImage> take(PanelKind kind);
@@ -44,8 +44,8 @@ private:
     bool hasWork() const;
     void paintAll(const PaintRequests& requests);
 
-    PaintRequests m_requested;     ///< last; the caller's own
-    std::mutex m_mutex; ///< of the next three
+    PaintRequests m_requested; ///< last; the caller's own
+    std::mutex m_mutex;        ///< of the next three
     PaintRequests m_pending;
     std::array<std::optional<PanelImage>, panelKindCount> m_ready;
     bool m_isStopping = false;

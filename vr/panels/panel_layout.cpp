@@ -34,8 +34,8 @@ const PanelItem* PanelLayout::itemAt(const Eigen::Vector2d& point) const
 
 const PanelItem* PanelLayout::itemFor(const PanelAction& action) const
 {
-    const auto item =
-        std::ranges::find_if(items, [&](const PanelItem& p) { return p.isInteractive() && isSameItem(*p.action, action); });
+    const auto item = std::ranges::find_if(
+        items, [&](const PanelItem& p) { return p.isInteractive() && isSameItem(*p.action, action); });
     return item == items.end() ? nullptr : &*item;
 }
 

@@ -14,8 +14,8 @@
 
 namespace vr
 {
-// Lengths on panels are in dmm, millimetres as seen from one metre: what is 60 dmm high is 3.44 degrees high from wherever the panel is
-// meant to be read. x to the right, y down, from the panel's upper left corner.
+// Lengths on panels are in dmm, millimetres as seen from one metre: what is 60 dmm high is 3.44 degrees high from
+// wherever the panel is meant to be read. x to the right, y down, from the panel's upper left corner.
 
 enum class TextRole { Title, Body, Faint, Number };
 

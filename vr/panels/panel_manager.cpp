@@ -99,7 +99,7 @@ Pose PanelManager::placeOnOpening(PanelKind kind, const Sight& sight, const Pane
 {
     const DefaultPosition position = defaultPositionOf(kind);
     AheadPanelPlacement ahead{layout.metres(), layout.distance, position.aside,
-                     position.below,     sight.model,      position.aside < 0 ? -1.0 : 1.0};
+                              position.below,  sight.model,     position.aside < 0 ? -1.0 : 1.0};
     if (kind == PanelKind::Notice)
         ahead.clear.reset();
     return placeAhead(sight.head, ahead);

@@ -1,14 +1,14 @@
 #pragma once
 
+#include "vr/gl/texture.h"
 #include "vr/panels/panel_images.h"
 #include "vr/panels/panel_pointer.h"
-#include "vr/gl/texture.h"
 #include "vr/scene/scene_state.h"
 
 namespace vr
 {
-/// The panels of a visit: which are open, where they stand, what is seen of them, and what two wands do at them. The headset's thread;
-/// panels are painted on another (PanelImages), and appear when they are.
+/// The panels of a visit: which are open, where they stand, what is seen of them, and what two wands do at them. The
+/// headset's thread; panels are painted on another (PanelImages), and appear when they are.
 class PanelManager
 {
 public:
@@ -31,15 +31,15 @@ public:
         Pose head;
         std::array<std::optional<Pose>, sideCount> grips; ///< by Side; none: the hand is not seen
         Side sculpting = Side::Right;                     ///< has the colours, the other the tools
-        core::Sphere model;                                ///< which panels keep out of
+        core::Sphere model;                               ///< which panels keep out of
         bool isOneHanded = false;                         ///< no panel goes with a hand
     };
     void place(const Sight& sight);
     /// Where a panel that goes with no hand is placed when it opens. Pure.
     static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout);
 
-    /// Once a frame and hand, before press() and release(). No ray: the wand is lost. Nobody points at what the same hand carries. What a
-    /// slider or a held item wants.
+    /// Once a frame and hand, before press() and release(). No ray: the wand is lost. Nobody points at what the same
+    /// hand carries. What a slider or a held item wants.
     std::optional<PanelAction> aim(Side side, const std::optional<core::Ray>& ray, double time);
     /// Where that hand points.
     const std::optional<PanelPointer::Spot>& spot(Side side) const { return pointer(side).spot(); }

@@ -1,8 +1,8 @@
 #include "vr/panels/panel_painter.h"
 
+#include "vr/panels/item_painter.h"
 #include "vr/panels/panel_icons.h"
 #include "vr/panels/panel_theme.h"
-#include "vr/panels/item_painter.h"
 
 #include <QPainter>
 

@@ -98,8 +98,8 @@ Pose placeAtHand(const Pose& grip, const Pose& head, const HandPanelPlacement& p
     };
     if (!place.clear)
         return turned(0);
-    return turned(minTurn(maxAsideOfHand,
-                            [&](double aside) { return isClear(turned(aside), head, place.size, *place.clear); }));
+    return turned(
+        minTurn(maxAsideOfHand, [&](double aside) { return isClear(turned(aside), head, place.size, *place.clear); }));
 }
 
 Pose placeAhead(const Pose& head, const AheadPanelPlacement& place)

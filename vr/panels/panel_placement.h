@@ -8,18 +8,20 @@
 
 namespace vr
 {
-// Where panels stand in the room. A panel's pose is that of its middle: +X to its right, +Y up, +Z towards who reads it. All pure.
+// Where panels stand in the room. A panel's pose is that of its middle: +X to its right, +Y up, +Z towards who reads
+// it. All pure.
 
 struct HandPanelPlacement
 {
     Eigen::Vector2d size{0.5, 0.4}; ///< metres
-    /// Of the room: it goes aside until it is out of that, and out of what that hides. Where that is too far it stays at the hand.
+    /// Of the room: it goes aside until it is out of that, and out of what that hides. Where that is too far it stays
+    /// at the hand.
     std::optional<core::Sphere> clear{};
     double asideSign = 1; ///< 1: aside is to the left, -1: to the right
 };
 
-/// Above a hand and before it, facing the head; it goes with the hand. Of a hand that hangs low it comes nearer to the eyes, where it can be
-/// read.
+/// Above a hand and before it, facing the head; it goes with the hand. Of a hand that hangs low it comes nearer to the
+/// eyes, where it can be read.
 Pose placeAtHand(const Pose& grip, const Pose& head, const HandPanelPlacement& place);
 
 struct AheadPanelPlacement
@@ -33,7 +35,8 @@ struct AheadPanelPlacement
     double asideSign = 1; ///< 1: aside is to the left, -1: to the right
 };
 
-/// Upright, ahead of the head or aside, turned to it about the vertical. It is placed once, and does not follow the head.
+/// Upright, ahead of the head or aside, turned to it about the vertical. It is placed once, and does not follow the
+/// head.
 Pose placeAhead(const Pose& head, const AheadPanelPlacement& place);
 
 /// Whether somebody has walked away from a panel that was placed ahead: it may be placed anew.

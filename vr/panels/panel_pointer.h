@@ -19,9 +19,10 @@ struct PlacedPanel
 
 /// One wand that points at panels and presses their items. Pure: no clock but the frames' own.
 ///
-/// A press acts when it is let go over the item on which it began. A slider follows it from the first moment on, also beyond its ends
-/// and the panel's edge. An item that must be held acts once, when it has been held for holdSeconds without leaving it; a FrameClock
-/// says how long that is. What began on one panel never acts on another, and a panel that goes away takes the press with it.
+/// A press acts when it is let go over the item on which it began. A slider follows it from the first moment on, also
+/// beyond its ends and the panel's edge. An item that must be held acts once, when it has been held for holdSeconds
+/// without leaving it; a FrameClock says how long that is. What began on one panel never acts on another, and a panel
+/// that goes away takes the press with it.
 class PanelPointer
 {
 public:
@@ -32,7 +33,8 @@ public:
         core::Vec3 point; ///< room space
     };
 
-    /// Once a frame, before press() and release(). No ray: the wand is lost. `time` in seconds. What a slider or a held item wants.
+    /// Once a frame, before press() and release(). No ray: the wand is lost. `time` in seconds. What a slider or a held
+    /// item wants.
     std::optional<PanelAction> aim(const std::optional<core::Ray>& ray, double time,
                                    std::span<const PlacedPanel> panels);
     /// As vr::PressPanel and vr::ReleasePanel have it. A press elsewhere than on an item does nothing.
@@ -72,7 +74,7 @@ private:
     std::optional<PanelTouch> pressedTouch() const;
 
     FrameClock m_clock;
-    double m_time = 0; ///< seconds, by the clock
+    double m_time = 0;            ///< seconds, by the clock
     std::optional<Place> m_place; ///< where it points; while it presses, on the plane of the panel that it presses
     std::optional<Spot> m_spot;
     std::optional<Press> m_press;

@@ -2,7 +2,8 @@
 
 #include <QColor>
 
-/// How panels look: dark and calm, so that they neither dazzle nor take the eye from the clay. Lengths in dmm (panel_layout.h).
+/// How panels look: dark and calm, so that they neither dazzle nor take the eye from the clay. Lengths in dmm
+/// (panel_layout.h).
 namespace vr::theme
 {
 // 3.45 degrees, and half of that for the smallest text: notes of the field on what is read without effort in a headset.

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double performanceWidth = 620, lineHeight = 42, numberWidth = 130, performanceTitleWidth = 270;
 constexpr double performanceDistance = 0.6; ///< metres
-constexpr double lastMs = 1000;  ///< is told about
+constexpr double lastMs = 1000;             ///< is told about
 
 struct Line
 {

@@ -115,7 +115,8 @@ void SettingsPanel::addHaptics(PanelBuilder& builder) const
         const double level = settings.hapticLevels.of[i];
         const QString value = tr("%1 %").arg(std::lround(level * 100));
         builder.addSlider(
-            {nameOf(static_cast<Sensation>(i)), value, SliderLook{.step = levelStep}, {sliderOf(i), level}}, settingsNameWidth);
+            {nameOf(static_cast<Sensation>(i)), value, SliderLook{.step = levelStep}, {sliderOf(i), level}},
+            settingsNameWidth);
     }
 }
 

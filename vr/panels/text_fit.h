@@ -11,9 +11,9 @@ namespace vr
 struct TextStyle
 {
     double height = 40;
-    double minHeight = 36; ///< it shrinks so far before it is cut
-    int lines = 1;           ///< at most
-    double maxBlockHeight = 1e6;       ///< the height that they may take
+    double minHeight = 36;       ///< it shrinks so far before it is cut
+    int lines = 1;               ///< at most
+    double maxBlockHeight = 1e6; ///< the height that they may take
     Qt::TextElideMode cut = Qt::ElideRight;
     QFont::Weight weight = QFont::Normal;
 };
@@ -27,7 +27,7 @@ struct FittedText
     double lineSpacing() const;
 };
 
-/// A text that stays in a width and its lines: smaller where needed, in more lines where it may, and cut with an ellipsis where all that
-/// does not help. Any thread.
+/// A text that stays in a width and its lines: smaller where needed, in more lines where it may, and cut with an
+/// ellipsis where all that does not help. Any thread.
 FittedText fitted(const QString& text, double width, const TextStyle& style);
 } // namespace vr

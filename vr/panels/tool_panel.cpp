@@ -6,7 +6,8 @@ namespace vr
 {
 namespace
 {
-constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
+constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8,
+                 toolTitleWidth = 300;
 constexpr double symmetryWidth = 270, radialWidth = 170;
 constexpr double filesButtonWidth = 250, recentreWidth = 280;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
@@ -64,9 +65,9 @@ void ToolPanel::addTools(PanelBuilder& builder) const
     for (const std::size_t count : toolsInRow)
         for (const QRectF& place : evenCells(builder.nextRow(toolHeight), count)) {
             const auto shown = static_cast<core::Tool>(next++);
-            builder.add(place,
-                        {{.text = nameOf(shown), .icon = iconOf(shown), .isChosen = shown == tool, .isUpright = true},
-                         shown});
+            builder.add(
+                place,
+                {{.text = nameOf(shown), .icon = iconOf(shown), .isChosen = shown == tool, .isUpright = true}, shown});
         }
 }
 
@@ -89,7 +90,8 @@ void ToolPanel::addPanelButtons(PanelBuilder& builder) const
 
 void ToolPanel::addSymmetry(PanelBuilder& builder) const
 {
-    const std::vector<QRectF> places = cells(builder.nextRow(theme::row), {toolNameWidth, symmetryWidth, radialWidth, 0});
+    const std::vector<QRectF> places =
+        cells(builder.nextRow(theme::row), {toolNameWidth, symmetryWidth, radialWidth, 0});
     builder.add(places[0], TextLook{.text = tr("Symmetry"), .lines = 2});
     builder.add({places[1], SwitchLook{isSymmetric ? tr("On") : tr("Off"), isSymmetric}, ChooseSymmetry{!isSymmetric}});
     builder.add(places[2], TextLook{.text = tr("Radial"), .lines = 2});
@@ -103,8 +105,10 @@ void ToolPanel::addMask(PanelBuilder& builder) const
 {
     const std::vector<QRectF> places = cells(builder.nextRow(theme::row), {toolNameWidth, 0, 0});
     builder.add(places[0], TextLook{.text = tr("Mask"), .lines = 2});
-    builder.add(places[1], {{.text = tr("Invert"), .icon = QStringLiteral("mask-invert")}, PanelCommand::InvertMask, canChange});
-    builder.add(places[2], {{.text = tr("Clear"), .icon = QStringLiteral("mask-clear")}, PanelCommand::ClearMask, canChange});
+    builder.add(places[1],
+                {{.text = tr("Invert"), .icon = QStringLiteral("mask-invert")}, PanelCommand::InvertMask, canChange});
+    builder.add(places[2],
+                {{.text = tr("Clear"), .icon = QStringLiteral("mask-clear")}, PanelCommand::ClearMask, canChange});
 }
 
 PanelLayout ToolPanel::layout() const

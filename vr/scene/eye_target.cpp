@@ -60,14 +60,17 @@ bool EyeTarget::resolve(const EyeImage& image)
     m_gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn);
     m_gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_resolved);
     m_gl->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.texture, 0);
-    const bool isComplete = m_isComplete && m_gl->glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    const bool isComplete =
+        m_isComplete && m_gl->glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     if (isComplete) {
         m_gl->glEnable(GL_FRAMEBUFFER_SRGB);
         m_clock.run([&] {
-            m_gl->glBlitFramebuffer(0, 0, image.width, image.height, 0, 0, image.width, image.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+            m_gl->glBlitFramebuffer(0, 0, image.width, image.height, 0, 0, image.width, image.height,
+                                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
         });
     }
-    m_gl->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0); // the runtime may delete it
+    m_gl->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0,
+                                 0); // the runtime may delete it
     m_gl->glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return isComplete;
 }

@@ -7,8 +7,8 @@ class QOpenGLExtraFunctions;
 
 namespace vr
 {
-/// A multisampled framebuffer with depth to draw an eye into, one for all images of the same format and size, and the way from there into the
-/// image. The context that was current at create() must be current at every call.
+/// A multisampled framebuffer with depth to draw an eye into, one for all images of the same format and size, and the
+/// way from there into the image. The context that was current at create() must be current at every call.
 class EyeTarget
 {
 public:
@@ -18,7 +18,8 @@ public:
     void create(QOpenGLExtraFunctions* gl, int samples = wantedSamples);
     void destroy();
 
-    /// The framebuffer to draw into for that image; 0 if the driver can make none. Another format or size than last time costs an allocation.
+    /// The framebuffer to draw into for that image; 0 if the driver can make none. Another format or size than last
+    /// time costs an allocation.
     unsigned int framebufferFor(const EyeImage& image);
     /// What was drawn, into the image that framebufferFor() was told of. False if the driver cannot draw into it.
     bool resolve(const EyeImage& image);

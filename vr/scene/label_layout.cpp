@@ -7,11 +7,12 @@ namespace vr
 {
 namespace
 {
-constexpr double labelHeight = 0.0185;  ///< metres, up to `readable` away; farther off the labels grow. A plate of 2.4 degrees
-constexpr double readable = 0.45;       ///< metres
-constexpr double rowPitch = 1.24;       ///< label heights
-constexpr double columnGap = 0.052;     ///< metres from the wand's middle
-constexpr double lift = 0.012;          ///< metres before the pad
+/// Metres, up to `readable` away; farther off the labels grow. A plate of 2.4 degrees.
+constexpr double labelHeight = 0.0185;
+constexpr double readable = 0.45;   ///< metres
+constexpr double rowPitch = 1.24;   ///< label heights
+constexpr double columnGap = 0.052; ///< metres from the wand's middle
+constexpr double lift = 0.012;      ///< metres before the pad
 
 // From top to bottom.
 constexpr WandSpot leftColumn[] = {WandSpot::PadUp, WandSpot::PadLeft, WandSpot::PadDown, WandSpot::Trigger};
@@ -24,7 +25,8 @@ struct Column
     double scale;
 };
 
-void place(const Column& column, std::span<const WandSpot> spots, const Pose& grip, const LabelAspects& aspects, LabelPlaces& into)
+void place(const Column& column, std::span<const WandSpot> spots, const Pose& grip, const LabelAspects& aspects,
+           LabelPlaces& into)
 {
     const auto isThere = [&](WandSpot spot) { return aspects[static_cast<std::size_t>(spot)].has_value(); };
     const auto rows = static_cast<double>(std::ranges::count_if(spots, isThere));
@@ -35,8 +37,8 @@ void place(const Column& column, std::span<const WandSpot> spots, const Pose& gr
             continue;
         const double width = height * *aspects[static_cast<std::size_t>(spot)];
         const core::Vec3 edge = column.origin + columnGap * column.outward + row * rowPitch * height * column.up;
-        into[static_cast<std::size_t>(spot)] =
-            LabelPlace{grip * placeOf(spot), edge, edge + width / 2 * column.outward, width / 2 * column.right, height / 2 * column.up};
+        into[static_cast<std::size_t>(spot)] = LabelPlace{grip * placeOf(spot), edge, edge + width / 2 * column.outward,
+                                                          width / 2 * column.right, height / 2 * column.up};
         --row;
     }
 }
@@ -45,7 +47,8 @@ void place(const Column& column, std::span<const WandSpot> spots, const Pose& gr
 Eigen::Matrix3d axesFacing(const Pose& head, const core::Vec3& from)
 {
     const core::Vec3 away = head.position - from;
-    const core::Vec3 back = away.isZero() ? core::Vec3(head.rotation * core::Vec3::UnitZ()) : core::Vec3(away.normalized());
+    const core::Vec3 back =
+        away.isZero() ? core::Vec3(head.rotation * core::Vec3::UnitZ()) : core::Vec3(away.normalized());
     const core::Vec3 sideways = head.rotation * core::Vec3::UnitX();
     const core::Vec3 right = (sideways - back * back.dot(sideways)).normalized();
     Eigen::Matrix3d axes;

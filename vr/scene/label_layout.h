@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vr/util/pose.h"
 #include "vr/scene/wand_model.h"
+#include "vr/util/pose.h"
 
 #include <array>
 #include <optional>
@@ -17,11 +17,12 @@ struct LabelPlace
     core::Vec3 halfX, halfY; ///< to its right and up, as the head sees it
 };
 
-using LabelAspects = std::array<std::optional<double>, wandSpotCount>; ///< width / height by WandSpot; nothing: no label
+/// Width / height by WandSpot; nothing: no label.
+using LabelAspects = std::array<std::optional<double>, wandSpotCount>;
 using LabelPlaces = std::array<std::optional<LabelPlace>, wandSpotCount>;
 
-/// Labels in a column on each side of a wand, all in one plane that faces the head, so that none hides another. They grow with the
-/// distance: their letters are never less than about 1 degree high.
+/// Labels in a column on each side of a wand, all in one plane that faces the head, so that none hides another. They
+/// grow with the distance: their letters are never less than about 1 degree high.
 LabelPlaces labelPlaces(const Pose& grip, const Pose& head, const LabelAspects& aspects);
 
 /// The axes of what faces the head from somewhere: right, up, and back towards the head.

@@ -10,7 +10,8 @@ namespace vr
 {
 namespace
 {
-// Pixels. In the room a plate is about a third as many pixels high on the screen, so that its smaller copies are what is seen.
+// Pixels. In the room a plate is about a third as many pixels high on the screen, so that its smaller copies are what
+// is seen.
 constexpr int plateHeight = 64, textHeight = 40, margin = 20, longestText = 680;
 constexpr qsizetype maxKept = 64;
 

@@ -16,8 +16,8 @@ struct LabelTexture
     double aspect = 1;
 };
 
-/// Short texts on small dark plates, painted when they are first needed and kept while they are. Costs a fraction of a millisecond for a
-/// new text, one in a frame, and no more than a look-up for the others.
+/// Short texts on small dark plates, painted when they are first needed and kept while they are. Costs a fraction of a
+/// millisecond for a new text, one in a frame, and no more than a look-up for the others.
 class LabelTextures
 {
 public:

@@ -12,9 +12,9 @@ namespace vr
 /// A large model that comes during a visit is sent so much a frame, or its frames would be late.
 inline constexpr std::size_t sliceBytes = 2'000'000;
 
-/// The mesh as it is drawn. A large model comes in slices beside the one before, which is shown until the new one is there whole; what is
-/// sculpted meanwhile follows it, in order. Before the first step(), and for small models, all is there at once.
-/// `Buffer`: as MeshBuffer.
+/// The mesh as it is drawn. A large model comes in slices beside the one before, which is shown until the new one is
+/// there whole; what is sculpted meanwhile follows it, in order. Before the first step(), and for small models, all is
+/// there at once. `Buffer`: as MeshBuffer.
 template <class Buffer> class MeshStream
 {
 public:
@@ -50,8 +50,8 @@ private:
 
     std::array<Buffer, 2> m_buffers;
     std::size_t m_shown = 0;
-    std::optional<PatchSlices> m_slices;           ///< of the model that is coming
-    std::optional<core::MeshPatch> m_pending;        ///< of it, too, and newer
+    std::optional<PatchSlices> m_slices;              ///< of the model that is coming
+    std::optional<core::MeshPatch> m_pending;         ///< of it, too, and newer
     bool m_hasStepped = false, m_hasOldModel = false; ///< the other buffer still has a model that nobody will see
     std::uint64_t m_wholeUploads = 0;
 };

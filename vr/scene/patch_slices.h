@@ -7,8 +7,8 @@ namespace vr
 /// What a patch sends to OpenGL.
 std::size_t bytesOf(const core::MeshPatch& patch);
 
-/// A whole patch, cut into patches that follow one another: first an empty whole one, then its values in order. Only the last leaves a
-/// mesh that can be drawn. Gives back memory as soon as it is not needed.
+/// A whole patch, cut into patches that follow one another: first an empty whole one, then its values in order. Only
+/// the last leaves a mesh that can be drawn. Gives back memory as soon as it is not needed.
 class PatchSlices
 {
 public:

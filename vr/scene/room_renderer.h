@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vr/scene/eye_uniforms.h"
 #include "vr/gl/gl_program.h"
+#include "vr/scene/eye_uniforms.h"
 #include "vr/util/thread_cpu_time.h"
 
 namespace vr
@@ -35,7 +35,8 @@ private:
     struct FloorProgram : Program
     {
         Uniform clip{this, "clip"}, center{this, "center"}, halfX{this, "halfX"}, halfY{this, "halfY"};
-        Uniform eyePosition{this, "eyePosition"}, viewMatrix{this, "viewMatrix"}, projectionMatrix{this, "projectionMatrix"};
+        Uniform eyePosition{this, "eyePosition"}, viewMatrix{this, "viewMatrix"},
+            projectionMatrix{this, "projectionMatrix"};
         Uniform cell{this, "cell"}, reach{this, "reach"}, under{this, "under"}, footprint{this, "footprint"};
         Uniform lineColor{this, "lineColor"}, lineAlpha{this, "lineAlpha"}, shade{this, "shade"};
     };

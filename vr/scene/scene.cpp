@@ -1,13 +1,14 @@
-// First what is opaque (mesh, wands), then the dome behind it, then what is translucent: floor, panels, and the rest from far to near.
+// First what is opaque (mesh, wands), then the dome behind it, then what is translucent: floor, panels, and the rest
+// from far to near.
 #include "vr/scene/scene.h"
 
+#include "vr/scene/label_layout.h"
 #include "vr/scene/mesh_buffer.h"
 #include "vr/scene/mesh_program.h"
 #include "vr/scene/mesh_stream.h"
+#include "vr/scene/room_renderer.h"
 #include "vr/scene/translucent_list.h"
 #include "vr/scene/translucent_renderer.h"
-#include "vr/scene/label_layout.h"
-#include "vr/scene/room_renderer.h"
 #include "vr/scene/wand_renderer.h"
 
 #include "core/stroke/symmetry_plane.h"
@@ -33,7 +34,7 @@ struct MeshAppearance
 namespace
 {
 constexpr double minLevel = 0.2;   ///< of the head's sideways axis, to be taken as level
-constexpr double shadeReach = 0.9;   ///< metres: what hangs higher hardly shades the floor
+constexpr double shadeReach = 0.9; ///< metres: what hangs higher hardly shades the floor
 constexpr float strongestShade = 0.5F;
 
 MeshAppearance meshAppearance(const SceneState& state)
@@ -49,21 +50,23 @@ MeshAppearance meshAppearance(const SceneState& state)
         const core::Vec3 center = state.model.inverse() * brush->center;
         const double radius = brush->radius / std::cbrt(state.model.linear().determinant());
         look.ball << center.cast<float>(), static_cast<float>(radius);
-        look.ballImage << (center - 2 * normal * normal.dot(center)).cast<float>(), static_cast<float>(normal.isZero() ? 0 : radius);
+        look.ballImage << (center - 2 * normal * normal.dot(center)).cast<float>(),
+            static_cast<float>(normal.isZero() ? 0 : radius);
         look.ballFalloff = static_cast<float>(brush->falloff);
     }
     return look;
 }
 
-/// The lights stand behind who looks at the model from there, over the left shoulder, as on the desktop: they go around it with the head and
-/// do not turn or roll with it, or the shades would swim.
+/// The lights stand behind who looks at the model from there, over the left shoulder, as on the desktop: they go around
+/// it with the head and do not turn or roll with it, or the shades would swim.
 Eigen::Matrix3f lightAxes(const SceneState& state)
 {
     Pose head = state.head;
     const core::Vec3 sideways = head.rotation * core::Vec3::UnitX(), level(sideways.x(), 0, sideways.z());
     if (level.norm() > minLevel)
         head.rotation = Eigen::AngleAxisd(std::atan2(-level.z(), level.x()), core::Vec3::UnitY());
-    const core::Vec3 middle = state.box.isEmpty() ? state.model.translation() : core::Vec3(state.model * state.box.center());
+    const core::Vec3 middle =
+        state.box.isEmpty() ? state.model.translation() : core::Vec3(state.model * state.box.center());
     return axesFacing(head, middle).cast<float>();
 }
 

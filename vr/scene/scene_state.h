@@ -1,11 +1,11 @@
 #pragma once
 
-#include "vr/util/pose.h"
-#include "vr/scene/wand_model.h"
 #include "vr/openxr/wand_state.h"
+#include "vr/scene/wand_model.h"
+#include "vr/util/pose.h"
 
-#include "core/stroke/tool.h"
 #include "core/render/shading.h"
+#include "core/stroke/tool.h"
 
 #include <QString>
 
@@ -31,9 +31,10 @@ struct ShownWand
     std::array<bool, wandPartCount> isLit{}; ///< by WandPart: what is pressed
     double trigger = 0;                      ///< 0 to 1, how far it is pulled
     std::optional<Eigen::Vector2d> touch;    ///< where a thumb lies on the pad, as in WandState
-    double hold = 0;                         ///< of the side button: the share of the ring that is full, 0 to 1; 0: no ring
+    /// Of the side button: the share of the ring that is full, 0 to 1; 0: no ring.
+    double hold = 0;
     std::array<WandLabel, wandSpotCount> labels; ///< by WandSpot
-    std::optional<core::Rgb> tip;            ///< the colour of the bead at the front end
+    std::optional<core::Rgb> tip;                ///< the colour of the bead at the front end
 };
 
 /// The spherical brush, at a wand's tip. Metres of the room.
@@ -66,24 +67,26 @@ struct Laser
 struct Spotlight
 {
     core::Vec3 center = core::Vec3::Zero(), normal = core::Vec3::UnitY(); ///< of the surface; the normal has length 1
-    double pulse = 0;                                                     ///< 0 to 1, over and over: how far its wave has come
+    /// 0 to 1, over and over: how far its wave has come.
+    double pulse = 0;
 };
 
 /// A rectangle with a picture. Seen from behind it is a dark plate.
 struct Panel
 {
-    Pose pose;                       ///< of its middle: +X to its right, +Y up, +Z towards who reads it
-    Eigen::Vector2d size{0.4, 0.3};  ///< metres
-    unsigned int picture = 0;        ///< a Texture's id
+    Pose pose;                      ///< of its middle: +X to its right, +Y up, +Z towards who reads it
+    Eigen::Vector2d size{0.4, 0.3}; ///< metres
+    unsigned int picture = 0;       ///< a Texture's id
     float opacity = 1;
 };
 
 /// All that a frame shows except the mesh itself. Room space where nothing else is said.
 struct SceneState
 {
-    Pose head;                                                        ///< midway between the eyes
-    Eigen::Affine3d model = Eigen::Affine3d(Eigen::UniformScaling(1e-3)); ///< document to room: evenly scaled, turned and moved, never mirrored
-    core::Box box;                                                    ///< of the model, mm; empty: no model
+    Pose head; ///< midway between the eyes
+    /// Document to room: evenly scaled, turned and moved, never mirrored.
+    Eigen::Affine3d model = Eigen::Affine3d(Eigen::UniformScaling(1e-3));
+    core::Box box; ///< of the model, mm; empty: no model
     core::Shading shading;
     bool isFlat = false; ///< each triangle in one shade
     core::Symmetry symmetry = core::Symmetry::None;

@@ -95,7 +95,8 @@ core::DrawArrays SolidBuilder::drawArrays() const
             for (const std::size_t other : facesAt[corner])
                 if (areas[f].dot(areas[other]) >= smoothCosine * areas[f].norm() * areas[other].norm())
                     normal += areas[other];
-            arrays.vertices.push_back({m_points[corner].cast<float>(), packed(normal.normalized()), {255, 255, 255, 255}});
+            arrays.vertices.push_back(
+                {m_points[corner].cast<float>(), packed(normal.normalized()), {255, 255, 255, 255}});
         }
         arrays.faces.push_back({at, at + 1, at + 2});
     }

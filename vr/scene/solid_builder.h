@@ -12,8 +12,8 @@ class SolidBuilder
 public:
     using Loop = std::vector<core::Vec3>;
 
-    /// A skin over loops of equally many points, from the first, which is counter-clockwise seen from before it, to the last; both ends are
-    /// closed by fans to their middles.
+    /// A skin over loops of equally many points, from the first, which is counter-clockwise seen from before it, to the
+    /// last; both ends are closed by fans to their middles.
     void loft(const std::vector<Loop>& loops);
 
     void add(const SolidBuilder& other);
@@ -31,8 +31,8 @@ private:
 /// Half axes of an ellipsoid along x, y and z.
 SolidBuilder ellipsoid(const core::Vec3& middle, const core::Vec3& half);
 
-/// A plate with a bevelled upper edge over an outline in x and z, which is counter-clockwise seen from above and all of it seen from its middle. Upward is
-/// +y; `bottom` and `top` are heights.
+/// A plate with a bevelled upper edge over an outline in x and z, which is counter-clockwise seen from above and all of
+/// it seen from its middle. Upward is +y; `bottom` and `top` are heights.
 struct PlateHeights
 {
     double bottom = 0, top = 0, bevel = 0;

@@ -47,7 +47,11 @@ Rectangle acrossTo(const core::Vec3& center, const core::Vec3& normal, double ra
 class TranslucentListBuilder
 {
 public:
-    TranslucentListBuilder(const SceneState& state, LabelTextures& labels, TranslucentList& list) : m_state(state), m_labels(labels), m_list(list) {}
+    TranslucentListBuilder(const SceneState& state, LabelTextures& labels, TranslucentList& list)
+        : m_state(state)
+        , m_labels(labels)
+        , m_list(list)
+    {}
 
     void addPlane();
     void addBrush(std::monostate) {}
@@ -69,7 +73,8 @@ private:
     void addFootprint(const RayBrush::Hit& hit, float strength);
     void addLabels(const ShownWand& wand);
     void addHold(const ShownWand& wand);
-    /// Visits the maps from the brush to where its stroke is done besides: in the other sectors, and across the plane of symmetry.
+    /// Visits the maps from the brush to where its stroke is done besides: in the other sectors, and across the plane
+    /// of symmetry.
     template <class Visit> void forEachImage(Visit visit) const;
 
     const SceneState& m_state;
@@ -99,7 +104,8 @@ template <class Visit> void TranslucentListBuilder::forEachImage(Visit visit) co
     const Eigen::Matrix3d reflection = Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
     for (int k = 0; k < m_state.radial; ++k) {
         const core::Turn part = core::Turn::part(k, m_state.radial);
-        const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::atan2(part.sine, part.cosine), core::Vec3::UnitY()).toRotationMatrix();
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(std::atan2(part.sine, part.cosine), core::Vec3::UnitY()).toRotationMatrix();
         if (k > 0)
             visit(Eigen::Affine3d(m_state.model * Eigen::Affine3d(turn) * m_state.model.inverse()));
         if (m_state.symmetry != core::Symmetry::None)
@@ -204,7 +210,8 @@ void TranslucentListBuilder::addLabels(const ShownWand& wand)
         const LabelPlace& place = *places[spot];
         const float opacity = wand.labels[spot].opacity;
         add(place.center, Picture{rectangle(place.center, place.halfX, place.halfY), textures[spot], opacity});
-        addLine(place.button, place.edge, {.width = thinner, .color = paleColor, .alphas = {0.60F * opacity, 0.30F * opacity}});
+        addLine(place.button, place.edge,
+                {.width = thinner, .color = paleColor, .alphas = {0.60F * opacity, 0.30F * opacity}});
     }
 }
 
@@ -214,7 +221,8 @@ void TranslucentListBuilder::addLaser(const Laser& laser)
     addDot(laser.to, dotRadius, accentColor);
 }
 
-/// A glowing bead, a wave that spreads on the surface, and a beam from above: it is found by its shape, too, and through the clay.
+/// A glowing bead, a wave that spreads on the surface, and a beam from above: it is found by its shape, too, and
+/// through the clay.
 void TranslucentListBuilder::addSpotlight(const Spotlight& spotlight)
 {
     const core::Vec3 at = spotlight.center + offSurface * spotlight.normal;
@@ -233,7 +241,8 @@ void TranslucentListBuilder::addSpotlight(const Spotlight& spotlight)
                  .color = spotlightColor,
                  .alpha = strength,
                  .hiddenAlpha = hiddenOpacity * strength});
-    addLine(at + beamHeight * core::Vec3::UnitY(), at, {.width = beamWidth, .color = spotlightColor, .alphas = {0.0F, 0.9F}});
+    addLine(at + beamHeight * core::Vec3::UnitY(), at,
+            {.width = beamWidth, .color = spotlightColor, .alphas = {0.0F, 0.9F}});
     bead(2 * spotlightRadius, spotlightColor, 0.35F);
     bead(spotlightRadius, spotlightColor, 1);
     bead(0.45 * spotlightRadius, Eigen::Vector3f::Ones(), 1);
@@ -250,7 +259,7 @@ void TranslucentListBuilder::addPanel(const Panel& panel)
     const core::Vec3 halfX = panel.pose.rotation * core::Vec3(panel.size.x() / 2, 0, 0);
     const core::Vec3 halfY = panel.pose.rotation * core::Vec3(0, panel.size.y() / 2, 0);
     m_list.panels.push_back({static_cast<float>((center - m_state.head.position).norm()),
-                              Picture{rectangle(center, halfX, halfY), panel.picture, panel.opacity}});
+                             Picture{rectangle(center, halfX, halfY), panel.picture, panel.opacity}});
 }
 
 void sortByDistance(std::vector<TranslucentShape>& list)

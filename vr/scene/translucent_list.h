@@ -1,8 +1,8 @@
 #pragma once
 
-#include "vr/scene/translucent_shapes.h"
 #include "vr/scene/label_textures.h"
 #include "vr/scene/scene_state.h"
+#include "vr/scene/translucent_shapes.h"
 
 #include <vector>
 

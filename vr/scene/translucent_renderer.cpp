@@ -1,7 +1,7 @@
 #include "vr/scene/translucent_renderer.h"
 
-#include "core/mesh/draw_arrays.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/mesh/draw_arrays.h"
 
 #include <QOpenGLExtraFunctions>
 

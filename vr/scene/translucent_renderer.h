@@ -1,8 +1,8 @@
 #pragma once
 
-#include "vr/scene/mesh_buffer.h"
-#include "vr/scene/eye_uniforms.h"
 #include "vr/gl/gl_program.h"
+#include "vr/scene/eye_uniforms.h"
+#include "vr/scene/mesh_buffer.h"
 #include "vr/scene/translucent_shapes.h"
 #include "vr/util/thread_cpu_time.h"
 
@@ -10,7 +10,8 @@
 
 namespace vr
 {
-/// Draws translucent shapes, after all opaque ones. The context that was current at create() must be current at every call.
+/// Draws translucent shapes, after all opaque ones. The context that was current at create() must be current at every
+/// call.
 class TranslucentRenderer
 {
 public:
@@ -32,7 +33,8 @@ private:
     struct LineProgram : Program
     {
         Uniform view{this, "view"}, projection{this, "projection"}, pixel{this, "pixel"};
-        Uniform from{this, "from"}, to{this, "to"}, halfWidth{this, "halfWidth"}, color{this, "color"}, alphas{this, "alphas"};
+        Uniform from{this, "from"}, to{this, "to"}, halfWidth{this, "halfWidth"}, color{this, "color"},
+            alphas{this, "alphas"};
     };
     struct RectangleProgram : Program
     {

@@ -196,7 +196,8 @@ std::optional<Side> WandLabels::behind(const InputFrame& frame, const Pose& head
         return std::nullopt;
     const Bearing a = bearingOf(left, head), b = bearingOf(right, head);
     const double slack = m_behind ? labelGapSlack : 0;
-    if (std::abs(a.aside - b.aside) > minLabelGapAside + slack || std::abs(a.above - b.above) > minLabelGapAbove + slack)
+    if (std::abs(a.aside - b.aside) > minLabelGapAside + slack ||
+        std::abs(a.above - b.above) > minLabelGapAbove + slack)
         return std::nullopt;
     const double metres = !m_behind ? 0 : *m_behind == Side::Left ? labelGapSlackMetres : -labelGapSlackMetres;
     const bool isLeftFarther = a.distance + metres > b.distance;

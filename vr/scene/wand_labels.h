@@ -15,20 +15,23 @@ inline constexpr double labelLookSeconds = 0.5; ///< a wand has to be looked at 
 inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
 /// Between two wands as the head sees them: farther apart, beside each other or above, the labels of both have room.
 inline constexpr double minLabelGapAside = 30, minLabelGapAbove = 14;
-/// So much farther apart they have to be when there was none, so that hands may tremble; metres are of their distances from the head.
+/// So much farther apart they have to be when there was none, so that hands may tremble; metres are of their distances
+/// from the head.
 inline constexpr double labelGapSlack = 3, labelGapSlackMetres = 0.03;
 
-/// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there until what it
-/// tells of was done once, all of it where a button has two functions; then it comes back while the wand is looked at. A wand that draws
-/// is not: it is the clay that is looked at. One that points at a panel has none, which would stand before what it points at; nor has the
-/// farther of two wands between which there is no room for the labels of both. With another preset, or other hands, all of them are new.
+/// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there
+/// until what it tells of was done once, all of it where a button has two functions; then it comes back while the wand
+/// is looked at. A wand that draws is not: it is the clay that is looked at. One that points at a panel has none, which
+/// would stand before what it points at; nor has the farther of two wands between which there is no room for the labels
+/// of both. With another preset, or other hands, all of them are new.
 ///
 /// Pure: any thread, no clock but the frames' own. Allocates nothing but in the step that finds another choice.
 class WandLabels
 {
 public:
     /// Of each frame, after WandMapping::step(): `hands` as it is then, and the commands that it gave.
-    void step(const InputFrame& frame, const Pose& head, const WandMapping& hands, std::span<const WandCommand> commands);
+    void step(const InputFrame& frame, const Pose& head, const WandMapping& hands,
+              std::span<const WandCommand> commands);
 
     /// By WandSpot.
     std::array<WandLabel, wandSpotCount> labels(Side side) const;
@@ -68,8 +71,8 @@ private:
 
     FrameClock m_clock;
     std::optional<WandSettings> m_settings; ///< that the lines are of
-    std::array<Hand, sideCount> m_hands; ///< by Side
-    std::uint32_t m_used = 0;            ///< rows
-    std::optional<Side> m_behind;        ///< whose labels there is no room for
+    std::array<Hand, sideCount> m_hands;    ///< by Side
+    std::uint32_t m_used = 0;               ///< rows
+    std::optional<Side> m_behind;           ///< whose labels there is no room for
 };
 } // namespace vr

@@ -1,5 +1,5 @@
-// The body is lofted over sections from a table, the pad is cut into its four sides and a middle, the buttons are plates and ellipsoids that
-// stand a little out of the body.
+// The body is lofted over sections from a table, the pad is cut into its four sides and a middle, the buttons are
+// plates and ellipsoids that stand a little out of the body.
 #include "vr/scene/wand_model.h"
 
 #include "vr/openxr/wand_state.h"
@@ -22,8 +22,8 @@ struct Section
 };
 
 constexpr Section sections[] = {
-    {0.1010, 0.0060, 0.0050, -0.0075},  {0.0990, 0.0110, 0.0088, -0.0120}, {0.0940, 0.0142, 0.0112, -0.0148},
-    {0.0800, 0.0158, 0.0130, -0.0162},  {0.0400, 0.0160, 0.0138, -0.0168}, {0.0000, 0.0172, 0.0146, -0.0172},
+    {0.1010, 0.0060, 0.0050, -0.0075},  {0.0990, 0.0110, 0.0088, -0.0120},  {0.0940, 0.0142, 0.0112, -0.0148},
+    {0.0800, 0.0158, 0.0130, -0.0162},  {0.0400, 0.0160, 0.0138, -0.0168},  {0.0000, 0.0172, 0.0146, -0.0172},
     {-0.0250, 0.0208, 0.0152, -0.0176}, {-0.0450, 0.0238, 0.0155, -0.0174}, {-0.0650, 0.0232, 0.0153, -0.0164},
     {-0.0800, 0.0196, 0.0142, -0.0142}, {-0.0950, 0.0146, 0.0114, -0.0112}, {-0.1120, 0.0098, 0.0078, -0.0080},
     {-0.1260, 0.0066, 0.0052, -0.0054}, {-0.1310, 0.0050, 0.0040, -0.0042},
@@ -48,7 +48,8 @@ double between(double a, double b, double c, double d, double t)
 Section sectionAt(std::size_t i, double t)
 {
     const auto at = [&](int offset) -> const Section& {
-        return sections[std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(i) + offset, 0, std::ssize(sections) - 1)];
+        return sections[std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(i) + offset, 0,
+                                                   std::ssize(sections) - 1)];
     };
     const auto value = [&](double Section::*of) { return between(at(-1).*of, at(0).*of, at(1).*of, at(2).*of, t); };
     return {value(&Section::z), value(&Section::halfWidth), value(&Section::top), value(&Section::bottom)};
@@ -60,7 +61,8 @@ SolidBuilder::Loop loopOf(const Section& section)
     SolidBuilder::Loop loop;
     for (int i = 0; i < sidesAround; ++i) {
         const double turn = 2 * pi * i / sidesAround, up = power(std::sin(turn));
-        loop.emplace_back(section.halfWidth * power(std::cos(turn)), up > 0 ? up * section.top : -up * section.bottom, section.z);
+        loop.emplace_back(section.halfWidth * power(std::cos(turn)), up > 0 ? up * section.top : -up * section.bottom,
+                          section.z);
     }
     return loop;
 }
@@ -119,16 +121,26 @@ SolidBuilder sideButtons()
 core::DrawArrays wandPartModel(WandPart part)
 {
     switch (part) {
-    case WandPart::Body: return body().drawArrays();
-    case WandPart::PadUp: return padSide(0).drawArrays();
-    case WandPart::PadLeft: return padSide(pi / 2).drawArrays();
-    case WandPart::PadDown: return padSide(pi).drawArrays();
-    case WandPart::PadRight: return padSide(-pi / 2).drawArrays();
-    case WandPart::PadMiddle: return plate(circle({0, 0, padMiddleZ}, padMiddleRadius), {padBottom, padTop - 0.0003, 0.0004}).drawArrays();
-    case WandPart::Menu: return plate(circle({0, 0, menuZ}, menuRadius), {0.0100, 0.0149, 0.0006}).drawArrays();
-    case WandPart::Trigger: return ellipsoid(triggerMiddle, {0.0066, 0.0096, 0.0180}).drawArrays();
-    case WandPart::Side: return sideButtons().drawArrays();
-    case WandPart::Tip: return ellipsoid(wandTip(), core::Vec3::Constant(beadRadius)).drawArrays();
+    case WandPart::Body:
+        return body().drawArrays();
+    case WandPart::PadUp:
+        return padSide(0).drawArrays();
+    case WandPart::PadLeft:
+        return padSide(pi / 2).drawArrays();
+    case WandPart::PadDown:
+        return padSide(pi).drawArrays();
+    case WandPart::PadRight:
+        return padSide(-pi / 2).drawArrays();
+    case WandPart::PadMiddle:
+        return plate(circle({0, 0, padMiddleZ}, padMiddleRadius), {padBottom, padTop - 0.0003, 0.0004}).drawArrays();
+    case WandPart::Menu:
+        return plate(circle({0, 0, menuZ}, menuRadius), {0.0100, 0.0149, 0.0006}).drawArrays();
+    case WandPart::Trigger:
+        return ellipsoid(triggerMiddle, {0.0066, 0.0096, 0.0180}).drawArrays();
+    case WandPart::Side:
+        return sideButtons().drawArrays();
+    case WandPart::Tip:
+        return ellipsoid(wandTip(), core::Vec3::Constant(beadRadius)).drawArrays();
     }
     return {};
 }
@@ -136,14 +148,22 @@ core::DrawArrays wandPartModel(WandPart part)
 core::Vec3 placeOf(WandSpot spot)
 {
     switch (spot) {
-    case WandSpot::PadUp: return placeOnPad({0, 0.7});
-    case WandSpot::PadLeft: return placeOnPad({-0.7, 0});
-    case WandSpot::PadDown: return placeOnPad({0, -0.7});
-    case WandSpot::PadRight: return placeOnPad({0.7, 0});
-    case WandSpot::PadMiddle: return placeOnPad({0, 0});
-    case WandSpot::Menu: return {0, 0.0150, menuZ};
-    case WandSpot::Trigger: return triggerMiddle - core::Vec3(0.0066, 0, 0);
-    case WandSpot::Side: return {0.0186, -0.0010, sideZ};
+    case WandSpot::PadUp:
+        return placeOnPad({0, 0.7});
+    case WandSpot::PadLeft:
+        return placeOnPad({-0.7, 0});
+    case WandSpot::PadDown:
+        return placeOnPad({0, -0.7});
+    case WandSpot::PadRight:
+        return placeOnPad({0.7, 0});
+    case WandSpot::PadMiddle:
+        return placeOnPad({0, 0});
+    case WandSpot::Menu:
+        return {0, 0.0150, menuZ};
+    case WandSpot::Trigger:
+        return triggerMiddle - core::Vec3(0.0066, 0, 0);
+    case WandSpot::Side:
+        return {0.0186, -0.0010, sideZ};
     }
     return core::Vec3::Zero();
 }
@@ -160,7 +180,8 @@ core::Vec3 placeOnPad(const Eigen::Vector2d& touch)
 
 Eigen::Affine3d triggerTurn(double pull)
 {
-    return Eigen::Translation3d(triggerHinge) * Eigen::AngleAxisd(-triggerWay * std::clamp(pull, 0.0, 1.0), core::Vec3::UnitX()) *
+    return Eigen::Translation3d(triggerHinge) *
+           Eigen::AngleAxisd(-triggerWay * std::clamp(pull, 0.0, 1.0), core::Vec3::UnitX()) *
            Eigen::Translation3d(-triggerHinge);
 }
 } // namespace vr

@@ -12,8 +12,8 @@ inline constexpr std::size_t wandPartCount = 10;
 enum class WandSpot { PadUp, PadLeft, PadDown, Trigger, Menu, PadRight, PadMiddle, Side };
 inline constexpr std::size_t wandSpotCount = 8;
 
-// A wand of our own, about as large as a Vive's: 0.24 m. In the space of the grip pose as OpenXR has it: metres, the palm at the origin, -Z from
-// the hand to the tip, +Y towards the thumb, where the pad is.
+// A wand of our own, about as large as a Vive's: 0.24 m. In the space of the grip pose as OpenXR has it: metres, the
+// palm at the origin, -Z from the hand to the tip, +Y towards the thumb, where the pad is.
 
 /// At rest.
 core::DrawArrays wandPartModel(WandPart part);

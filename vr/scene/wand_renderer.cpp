@@ -8,10 +8,14 @@ namespace
 {
 constexpr float glow = 1.2F; ///< of a bead: it shines
 
-const core::Shading bodyLook{.tint = {0.052F, 0.055F, 0.062F}, .wrap = 0.25F, .gloss = 0.20F, .sharpness = 26, .rim = 0.30F};
-const core::Shading padLook{.tint = {0.105F, 0.110F, 0.120F}, .wrap = 0.30F, .gloss = 0.10F, .sharpness = 16, .rim = 0.20F};
-const core::Shading buttonLook{.tint = {0.200F, 0.208F, 0.222F}, .wrap = 0.30F, .gloss = 0.16F, .sharpness = 30, .rim = 0.24F};
-const core::Shading litLook{.tint = {0.13F, 0.38F, 0.86F}, .wrap = 0.90F, .gloss = 0.05F, .sharpness = 20, .rim = 0.10F};
+const core::Shading bodyLook{
+    .tint = {0.052F, 0.055F, 0.062F}, .wrap = 0.25F, .gloss = 0.20F, .sharpness = 26, .rim = 0.30F};
+const core::Shading padLook{
+    .tint = {0.105F, 0.110F, 0.120F}, .wrap = 0.30F, .gloss = 0.10F, .sharpness = 16, .rim = 0.20F};
+const core::Shading buttonLook{
+    .tint = {0.200F, 0.208F, 0.222F}, .wrap = 0.30F, .gloss = 0.16F, .sharpness = 30, .rim = 0.24F};
+const core::Shading litLook{
+    .tint = {0.13F, 0.38F, 0.86F}, .wrap = 0.90F, .gloss = 0.05F, .sharpness = 20, .rim = 0.10F};
 
 core::Shading beadLook(const std::optional<core::Rgb>& color)
 {

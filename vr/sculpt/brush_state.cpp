@@ -55,9 +55,7 @@ BrushState changed(BrushState brush, const WandAction& action)
             stroke.topology = stroke.topology == Topology::Adaptive ? Topology::Uniform : Topology::Adaptive;
         },
         [&](ToggleSymmetry) { stroke.symmetry = stroke.symmetry == Symmetry::None ? brush.plane : Symmetry::None; },
-        [&](const ScaleRadius& scale) {
-            brush.radius = std::clamp(brush.radius * scale.factor, minRadius, maxRadius);
-        },
+        [&](const ScaleRadius& scale) { brush.radius = std::clamp(brush.radius * scale.factor, minRadius, maxRadius); },
         [&](const ChangeChannel& step) { stroke.color = changedColor(stroke.color, step); },
         [](const auto&) {},
     };

@@ -8,8 +8,8 @@ namespace vr
 {
 // Of the brush, in the room; metres. A hand that trembles cannot use a smaller one, and a larger one hides the model.
 inline constexpr double minRadius = 0.002, maxRadius = 0.25, defaultRadius = 0.03;
-/// StrokeSettings::spacing of what wands draw, but for tools that follow the hand. A dab of full strength raises the surface by a tenth
-/// of the radius: so far apart, it keeps up with the wand that pulls it.
+/// StrokeSettings::spacing of what wands draw, but for tools that follow the hand. A dab of full strength raises the
+/// surface by a tenth of the radius: so far apart, it keeps up with the wand that pulls it.
 inline constexpr double wandSpacing = 0.1;
 
 /// The brush in the hand: what the next stroke will be.
@@ -25,9 +25,10 @@ struct BrushState
 /// ranges; what is none of the brush's business leaves it as it is.
 BrushState changed(BrushState brush, const WandAction& action);
 
-/// Of a stroke that begins now. Where a ball that pulls begins in empty space, it adds a ball to the model; a stroke that only goes on adds none.
+/// Of a stroke that begins now. Where a ball that pulls begins in empty space, it adds a ball to the model; a stroke
+/// that only goes on adds none.
 core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const ModelPlacement& placement);
-/// In the document's space, where the model's orientation in the room is taken off already. It has its own radius: the model may
-/// be scaled while it is sculpted; and alphas and stamps turn with the wand.
+/// In the document's space, where the model's orientation in the room is taken off already. It has its own radius: the
+/// model may be scaled while it is sculpted; and alphas and stamps turn with the wand.
 core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const ModelPlacement& placement);
 } // namespace vr

@@ -6,10 +6,10 @@
 
 #include "core/mesh/footprint.h"
 #include "core/mesh/mesh_patch.h"
+#include "core/mesh/surface_hit.h"
 #include "core/operations/model_command.h"
 #include "core/render/shading.h"
 #include "core/stroke/stroke.h"
-#include "core/mesh/surface_hit.h"
 
 #include <array>
 #include <memory>
@@ -34,13 +34,14 @@ struct DocumentUpdate
     core::Box box;     ///< mm
     core::Shading shading;
     bool isFlat = false; ///< each triangle in one shade
-    /// Tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion as the window has them. `brushChange` counts the
-    /// window's own changes: what the headset requested is reported back without one.
+    /// Tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion as the window has them.
+    /// `brushChange` counts the window's own changes: what the headset requested is reported back without one.
     core::StrokeSettings brush;
     quint64 brushChange = 0;
-    bool smooths = true;  ///< Smooth is offered: by a trigger, too, whatever the tool is
-    bool reducesMotion = false;  ///< nothing moves that nobody moves
-    /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose brush.radius for it, mm.
+    bool smooths = true;        ///< Smooth is offered: by a trigger, too, whatever the tool is
+    bool reducesMotion = false; ///< nothing moves that nobody moves
+    /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose
+    /// brush.radius for it, mm.
     quint64 radiusChange = 0;
     core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is switched on
     bool canUndo = false, canRedo = false;
@@ -49,12 +50,12 @@ struct DocumentUpdate
     QList<core::Rgb> swatches;
     QString folder; ///< the name of the folder of the files, for people
     QList<FileTile> files;
-    QString saved;           ///< the name that the last save of this visit gave, for people
-    QString notice;          ///< a sentence that is to be read in the headset, too
-    quint64 noticeCount = 0; ///< another number: it is shown again
-    std::optional<PointedPlace> pointed;  ///< where the person at the window points
-    std::optional<LessonPanel> lesson;    ///< that is open in the window; its page is the headset's own
-    std::optional<core::Sphere> teacher;  ///< the brush of the lesson's teacher, mm
+    QString saved;                       ///< the name that the last save of this visit gave, for people
+    QString notice;                      ///< a sentence that is to be read in the headset, too
+    quint64 noticeCount = 0;             ///< another number: it is shown again
+    std::optional<PointedPlace> pointed; ///< where the person at the window points
+    std::optional<LessonPanel> lesson;   ///< that is open in the window; its page is the headset's own
+    std::optional<core::Sphere> teacher; ///< the brush of the lesson's teacher, mm
 };
 
 /// Where a brush of these settings meets the surface: a ray brush along the ray, a spherical one at its origin.
@@ -65,8 +66,8 @@ struct SurfaceQuery
     bool wantsFootprint = true; ///< of a ray brush; it is the costly part
 };
 
-/// Answer to querySurface(): where the brush meets the surface. `hit`: of a ray brush where the ray meets it; of a spherical one the surface's
-/// nearest point, if that is within the radius.
+/// Answer to querySurface(): where the brush meets the surface. `hit`: of a ray brush where the ray meets it; of a
+/// spherical one the surface's nearest point, if that is within the radius.
 struct SurfaceQueryResult
 {
     std::optional<core::SurfaceHit> hit;
@@ -90,7 +91,8 @@ struct AvatarState
     Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document to room
 };
 
-/// The brush that the window shall have, too: what DocumentUpdate::brush says, but for falloff, strength, detail and fusion.
+/// The brush that the window shall have, too: what DocumentUpdate::brush says, but for falloff, strength, detail and
+/// fusion.
 struct ChooseBrush
 {
     core::StrokeSettings brush;
@@ -103,11 +105,13 @@ struct OpenModel
     bool discardsChanges = false;
 };
 
-/// What the gui thread is asked to do; it is done there in this order, and in the order of the strokes before and after it.
-using DocumentRequest = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation, HeadsetSettings, LessonRequest>;
+/// What the gui thread is asked to do; it is done there in this order, and in the order of the strokes before and after
+/// it.
+using DocumentRequest = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation,
+                                     HeadsetSettings, LessonRequest>;
 
-/// The document as the headset's thread sees it. All is called on that thread, none waits for another thread, and none allocates
-/// more than what it hands over. Values of millimetres are in the document's space.
+/// The document as the headset's thread sees it. All is called on that thread, none waits for another thread, and none
+/// allocates more than what it hands over. Values of millimetres are in the document's space.
 class DocumentPort
 {
 public:
@@ -117,8 +121,8 @@ public:
     virtual std::optional<core::MeshPatch> takePatch() = 0;
     virtual std::optional<DocumentUpdate> takeUpdate() = 0;
 
-    /// False: somebody else draws, or the model is being changed as a whole; then the stroke does not begin, and the other two do
-    /// nothing.
+    /// False: somebody else draws, or the model is being changed as a whole; then the stroke does not begin, and the
+    /// other two do nothing.
     virtual bool beginStroke(const core::StrokeSettings& settings) = 0;
     virtual void addSample(const core::StrokeSample& sample) = 0;
     virtual void endStroke() = 0;

@@ -45,8 +45,8 @@ void SculptClient::destroy()
     m_target.destroy();
 }
 
-/// Panels know where the wands were when they decide where these point; hands know whether they point at one; the brush is looked at when
-/// it is known what it is and where.
+/// Panels know where the wands were when they decide where these point; hands know whether they point at one; the brush
+/// is looked at when it is known what it is and where.
 FrameOutput SculptClient::frame(const FrameInput& input)
 {
     m_output = {};
@@ -69,7 +69,8 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     return m_output;
 }
 
-/// Another model is placed before the person; one that has only grown stays where it is. The hand feels what the window chose for it.
+/// Another model is placed before the person; one that has only grown stays where it is. The hand feels what the window
+/// chose for it.
 void SculptClient::takeUpdate()
 {
     std::optional<DocumentUpdate> update = m_port->takeUpdate();
@@ -116,7 +117,11 @@ void SculptClient::place(const FrameInput& input)
         m_placement.place(m_head, m_settings.heightOffset);
         m_isPlaced = true;
     }
-    PanelManager::Sight sight{m_head, {}, m_settings.wands.sculpting, modelSphere(m_placement, m_update.box), m_settings.wands.preset == ButtonPreset::OneHand};
+    PanelManager::Sight sight{m_head,
+                              {},
+                              m_settings.wands.sculpting,
+                              modelSphere(m_placement, m_update.box),
+                              m_settings.wands.preset == ButtonPreset::OneHand};
     for (std::size_t i = 0; i < sideCount; ++i)
         if (input.wands[i].isTracked)
             sight.grips[i] = input.wands[i].grip;

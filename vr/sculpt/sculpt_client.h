@@ -1,19 +1,20 @@
 #pragma once
 
-#include "vr/sculpt/wand_brush.h"
-#include "vr/scene/eye_target.h"
 #include "vr/frame/frame_client.h"
 #include "vr/input/wand_mapping.h"
 #include "vr/panels/panel_manager.h"
+#include "vr/scene/eye_target.h"
 #include "vr/scene/scene.h"
 #include "vr/scene/wand_labels.h"
+#include "vr/sculpt/wand_brush.h"
 
 #include <memory>
 
 namespace vr
 {
-/// Sculpting in the headset: hands, brush, panels and the scene around the document's model, as one client. The order of a frame is in
-/// frame(); what hands and panels ask for is done in sculpt_client_commands.cpp, what is seen is put together in sculpt_client_view.cpp.
+/// Sculpting in the headset: hands, brush, panels and the scene around the document's model, as one client. The order
+/// of a frame is in frame(); what hands and panels ask for is done in sculpt_client_commands.cpp, what is seen is put
+/// together in sculpt_client_view.cpp.
 ///
 /// Each visit has its own, which is used on the headset's thread only, except the constructor.
 class SculptClient : public FrameClient

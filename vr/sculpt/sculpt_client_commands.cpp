@@ -75,7 +75,9 @@ void SculptClient::handle(Side side, const PanelAction& action)
         [&](LessonRequest request) { m_port->request(request); },
         [&](const ChooseChannel& channel) { m_mapping.selectChannel(channel.channel); },
         // Of the item that was pressed: what is painted may be older than the changes.
-        [&](const OpenFile& file) { m_port->request(OpenModel{file.path, file.discardsChanges}); },
+        [&](const OpenFile& file) {
+            m_port->request(OpenModel{file.path, file.discardsChanges});
+        },
         [](const auto&) {},
     };
     hapticInput(side).stepped = true;
@@ -135,7 +137,8 @@ void SculptClient::applySettings(const HeadsetSettings& settings)
     if (settings.wands != before.wands)
         handle(m_mapping.setSettings(settings.wands));
     if (settings.heightOffset != before.heightOffset)
-        m_placement.move({}, {Eigen::Quaterniond::Identity(), core::Vec3(0, settings.heightOffset - before.heightOffset, 0)});
+        m_placement.move(
+            {}, {Eigen::Quaterniond::Identity(), core::Vec3(0, settings.heightOffset - before.heightOffset, 0)});
     m_haptics.setLevels(settings.hapticLevels);
     m_port->request(settings);
 }

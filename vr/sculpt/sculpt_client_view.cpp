@@ -9,7 +9,7 @@ namespace
 {
 constexpr double measuresEvery = 0.5; ///< seconds; numbers that change faster cannot be read
 constexpr double stillPulse = 0.4;
-constexpr double pulseSeconds = 1.2;  ///< of the light where somebody points: it catches the eye and does not flicker
+constexpr double pulseSeconds = 1.2; ///< of the light where somebody points: it catches the eye and does not flicker
 
 WandPart partOf(Sector sector)
 {
@@ -138,11 +138,13 @@ void SculptClient::updateScene(const FrameInput& input)
         m_state.wands[i] = shown(input.wands[i], static_cast<Side>(i));
     m_state.spotlight = {};
     if (m_update.pointed)
-        m_state.spotlight = Spotlight{m_placement.toRoom(m_update.pointed->position), m_placement.directionToRoom(m_update.pointed->normal),
-                                   m_update.reducesMotion ? stillPulse : std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
+        m_state.spotlight = Spotlight{
+            m_placement.toRoom(m_update.pointed->position), m_placement.directionToRoom(m_update.pointed->normal),
+            m_update.reducesMotion ? stillPulse : std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
     m_state.teacher = {};
     if (m_update.teacher)
-        m_state.teacher = core::Sphere{m_placement.toRoom(m_update.teacher->center), m_placement.lengthToRoom(m_update.teacher->radius)};
+        m_state.teacher = core::Sphere{m_placement.toRoom(m_update.teacher->center),
+                                       m_placement.lengthToRoom(m_update.teacher->radius)};
     m_panels.list(m_state.panels);
     m_state.lasers = {};
     for (const Side side : {Side::Left, Side::Right})

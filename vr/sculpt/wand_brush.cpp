@@ -70,8 +70,9 @@ void WandBrush::querySurface(const ModelPlacement& placement)
     if (!m_tip)
         m_queryResult = {};
     else
-        m_port->querySurface(
-            {{placement.toModel(m_tip->position), placement.directionToModel(m_tip->forward())}, settings(placement), !m_isDrawing});
+        m_port->querySurface({{placement.toModel(m_tip->position), placement.directionToModel(m_tip->forward())},
+                              settings(placement),
+                              !m_isDrawing});
 }
 
 /// A stroke may be ahead of what is answered.
@@ -101,8 +102,8 @@ std::variant<std::monostate, BallBrush, RayBrush> WandBrush::shown(const ModelPl
         return BallBrush{m_tip->position, m_state.radius, m_state.stroke.falloff};
     RayBrush ray{{m_tip->position, m_tip->forward()}, {}};
     if (m_queryResult.hit)
-        ray.hit = RayBrush::Hit{placement.toRoom(m_queryResult.hit->position), placement.directionToRoom(m_queryResult.hit->normal),
-                                m_state.radius};
+        ray.hit = RayBrush::Hit{placement.toRoom(m_queryResult.hit->position),
+                                placement.directionToRoom(m_queryResult.hit->normal), m_state.radius};
     return ray;
 }
 } // namespace vr

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "vr/scene/scene_state.h"
 #include "vr/sculpt/brush_state.h"
 #include "vr/sculpt/document_port.h"
-#include "vr/scene/scene_state.h"
 
 namespace vr
 {
-/// The brush in the sculpting hand: the stroke that it draws in the document, and what of the surface it meets. The headset's thread.
+/// The brush in the sculpting hand: the stroke that it draws in the document, and what of the surface it meets. The
+/// headset's thread.
 class WandBrush
 {
 public:
@@ -28,7 +29,8 @@ public:
     void aim(const std::optional<Pose>& tip) { m_tip = tip; }
     /// Once a frame: asks where it would meet the surface, and takes what was answered.
     void querySurface(const ModelPlacement& placement);
-    /// Whether a ball at the tip reaches the surface, as far as it is known: what was answered for another place does not count.
+    /// Whether a ball at the tip reaches the surface, as far as it is known: what was answered for another place does
+    /// not count.
     bool touches(const ModelPlacement& placement) const;
     /// How strongly it sculpts, 0 to 1; 0: it does not.
     double pressure() const { return m_pressure; }
@@ -41,16 +43,20 @@ public:
     const std::shared_ptr<const core::Footprint>& footprint() const { return m_queryResult.footprint; }
 
 private:
-    core::StrokeSettings settings(const ModelPlacement& placement) const { return strokeSettings(m_state, {}, placement); }
+    core::StrokeSettings settings(const ModelPlacement& placement) const
+    {
+        return strokeSettings(m_state, {}, placement);
+    }
     bool isRay() const { return m_state.stroke.brush == core::BrushShape::Ray; }
 
     DocumentPort* m_port;
     BrushState m_state;
     quint64 m_seenChange = 0, m_seenRadius = 0; ///< of the window
-    bool m_smooths = true; ///< where a hand asks for it
+    bool m_smooths = true;                      ///< where a hand asks for it
     bool m_isDrawing = false;
     double m_pressure = 0;
-    std::optional<double> m_firstTime; ///< seconds, of the first point: a runtime's clock may begin anywhere, files' times have bounds
+    /// Seconds, of the first point: a runtime's clock may begin anywhere, files' times have bounds.
+    std::optional<double> m_firstTime;
     std::optional<Pose> m_tip;
     SurfaceQueryResult m_queryResult;
 };

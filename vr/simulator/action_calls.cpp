@@ -5,7 +5,8 @@ namespace simulator
 {
 namespace
 {
-constexpr std::array<std::string_view, 5> userPaths{"/user/hand/left", "/user/hand/right", "/user/head", "/user/gamepad", "/user/treadmill"};
+constexpr std::array<std::string_view, 5> userPaths{"/user/hand/left", "/user/hand/right", "/user/head",
+                                                    "/user/gamepad", "/user/treadmill"};
 
 struct Names
 {
@@ -24,7 +25,8 @@ template <class Items> void checkUnique(const Names& names, const Items& others)
 {
     for (const auto& other : others) {
         require(other->name != names.name, XR_ERROR_NAME_DUPLICATED, "the name is taken");
-        require(other->localizedName != names.localized, XR_ERROR_LOCALIZED_NAME_DUPLICATED, "the localized name is taken");
+        require(other->localizedName != names.localized, XR_ERROR_LOCALIZED_NAME_DUPLICATED,
+                "the localized name is taken");
     }
 }
 
@@ -40,8 +42,10 @@ bool isActionType(XrActionType type)
     case XR_ACTION_TYPE_FLOAT_INPUT:
     case XR_ACTION_TYPE_VECTOR2F_INPUT:
     case XR_ACTION_TYPE_POSE_INPUT:
-    case XR_ACTION_TYPE_VIBRATION_OUTPUT: return true;
-    default: return false;
+    case XR_ACTION_TYPE_VIBRATION_OUTPUT:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -52,7 +56,8 @@ std::vector<XrPath> checkedSubactions(const Paths& paths, const XrActionCreateIn
         const XrPath path = (&validated(info.subactionPaths))[i];
         const bool isUser = std::find(userPaths.begin(), userPaths.end(), paths.text(path)) != userPaths.end();
         const bool isNew = std::find(subactions.begin(), subactions.end(), path) == subactions.end();
-        require(isUser && isNew, XR_ERROR_PATH_UNSUPPORTED, "a subaction path is twice there, or no top level user path");
+        require(isUser && isNew, XR_ERROR_PATH_UNSUPPORTED,
+                "a subaction path is twice there, or no top level user path");
         subactions.push_back(path);
     }
     return subactions;
@@ -66,16 +71,19 @@ void warnOfLostBinding(Call& call, const Paths& paths, const Action& action, con
         return;
     }
     const XrPath hand = paths.known(userPath(source->hand));
-    const bool isOfHand = std::find(action.subactions.begin(), action.subactions.end(), hand) != action.subactions.end();
+    const bool isOfHand =
+        std::find(action.subactions.begin(), action.subactions.end(), hand) != action.subactions.end();
     if (!action.subactions.empty() && !isOfHand)
         call.warn(action.name + " is bound to a hand that is not among its subaction paths");
 }
 
-SuggestedBinding checkedBinding(Call& call, const Instance& instance, const Profile& profile, const XrActionSuggestedBinding& suggested)
+SuggestedBinding checkedBinding(Call& call, const Instance& instance, const Profile& profile,
+                                const XrActionSuggestedBinding& suggested)
 {
     const auto& action = call.get<Action>(suggested.action);
     const std::string& path = instance.paths.text(suggested.binding);
-    require(!static_cast<const ActionSet&>(*action.parent).isAttached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached");
+    require(!static_cast<const ActionSet&>(*action.parent).isAttached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
+            "the action set is attached");
     require(hasPath(profile, path), XR_ERROR_PATH_UNSUPPORTED, "the profile has no such path");
     const auto source = sourceAt(profile, path, action.type);
     if (!profile.components.empty())
@@ -89,7 +97,8 @@ void requireSubaction(const Paths& paths, const Action& action, XrPath subaction
     if (subaction == XR_NULL_PATH)
         return;
     paths.text(subaction);
-    const bool isDeclared = std::find(action.subactions.begin(), action.subactions.end(), subaction) != action.subactions.end();
+    const bool isDeclared =
+        std::find(action.subactions.begin(), action.subactions.end(), subaction) != action.subactions.end();
     require(isDeclared, XR_ERROR_PATH_UNSUPPORTED, "the action was not created with this subaction path");
 }
 
@@ -143,7 +152,8 @@ XrResult destroyAction(Call& call, XrAction handle)
     return XR_SUCCESS;
 }
 
-XrResult suggestInteractionProfileBindings(Call& call, XrInstance handle, const XrInteractionProfileSuggestedBinding* suggestion)
+XrResult suggestInteractionProfileBindings(Call& call, XrInstance handle,
+                                           const XrInteractionProfileSuggestedBinding* suggestion)
 {
     Instance& instance = call.get<Instance>(handle);
     validated(suggestion, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING);

@@ -21,7 +21,7 @@ class ActionSet : public Object
 public:
     std::string name, localizedName;
     std::uint32_t priority = 0;
-    bool isAttached = false; ///< to any session: it can no longer change
+    bool isAttached = false;                      ///< to any session: it can no longer change
     std::vector<std::shared_ptr<Action>> actions; ///< also those whose handle is destroyed
 };
 

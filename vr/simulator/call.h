@@ -10,7 +10,9 @@ class Call
 {
 public:
     Call(const char* function, Runtime& answering, std::unique_lock<std::mutex>& held)
-        : name(function), runtime(answering), lock(held)
+        : name(function)
+        , runtime(answering)
+        , lock(held)
     {}
 
     /// Of a handle that is neither stale nor lost.

@@ -31,7 +31,8 @@ template <class T> T& validated(T* pointer)
 /// Of a structure that says its own type.
 template <class T> T& validated(T* pointer, XrStructureType type)
 {
-    require(validated(pointer).type == type, XR_ERROR_VALIDATION_FAILURE, "a structure's type is not set, or another's");
+    require(validated(pointer).type == type, XR_ERROR_VALIDATION_FAILURE,
+            "a structure's type is not set, or another's");
     return *pointer;
 }
 

@@ -27,7 +27,8 @@ XrResult enumerateEnvironmentBlendModes(Call&, XrInstance, XrSystemId, XrViewCon
                                         std::uint32_t* count, XrEnvironmentBlendMode*);
 XrResult enumerateViewConfigurations(Call&, XrInstance, XrSystemId, std::uint32_t capacity, std::uint32_t* count,
                                      XrViewConfigurationType*);
-XrResult getViewConfigurationProperties(Call&, XrInstance, XrSystemId, XrViewConfigurationType, XrViewConfigurationProperties*);
+XrResult getViewConfigurationProperties(Call&, XrInstance, XrSystemId, XrViewConfigurationType,
+                                        XrViewConfigurationProperties*);
 XrResult enumerateViewConfigurationViews(Call&, XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity,
                                          std::uint32_t* count, XrViewConfigurationView*);
 XrResult getOpenGlRequirements(Call&, XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR*);
@@ -45,22 +46,26 @@ XrResult beginFrame(Call&, XrSession, const XrFrameBeginInfo*);
 XrResult endFrame(Call&, XrSession, const XrFrameEndInfo*);
 
 // swapchain_calls.cpp
-XrResult enumerateSwapchainFormats(Call&, XrSession, std::uint32_t capacity, std::uint32_t* count, std::int64_t* formats);
+XrResult enumerateSwapchainFormats(Call&, XrSession, std::uint32_t capacity, std::uint32_t* count,
+                                   std::int64_t* formats);
 XrResult createSwapchain(Call&, XrSession, const XrSwapchainCreateInfo*, XrSwapchain*);
 XrResult destroySwapchain(Call&, XrSwapchain);
-XrResult enumerateSwapchainImages(Call&, XrSwapchain, std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader*);
+XrResult enumerateSwapchainImages(Call&, XrSwapchain, std::uint32_t capacity, std::uint32_t* count,
+                                  XrSwapchainImageBaseHeader*);
 XrResult acquireSwapchainImage(Call&, XrSwapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t* index);
 XrResult waitSwapchainImage(Call&, XrSwapchain, const XrSwapchainImageWaitInfo*);
 XrResult releaseSwapchainImage(Call&, XrSwapchain, const XrSwapchainImageReleaseInfo*);
 
 // space_calls.cpp
-XrResult enumerateReferenceSpaces(Call&, XrSession, std::uint32_t capacity, std::uint32_t* count, XrReferenceSpaceType*);
+XrResult enumerateReferenceSpaces(Call&, XrSession, std::uint32_t capacity, std::uint32_t* count,
+                                  XrReferenceSpaceType*);
 XrResult createReferenceSpace(Call&, XrSession, const XrReferenceSpaceCreateInfo*, XrSpace*);
 XrResult getReferenceSpaceBoundsRect(Call&, XrSession, XrReferenceSpaceType, XrExtent2Df*);
 XrResult createActionSpace(Call&, XrSession, const XrActionSpaceCreateInfo*, XrSpace*);
 XrResult locateSpace(Call&, XrSpace, XrSpace base, XrTime, XrSpaceLocation*);
 XrResult destroySpace(Call&, XrSpace);
-XrResult locateViews(Call&, XrSession, const XrViewLocateInfo*, XrViewState*, std::uint32_t capacity, std::uint32_t* count, XrView*);
+XrResult locateViews(Call&, XrSession, const XrViewLocateInfo*, XrViewState*, std::uint32_t capacity,
+                     std::uint32_t* count, XrView*);
 
 // action_calls.cpp
 XrResult createActionSet(Call&, XrInstance, const XrActionSetCreateInfo*, XrActionSet*);
@@ -77,8 +82,8 @@ XrResult getActionStateBoolean(Call&, XrSession, const XrActionStateGetInfo*, Xr
 XrResult getActionStateFloat(Call&, XrSession, const XrActionStateGetInfo*, XrActionStateFloat*);
 XrResult getActionStateVector2f(Call&, XrSession, const XrActionStateGetInfo*, XrActionStateVector2f*);
 XrResult getActionStatePose(Call&, XrSession, const XrActionStateGetInfo*, XrActionStatePose*);
-XrResult enumerateBoundSourcesForAction(Call&, XrSession, const XrBoundSourcesForActionEnumerateInfo*, std::uint32_t capacity,
-                                        std::uint32_t* count, XrPath* sources);
+XrResult enumerateBoundSourcesForAction(Call&, XrSession, const XrBoundSourcesForActionEnumerateInfo*,
+                                        std::uint32_t capacity, std::uint32_t* count, XrPath* sources);
 XrResult getInputSourceLocalizedName(Call&, XrSession, const XrInputSourceLocalizedNameGetInfo*, std::uint32_t capacity,
                                      std::uint32_t* count, char* buffer);
 

@@ -1,6 +1,6 @@
-// The doors: the loader asks xrNegotiateLoaderRuntimeInterface() for getInstanceProcAddr(), and that for all else. Each function of
-// OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted result or the function of calls.h answer, and writes
-// what was asked.
+// The doors: the loader asks xrNegotiateLoaderRuntimeInterface() for getInstanceProcAddr(), and that for all else. Each
+// function of OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted result or the function
+// of calls.h answer, and writes what was asked.
 #include "vr/simulator/calls.h"
 #include "vr/simulator/enum_names.h"
 #include "vr/simulator/loader_interface.h"
@@ -28,8 +28,10 @@ bool isClientsFault(XrResult result)
     case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
     case XR_ERROR_RUNTIME_UNAVAILABLE:
     case XR_ERROR_INSTANCE_LOST:
-    case XR_ERROR_SESSION_LOST: return false;
-    default: return XR_FAILED(result);
+    case XR_ERROR_SESSION_LOST:
+        return false;
+    default:
+        return XR_FAILED(result);
     }
 }
 
@@ -76,7 +78,8 @@ void waitWhileFrozen(Call& call)
 
 template <Name FunctionName, auto Implementation> struct Entry;
 
-template <Name FunctionName, class... Arguments, XrResult (*Implementation)(Call&, Arguments...)> struct Entry<FunctionName, Implementation>
+template <Name FunctionName, class... Arguments, XrResult (*Implementation)(Call&, Arguments...)>
+struct Entry<FunctionName, Implementation>
 {
     static XrResult XRAPI_CALL call(Arguments... arguments)
     {
@@ -92,7 +95,8 @@ template <Name FunctionName, class... Arguments, XrResult (*Implementation)(Call
     }
 };
 
-template <class Function, Name FunctionName, auto Implementation> std::pair<std::string_view, PFN_xrVoidFunction> entry()
+template <class Function, Name FunctionName, auto Implementation>
+std::pair<std::string_view, PFN_xrVoidFunction> entry()
 {
     constexpr Function function = &Entry<FunctionName, Implementation>::call; // so that the two agree on the arguments
     return {FunctionName.text, reinterpret_cast<PFN_xrVoidFunction>(function)};
@@ -208,16 +212,16 @@ XrResult XRAPI_CALL getInstanceProcAddr(XrInstance instance, const char* name, P
 
 bool isCompatible(const LoaderInfo* loader, const RuntimeRequest* request)
 {
-    return loader && request && loader->type == LoaderStructure::LoaderInfo && request->type == LoaderStructure::RuntimeRequest
-           && loader->size == sizeof(LoaderInfo) && request->size == sizeof(RuntimeRequest)
-           && loader->minInterfaceVersion <= loaderInterfaceVersion && loader->maxInterfaceVersion >= loaderInterfaceVersion
-           && loader->minApiVersion <= XR_CURRENT_API_VERSION;
+    return loader && request && loader->type == LoaderStructure::LoaderInfo &&
+           request->type == LoaderStructure::RuntimeRequest && loader->size == sizeof(LoaderInfo) &&
+           request->size == sizeof(RuntimeRequest) && loader->minInterfaceVersion <= loaderInterfaceVersion &&
+           loader->maxInterfaceVersion >= loaderInterfaceVersion && loader->minApiVersion <= XR_CURRENT_API_VERSION;
 }
 } // namespace
 } // namespace simulator
 
-extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterface(const simulator::LoaderInfo* loader,
-                                                                                           simulator::RuntimeRequest* request)
+extern "C" __attribute__((visibility("default"))) XrResult
+xrNegotiateLoaderRuntimeInterface(const simulator::LoaderInfo* loader, simulator::RuntimeRequest* request)
 {
     using namespace simulator;
     if (!isCompatible(loader, request))

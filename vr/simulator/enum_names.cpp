@@ -23,27 +23,26 @@ std::string nameOf(XrResult result)
         if (named.result == result)
             return named.name;
     }
-    return (XR_SUCCEEDED(result) ? "XR_UNKNOWN_SUCCESS_" : "XR_UNKNOWN_FAILURE_") + std::to_string(static_cast<int>(result));
+    return (XR_SUCCEEDED(result) ? "XR_UNKNOWN_SUCCESS_" : "XR_UNKNOWN_FAILURE_") +
+           std::to_string(static_cast<int>(result));
 }
 
 #define FETTLE_CASE(NAME, VALUE)                                                                                       \
-    case NAME: return #NAME;
+    case NAME:                                                                                                         \
+        return #NAME;
 
 std::string nameOf(XrStructureType type)
 {
     switch (type) {
-        XR_LIST_ENUM_XrStructureType(FETTLE_CASE)
-    default:
-        return "XR_UNKNOWN_STRUCTURE_TYPE_" + std::to_string(static_cast<int>(type));
+        XR_LIST_ENUM_XrStructureType(FETTLE_CASE) default : return "XR_UNKNOWN_STRUCTURE_TYPE_" +
+                                                            std::to_string(static_cast<int>(type));
     }
 }
 
 std::string nameOf(XrSessionState state)
 {
     switch (state) {
-        XR_LIST_ENUM_XrSessionState(FETTLE_CASE)
-    default:
-        return std::to_string(static_cast<int>(state));
+        XR_LIST_ENUM_XrSessionState(FETTLE_CASE) default : return std::to_string(static_cast<int>(state));
     }
 }
 #undef FETTLE_CASE

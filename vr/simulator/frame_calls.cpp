@@ -20,7 +20,8 @@ bool isGone(const Session& session)
 
 void waitUntilBegun(Call& call, Session& session)
 {
-    const bool isBegun = call.runtime.changed.wait_for(call.lock, patience, [&] { return !session.waited || isGone(session); });
+    const bool isBegun =
+        call.runtime.changed.wait_for(call.lock, patience, [&] { return !session.waited || isGone(session); });
     if (!isBegun)
         call.error("the frame that was waited for before is not begun");
     require(isBegun, XR_ERROR_RUNTIME_FAILURE, "waited in vain for xrBeginFrame");
@@ -31,15 +32,15 @@ void waitUntilAllowed(Call& call, Session& session)
     Runtime& runtime = call.runtime;
     runtime.isClientWaiting = true;
     runtime.changed.notify_all();
-    runtime.changed.wait(call.lock, [&] {
-        return runtime.world.pace != Pace::Stepped || runtime.framesAllowed > 0 || isGone(session);
-    });
+    runtime.changed.wait(
+        call.lock, [&] { return runtime.world.pace != Pace::Stepped || runtime.framesAllowed > 0 || isGone(session); });
     runtime.isClientWaiting = false;
     if (runtime.framesAllowed > 0)
         --runtime.framesAllowed;
 }
 
-/// When the next frame's interval begins. Those of a live display follow each other by the clock: a frame that misses its own is late.
+/// When the next frame's interval begins. Those of a live display follow each other by the clock: a frame that misses
+/// its own is late.
 Clock::time_point nextStart(SimulatedWorld& world, const Session& session)
 {
     const XrDuration period = world.period();

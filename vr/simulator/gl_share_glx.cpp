@@ -46,9 +46,11 @@ void allocate(const TextureForm& form)
 {
     const auto format = static_cast<GLenum>(form.format);
     if (form.layers > 1)
-        glFunction<PFNGLTEXSTORAGE3DPROC>("glTexStorage3D")(targetOf(form), form.levels, format, form.width, form.height, form.layers);
+        glFunction<PFNGLTEXSTORAGE3DPROC>("glTexStorage3D")(targetOf(form), form.levels, format, form.width,
+                                                            form.height, form.layers);
     else
-        glFunction<PFNGLTEXSTORAGE2DPROC>("glTexStorage2D")(targetOf(form), form.levels, format, form.width, form.height);
+        glFunction<PFNGLTEXSTORAGE2DPROC>("glTexStorage2D")(targetOf(form), form.levels, format, form.width,
+                                                            form.height);
 }
 
 /// The part of one layer's pixels, turned upside up.
@@ -68,8 +70,11 @@ class ShareContext::Scope
 {
 public:
     explicit Scope(const ShareContext& share)
-        : m_ours(share.m_client.display), m_display(glXGetCurrentDisplay()), m_context(glXGetCurrentContext())
-        , m_draw(glXGetCurrentDrawable()), m_read(glXGetCurrentReadDrawable())
+        : m_ours(share.m_client.display)
+        , m_display(glXGetCurrentDisplay())
+        , m_context(glXGetCurrentContext())
+        , m_draw(glXGetCurrentDrawable())
+        , m_read(glXGetCurrentReadDrawable())
     {
         if (m_context)
             glFinish(); // so that we see what it has drawn
@@ -164,7 +169,8 @@ bool ShareContext::isDone(__GLsync* mark)
 Picture ShareContext::read(const TexturePart& part) const
 {
     const Scope scope(*this);
-    const std::size_t layerSize = static_cast<std::size_t>(part.form.width) * static_cast<std::size_t>(part.form.height) * 4;
+    const std::size_t layerSize =
+        static_cast<std::size_t>(part.form.width) * static_cast<std::size_t>(part.form.height) * 4;
     std::vector<std::uint8_t> pixels(layerSize * static_cast<std::size_t>(part.form.layers));
     glBindTexture(targetOf(part.form), part.texture);
     glGetTexImage(targetOf(part.form), 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());

@@ -34,8 +34,8 @@ struct TexturePart
     int layer = 0;
 };
 
-/// An OpenGL context of our own that shares textures with the client's. Its functions make it current on the calling thread and
-/// then give the thread back what it had.
+/// An OpenGL context of our own that shares textures with the client's. Its functions make it current on the calling
+/// thread and then give the thread back what it had.
 class ShareContext
 {
 public:
@@ -64,7 +64,8 @@ public:
     std::vector<unsigned int> createTextures(const TextureForm& form, std::size_t count) const;
     void destroyTextures(const std::vector<unsigned int>& textures) const;
 
-    /// Both in the client's context, which is current: what it has drawn so far, and whether all of that is done. The mark is used up.
+    /// Both in the client's context, which is current: what it has drawn so far, and whether all of that is done. The
+    /// mark is used up.
     static __GLsync* markDrawing();
     static bool isDone(__GLsync* mark);
 

@@ -9,7 +9,8 @@ std::vector<Hand> handsOf(const Session& session, const Action& action, XrPath s
 {
     std::vector<Hand> found;
     for (const auto& binding : session.input.bindings()) {
-        const bool isAsked = subaction == XR_NULL_PATH || session.instance().paths.known(userPath(binding.source.hand)) == subaction;
+        const bool isAsked =
+            subaction == XR_NULL_PATH || session.instance().paths.known(userPath(binding.source.hand)) == subaction;
         if (binding.action.get() == &action && isAsked)
             found.push_back(binding.source.hand);
     }
@@ -36,14 +37,16 @@ nlohmann::json described(Call& call, Hand hand, const XrHapticVibration* pulse)
     nlohmann::json haptic = call.where();
     haptic["hand"] = hand == Hand::Left ? "left" : "right";
     if (pulse)
-        haptic.update({{"amplitude", pulse->amplitude}, {"frequency", pulse->frequency}, {"duration_ns", pulse->duration}});
+        haptic.update(
+            {{"amplitude", pulse->amplitude}, {"frequency", pulse->frequency}, {"duration_ns", pulse->duration}});
     else
         haptic["stop"] = true;
     return haptic;
 }
 } // namespace
 
-XrResult applyHapticFeedback(Call& call, XrSession handle, const XrHapticActionInfo* info, const XrHapticBaseHeader* feedback)
+XrResult applyHapticFeedback(Call& call, XrSession handle, const XrHapticActionInfo* info,
+                             const XrHapticBaseHeader* feedback)
 {
     const Session& session = call.get<Session>(handle);
     validated(info, XR_TYPE_HAPTIC_ACTION_INFO);

@@ -12,16 +12,18 @@ void requireAttached(const Session& session)
     require(session.input.isAttached(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
 }
 
-template <class State> ActionState readState(Call& call, XrSession handle, const XrActionStateGetInfo* info, State* state)
+template <class State>
+ActionState readState(Call& call, XrSession handle, const XrActionStateGetInfo* info, State* state)
 {
-    constexpr bool isBool = std::is_same_v<State, XrActionStateBoolean>, isFloat = std::is_same_v<State, XrActionStateFloat>;
+    constexpr bool isBool = std::is_same_v<State, XrActionStateBoolean>,
+                   isFloat = std::is_same_v<State, XrActionStateFloat>;
     constexpr bool isVector = std::is_same_v<State, XrActionStateVector2f>;
     const Session& session = call.get<Session>(handle);
     validated(info, XR_TYPE_ACTION_STATE_GET_INFO);
     validated(state, isBool     ? XR_TYPE_ACTION_STATE_BOOLEAN
-                 : isFloat  ? XR_TYPE_ACTION_STATE_FLOAT
-                 : isVector ? XR_TYPE_ACTION_STATE_VECTOR2F
-                            : XR_TYPE_ACTION_STATE_POSE);
+                     : isFloat  ? XR_TYPE_ACTION_STATE_FLOAT
+                     : isVector ? XR_TYPE_ACTION_STATE_VECTOR2F
+                                : XR_TYPE_ACTION_STATE_POSE);
     constexpr XrActionType type = isBool     ? XR_ACTION_TYPE_BOOLEAN_INPUT
                                   : isFloat  ? XR_ACTION_TYPE_FLOAT_INPUT
                                   : isVector ? XR_ACTION_TYPE_VECTOR2F_INPUT
@@ -47,7 +49,8 @@ ActiveSet checkedSet(Call& call, const Session& session, const XrActiveActionSet
     const Paths& paths = session.instance().paths;
     const std::string& path = paths.text(asked.subactionPath);
     const bool isDeclared = std::any_of(set.actions.begin(), set.actions.end(), [&](const auto& action) {
-        return std::find(action->subactions.begin(), action->subactions.end(), asked.subactionPath) != action->subactions.end();
+        return std::find(action->subactions.begin(), action->subactions.end(), asked.subactionPath) !=
+               action->subactions.end();
     });
     require(isDeclared, XR_ERROR_PATH_UNSUPPORTED, "no action of the set has this subaction path");
     return {&set, {path == userPath(Hand::Left), path == userPath(Hand::Right)}};
@@ -63,8 +66,8 @@ std::vector<ActiveSet> checkedSets(Call& call, const Session& session, const XrA
 
 bool isUserPath(std::string_view path)
 {
-    return path == userPath(Hand::Left) || path == userPath(Hand::Right) || path == "/user/head" || path == "/user/gamepad"
-           || path == "/user/treadmill";
+    return path == userPath(Hand::Left) || path == userPath(Hand::Right) || path == "/user/head" ||
+           path == "/user/gamepad" || path == "/user/treadmill";
 }
 
 /// "trackpad" of "/user/hand/left/input/trackpad/x", with a capital.
@@ -80,7 +83,8 @@ std::string componentName(std::string_view path)
 const SessionInput::Binding* bindingAt(const Session& session, const std::string& path)
 {
     const auto& bindings = session.input.bindings();
-    const auto found = std::find_if(bindings.begin(), bindings.end(), [&](const auto& it) { return it.source.path == path; });
+    const auto found =
+        std::find_if(bindings.begin(), bindings.end(), [&](const auto& it) { return it.source.path == path; });
     return found == bindings.end() ? nullptr : &*found;
 }
 
@@ -120,7 +124,8 @@ XrResult attachSessionActionSets(Call& call, XrSession handle, const XrSessionAc
     return XR_SUCCESS;
 }
 
-XrResult getCurrentInteractionProfile(Call& call, XrSession handle, XrPath userPathNumber, XrInteractionProfileState* state)
+XrResult getCurrentInteractionProfile(Call& call, XrSession handle, XrPath userPathNumber,
+                                      XrInteractionProfileState* state)
 {
     Session& session = call.get<Session>(handle);
     validated(state, XR_TYPE_INTERACTION_PROFILE_STATE);
@@ -154,7 +159,8 @@ XrResult syncActions(Call& call, XrSession handle, const XrActionsSyncInfo* info
     return XR_SUCCESS;
 }
 
-XrResult getActionStateBoolean(Call& call, XrSession handle, const XrActionStateGetInfo* info, XrActionStateBoolean* state)
+XrResult getActionStateBoolean(Call& call, XrSession handle, const XrActionStateGetInfo* info,
+                               XrActionStateBoolean* state)
 {
     const ActionState read = readState(call, handle, info, state);
     state->currentState = read.x != 0 ? XR_TRUE : XR_FALSE;
@@ -167,7 +173,8 @@ XrResult getActionStateFloat(Call& call, XrSession handle, const XrActionStateGe
     return XR_SUCCESS;
 }
 
-XrResult getActionStateVector2f(Call& call, XrSession handle, const XrActionStateGetInfo* info, XrActionStateVector2f* state)
+XrResult getActionStateVector2f(Call& call, XrSession handle, const XrActionStateGetInfo* info,
+                                XrActionStateVector2f* state)
 {
     const ActionState read = readState(call, handle, info, state);
     state->currentState = {static_cast<float>(read.x), static_cast<float>(read.y)};
@@ -199,9 +206,9 @@ XrResult enumerateBoundSourcesForAction(Call& call, XrSession handle, const XrBo
 XrResult getInputSourceLocalizedName(Call& call, XrSession handle, const XrInputSourceLocalizedNameGetInfo* info,
                                      std::uint32_t capacity, std::uint32_t* count, char* buffer)
 {
-    constexpr XrInputSourceLocalizedNameFlags known = XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT
-                                                      | XR_INPUT_SOURCE_LOCALIZED_NAME_INTERACTION_PROFILE_BIT
-                                                      | XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT;
+    constexpr XrInputSourceLocalizedNameFlags known = XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT |
+                                                      XR_INPUT_SOURCE_LOCALIZED_NAME_INTERACTION_PROFILE_BIT |
+                                                      XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT;
     const Session& session = call.get<Session>(handle);
     validated(info, XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO);
     requireAttached(session);

@@ -44,9 +44,9 @@ class Instance : public Object
 public:
     Paths paths;
     Events events;
-    bool takesOpenGl = false;     ///< the client enabled the extension
+    bool takesOpenGl = false; ///< the client enabled the extension
     bool requirementsAsked = false;
-    std::optional<std::int64_t> lostAt; ///< frame of the session
+    std::optional<std::int64_t> lostAt;                 ///< frame of the session
     std::vector<std::shared_ptr<ActionSet>> actionSets; ///< also those whose handles are destroyed: bindings live on
     std::map<std::string, std::vector<SuggestedBinding>> suggestions; ///< by profile
 };

@@ -42,21 +42,21 @@ std::optional<XrEventDataBuffer> Events::take()
 void Events::drop(XrSession session)
 {
     std::erase_if(m_waiting, [session](const XrEventDataBuffer& event) {
-        return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING
-               && reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == session;
+        return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
+               reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == session;
     });
 }
 
-XrResult enumerateInstanceExtensionProperties(Call& call, const char* layer, std::uint32_t capacity, std::uint32_t* count,
-                                              XrExtensionProperties* properties)
+XrResult enumerateInstanceExtensionProperties(Call& call, const char* layer, std::uint32_t capacity,
+                                              std::uint32_t* count, XrExtensionProperties* properties)
 {
     require(!layer, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no layers");
     writeItems(OutputArray<XrExtensionProperties>{capacity, count, properties}, offeredExtensions(call.runtime.world),
-           [](XrExtensionProperties& to, const std::string& name) {
-               validated(&to, XR_TYPE_EXTENSION_PROPERTIES);
-               copyText(to.extensionName, name);
-               to.extensionVersion = XR_KHR_opengl_enable_SPEC_VERSION;
-           });
+               [](XrExtensionProperties& to, const std::string& name) {
+                   validated(&to, XR_TYPE_EXTENSION_PROPERTIES);
+                   copyText(to.extensionName, name);
+                   to.extensionVersion = XR_KHR_opengl_enable_SPEC_VERSION;
+               });
     return XR_SUCCESS;
 }
 
@@ -68,8 +68,8 @@ XrResult createInstance(Call& call, const XrInstanceCreateInfo* info, XrInstance
     require(runtime.world.hasRuntime, XR_ERROR_RUNTIME_UNAVAILABLE, "so the script says");
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
     require(info->applicationInfo.applicationName[0] != 0, XR_ERROR_NAME_INVALID, "the application has no name");
-    require(XR_VERSION_MAJOR(info->applicationInfo.apiVersion) == XR_VERSION_MAJOR(XR_CURRENT_API_VERSION)
-                && info->applicationInfo.apiVersion <= XR_MAKE_VERSION(1, 0, 0xFFFFFFFF),
+    require(XR_VERSION_MAJOR(info->applicationInfo.apiVersion) == XR_VERSION_MAJOR(XR_CURRENT_API_VERSION) &&
+                info->applicationInfo.apiVersion <= XR_MAKE_VERSION(1, 0, 0xFFFFFFFF),
             XR_ERROR_API_VERSION_UNSUPPORTED, "not 1.0");
     checkExtensions(*info, runtime.world);
     require(!runtime.instance, XR_ERROR_LIMIT_REACHED, "one instance at a time");
@@ -135,7 +135,8 @@ XrResult stringToPath(Call& call, XrInstance handle, const char* text, XrPath* p
     return XR_SUCCESS;
 }
 
-XrResult pathToString(Call& call, XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer)
+XrResult pathToString(Call& call, XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count,
+                      char* buffer)
 {
     writeText({capacity, count, buffer}, call.get<Instance>(handle).paths.text(path));
     return XR_SUCCESS;

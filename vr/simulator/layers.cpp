@@ -33,11 +33,12 @@ TexturePart checkedPart(Call& call, const XrSwapchainSubImage& image)
     const XrExtent2Di& extent = image.imageRect.extent;
     const TextureForm& form = swapchain.form();
     require(swapchain.shown().has_value(), XR_ERROR_LAYER_INVALID, "no image of the swapchain was released");
-    const bool isInside = offset.x >= 0 && offset.y >= 0 && extent.width > 0 && extent.height > 0
-                          && extent.width <= form.width - offset.x && extent.height <= form.height - offset.y;
+    const bool isInside = offset.x >= 0 && offset.y >= 0 && extent.width > 0 && extent.height > 0 &&
+                          extent.width <= form.width - offset.x && extent.height <= form.height - offset.y;
     require(isInside, XR_ERROR_SWAPCHAIN_RECT_INVALID, "the rectangle is empty or leaves the image");
-    require(image.imageArrayIndex < static_cast<std::uint32_t>(form.layers), XR_ERROR_VALIDATION_FAILURE, "no such array layer");
-    return {swapchain.texture(*swapchain.shown()), form, offset.x, offset.y, extent.width, extent.height,
+    require(image.imageArrayIndex < static_cast<std::uint32_t>(form.layers), XR_ERROR_VALIDATION_FAILURE,
+            "no such array layer");
+    return {swapchain.texture(*swapchain.shown()),  form, offset.x, offset.y, extent.width, extent.height,
             static_cast<int>(image.imageArrayIndex)};
 }
 
@@ -55,8 +56,8 @@ void compareWithView(Call& call, const Session& session, const XrCompositionLaye
     const auto& space = call.get<Space>(layer.space);
     const auto located = locateView(call.runtime.world, {space, session.views(), eye, session.begun->displayTime});
     const vr::Pose drawn = fromXr(layer.views[eye].pose);
-    const bool isThere = (!located.hasPosition() || (drawn.position - located.pose.position).norm() < allowed)
-                         && std::abs(drawn.rotation.dot(located.pose.rotation)) > 1 - allowed;
+    const bool isThere = (!located.hasPosition() || (drawn.position - located.pose.position).norm() < allowed) &&
+                         std::abs(drawn.rotation.dot(located.pose.rotation)) > 1 - allowed;
     if (located.isValid() && !isThere)
         call.warn("a view is not where xrLocateViews says it is at the frame's display time");
 }
@@ -65,9 +66,11 @@ json projection(Call& call, const Session& session, const XrCompositionLayerProj
 {
     constexpr const char* eyes[] = {"left", "right"};
     call.get<Space>(layer.space);
-    require(layer.viewCount == viewCount(session.views()), XR_ERROR_VALIDATION_FAILURE, "not as many views as the session has");
+    require(layer.viewCount == viewCount(session.views()), XR_ERROR_VALIDATION_FAILURE,
+            "not as many views as the session has");
     json views = json::array();
-    const bool isFirst = std::all_of(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
+    const bool isFirst =
+        std::all_of(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
     for (std::uint32_t eye = 0; eye < layer.viewCount; ++eye) {
         const XrCompositionLayerProjectionView& view = (&validated(layer.views))[eye];
         validated(&view, XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
@@ -92,7 +95,8 @@ json quad(Call& call, const XrCompositionLayerQuad& layer, Layers& layers)
     const bool isEyes = layer.eyeVisibility >= XR_EYE_VISIBILITY_BOTH && layer.eyeVisibility <= XR_EYE_VISIBILITY_RIGHT;
     require(isEyes, XR_ERROR_VALIDATION_FAILURE, "no such eye");
     const TexturePart part = checkedPart(call, layer.subImage);
-    const auto number = std::count_if(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
+    const auto number =
+        std::count_if(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
     const bool isOpaque = (layer.layerFlags & XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT) == 0;
     layers.shown.push_back({"quad" + std::to_string(number), part, true, isOpaque});
     return {{"type", "quad"},
@@ -108,8 +112,10 @@ json checkedLayer(Call& call, const Session& session, const XrCompositionLayerBa
     switch (header->type) {
     case XR_TYPE_COMPOSITION_LAYER_PROJECTION:
         return projection(call, session, reinterpret_cast<const XrCompositionLayerProjection&>(*header), layers);
-    case XR_TYPE_COMPOSITION_LAYER_QUAD: return quad(call, reinterpret_cast<const XrCompositionLayerQuad&>(*header), layers);
-    default: throw CallFailure{XR_ERROR_LAYER_INVALID, "a layer of a kind that is not offered"};
+    case XR_TYPE_COMPOSITION_LAYER_QUAD:
+        return quad(call, reinterpret_cast<const XrCompositionLayerQuad&>(*header), layers);
+    default:
+        throw CallFailure{XR_ERROR_LAYER_INVALID, "a layer of a kind that is not offered"};
     }
 }
 
@@ -150,8 +156,8 @@ void keepPictures(Runtime& runtime, const Session& session, const Frame& frame, 
         for (std::size_t alpha = 3; shown.isOpaque && alpha < picture.rgba.size(); alpha += 4)
             picture.rgba[alpha] = 255;
         std::ostringstream path;
-        path << runtime.pictureFolder << "/session" << session.index << "_frame" << std::setw(4) << std::setfill('0') << frame.number << '_'
-             << shown.name << ".png";
+        path << runtime.pictureFolder << "/session" << session.index << "_frame" << std::setw(4) << std::setfill('0')
+             << frame.number << '_' << shown.name << ".png";
         writePng(picture, path.str());
     }
 }

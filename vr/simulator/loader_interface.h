@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// How the loader and a runtime find each other, interface version 1: the specification's chapter "Loader" says it, Debian's headers lack it.
+/// How the loader and a runtime find each other, interface version 1: the specification's chapter "Loader" says it,
+/// Debian's headers lack it.
 namespace simulator
 {
 enum class LoaderStructure : std::int32_t { LoaderInfo = 1, RuntimeRequest = 3 };

@@ -39,7 +39,8 @@ public:
 
     explicit Track(const T& value) : m_segments{Segment{0, 0, value, value}} {}
 
-    /// From `start` on; a segment that is underway ends there, and those to come are given up. What was long before is forgotten.
+    /// From `start` on; a segment that is underway ends there, and those to come are given up. What was long before is
+    /// forgotten.
     void moveTo(const T& to, XrTime start, XrDuration duration)
     {
         while (m_segments.size() > 1 && m_segments[1].start < start - memory)
@@ -83,7 +84,8 @@ struct Motion
     core::Vec3 velocity(XrTime time) const
     {
         const auto& segment = position.segment(time);
-        return segment.isUnderway(time) ? core::Vec3((segment.to - segment.from) / seconds(segment.duration)) : core::Vec3::Zero();
+        return segment.isUnderway(time) ? core::Vec3((segment.to - segment.from) / seconds(segment.duration))
+                                        : core::Vec3::Zero();
     }
 
     /// Radians a second, about an axis of the room.

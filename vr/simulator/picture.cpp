@@ -1,5 +1,5 @@
-// PNG (ISO/IEC 15948): a signature, then chunks of length, name, bytes and their check; the pixels are one zlib stream, each row
-// preceded by the number of its filter, here always none.
+// PNG (ISO/IEC 15948): a signature, then chunks of length, name, bytes and their check; the pixels are one zlib stream,
+// each row preceded by the number of its filter, here always none.
 #include "vr/simulator/picture.h"
 
 #include <QByteArray>
@@ -48,9 +48,10 @@ QByteArray chunk(const char* name, const QByteArray& bytes)
 
 QByteArray header(const Picture& picture)
 {
-    constexpr char form[] = {8, 6, 0, 0, 0}; // bits, red green blue alpha, and the only compression, filters and order there are
-    return bigEndian(static_cast<quint32>(picture.width)) + bigEndian(static_cast<quint32>(picture.height))
-           + QByteArray(form, sizeof form);
+    constexpr char form[] = {8, 6, 0, 0,
+                             0}; // bits, red green blue alpha, and the only compression, filters and order there are
+    return bigEndian(static_cast<quint32>(picture.width)) + bigEndian(static_cast<quint32>(picture.height)) +
+           QByteArray(form, sizeof form);
 }
 
 QByteArray pixels(const Picture& picture)
@@ -69,8 +70,8 @@ QByteArray pixels(const Picture& picture)
 
 void writePng(const Picture& picture, const std::string& path)
 {
-    const QByteArray bytes = QByteArrayLiteral("\x89PNG\r\n\x1a\n") + chunk("IHDR", header(picture)) + chunk("IDAT", pixels(picture))
-                             + chunk("IEND", {});
+    const QByteArray bytes = QByteArrayLiteral("\x89PNG\r\n\x1a\n") + chunk("IHDR", header(picture)) +
+                             chunk("IDAT", pixels(picture)) + chunk("IEND", {});
     std::ofstream file(path, std::ios::binary);
     file.write(bytes.data(), bytes.size());
     if (!file.flush())

@@ -44,8 +44,17 @@ constexpr Component stickTouch{"/input/thumbstick/touch", Boolean, Input::StickP
 constexpr Component simple[] = {{"/input/select/click", Boolean, Input::Trigger}, menuClick, gripPose, aimPose, haptic};
 
 constexpr Component vive[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
-                              squeezeClick, menuClick, triggerClick, triggerValue, padX, padY, padClick, padTouch,
-                              gripPose, aimPose, haptic};
+                              squeezeClick,
+                              menuClick,
+                              triggerClick,
+                              triggerValue,
+                              padX,
+                              padY,
+                              padClick,
+                              padTouch,
+                              gripPose,
+                              aimPose,
+                              haptic};
 
 constexpr Component index[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
                                {"/input/system/touch", Boolean, Input::Menu, Where::Both, never},
@@ -53,9 +62,22 @@ constexpr Component index[] = {{"/input/system/click", Boolean, Input::Menu, Whe
                                {"/input/a/touch", Boolean, Input::ButtonA},
                                {"/input/b/click", Boolean, Input::ButtonB},
                                {"/input/b/touch", Boolean, Input::ButtonB},
-                               squeezeValue, {"/input/squeeze/force", Float, Input::Squeeze},
-                               triggerClick, triggerValue, triggerTouch, stickX, stickY, stickClick, stickTouch,
-                               padX, padY, padForce, padTouch, gripPose, aimPose, haptic};
+                               squeezeValue,
+                               {"/input/squeeze/force", Float, Input::Squeeze},
+                               triggerClick,
+                               triggerValue,
+                               triggerTouch,
+                               stickX,
+                               stickY,
+                               stickClick,
+                               stickTouch,
+                               padX,
+                               padY,
+                               padForce,
+                               padTouch,
+                               gripPose,
+                               aimPose,
+                               haptic};
 
 constexpr Component touch[] = {{"/input/x/click", Boolean, Input::ButtonA, Where::Left},
                                {"/input/x/touch", Boolean, Input::ButtonA, Where::Left},
@@ -68,34 +90,60 @@ constexpr Component touch[] = {{"/input/x/click", Boolean, Input::ButtonA, Where
                                {"/input/b/touch", Boolean, Input::ButtonB, Where::Right},
                                {"/input/system/click", Boolean, Input::Menu, Where::Right, never},
                                {"/input/thumbrest/touch", Boolean, Input::PadTouch},
-                               squeezeValue, triggerValue, triggerTouch, stickX, stickY, stickClick, stickTouch,
-                               gripPose, aimPose, haptic};
+                               squeezeValue,
+                               triggerValue,
+                               triggerTouch,
+                               stickX,
+                               stickY,
+                               stickClick,
+                               stickTouch,
+                               gripPose,
+                               aimPose,
+                               haptic};
 
-constexpr Component motion[] = {menuClick, squeezeClick, triggerValue, stickX, stickY, stickClick,
-                                padX, padY, padClick, padTouch, gripPose, aimPose, haptic};
+constexpr Component motion[] = {menuClick, squeezeClick, triggerValue, stickX,   stickY,  stickClick, padX,
+                                padY,      padClick,     padTouch,     gripPose, aimPose, haptic};
 
-constexpr Component daydream[] = {{"/input/select/click", Boolean, Input::Trigger}, padX, padY, padClick, padTouch, gripPose, aimPose};
+constexpr Component daydream[] = {
+    {"/input/select/click", Boolean, Input::Trigger}, padX, padY, padClick, padTouch, gripPose, aimPose};
 
 constexpr Component go[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
                             {"/input/back/click", Boolean, Input::Menu},
-                            triggerClick, padX, padY, padClick, padTouch, gripPose, aimPose};
+                            triggerClick,
+                            padX,
+                            padY,
+                            padClick,
+                            padTouch,
+                            gripPose,
+                            aimPose};
 
 constexpr std::string_view vivePro[] = {"/user/head/input/system/click", "/user/head/input/volume_up/click",
                                         "/user/head/input/volume_down/click", "/user/head/input/mute_mic/click"};
 
-constexpr std::string_view gamepad[] = {
-    "/user/gamepad/input/menu/click",          "/user/gamepad/input/view/click",
-    "/user/gamepad/input/a/click",             "/user/gamepad/input/b/click",
-    "/user/gamepad/input/x/click",             "/user/gamepad/input/y/click",
-    "/user/gamepad/input/dpad_down/click",     "/user/gamepad/input/dpad_right/click",
-    "/user/gamepad/input/dpad_up/click",       "/user/gamepad/input/dpad_left/click",
-    "/user/gamepad/input/shoulder_left/click", "/user/gamepad/input/shoulder_right/click",
-    "/user/gamepad/input/thumbstick_left/x",   "/user/gamepad/input/thumbstick_left/y",
-    "/user/gamepad/input/thumbstick_left/click", "/user/gamepad/input/thumbstick_right/x",
-    "/user/gamepad/input/thumbstick_right/y",  "/user/gamepad/input/thumbstick_right/click",
-    "/user/gamepad/input/trigger_left/value",  "/user/gamepad/input/trigger_right/value",
-    "/user/gamepad/output/haptic_left",        "/user/gamepad/output/haptic_right",
-    "/user/gamepad/output/haptic_left_trigger", "/user/gamepad/output/haptic_right_trigger"};
+constexpr std::string_view gamepad[] = {"/user/gamepad/input/menu/click",
+                                        "/user/gamepad/input/view/click",
+                                        "/user/gamepad/input/a/click",
+                                        "/user/gamepad/input/b/click",
+                                        "/user/gamepad/input/x/click",
+                                        "/user/gamepad/input/y/click",
+                                        "/user/gamepad/input/dpad_down/click",
+                                        "/user/gamepad/input/dpad_right/click",
+                                        "/user/gamepad/input/dpad_up/click",
+                                        "/user/gamepad/input/dpad_left/click",
+                                        "/user/gamepad/input/shoulder_left/click",
+                                        "/user/gamepad/input/shoulder_right/click",
+                                        "/user/gamepad/input/thumbstick_left/x",
+                                        "/user/gamepad/input/thumbstick_left/y",
+                                        "/user/gamepad/input/thumbstick_left/click",
+                                        "/user/gamepad/input/thumbstick_right/x",
+                                        "/user/gamepad/input/thumbstick_right/y",
+                                        "/user/gamepad/input/thumbstick_right/click",
+                                        "/user/gamepad/input/trigger_left/value",
+                                        "/user/gamepad/input/trigger_right/value",
+                                        "/user/gamepad/output/haptic_left",
+                                        "/user/gamepad/output/haptic_right",
+                                        "/user/gamepad/output/haptic_left_trigger",
+                                        "/user/gamepad/output/haptic_right_trigger"};
 
 constexpr Profile known[] = {
     {"/interaction_profiles/htc/vive_controller", "Vive Controller", vive},
@@ -159,10 +207,14 @@ const Component* componentFor(const Profile& profile, const HandPath& at, XrActi
     if (const Component* component = find(profile, at.hand, at.rest))
         return component;
     switch (type) {
-    case XR_ACTION_TYPE_BOOLEAN_INPUT: return childOf(profile, at, {"/click", "/value"});
-    case XR_ACTION_TYPE_FLOAT_INPUT: return childOf(profile, at, {"/value", "/click"});
-    case XR_ACTION_TYPE_POSE_INPUT: return childOf(profile, at, {"/pose"});
-    default: return nullptr;
+    case XR_ACTION_TYPE_BOOLEAN_INPUT:
+        return childOf(profile, at, {"/click", "/value"});
+    case XR_ACTION_TYPE_FLOAT_INPUT:
+        return childOf(profile, at, {"/value", "/click"});
+    case XR_ACTION_TYPE_POSE_INPUT:
+        return childOf(profile, at, {"/pose"});
+    default:
+        return nullptr;
     }
 }
 
@@ -170,10 +222,14 @@ bool suits(Source::Kind kind, XrActionType type)
 {
     switch (type) {
     case XR_ACTION_TYPE_BOOLEAN_INPUT:
-    case XR_ACTION_TYPE_FLOAT_INPUT: return kind == Boolean || kind == Float;
-    case XR_ACTION_TYPE_POSE_INPUT: return kind == Grip || kind == Aim;
-    case XR_ACTION_TYPE_VIBRATION_OUTPUT: return kind == Haptic;
-    default: return false;
+    case XR_ACTION_TYPE_FLOAT_INPUT:
+        return kind == Boolean || kind == Float;
+    case XR_ACTION_TYPE_POSE_INPUT:
+        return kind == Grip || kind == Aim;
+    case XR_ACTION_TYPE_VIBRATION_OUTPUT:
+        return kind == Haptic;
+    default:
+        return false;
     }
 }
 
@@ -204,7 +260,8 @@ std::span<const Profile> profiles()
 
 const Profile* profileAt(std::string_view path)
 {
-    const auto found = std::find_if(std::begin(known), std::end(known), [&](const Profile& it) { return it.path == path; });
+    const auto found =
+        std::find_if(std::begin(known), std::end(known), [&](const Profile& it) { return it.path == path; });
     return found == std::end(known) ? nullptr : found;
 }
 
@@ -212,7 +269,8 @@ bool hasPath(const Profile& profile, std::string_view path)
 {
     const auto at = cut(path);
     if (!at || at->rest.empty())
-        return std::any_of(profile.unread.begin(), profile.unread.end(), [&](auto it) { return it == path || parentOf(it) == path; });
+        return std::any_of(profile.unread.begin(), profile.unread.end(),
+                           [&](auto it) { return it == path || parentOf(it) == path; });
     return std::any_of(profile.components.begin(), profile.components.end(), [&](const Component& it) {
         return isOn(it, at->hand) && (it.path == at->rest || parentOf(it.path) == at->rest);
     });
@@ -228,6 +286,11 @@ std::optional<Source> sourceAt(const Profile& profile, std::string_view path, Xr
     const Component* component = componentFor(profile, *at, type);
     if (!component || !suits(component->kind, type))
         return {};
-    return Source{wholePath(*at, component->path), at->hand, component->kind, component->input, component->input, component->threshold};
+    return Source{wholePath(*at, component->path),
+                  at->hand,
+                  component->kind,
+                  component->input,
+                  component->input,
+                  component->threshold};
 }
 } // namespace simulator

@@ -77,9 +77,9 @@ void Runtime::recentre(const Recentring& recentring)
     origin.rotation.moveTo(recentring.origin.rotation, time, 0);
     if (!session)
         return;
-    instance->events.push(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr,
-                                                                 session->handle(), recentring.space, time, XR_TRUE,
-                                                                 toXr(inPrevious)});
+    instance->events.push(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING,
+                                                                 nullptr, session->handle(), recentring.space, time,
+                                                                 XR_TRUE, toXr(inPrevious)});
 }
 
 void Runtime::loseSession(std::int64_t afterFrames)

@@ -8,8 +8,8 @@
 
 namespace simulator
 {
-/// What happens by itself: {"start": step, "steps": [step with "frame" and perhaps "session", ...]}. Sessions are counted from 0, a
-/// session's frames from 0 at its first xrWaitFrame; a step without "session" is of the first.
+/// What happens by itself: {"start": step, "steps": [step with "frame" and perhaps "session", ...]}. Sessions are
+/// counted from 0, a session's frames from 0 at its first xrWaitFrame; a step without "session" is of the first.
 class Script
 {
 public:

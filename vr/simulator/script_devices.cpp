@@ -44,9 +44,9 @@ struct NamedInput
 };
 
 constexpr NamedInput namedInputs[] = {
-    {"trigger", Input::Trigger},        {"squeeze", Input::Squeeze},       {"pad", Input::PadX, true},
-    {"pad_touch", Input::PadTouch},     {"pad_press", Input::PadPress},    {"stick", Input::StickX, true},
-    {"stick_press", Input::StickPress}, {"menu", Input::Menu},             {"button_a", Input::ButtonA},
+    {"trigger", Input::Trigger},        {"squeeze", Input::Squeeze},    {"pad", Input::PadX, true},
+    {"pad_touch", Input::PadTouch},     {"pad_press", Input::PadPress}, {"stick", Input::StickX, true},
+    {"stick_press", Input::StickPress}, {"menu", Input::Menu},          {"button_a", Input::ButtonA},
     {"button_b", Input::ButtonB},
 };
 
@@ -73,9 +73,11 @@ Change headChange(const nlohmann::json& value, Over over)
     ScriptStep changes;
     for (const auto& [key, part] : members(value)) {
         if (isMotion(key)) {
-            changes.push_back(motionChange(key, part, over, [](SimulatedWorld& world) -> Motion& { return world.head.motion; }));
+            changes.push_back(
+                motionChange(key, part, over, [](SimulatedWorld& world) -> Motion& { return world.head.motion; }));
         } else if (key == "tracked") {
-            changes.push_back([tracking = readTracking(part)](Runtime& runtime, XrTime) { runtime.world.head.tracking = tracking; });
+            changes.push_back(
+                [tracking = readTracking(part)](Runtime& runtime, XrTime) { runtime.world.head.tracking = tracking; });
         } else {
             notUnderstood(key);
         }
@@ -89,11 +91,15 @@ Change wandChange(const nlohmann::json& value, Over over, Hand hand)
     ScriptStep changes;
     for (const auto& [key, part] : members(value)) {
         if (isMotion(key))
-            changes.push_back(motionChange(key, part, over, [at](SimulatedWorld& world) -> Motion& { return world.wands[at].grip; }));
+            changes.push_back(
+                motionChange(key, part, over, [at](SimulatedWorld& world) -> Motion& { return world.wands[at].grip; }));
         else if (key == "tracked")
-            changes.push_back([at, tracking = readTracking(part)](Runtime& runtime, XrTime) { runtime.world.wands[at].tracking = tracking; });
+            changes.push_back([at, tracking = readTracking(part)](Runtime& runtime, XrTime) {
+                runtime.world.wands[at].tracking = tracking;
+            });
         else if (key == "on")
-            changes.push_back([at, on = readBool(part)](Runtime& runtime, XrTime) { runtime.world.wands[at].isOn = on; });
+            changes.push_back(
+                [at, on = readBool(part)](Runtime& runtime, XrTime) { runtime.world.wands[at].isOn = on; });
         else
             changes.push_back(inputChange(key, part, over, hand));
     }

@@ -38,7 +38,8 @@ Change hertzChange(const json& value, Over)
 
 Change viewsChange(const json& value, Over)
 {
-    const Views views = readOneOf<Views>(value, {{"stereo", Views::Stereo}, {"mono", Views::Mono}, {"mono_first", Views::MonoFirst}});
+    const Views views =
+        readOneOf<Views>(value, {{"stereo", Views::Stereo}, {"mono", Views::Mono}, {"mono_first", Views::MonoFirst}});
     return [views](Runtime& runtime, XrTime) { runtime.world.headset.views = views; };
 }
 
@@ -57,7 +58,8 @@ Change fovChange(const json& value, Over)
 
 Change paceChange(const json& value, Over)
 {
-    const Pace pace = readOneOf<Pace>(value, {{"real", Pace::Real}, {"live", Pace::Live}, {"fast", Pace::Fast}, {"stepped", Pace::Stepped}});
+    const Pace pace = readOneOf<Pace>(
+        value, {{"real", Pace::Real}, {"live", Pace::Live}, {"fast", Pace::Fast}, {"stepped", Pace::Stepped}});
     return [pace](Runtime& runtime, XrTime) { runtime.world.pace = pace; };
 }
 

@@ -63,8 +63,8 @@ double readAmount(const json& value)
 
 std::vector<double> readNumbers(const json& value, std::size_t count)
 {
-    const bool fits = value.is_array() && value.size() == count
-                      && std::all_of(value.begin(), value.end(), [](const json& it) { return it.is_number(); });
+    const bool fits = value.is_array() && value.size() == count &&
+                      std::all_of(value.begin(), value.end(), [](const json& it) { return it.is_number(); });
     expect(fits, value, "an array of so many numbers");
     return value.get<std::vector<double>>();
 }
@@ -79,8 +79,8 @@ Eigen::Quaterniond readRotation(const std::string& key, const json& value)
 {
     if (key == "yaw_pitch_roll") {
         const core::Vec3 angles = readVector(value) * radiansPerDegree;
-        return Eigen::AngleAxisd(angles[0], core::Vec3::UnitY()) * Eigen::AngleAxisd(angles[1], core::Vec3::UnitX())
-               * Eigen::AngleAxisd(angles[2], core::Vec3::UnitZ());
+        return Eigen::AngleAxisd(angles[0], core::Vec3::UnitY()) * Eigen::AngleAxisd(angles[1], core::Vec3::UnitX()) *
+               Eigen::AngleAxisd(angles[2], core::Vec3::UnitZ());
     }
     if (key != "rotation")
         notUnderstood(key);
@@ -105,7 +105,8 @@ vr::Pose readPose(const json& value)
 Tracking readTracking(const json& value)
 {
     if (value.is_string())
-        return readOneOf<Tracking>(value, {{"rotation", Tracking::RotationOnly}, {"no_position", Tracking::NoPosition}});
+        return readOneOf<Tracking>(value,
+                                   {{"rotation", Tracking::RotationOnly}, {"no_position", Tracking::NoPosition}});
     return readBool(value) ? Tracking::Full : Tracking::None;
 }
 } // namespace simulator

@@ -5,7 +5,9 @@
 namespace simulator
 {
 Session::Session(Runtime& runtime, std::shared_ptr<ShareContext> gl)
-    : index(runtime.sessionsMade++), m_runtime(runtime), m_gl(std::move(gl))
+    : index(runtime.sessionsMade++)
+    , m_runtime(runtime)
+    , m_gl(std::move(gl))
 {}
 
 Instance& Session::instance() const
@@ -16,8 +18,8 @@ Instance& Session::instance() const
 void Session::enter(XrSessionState state)
 {
     m_state = state;
-    instance().events.push(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, handle(), state,
-                                                          m_runtime.world.now});
+    instance().events.push(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, handle(),
+                                                          state, m_runtime.world.now});
 }
 
 void Session::open()

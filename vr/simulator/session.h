@@ -16,7 +16,8 @@ struct Frame
     XrTime displayTime = 0;
 };
 
-/// A session and its way through the specification's states. It goes up one state with each frame that ends, and down at once.
+/// A session and its way through the specification's states. It goes up one state with each frame that ends, and down
+/// at once.
 class Session : public Object
 {
 public:
@@ -43,11 +44,11 @@ public:
     XrViewConfigurationType views() const { return m_views; }
     Instance& instance() const;
 
-    std::int64_t index = 0;            ///< among the sessions of this process
+    std::int64_t index = 0; ///< among the sessions of this process
     std::int64_t nextFrame = 0;
-    std::optional<Frame> waited, begun; ///< and not yet begun, and not yet ended
+    std::optional<Frame> waited, begun;               ///< and not yet begun, and not yet ended
     std::chrono::steady_clock::time_point frameStart; ///< of the last interval
-    std::optional<std::int64_t> lostAt; ///< frame
+    std::optional<std::int64_t> lostAt;               ///< frame
     SessionInput input;
 
 private:

@@ -1,5 +1,5 @@
-// A sync in steps: which bindings are heard (their set is active, their wand is there, no set of higher priority takes their
-// source), what each action makes of those that it has, and how that differs from the last time.
+// A sync in steps: which bindings are heard (their set is active, their wand is there, no set of higher priority takes
+// their source), what each action makes of those that it has, and how that differs from the last time.
 #include "vr/simulator/session_input.h"
 
 #include "vr/simulator/instance.h"
@@ -103,7 +103,8 @@ bool SessionInput::chooseProfiles(const SimulatedWorld& world, const Suggestions
     return true;
 }
 
-std::vector<const SessionInput::Binding*> SessionInput::activeBindings(const SimulatedWorld& world, const std::vector<ActiveSet>& active) const
+std::vector<const SessionInput::Binding*> SessionInput::activeBindings(const SimulatedWorld& world,
+                                                                       const std::vector<ActiveSet>& active) const
 {
     std::vector<const Binding*> candidates, found;
     for (const Binding& binding : m_bindings) {
@@ -112,7 +113,8 @@ std::vector<const SessionInput::Binding*> SessionInput::activeBindings(const Sim
     }
     const auto isTaken = [&](const Binding* binding) {
         return std::any_of(candidates.begin(), candidates.end(), [&](const Binding* other) {
-            return setOf(*other->action).priority > setOf(*binding->action).priority && overlap(other->source.path, binding->source.path);
+            return setOf(*other->action).priority > setOf(*binding->action).priority &&
+                   overlap(other->source.path, binding->source.path);
         });
     };
     std::remove_copy_if(candidates.begin(), candidates.end(), std::back_inserter(found), isTaken);

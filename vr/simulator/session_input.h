@@ -53,7 +53,10 @@ public:
     /// All is inactive.
     void deactivate() { m_states.clear(); }
     ActionState state(const Action& action, XrPath subaction) const;
-    std::optional<Source> poseSource(const Action& action, XrPath subaction) const { return state(action, subaction).pose; }
+    std::optional<Source> poseSource(const Action& action, XrPath subaction) const
+    {
+        return state(action, subaction).pose;
+    }
 
 private:
     struct Key

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vr/simulator/profiles.h"
 #include "vr/simulator/motion.h"
+#include "vr/simulator/profiles.h"
 
 #include <map>
 #include <set>
@@ -29,7 +29,7 @@ struct Headset
     int width = 1080, height = 1200; ///< pixels of one eye, recommended
     double hertz = 90;
     Views views = Views::Stereo;
-    double eyeDistance = 0.064; ///< metres
+    double eyeDistance = 0.064;               ///< metres
     XrFovf fov{-0.94F, 0.81F, 0.96F, -0.98F}; ///< of the left eye; the right one's is its mirror image
 };
 
@@ -83,8 +83,8 @@ struct SimulatedWorld
     std::optional<XrExtent2Df> bounds = XrExtent2Df{3, 2};
 
     std::map<std::string, ScriptedResult> scriptedResults; ///< by call
-    std::string frozen;                            ///< the call that does not return
-    std::set<std::int64_t> keptFrames; ///< whose pictures are kept
+    std::string frozen;                                    ///< the call that does not return
+    std::set<std::int64_t> keptFrames;                     ///< whose pictures are kept
     int keepEvery = 0;
     bool watchesDrawing = false; ///< a swapchain that goes while its images are drawn on is an error
 };

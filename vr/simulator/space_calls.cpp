@@ -87,7 +87,8 @@ XrResult createActionSpace(Call& call, XrSession handle, const XrActionSpaceCrea
     const auto action = call.runtime.handles.get<Action>(info->action);
     require(action->type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH, "not a pose action");
     requireSubaction(session.instance().paths, *action, info->subactionPath);
-    const auto space = std::make_shared<Space>(Space::OfAction{action, info->subactionPath}, fromXr(info->poseInActionSpace));
+    const auto space =
+        std::make_shared<Space>(Space::OfAction{action, info->subactionPath}, fromXr(info->poseInActionSpace));
     *out = call.runtime.handles.add<XrSpace>(space, &session);
     return XR_SUCCESS;
 }
@@ -112,8 +113,8 @@ XrResult destroySpace(Call& call, XrSpace handle)
     return XR_SUCCESS;
 }
 
-XrResult locateViews(Call& call, XrSession handle, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
-                     std::uint32_t* count, XrView* views)
+XrResult locateViews(Call& call, XrSession handle, const XrViewLocateInfo* info, XrViewState* state,
+                     std::uint32_t capacity, std::uint32_t* count, XrView* views)
 {
     call.get<Session>(handle);
     validated(info, XR_TYPE_VIEW_LOCATE_INFO);

@@ -7,10 +7,10 @@ namespace simulator
 {
 namespace
 {
-static_assert(XR_SPACE_LOCATION_ORIENTATION_VALID_BIT == XR_VIEW_STATE_ORIENTATION_VALID_BIT
-              && XR_SPACE_LOCATION_POSITION_VALID_BIT == XR_VIEW_STATE_POSITION_VALID_BIT
-              && XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT == XR_VIEW_STATE_ORIENTATION_TRACKED_BIT
-              && XR_SPACE_LOCATION_POSITION_TRACKED_BIT == XR_VIEW_STATE_POSITION_TRACKED_BIT);
+static_assert(XR_SPACE_LOCATION_ORIENTATION_VALID_BIT == XR_VIEW_STATE_ORIENTATION_VALID_BIT &&
+              XR_SPACE_LOCATION_POSITION_VALID_BIT == XR_VIEW_STATE_POSITION_VALID_BIT &&
+              XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT == XR_VIEW_STATE_ORIENTATION_TRACKED_BIT &&
+              XR_SPACE_LOCATION_POSITION_TRACKED_BIT == XR_VIEW_STATE_POSITION_TRACKED_BIT);
 
 SpaceLocation moving(const Motion& motion, Tracking tracking, XrTime time)
 {
@@ -20,9 +20,12 @@ SpaceLocation moving(const Motion& motion, Tracking tracking, XrTime time)
 SpaceLocation originAt(const SimulatedWorld& world, XrReferenceSpaceType type, XrTime time)
 {
     switch (type) {
-    case XR_REFERENCE_SPACE_TYPE_VIEW: return moving(world.head.motion, world.head.tracking, time);
-    case XR_REFERENCE_SPACE_TYPE_STAGE: return {world.stage.at(time)};
-    default: return {world.local.at(time)};
+    case XR_REFERENCE_SPACE_TYPE_VIEW:
+        return moving(world.head.motion, world.head.tracking, time);
+    case XR_REFERENCE_SPACE_TYPE_STAGE:
+        return {world.stage.at(time)};
+    default:
+        return {world.local.at(time)};
     }
 }
 
@@ -63,10 +66,14 @@ XrFlags64 SpaceLocation::flags() const
 {
     constexpr XrFlags64 rotation = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
     switch (tracking) {
-    case Tracking::Full: return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-    case Tracking::RotationOnly: return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT;
-    case Tracking::NoPosition: return rotation;
-    case Tracking::None: break;
+    case Tracking::Full:
+        return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+    case Tracking::RotationOnly:
+        return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+    case Tracking::NoPosition:
+        return rotation;
+    case Tracking::None:
+        break;
     }
     return 0;
 }
@@ -87,9 +94,12 @@ std::string nameOf(const Space& space)
     if (!type)
         return "action";
     switch (*type) {
-    case XR_REFERENCE_SPACE_TYPE_VIEW: return "view";
-    case XR_REFERENCE_SPACE_TYPE_STAGE: return "stage";
-    default: return "local";
+    case XR_REFERENCE_SPACE_TYPE_VIEW:
+        return "view";
+    case XR_REFERENCE_SPACE_TYPE_STAGE:
+        return "stage";
+    default:
+        return "local";
     }
 }
 

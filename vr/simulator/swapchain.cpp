@@ -10,7 +10,10 @@ constexpr std::size_t imageCount = 3;
 }
 
 Swapchain::Swapchain(std::shared_ptr<ShareContext> gl, const TextureForm& form, bool isStatic)
-    : m_gl(std::move(gl)), m_form(form), m_isStatic(isStatic), m_textures(m_gl->createTextures(form, isStatic ? 1 : imageCount))
+    : m_gl(std::move(gl))
+    , m_form(form)
+    , m_isStatic(isStatic)
+    , m_textures(m_gl->createTextures(form, isStatic ? 1 : imageCount))
 {}
 
 Swapchain::~Swapchain()

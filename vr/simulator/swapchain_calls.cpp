@@ -7,7 +7,8 @@ namespace simulator
 namespace
 {
 constexpr XrSwapchainUsageFlags knownUsages = 0xFF;
-constexpr XrSwapchainCreateFlags knownFlags = XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT | XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT;
+constexpr XrSwapchainCreateFlags knownFlags =
+    XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT | XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT;
 
 bool isOffered(std::int64_t format)
 {
@@ -17,8 +18,10 @@ bool isOffered(std::int64_t format)
 
 TextureForm checkedForm(const XrSwapchainCreateInfo& info)
 {
-    require((info.createFlags & ~knownFlags) == 0 && (info.usageFlags & ~knownUsages) == 0, XR_ERROR_VALIDATION_FAILURE, "unknown flags");
-    require((info.createFlags & XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT) == 0, XR_ERROR_FEATURE_UNSUPPORTED, "no protected content");
+    require((info.createFlags & ~knownFlags) == 0 && (info.usageFlags & ~knownUsages) == 0, XR_ERROR_VALIDATION_FAILURE,
+            "unknown flags");
+    require((info.createFlags & XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT) == 0, XR_ERROR_FEATURE_UNSUPPORTED,
+            "no protected content");
     require(isOffered(info.format), XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "the format is not offered");
     require(info.width > 0 && info.height > 0 && info.width <= largestImage && info.height <= largestImage,
             XR_ERROR_VALIDATION_FAILURE, "too large, or empty");
@@ -35,7 +38,8 @@ Session& sessionOf(const Swapchain& swapchain)
 }
 } // namespace
 
-XrResult enumerateSwapchainFormats(Call& call, XrSession handle, std::uint32_t capacity, std::uint32_t* count, std::int64_t* formats)
+XrResult enumerateSwapchainFormats(Call& call, XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+                                   std::int64_t* formats)
 {
     call.get<Session>(handle);
     writeItems(OutputArray<std::int64_t>{capacity, count, formats}, ShareContext::formats());
@@ -70,12 +74,16 @@ XrResult enumerateSwapchainImages(Call& call, XrSwapchain handle, std::uint32_t 
 {
     const auto& swapchain = call.get<Swapchain>(handle);
     call.checkContext(sessionOf(swapchain));
-    writeItems(OutputArray<XrSwapchainImageOpenGLKHR>{capacity, count, reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images)}, swapchain.textures(),
-           [](XrSwapchainImageOpenGLKHR& to, unsigned int texture) { validated(&to, XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR).image = texture; });
+    writeItems(
+        OutputArray<XrSwapchainImageOpenGLKHR>{capacity, count, reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images)},
+        swapchain.textures(), [](XrSwapchainImageOpenGLKHR& to, unsigned int texture) {
+            validated(&to, XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR).image = texture;
+        });
     return XR_SUCCESS;
 }
 
-XrResult acquireSwapchainImage(Call& call, XrSwapchain handle, const XrSwapchainImageAcquireInfo* info, std::uint32_t* index)
+XrResult acquireSwapchainImage(Call& call, XrSwapchain handle, const XrSwapchainImageAcquireInfo* info,
+                               std::uint32_t* index)
 {
     auto& swapchain = call.get<Swapchain>(handle);
     if (info)

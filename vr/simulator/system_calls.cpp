@@ -10,9 +10,12 @@ constexpr XrSystemId systemId = 1;
 std::vector<XrViewConfigurationType> offeredViews(const SimulatedWorld& world)
 {
     switch (world.headset.views) {
-    case Views::Stereo: return {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
-    case Views::Mono: return {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO};
-    case Views::MonoFirst: break;
+    case Views::Stereo:
+        return {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+    case Views::Mono:
+        return {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO};
+    case Views::MonoFirst:
+        break;
     }
     return {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
 }
@@ -26,8 +29,8 @@ void requireSystem(XrSystemId system)
 void requireViews(const SimulatedWorld& world, XrViewConfigurationType views)
 {
     const auto offered = offeredViews(world);
-    require(std::find(offered.begin(), offered.end(), views) != offered.end(), XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
-            "the view configuration is not offered");
+    require(std::find(offered.begin(), offered.end(), views) != offered.end(),
+            XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED, "the view configuration is not offered");
 }
 
 std::uint32_t viewCount(XrViewConfigurationType views)
@@ -40,7 +43,8 @@ XrResult getSystem(Call& call, XrInstance handle, const XrSystemGetInfo* info, X
     call.get<Instance>(handle);
     validated(info, XR_TYPE_SYSTEM_GET_INFO);
     validated(system);
-    require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED, "only a headset");
+    require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
+            "only a headset");
     require(call.runtime.world.hasHeadset, XR_ERROR_FORM_FACTOR_UNAVAILABLE, "so the script says");
     *system = systemId;
     return XR_SUCCESS;
@@ -65,7 +69,8 @@ XrResult enumerateEnvironmentBlendModes(Call& call, XrInstance handle, XrSystemI
     call.get<Instance>(handle);
     requireSystem(system);
     requireViews(call.runtime.world, views);
-    writeItems(OutputArray<XrEnvironmentBlendMode>{capacity, count, modes}, std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE});
+    writeItems(OutputArray<XrEnvironmentBlendMode>{capacity, count, modes},
+               std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE});
     return XR_SUCCESS;
 }
 
@@ -90,8 +95,9 @@ XrResult getViewConfigurationProperties(Call& call, XrInstance handle, XrSystemI
     return XR_SUCCESS;
 }
 
-XrResult enumerateViewConfigurationViews(Call& call, XrInstance handle, XrSystemId system, XrViewConfigurationType views,
-                                         std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* out)
+XrResult enumerateViewConfigurationViews(Call& call, XrInstance handle, XrSystemId system,
+                                         XrViewConfigurationType views, std::uint32_t capacity, std::uint32_t* count,
+                                         XrViewConfigurationView* out)
 {
     call.get<Instance>(handle);
     requireSystem(system);
@@ -101,16 +107,17 @@ XrResult enumerateViewConfigurationViews(Call& call, XrInstance handle, XrSystem
     view.recommendedImageRectWidth = static_cast<std::uint32_t>(headset.width);
     view.recommendedImageRectHeight = static_cast<std::uint32_t>(headset.height);
     writeItems(OutputArray<XrViewConfigurationView>{capacity, count, out}, std::vector(viewCount(views), view),
-           [](XrViewConfigurationView& to, XrViewConfigurationView from) {
-               validated(&to, XR_TYPE_VIEW_CONFIGURATION_VIEW);
-               from.next = to.next;
-               to = from;
-           });
+               [](XrViewConfigurationView& to, XrViewConfigurationView from) {
+                   validated(&to, XR_TYPE_VIEW_CONFIGURATION_VIEW);
+                   from.next = to.next;
+                   to = from;
+               });
     call.line["size"] = {headset.width, headset.height};
     return XR_SUCCESS;
 }
 
-XrResult getOpenGlRequirements(Call& call, XrInstance handle, XrSystemId system, XrGraphicsRequirementsOpenGLKHR* requirements)
+XrResult getOpenGlRequirements(Call& call, XrInstance handle, XrSystemId system,
+                               XrGraphicsRequirementsOpenGLKHR* requirements)
 {
     Instance& instance = call.get<Instance>(handle);
     validated(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);

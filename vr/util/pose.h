@@ -4,7 +4,8 @@
 
 namespace vr
 {
-/// Where something is and how it stands. Room space: metres, right-handed, Y up, the floor at y = 0; what points, points along its own -Z.
+/// Where something is and how it stands. Room space: metres, right-handed, Y up, the floor at y = 0; what points,
+/// points along its own -Z.
 struct Pose
 {
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/io/mesh_io.h"
 #include "core/util/atomic_file.h"
 #include "core/util/file_error.h"
-#include "core/io/mesh_io.h"
 
 #include <string_view>
 
@@ -53,7 +53,8 @@ FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at,
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token);
 FileError tooMany(std::string_view what, std::size_t max, FileError error);
 
-/// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "text", or empty.
+/// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "text", or
+/// empty.
 std::string_view detectFormat(std::string_view start, std::uint64_t fileSize);
 
 inline constexpr std::size_t stlHeaderSize = 84;
@@ -70,7 +71,8 @@ ReadResult readObj(const FileBytes& file);
 TriangleMesh readPly(const FileBytes& file);
 TriangleMesh readOff(const FileBytes& file);
 ReadResult readGltf(const FileBytes& file, bool isBinary); ///< in mm
-ReadResult readThreeMf(const FileBytes& file); ///< in mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times
+/// In mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times.
+ReadResult readThreeMf(const FileBytes& file);
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);

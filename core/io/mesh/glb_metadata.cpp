@@ -4,8 +4,8 @@
 #include "core/io/mesh/gltf_document.h"
 #include "core/io/mesh/palette.h"
 
-#include "core/sculpt/deform/alpha.h"
 #include "core/io/stroke/stroke_file.h"
+#include "core/sculpt/deform/alpha.h"
 
 #include <cmath>
 #include <sstream>
@@ -26,8 +26,11 @@ constexpr double farthest = 1e9; ///< mm
 
 nlohmann::ordered_json jsonOf(const SavedView& view)
 {
-    return {{"target", {view.target.x(), view.target.y(), view.target.z()}}, {"distance", view.distance}, {"yaw", view.yaw},
-            {"pitch", view.pitch}, {"orthographic", view.orthographic}};
+    return {{"target", {view.target.x(), view.target.y(), view.target.z()}},
+            {"distance", view.distance},
+            {"yaw", view.yaw},
+            {"pitch", view.pitch},
+            {"orthographic", view.orthographic}};
 }
 
 /// As a stroke file has it, but without files: whoever gets the model does not have them.

@@ -14,7 +14,8 @@ namespace core::io
 ///      "view": {"target": [0, 0, 0], "distance": 300, "yaw": 0.5, "pitch": 0.35, "orthographic": false},
 ///      "brush": {...}, "work": {"strokes": 120, "seconds": 845.5}}
 ///
-/// Where there is nothing to note, there is no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a stroke of a stroke file, without samples.
+/// Where there is nothing to note, there is no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a
+/// stroke of a stroke file, without samples.
 void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata);
 
 /// From the start of a GLB. What is not as we write it is left out.

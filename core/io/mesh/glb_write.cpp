@@ -65,8 +65,10 @@ class Layout
 public:
     int add(std::size_t count, std::size_t bytesEach, int componentType, const char* type, int target)
     {
-        m_views.push_back({{"buffer", 0}, {"byteOffset", m_bytes}, {"byteLength", count * bytesEach}, {"target", target}});
-        m_accessors.push_back({{"bufferView", m_views.size() - 1}, {"componentType", componentType}, {"count", count}, {"type", type}});
+        m_views.push_back(
+            {{"buffer", 0}, {"byteOffset", m_bytes}, {"byteLength", count * bytesEach}, {"target", target}});
+        m_accessors.push_back(
+            {{"bufferView", m_views.size() - 1}, {"componentType", componentType}, {"count", count}, {"type", type}});
         m_bytes += count * bytesEach;
         return static_cast<int>(m_accessors.size()) - 1;
     }
@@ -150,7 +152,8 @@ void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata&
             store(into, table[part]);
         store(into, std::uint16_t(65535));
     });
-    writeRecords(out, mesh.masks.size(), 4, [&mesh](std::size_t i, char* into) { store(into, static_cast<float>(mesh.masks[i]) / 255); });
+    writeRecords(out, mesh.masks.size(), 4,
+                 [&mesh](std::size_t i, char* into) { store(into, static_cast<float>(mesh.masks[i]) / 255); });
     writeRecords(out, mesh.triangles.size(), 12, [&mesh](std::size_t i, char* into) {
         for (const Slot corner : mesh.triangles[i])
             store(into, static_cast<std::uint32_t>(corner));

@@ -80,13 +80,15 @@ std::filesystem::path pathBeside(const FileBytes& file, std::string_view uri)
 {
     const FileError outside = errorWithToken(FileErrorKind::OutsideFolder, file, uri);
     const auto text = withoutPercents(uri);
-    if (file.isStandalone || !text || text->empty() || hasScheme(uri) || text->find_first_of(std::string_view("\\\0", 2)) != std::string::npos)
+    if (file.isStandalone || !text || text->empty() || hasScheme(uri) ||
+        text->find_first_of(std::string_view("\\\0", 2)) != std::string::npos)
         throw outside;
     const std::filesystem::path relative(std::u8string(text->begin(), text->end()));
     if (relative.has_root_path() || *relative.lexically_normal().begin() == "..")
         throw outside;
     std::error_code problem;
-    const std::filesystem::path folder = std::filesystem::canonical(std::filesystem::absolute(file.path).parent_path(), problem);
+    const std::filesystem::path folder =
+        std::filesystem::canonical(std::filesystem::absolute(file.path).parent_path(), problem);
     const std::filesystem::path path = std::filesystem::canonical(folder / relative, problem);
     if (problem)
         throw FileError(FileErrorKind::NotFound, file.path.parent_path() / relative);

@@ -1,9 +1,9 @@
 // Source: Khronos, glTF 2.0 specification, sections 3.6 (accessors, sparse ones) and 4 (GLB).
 #include "core/io/mesh/gltf_document.h"
 
-#include "core/util/parallel.h"
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/gltf_buffers.h"
+#include "core/util/parallel.h"
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,8 @@ namespace core::io
 {
 namespace
 {
-/// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it, but in its texts.
+/// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it, but
+/// in its texts.
 constexpr std::size_t maxJson = std::size_t(1) << 23;
 /// As many bytes as a model's file may have.
 constexpr std::size_t maxBytes = std::size_t(1) << 31;
@@ -37,12 +38,16 @@ std::size_t sizeOf(int componentType)
 {
     switch (componentType) {
     case 5120:
-    case 5121: return 1;
+    case 5121:
+        return 1;
     case 5122:
-    case 5123: return 2;
+    case 5123:
+        return 2;
     case 5125:
-    case 5126: return 4;
-    default: return 0;
+    case 5126:
+        return 4;
+    default:
+        return 0;
     }
 }
 
@@ -57,26 +62,38 @@ template <typename Number, typename Source> Number converted(Source x, bool isNo
     if constexpr (std::is_floating_point_v<Source> || std::is_same_v<Number, std::uint32_t>)
         return static_cast<Number>(x);
     else
-        return static_cast<Number>(isNormalized ? std::max(-1.0, static_cast<double>(x) / std::numeric_limits<Source>::max()) : static_cast<double>(x));
+        return static_cast<Number>(isNormalized
+                                       ? std::max(-1.0, static_cast<double>(x) / std::numeric_limits<Source>::max())
+                                       : static_cast<double>(x));
 }
 
-template <typename Source, typename Number> void convertFrom(const GltfLayout& layout, std::size_t begin, std::size_t end, Number* into)
+template <typename Source, typename Number>
+void convertFrom(const GltfLayout& layout, std::size_t begin, std::size_t end, Number* into)
 {
     for (std::size_t i = begin; i < end; ++i)
         for (int k = 0; k < layout.components; ++k)
-            *into++ = converted<Number>(load<Source>(layout.first + i * layout.stride + static_cast<std::size_t>(k) * sizeof(Source), std::endian::little), layout.normalized);
+            *into++ = converted<Number>(
+                load<Source>(layout.first + i * layout.stride + static_cast<std::size_t>(k) * sizeof(Source),
+                             std::endian::little),
+                layout.normalized);
 }
 
 /// The numbers of the elements from `begin` to `end`.
 template <typename Number> void convert(const GltfLayout& layout, std::size_t begin, std::size_t end, Number* into)
 {
     switch (layout.componentType) {
-    case 5120: return convertFrom<std::int8_t>(layout, begin, end, into);
-    case 5121: return convertFrom<std::uint8_t>(layout, begin, end, into);
-    case 5122: return convertFrom<std::int16_t>(layout, begin, end, into);
-    case 5123: return convertFrom<std::uint16_t>(layout, begin, end, into);
-    case 5125: return convertFrom<std::uint32_t>(layout, begin, end, into);
-    default: return convertFrom<float>(layout, begin, end, into);
+    case 5120:
+        return convertFrom<std::int8_t>(layout, begin, end, into);
+    case 5121:
+        return convertFrom<std::uint8_t>(layout, begin, end, into);
+    case 5122:
+        return convertFrom<std::int16_t>(layout, begin, end, into);
+    case 5123:
+        return convertFrom<std::uint16_t>(layout, begin, end, into);
+    case 5125:
+        return convertFrom<std::uint32_t>(layout, begin, end, into);
+    default:
+        return convertFrom<float>(layout, begin, end, into);
     }
 }
 } // namespace
@@ -110,7 +127,9 @@ void GltfDocument::readChunks()
     const std::string_view bytes = m_file.bytes;
     if (bytes.size() < glbHeadSize + glbChunkHeadSize)
         refuseCutOff();
-    const auto numberAtByte = [&](std::size_t at) { return load<std::uint32_t>(bytes.data() + at, std::endian::little); };
+    const auto numberAtByte = [&](std::size_t at) {
+        return load<std::uint32_t>(bytes.data() + at, std::endian::little);
+    };
     if (numberAtByte(4) != 2)
         throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + 4, std::to_string(numberAtByte(4)));
     if (numberAtByte(8) > bytes.size())
@@ -146,7 +165,8 @@ void GltfDocument::parse(std::string_view text)
 void GltfDocument::refuseExtensions() const
 {
     for (const Json& extension : arrayIn(m_document, "extensionsRequired"))
-        if (extension != "KHR_mesh_quantization" && extension != "KHR_materials_unlit" && extension != "KHR_texture_transform")
+        if (extension != "KHR_mesh_quantization" && extension != "KHR_materials_unlit" &&
+            extension != "KHR_texture_transform")
             refuse(extension.is_string() ? extension.get_ref<const std::string&>() : "extensionsRequired");
 }
 
@@ -215,7 +235,8 @@ GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size
     if (number >= m_buffers.size())
         refuse("buffers/" + std::to_string(number));
     const std::string_view buffer = m_buffers[number];
-    const std::size_t length = sizeIn(view, "byteLength", 0), begin = sizeIn(view, "byteOffset", 0), offset = sizeIn(at, "byteOffset", 0);
+    const std::size_t length = sizeIn(view, "byteLength", 0), begin = sizeIn(view, "byteOffset", 0),
+                      offset = sizeIn(at, "byteOffset", 0);
     if (begin > buffer.size() || length > buffer.size() - begin)
         refuseCutOff();
     const std::size_t stride = std::max(size, ownStride != 0 ? ownStride : sizeIn(view, "byteStride", size));
@@ -230,7 +251,11 @@ GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max) const
     const Json& from = element("accessors", accessor);
     const std::string name = "accessors/" + std::to_string(accessor);
     const auto type = from.find("type");
-    const int components = type == from.end() ? 0 : *type == "SCALAR" ? 1 : *type == "VEC3" ? 3 : *type == "VEC4" ? 4 : 0;
+    const int components = type == from.end()  ? 0
+                           : *type == "SCALAR" ? 1
+                           : *type == "VEC3"   ? 3
+                           : *type == "VEC4"   ? 4
+                                               : 0;
     const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
     const std::size_t count = sizeIn(from, "count", 0);
     if (components < min || components > max || sizeOf(componentType) == 0 || count == 0 || count > m_bytes)
@@ -263,7 +288,8 @@ GltfDocument::Sparse GltfDocument::sparseOf(std::size_t accessor, const GltfLayo
     const std::size_t size = sizeOf(layout.componentType) * static_cast<std::size_t>(layout.components);
     if (!isWhole(type) || count > layout.count)
         refuse("sparse");
-    Sparse result{elementsIn(part("indices"), count, sizeOf(type), sizeOf(type)), elementsIn(part("values"), count, size, size)};
+    Sparse result{elementsIn(part("indices"), count, sizeOf(type), sizeOf(type)),
+                  elementsIn(part("values"), count, size, size)};
     result.places.componentType = type;
     result.places.components = 1;
     result.values.componentType = layout.componentType;
@@ -273,7 +299,9 @@ GltfDocument::Sparse GltfDocument::sparseOf(std::size_t accessor, const GltfLayo
 }
 
 /// On all cores.
-template <typename Number> LargeBuffer<Number> GltfDocument::numbersOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
+template <typename Number>
+LargeBuffer<Number> GltfDocument::numbersOf(std::size_t accessor, const GltfLayout& layout,
+                                            const std::stop_token& stop) const
 {
     constexpr std::size_t chunkSize = 1 << 15;
     const auto components = static_cast<std::size_t>(layout.components);
@@ -297,7 +325,8 @@ template <typename Number> LargeBuffer<Number> GltfDocument::numbersOf(std::size
     return numbers;
 }
 
-LargeBuffer<float> GltfDocument::valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
+LargeBuffer<float> GltfDocument::valuesOf(std::size_t accessor, const GltfLayout& layout,
+                                          const std::stop_token& stop) const
 {
     return numbersOf<float>(accessor, layout, stop);
 }

@@ -12,7 +12,8 @@
 namespace core::io
 {
 inline constexpr std::size_t glbHeadSize = 12, glbChunkHeadSize = 8;
-inline constexpr std::uint32_t glbMagic = 0x46546c67, glbVersion = 2, glbJsonChunk = 0x4e4f534a, glbBinaryChunk = 0x004e4942;
+inline constexpr std::uint32_t glbMagic = 0x46546c67, glbVersion = 2, glbJsonChunk = 0x4e4f534a,
+                               glbBinaryChunk = 0x004e4942;
 
 /// How the numbers of an accessor lie in a buffer.
 struct GltfLayout
@@ -23,8 +24,9 @@ struct GltfLayout
     bool normalized = false;
 };
 
-/// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked for is looked at before anything is read by it: wrong types,
-/// indices and sizes throw FileError with the JSON's word for what is wrong.
+/// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked
+/// for is looked at before anything is read by it: wrong types, indices and sizes throw FileError with the JSON's word
+/// for what is wrong.
 class GltfDocument
 {
 public:
@@ -67,7 +69,8 @@ private:
         GltfLayout places, values;
     };
     Sparse sparseOf(std::size_t accessor, const GltfLayout& layout) const;
-    template <typename Number> LargeBuffer<Number> numbersOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const;
+    template <typename Number>
+    LargeBuffer<Number> numbersOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const;
 
     const FileBytes& m_file;
     Json m_document;

@@ -1,8 +1,9 @@
-// glTF: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made millimetres.
+// glTF: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made
+// millimetres.
 
-#include "core/util/parallel.h"
 #include "core/io/mesh/gltf_document.h"
 #include "core/io/mesh/srgb.h"
+#include "core/util/parallel.h"
 
 #include <Eigen/Geometry>
 
@@ -70,7 +71,8 @@ private:
             addPrimitive(primitive, transform);
     }
 
-    template <int count> std::optional<Eigen::Matrix<double, count, 1>> numbersIn(const Json& node, const char* key) const
+    template <int count>
+    std::optional<Eigen::Matrix<double, count, 1>> numbersIn(const Json& node, const char* key) const
     {
         const Json& values = m_gltf.arrayIn(node, key);
         if (values.empty())
@@ -115,7 +117,8 @@ private:
         const auto first = static_cast<Slot>(m_mesh.points.size());
         const LargeBuffer<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_file.stop);
         const std::size_t count = numbers.size() / 3;
-        if (const std::size_t max = std::min(maxVertices, maxCopies * m_gltf.bytes()); m_mesh.points.size() + count > max)
+        if (const std::size_t max = std::min(maxVertices, maxCopies * m_gltf.bytes());
+            m_mesh.points.size() + count > max)
             throw tooMany("vertices", max, errorAtByte({}, m_file, m_file.bytes.data()));
         addPoints(numbers, transform);
         if (const auto colors = m_gltf.indexIn(*attributes, "COLOR_0"))
@@ -155,7 +158,9 @@ private:
         m_mesh.colors.resize(first + count, Rgb());
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const auto seen = [&](std::size_t k) { return srgbFromLinear(static_cast<double>(numbers[i * components + k])); };
+                const auto seen = [&](std::size_t k) {
+                    return srgbFromLinear(static_cast<double>(numbers[i * components + k]));
+                };
                 m_mesh.colors[first + i] = {seen(0), seen(1), seen(2)};
             }
         });
@@ -170,7 +175,8 @@ private:
         m_hasMasks = true;
         m_mesh.masks.resize(first + count);
         for (std::size_t i = 0; i < count; ++i)
-            m_mesh.masks[first + i] = static_cast<std::uint8_t>(numbers[i] > 0 ? std::min(numbers[i], 1.0f) * 255 + 0.5f : 0);
+            m_mesh.masks[first + i] =
+                static_cast<std::uint8_t>(numbers[i] > 0 ? std::min(numbers[i], 1.0f) * 255 + 0.5f : 0);
     }
 
     /// Of a primitive's vertices; without indices they follow each other.
@@ -195,7 +201,8 @@ private:
 
     void addTriangles(const LargeBuffer<std::uint32_t>& corners, Mode mode, Slot first, bool isMirrored)
     {
-        const std::size_t before = m_mesh.triangles.size(), count = mode == Triangles ? corners.size() / 3 : std::max<std::size_t>(corners.size(), 2) - 2;
+        const std::size_t before = m_mesh.triangles.size(),
+                          count = mode == Triangles ? corners.size() / 3 : std::max<std::size_t>(corners.size(), 2) - 2;
         if (const std::size_t max = std::min(maxFaces, maxFaceCopies * m_gltf.bytes()); before + count > max)
             throw tooMany("faces", max, errorAtByte({}, m_file, m_file.bytes.data()));
         resizeInLargePages(m_mesh.triangles, before + count);
@@ -207,9 +214,15 @@ private:
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 switch (mode) {
-                case Triangles: add(i, 3 * i, 3 * i + 1, 3 * i + 2); break;
-                case TriangleStrip: add(i, i, i + 1 + i % 2, i + 2 - i % 2); break;
-                case TriangleFan: add(i, 0, i + 1, i + 2); break;
+                case Triangles:
+                    add(i, 3 * i, 3 * i + 1, 3 * i + 2);
+                    break;
+                case TriangleStrip:
+                    add(i, i, i + 1 + i % 2, i + 2 - i % 2);
+                    break;
+                case TriangleFan:
+                    add(i, 0, i + 1, i + 2);
+                    break;
                 }
         });
     }

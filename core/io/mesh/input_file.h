@@ -7,7 +7,8 @@
 
 namespace core::io
 {
-/// A file opened for reading, the same one throughout, whatever the path becomes meanwhile. Throws FileError. Thread-safe.
+/// A file opened for reading, the same one throughout, whatever the path becomes meanwhile. Throws FileError.
+/// Thread-safe.
 class InputFile
 {
 public:

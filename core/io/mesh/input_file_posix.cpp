@@ -6,7 +6,9 @@
 
 namespace core::io
 {
-InputFile::InputFile(const std::filesystem::path& path) : m_path(path), m_descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+InputFile::InputFile(const std::filesystem::path& path)
+    : m_path(path)
+    , m_descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
 {
     if (m_descriptor < 0)
         fail(errno);
@@ -21,7 +23,8 @@ std::size_t InputFile::read(std::uint64_t offset, std::span<char> into) const
 {
     std::size_t got = 0;
     while (got < into.size()) {
-        const ssize_t part = ::pread(m_descriptor, into.data() + got, into.size() - got, static_cast<off_t>(offset + got));
+        const ssize_t part =
+            ::pread(m_descriptor, into.data() + got, into.size() - got, static_cast<off_t>(offset + got));
         if (part < 0 && errno == EINTR)
             continue;
         if (part < 0)

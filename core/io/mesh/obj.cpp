@@ -1,4 +1,5 @@
-// OBJ: the lines v (with colour, if any) and f; all others are passed over, materials with a remark. Faces may name vertices that come later.
+// OBJ: the lines v (with colour, if any) and f; all others are passed over, materials with a remark. Faces may name
+// vertices that come later.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"

@@ -1,5 +1,5 @@
-// OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a line, whose colour
-// is passed over.
+// OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a
+// line, whose colour is passed over.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"
@@ -140,7 +140,9 @@ private:
             return;
         m_colors.resize(m_mesh.points.size(), noColor);
         const float scale = m_hasFractions || m_largest <= 1 ? 255.0F : 1.0F;
-        const auto byte = [scale](float x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x * scale, 0.0F, 255.0F))); };
+        const auto byte = [scale](float x) {
+            return static_cast<std::uint8_t>(std::lround(std::clamp(x * scale, 0.0F, 255.0F)));
+        };
         m_mesh.colors.reserve(m_colors.size());
         for (const RawColor& c : m_colors) {
             m_stopCheck();

@@ -27,7 +27,8 @@ std::optional<Rgb> colorOf(std::string_view word)
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, 16);
     if (word.size() != digits || error != std::errc() || end != word.data() + word.size())
         return std::nullopt;
-    return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
+    return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+               static_cast<std::uint8_t>(value)};
 }
 
 std::string paletteWords(std::span<const Rgb> palette)

@@ -1,4 +1,5 @@
-// PLY: the header announces elements and their properties; the vertex and face elements are read, the others passed over.
+// PLY: the header announces elements and their properties; the vertex and face elements are read, the others passed
+// over.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/ply_source.h"
@@ -87,7 +88,11 @@ private:
 template <typename Source> class BodyReader
 {
 public:
-    BodyReader(const FileBytes& file, const PlyHeader& header) : m_file(file), m_header(header), m_source(file, header), m_stopCheck(file.stop)
+    BodyReader(const FileBytes& file, const PlyHeader& header)
+        : m_file(file)
+        , m_header(header)
+        , m_source(file, header)
+        , m_stopCheck(file.stop)
     {
         if (const PlyElement* const vertices = header.find("vertex"))
             m_vertices = vertices->count;
@@ -146,7 +151,8 @@ private:
             }
         };
         if constexpr (Source::hasRows) {
-            if (std::ranges::none_of(element.properties, [](const PlyProperty& property) { return property.countType.has_value(); })) {
+            if (std::ranges::none_of(element.properties,
+                                     [](const PlyProperty& property) { return property.countType.has_value(); })) {
                 const std::uint64_t size = element.minSize(m_header.encoding);
                 forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
                     Source rows = m_source;
@@ -160,7 +166,8 @@ private:
         readAll(m_source, 0, element.count);
     }
 
-    void readVertex(Source& source, const PlyElement& element, const std::vector<Role>& roles, bool colored, std::size_t index)
+    void readVertex(Source& source, const PlyElement& element, const std::vector<Role>& roles, bool colored,
+                    std::size_t index)
     {
         std::array<float, 3> point{};
         std::array<std::uint8_t, 3> color{};
@@ -205,17 +212,20 @@ private:
         }
     }
 
-    /// On all cores. False, and nothing is changed, if not all faces have as many corners as the first, or if anything is wrong.
+    /// On all cores. False, and nothing is changed, if not all faces have as many corners as the first, or if anything
+    /// is wrong.
     bool readFacesInRows(const PlyElement& element, const std::vector<Role>& roles)
     {
-        const auto lists = std::ranges::count_if(element.properties, [](const PlyProperty& property) { return property.countType.has_value(); });
+        const auto lists = std::ranges::count_if(
+            element.properties, [](const PlyProperty& property) { return property.countType.has_value(); });
         if (lists != 1 || element.count == 0 || m_mesh.points.empty())
             return false;
         try {
             Polygons first;
             Source afterFirst = m_source;
             readFace(afterFirst, element, roles, first);
-            const std::uint64_t size = m_source.bytesLeft() - afterFirst.bytesLeft(), trianglesEach = first.corners() - 2;
+            const std::uint64_t size = m_source.bytesLeft() - afterFirst.bytesLeft(),
+                                trianglesEach = first.corners() - 2;
             if (element.count > m_source.bytesLeft() / size || element.count * trianglesEach > maxFaces)
                 return false;
             std::vector<Triangle> triangles;
@@ -240,7 +250,8 @@ private:
                 faces.reserve(end - begin, trianglesEach + 2);
                 readAll(faces);
                 if (areRows)
-                    std::ranges::copy(faces.triangles(m_mesh.points, StopCheck(m_file.stop)), triangles.begin() + static_cast<std::ptrdiff_t>(begin * trianglesEach));
+                    std::ranges::copy(faces.triangles(m_mesh.points, StopCheck(m_file.stop)),
+                                      triangles.begin() + static_cast<std::ptrdiff_t>(begin * trianglesEach));
             });
             if (!areRows)
                 return false;
@@ -252,11 +263,13 @@ private:
         }
     }
 
-    template <typename Faces> void readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Faces& faces) const
+    template <typename Faces>
+    void readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Faces& faces) const
     {
         source.beginElement();
         for (std::size_t k = 0; k < roles.size(); ++k)
-            roles[k] == Role::Corners ? readCorners(source, element.properties[k], faces) : skip(source, element.properties[k]);
+            roles[k] == Role::Corners ? readCorners(source, element.properties[k], faces)
+                                      : skip(source, element.properties[k]);
         source.endElement();
     }
 

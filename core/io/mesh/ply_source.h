@@ -59,7 +59,8 @@ private:
 class PlyBinarySource
 {
 public:
-    /// Elements without lists, or with lists of one length, have one size: each can be found without reading those before it.
+    /// Elements without lists, or with lists of one length, have one size: each can be found without reading those
+    /// before it.
     static constexpr bool hasRows = true;
 
     PlyBinarySource(const FileBytes& file, const PlyHeader& header)

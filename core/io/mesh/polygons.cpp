@@ -66,7 +66,8 @@ bool isEar(const FlatPolygon& polygon, const std::vector<Slot>& ring, std::size_
     });
 }
 
-void clipEars(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std::vector<Slot> ring, StopCheck& stopCheck)
+void clipEars(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std::vector<Slot> ring,
+              StopCheck& stopCheck)
 {
     std::size_t i = 0, tried = 0;
     bool simple = true; // until no ear is left: a simple polygon always has one
@@ -88,7 +89,8 @@ void clipEars(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std:
 }
 } // namespace
 
-void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners, StopCheck& stopCheck)
+void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners,
+                   StopCheck& stopCheck)
 {
     assert(corners.size() >= 3);
     stopCheck();

@@ -11,10 +11,11 @@ namespace core::io
 /// Ear clipping takes the square of the corners' number at worst.
 inline constexpr std::size_t maxCorners = 4096;
 
-/// Appends the triangles of one face with at least three corners, wound as the polygon is; no new vertices. A quad is cut
-/// at its reflex corner, or along the shorter diagonal; larger polygons by ear clipping in the plane in which they are
-/// largest. A polygon that crosses itself, or has no area, gives triangles too, of whatever use.
-void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners, StopCheck& stopCheck);
+/// Appends the triangles of one face with at least three corners, wound as the polygon is; no new vertices. A quad is
+/// cut at its reflex corner, or along the shorter diagonal; larger polygons by ear clipping in the plane in which they
+/// are largest. A polygon that crosses itself, or has no area, gives triangles too, of whatever use.
+void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners,
+                   StopCheck& stopCheck);
 
 /// Faces as files give them, kept until all points are known.
 class Polygons

@@ -6,7 +6,8 @@
 
 namespace core::io
 {
-/// IEC 61966-2-1: 8 bits as they are seen, from light from 0 to 1 and back. Light rounded to 16 bits comes back unchanged.
+/// IEC 61966-2-1: 8 bits as they are seen, from light from 0 to 1 and back. Light rounded to 16 bits comes back
+/// unchanged.
 inline double linearFromSrgb(std::uint8_t srgb)
 {
     const double x = srgb / 255.0;

@@ -1,5 +1,5 @@
-// STL: triangles as loose corners, binary or text. Corners with equal bits are welded. Colours are read where a binary file has them; none
-// are written: a triangle's colour is not a vertex's.
+// STL: triangles as loose corners, binary or text. Corners with equal bits are welded. Colours are read where a binary
+// file has them; none are written: a triangle's colour is not a vertex's.
 
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/record_writer.h"
@@ -76,13 +76,20 @@ TriangleMesh readBinary(const FileBytes& file)
 class TextStlReader
 {
 public:
-    explicit TextStlReader(const FileBytes& file) : m_file(file), m_text(file, file.bytes.data()), m_stopCheck(file.stop) {}
+    explicit TextStlReader(const FileBytes& file)
+        : m_file(file)
+        , m_text(file, file.bytes.data())
+        , m_stopCheck(file.stop)
+    {}
 
     TriangleMesh read()
     {
         while (readSolid()) {
         }
-        const auto load = [this](std::size_t begin, std::span<Vec3f> into) { std::ranges::copy_n(m_corners.begin() + static_cast<std::ptrdiff_t>(begin), static_cast<std::ptrdiff_t>(into.size()), into.begin()); };
+        const auto load = [this](std::size_t begin, std::span<Vec3f> into) {
+            std::ranges::copy_n(m_corners.begin() + static_cast<std::ptrdiff_t>(begin),
+                                static_cast<std::ptrdiff_t>(into.size()), into.begin());
+        };
         return meshOf(m_corners.size() / 3, load, m_file.stop);
     }
 

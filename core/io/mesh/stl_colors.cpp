@@ -33,7 +33,8 @@ Rgb viscamColor(std::uint16_t word)
 }
 } // namespace
 
-std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_t> words, const TriangleMesh& mesh, StopCheck& stopCheck)
+std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_t> words, const TriangleMesh& mesh,
+                           StopCheck& stopCheck)
 {
     const std::optional<Rgb> whole = colorOfHeader(header);
     if (!whole && std::ranges::none_of(words, [](std::uint16_t word) { return (word & flag) != 0; }))

@@ -1,5 +1,6 @@
-// Source: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production Extension 1.1 (paths).
-// Elements come in the order that the specification asks for: what is named stands before what names it.
+// Source: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production
+// Extension 1.1 (paths). Elements come in the order that the specification asks for: what is named stands before what
+// names it.
 #include "core/io/mesh/threemf_part.h"
 
 #include "core/io/mesh/mean_color.h"
@@ -35,7 +36,8 @@ std::optional<Rgb> colorOf(std::string_view text)
     const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
     if (error != std::errc() || end != text.data() + 7)
         return std::nullopt;
-    return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
+    return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+               static_cast<std::uint8_t>(value)};
 }
 
 /// Twelve numbers: the rows of a matrix that points are rows to the left of.

@@ -33,7 +33,8 @@ struct ThreeMfPart
     bool hasTextures = false;
 };
 
-/// Of the package's path as a part names it: without the slash at its front. Throws FileError::Malformed where it leaves the package.
+/// Of the package's path as a part names it: without the slash at its front. Throws FileError::Malformed where it
+/// leaves the package.
 std::string threeMfPath(const FileBytes& file, std::string_view path);
 
 /// Parses a model part, which is given piece by piece. Throws FileError with lines of that part.

@@ -1,5 +1,5 @@
-// 3MF: the package names its model part; the items of its build say which objects stand where, and their components what they are made of.
-// What other parts hold is read when it is asked for.
+// 3MF: the package names its model part; the items of its build say which objects stand where, and their components
+// what they are made of. What other parts hold is read when it is asked for.
 #include "core/io/mesh/threemf_part.h"
 #include "core/io/mesh/zip_reader.h"
 
@@ -22,7 +22,8 @@ std::string modelPathOf(const FileBytes& file, ZipReader& package)
     XmlReader xml(
         file,
         [&](std::string_view name, const XmlAttributes& attributes) {
-            if (name.ends_with("|Relationship") && attributes.text("Type") == modelType && attributes.text("TargetMode") != "External")
+            if (name.ends_with("|Relationship") && attributes.text("Type") == modelType &&
+                attributes.text("TargetMode") != "External")
                 path = threeMfPath(file, attributes.text("Target"));
         },
         [](std::string_view) {});
@@ -41,7 +42,8 @@ public:
         if (path.empty())
             throw errorWithToken(FileErrorKind::Malformed, m_file, "_rels/.rels");
         const ThreeMfPart& root = part(path);
-        const Eigen::Matrix4d unit = Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
+        const Eigen::Matrix4d unit =
+            Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
         for (const ThreeMfComponent& item : root.build)
             add(path, item, unit, 0);
         if (m_hasColors)
@@ -85,8 +87,10 @@ private:
 
     void addMesh(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)
     {
-        requireRoom("vertices", m_mesh.points.size() + mesh.points.size(), std::min(maxVertices, maxVertexCopies * m_file.bytes.size()));
-        requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(), std::min(maxFaces, maxFaceCopies * m_file.bytes.size()));
+        requireRoom("vertices", m_mesh.points.size() + mesh.points.size(),
+                    std::min(maxVertices, maxVertexCopies * m_file.bytes.size()));
+        requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(),
+                    std::min(maxFaces, maxFaceCopies * m_file.bytes.size()));
         const auto first = static_cast<Slot>(m_mesh.points.size());
         m_remarks.objects += mesh.triangles.empty() ? 0 : 1;
         const bool isPlain = transform == Eigen::Matrix4d::Identity();

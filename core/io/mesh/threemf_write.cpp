@@ -1,5 +1,5 @@
-// 3MF: content types, relationships and one model part, whose text is made while it is packed: an object, one build item, and, if there are
-// colours, a colour group that the triangles' corners point into.
+// 3MF: content types, relationships and one model part, whose text is made while it is packed: an object, one build
+// item, and, if there are colours, a colour group that the triangles' corners point into.
 #include "core/io/mesh/format.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/zip_writer.h"
@@ -32,7 +32,8 @@ constexpr std::string_view modelStart = R"(<?xml version="1.0" encoding="UTF-8"?
 <metadata name="Application">Fettle</metadata>
 <resources>
 )";
-constexpr std::string_view modelEnd = "</triangles></mesh></object>\n</resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
+constexpr std::string_view modelEnd =
+    "</triangles></mesh></object>\n</resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
 
 std::uint32_t numberOf(const Rgb& color)
 {
@@ -49,7 +50,8 @@ public:
         for (const Rgb& color : mesh.colors)
             m_colors.push_back(numberOf(color));
         std::ranges::sort(m_colors);
-        m_colors.erase(std::unique(m_colors.begin(), m_colors.end()), m_colors.end()); // Clang 14, which the fuzzers need, knows no ranges::unique
+        m_colors.erase(std::unique(m_colors.begin(), m_colors.end()),
+                       m_colors.end()); // Clang 14, which the fuzzers need, knows no ranges::unique
     }
 
     /// To be asked before it is read. The package's heads are of the old, short kind only when it is known.
@@ -65,7 +67,8 @@ public:
 
     std::size_t read(char* to, std::size_t size)
     {
-        while (m_text.size() - m_taken < size && addNext()) {}
+        while (m_text.size() - m_taken < size && addNext()) {
+        }
         const std::size_t given = std::min(size, m_text.size() - m_taken);
         std::memcpy(to, m_text.data() + m_taken, given);
         m_taken += given;
@@ -95,8 +98,8 @@ private:
             *this << (m_colors.empty() ? "" : "</m:colorgroup>\n") << "<object id=\"1\" type=\"model\""
                   << (m_colors.empty() ? "" : " pid=\"2\" pindex=\"0\"") << "><mesh><vertices>\n";
         else if (isOf(m_mesh.points.size()))
-            *this << "<vertex x=\"" << m_mesh.points[at].x() << "\" y=\"" << m_mesh.points[at].y() << "\" z=\"" << m_mesh.points[at].z()
-                  << "\"/>\n";
+            *this << "<vertex x=\"" << m_mesh.points[at].x() << "\" y=\"" << m_mesh.points[at].y() << "\" z=\""
+                  << m_mesh.points[at].z() << "\"/>\n";
         else if (isOf(1))
             *this << "</vertices><triangles>\n";
         else if (isOf(m_mesh.triangles.size()))
@@ -131,7 +134,8 @@ private:
 
     std::size_t indexOf(Slot corner) const
     {
-        return static_cast<std::size_t>(std::ranges::lower_bound(m_colors, numberOf(m_mesh.colors[corner])) - m_colors.begin());
+        return static_cast<std::size_t>(std::ranges::lower_bound(m_colors, numberOf(m_mesh.colors[corner])) -
+                                        m_colors.begin());
     }
 
     ModelText& operator<<(std::string_view text)
@@ -149,8 +153,8 @@ private:
 
     const TriangleMesh& m_mesh;
     std::vector<std::uint32_t> m_colors; ///< each once, sorted
-    std::size_t m_next = 0;  ///< element
-    std::string m_text;      ///< from m_taken on it was not read yet
+    std::size_t m_next = 0;              ///< element
+    std::string m_text;                  ///< from m_taken on it was not read yet
     std::size_t m_taken = 0;
 };
 
@@ -185,8 +189,8 @@ zip_int64_t answer(void* self, void* data, zip_uint64_t size, zip_source_cmd_t c
         return sizeof error;
     }
     case ZIP_SOURCE_SUPPORTS:
-        return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR,
-                                              ZIP_SOURCE_FREE, -1);
+        return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT,
+                                              ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, -1);
     default:
         return 0;
     }
@@ -203,7 +207,8 @@ void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb
     ZipWriter package;
     package.add("[Content_Types].xml", types, ZipWriter::Packing::Stored);
     package.add("_rels/.rels", relationships, ZipWriter::Packing::Stored);
-    package.add("3D/3dmodel.model", zip_source_function(package.archive(), &answer, &model), ZipWriter::Packing::Deflated);
+    package.add("3D/3dmodel.model", zip_source_function(package.archive(), &answer, &model),
+                ZipWriter::Packing::Deflated);
     package.writeTo(out);
 }
 } // namespace core::io

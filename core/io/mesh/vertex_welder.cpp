@@ -1,7 +1,9 @@
 // Points that are one, by hashing, in three passes, each on all cores:
 //   1. file    the points of each chunk into the chunk's many buckets, by hash, in the order of the file
-//   2. search  each bucket in all chunks together, which a core's cache holds: each point takes the index of the first that is like it
-//   3. number  the first ones in the order of the file, each by how many bits before its own are set: so few that the cache holds them
+//   2. search  each bucket in all chunks together, which a core's cache holds: each point takes the index of the first
+//   that is like it
+//   3. number  the first ones in the order of the file, each by how many bits before its own are set: so few that the
+//   cache holds them
 
 #include "core/io/mesh/vertex_welder.h"
 
@@ -37,7 +39,10 @@ struct Bits
     std::uint32_t x, y, z;
 
 private:
-    static std::uint32_t of(float x) { return std::bit_cast<std::uint32_t>(x + 0.0F); } // adding 0 takes the sign from -0
+    static std::uint32_t of(float x)
+    {
+        return std::bit_cast<std::uint32_t>(x + 0.0F);
+    } // adding 0 takes the sign from -0
 };
 
 class PointBuckets
@@ -134,7 +139,8 @@ private:
             }
     }
 
-    /// m_numbers hold, of each point as it was filed, the first that is like it; then of each point of the file its number.
+    /// m_numbers hold, of each point as it was filed, the first that is like it; then of each point of the file its
+    /// number.
     WeldedPoints number()
     {
         std::vector<FirstOnes> firstOnes(chunksOf(m_count, firstOnesSize));
@@ -156,7 +162,9 @@ private:
             for (std::size_t i = begin; i < end; ++i) {
                 const Slot first = m_numbers[i];
                 const FirstOnes& ones = firstOnes[first / firstOnesSize];
-                m_numbers[i] = ones.before + static_cast<Slot>(std::popcount(ones.bits & ((std::uint64_t(1) << first % firstOnesSize) - 1)));
+                m_numbers[i] =
+                    ones.before +
+                    static_cast<Slot>(std::popcount(ones.bits & ((std::uint64_t(1) << first % firstOnesSize) - 1)));
                 if (first == i)
                     same.firsts[m_numbers[i]] = first;
             }
@@ -193,7 +201,9 @@ WeldedPoints weldPoints(std::size_t count, const PointLoader& load, const std::s
 
 void weld(TriangleMesh& mesh, const std::stop_token& stop)
 {
-    const auto load = [&](std::size_t begin, std::span<Vec3f> into) { std::copy_n(mesh.points.begin() + static_cast<std::ptrdiff_t>(begin), into.size(), into.begin()); };
+    const auto load = [&](std::size_t begin, std::span<Vec3f> into) {
+        std::copy_n(mesh.points.begin() + static_cast<std::ptrdiff_t>(begin), into.size(), into.begin());
+    };
     const WeldedPoints same = weldPoints(mesh.points.size(), load, stop);
     if (same.firsts.size() == mesh.points.size())
         return;

@@ -2,8 +2,8 @@
 
 #include "core/io/mesh/format.h"
 
-#include "core/util/large_buffer.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/util/large_buffer.h"
 
 #include <functional>
 

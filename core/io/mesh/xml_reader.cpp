@@ -24,7 +24,8 @@ std::string_view XmlAttributes::text(std::string_view name) const
             constexpr const char* blanks = " \t\r\n";
             const std::string_view value(pair[1]);
             const std::size_t first = value.find_first_not_of(blanks);
-            return first == std::string_view::npos ? std::string_view() : value.substr(first, value.find_last_not_of(blanks) + 1 - first);
+            return first == std::string_view::npos ? std::string_view()
+                                                   : value.substr(first, value.find_last_not_of(blanks) + 1 - first);
         }
     return {};
 }
@@ -90,7 +91,10 @@ struct XmlReader::Callbacks
 };
 
 XmlReader::XmlReader(const FileBytes& file, Begin begin, End end)
-    : m_file(file), m_begin(std::move(begin)), m_end(std::move(end)), m_parser(XML_ParserCreateNS(nullptr, namespaceEnd), &XML_ParserFree)
+    : m_file(file)
+    , m_begin(std::move(begin))
+    , m_end(std::move(end))
+    , m_parser(XML_ParserCreateNS(nullptr, namespaceEnd), &XML_ParserFree)
 {
     if (!m_parser)
         throw std::bad_alloc();

@@ -32,8 +32,9 @@ private:
     const char** m_pairs;
 };
 
-/// Strangers' XML, parsed piece by piece by a library (expat), in UTF-8 or UTF-16. There are no document types, so there are no entities
-/// but the five, and nothing outside is ever opened; elements lie at most 64 deep, and no tag is longer than 1 MiB. Errors name the line.
+/// Strangers' XML, parsed piece by piece by a library (expat), in UTF-8 or UTF-16. There are no document types, so
+/// there are no entities but the five, and nothing outside is ever opened; elements lie at most 64 deep, and no tag is
+/// longer than 1 MiB. Errors name the line.
 class XmlReader
 {
 public:

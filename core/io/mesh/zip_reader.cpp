@@ -42,7 +42,11 @@ zip* opened(const FileBytes& file)
 }
 } // namespace
 
-ZipReader::ZipReader(const FileBytes& file) : m_file(file), m_zip(opened(file), &zip_discard), m_left(limitFor(file.bytes.size())) {}
+ZipReader::ZipReader(const FileBytes& file)
+    : m_file(file)
+    , m_zip(opened(file), &zip_discard)
+    , m_left(limitFor(file.bytes.size()))
+{}
 
 ZipReader::~ZipReader() = default;
 
@@ -75,13 +79,14 @@ void ZipReader::read(const std::string& part, const Take& take)
     const zip_int64_t index = zip_name_locate(m_zip.get(), part.c_str(), ZIP_FL_NOCASE);
     zip_stat_t stat;
     constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
-    if (index < 0 || zip_stat_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0, &stat) != 0 || (stat.valid & needed) != needed
-        || (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) || stat.encryption_method != ZIP_EM_NONE)
+    if (index < 0 || zip_stat_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0, &stat) != 0 ||
+        (stat.valid & needed) != needed || (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) ||
+        stat.encryption_method != ZIP_EM_NONE)
         refuse();
     if (stat.size > m_left)
         throw unpacksTooLarge(m_file);
-    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> packed(zip_fopen_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0),
-                                                                   &zip_fclose);
+    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> packed(
+        zip_fopen_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
     if (!packed)
         refuse();
     std::array<char, 1 << 16> piece;

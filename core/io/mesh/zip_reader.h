@@ -11,9 +11,9 @@ struct zip;
 
 namespace core::io
 {
-/// A zip file in memory, unpacked by a library (libzip): its parts by name, in either case. All that is read of it may have a hundred times
-/// the file's size, at least 16 MiB and at most 4 GiB; what announces or has more throws FileError::UnpacksTooLarge. Each part takes 64 KiB of
-/// memory at a time, the directory some six times its own size.
+/// A zip file in memory, unpacked by a library (libzip): its parts by name, in either case. All that is read of it may
+/// have a hundred times the file's size, at least 16 MiB and at most 4 GiB; what announces or has more throws
+/// FileError::UnpacksTooLarge. Each part takes 64 KiB of memory at a time, the directory some six times its own size.
 class ZipReader
 {
 public:
@@ -27,8 +27,8 @@ public:
     std::vector<std::string> names() const;
     bool has(const std::string& part) const;
 
-    /// `take` gets a piece after the other; the last one is empty. Throws FileError: Malformed with the part's name if it is not there, or is
-    /// packed in a way that we do not take; CutOff if its bytes are not what they were.
+    /// `take` gets a piece after the other; the last one is empty. Throws FileError: Malformed with the part's name if
+    /// it is not there, or is packed in a way that we do not take; CutOff if its bytes are not what they were.
     using Take = std::function<void(std::string_view piece)>;
     void read(const std::string& part, const Take& take);
 

@@ -13,7 +13,9 @@ constexpr std::uint16_t firstDosDay = 0x21; ///< 1980-01-01
 } // namespace
 
 // All goes on in memory: what fails, fails for want of it.
-ZipWriter::ZipWriter() : m_packed(zip_source_buffer_create(nullptr, 0, 0, nullptr), &zip_source_free), m_zip(nullptr, &zip_discard)
+ZipWriter::ZipWriter()
+    : m_packed(zip_source_buffer_create(nullptr, 0, 0, nullptr), &zip_source_free)
+    , m_zip(nullptr, &zip_discard)
 {
     if (!m_packed)
         throw std::bad_alloc();

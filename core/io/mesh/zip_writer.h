@@ -10,7 +10,8 @@ struct zip_source;
 
 namespace core::io
 {
-/// A zip file that is made in memory by a library (libzip). The same parts give the same bytes: all are of the first day that zip knows.
+/// A zip file that is made in memory by a library (libzip). The same parts give the same bytes: all are of the first
+/// day that zip knows.
 class ZipWriter
 {
 public:

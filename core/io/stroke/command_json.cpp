@@ -10,8 +10,21 @@ struct CommandKeys
     std::string_view name;
     KeySet required, optional;
 };
-enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName, ResetName,
-                   PlaceOnBedName, FlattenBaseName, MaskName };
+enum CommandName {
+    MoveName,
+    RotateName,
+    ScaleName,
+    MirrorName,
+    RecentreName,
+    InsertName,
+    FillName,
+    RemeshName,
+    SymmetrizeName,
+    ResetName,
+    PlaceOnBedName,
+    FlattenBaseName,
+    MaskName
+};
 constexpr std::array<CommandKeys, 13> commandTable{{
     {"move", bit(ByKey), 0},
     {"rotate", bit(TurnKey), 0},
@@ -40,19 +53,32 @@ ModelCommand commandOf(CommandName name, const CommandDraft& draft, const Stroke
 {
     const int axis = static_cast<int>(draft.plane) - static_cast<int>(Symmetry::X);
     switch (name) {
-    case MoveName: return Move{draft.by};
-    case RotateName: return Rotate{draft.rotation};
-    case ScaleName: return Scale{draft.factor};
-    case MirrorName: return Mirror{axis};
-    case RecentreName: return Recentre{};
-    case InsertName: return Insert{{}, draft.where, draft.centre};
-    case FillName: return Fill{settings.color};
-    case RemeshName: return RemeshUniformly{settings.detailLength};
-    case SymmetrizeName: return Symmetrize{draft.plane, draft.keep};
-    case PlaceOnBedName: return PlaceOnBed{};
-    case FlattenBaseName: return FlattenBase{draft.height};
-    case MaskName: return MaskOperation{draft.how, settings.color};
-    case ResetName: break;
+    case MoveName:
+        return Move{draft.by};
+    case RotateName:
+        return Rotate{draft.rotation};
+    case ScaleName:
+        return Scale{draft.factor};
+    case MirrorName:
+        return Mirror{axis};
+    case RecentreName:
+        return Recentre{};
+    case InsertName:
+        return Insert{{}, draft.where, draft.centre};
+    case FillName:
+        return Fill{settings.color};
+    case RemeshName:
+        return RemeshUniformly{settings.detailLength};
+    case SymmetrizeName:
+        return Symmetrize{draft.plane, draft.keep};
+    case PlaceOnBedName:
+        return PlaceOnBed{};
+    case FlattenBaseName:
+        return FlattenBase{draft.height};
+    case MaskName:
+        return MaskOperation{draft.how, settings.color};
+    case ResetName:
+        break;
     }
     return Reset{};
 }
@@ -86,7 +112,8 @@ bool StrokeJsonReader::commandWord(const std::string& word)
     case ModelKey:
         m_command.file = word;
         return !word.empty();
-    default: refuse(Kind::WrongType);
+    default:
+        refuse(Kind::WrongType);
     }
 }
 
@@ -107,13 +134,15 @@ void StrokeJsonReader::endCommand()
     const bool wantsCentre = name == InsertName && m_command.where == Insert::Place::Centre;
     const bool wantsColor = name == MaskName && m_command.how == MaskOperation::Kind::Color;
     const KeySet wanted = (wantsCentre ? bit(CentreKey) : 0) | (wantsColor ? bit(ColorKey) : 0);
-    const KeySet required = keys.required | wanted, known = bit(CommandKey) | required | (keys.optional & ~(bit(CentreKey) | bit(ColorKey)));
+    const KeySet required = keys.required | wanted,
+                 known = bit(CommandKey) | required | (keys.optional & ~(bit(CentreKey) | bit(ColorKey)));
     requireNoneOf(~known);
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         m_key = static_cast<int>(i);
         if (required & ~m_seen & bit(i))
             refuse(Kind::MissingKey);
     }
-    m_entries.back() = FileCommand{commandOf(static_cast<CommandName>(name), m_command, stroke().settings), m_command.file};
+    m_entries.back() =
+        FileCommand{commandOf(static_cast<CommandName>(name), m_command, stroke().settings), m_command.file};
 }
 } // namespace core

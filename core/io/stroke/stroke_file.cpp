@@ -17,10 +17,11 @@ constexpr std::size_t maxFileBytes = std::size_t(1) << 30;
 } // namespace
 
 StrokeFileError::StrokeFileError(Kind errorKind, std::string keyName)
-    : std::runtime_error("stroke file: error " + std::to_string(static_cast<int>(errorKind)) + " at \"" + keyName + "\""),
-      kind(errorKind), key(std::move(keyName))
-{
-}
+    : std::runtime_error("stroke file: error " + std::to_string(static_cast<int>(errorKind)) + " at \"" + keyName +
+                         "\"")
+    , kind(errorKind)
+    , key(std::move(keyName))
+{}
 
 std::vector<FileEntry> parseStrokes(std::string_view text)
 {

@@ -24,10 +24,12 @@ namespace core
 ///                    "radius":0.25,"strength":1}]}]}
 ///
 /// Required: format, version, strokes, and in a stroke tool, radius and samples, and in a sample position; with
-/// "place":"ray" also direction. The rest has the defaults above (time: 0; a sample's radius and strength: the stroke's).
+/// "place":"ray" also direction. The rest has the defaults above (time: 0; a sample's radius and strength: the
+/// stroke's).
 ///
-/// A stroke may have "alpha": a name of builtInAlphas(), or an image's path; "alpha_follows": true; "model": a model's path. A path is
-/// absolute or starts from the stroke file. Records have "alpha_hash" and "model_hash", too: fingerprints of what was used.
+/// A stroke may have "alpha": a name of builtInAlphas(), or an image's path; "alpha_follows": true; "model": a model's
+/// path. A path is absolute or starts from the stroke file. Records have "alpha_hash" and "model_hash", too:
+/// fingerprints of what was used.
 ///
 /// Between strokes may stand commands for the whole model (model_command.h):
 ///
@@ -37,16 +39,16 @@ namespace core
 ///     {"command":"fill","color":[200,120,80]}             {"command":"remesh","detail_length":0.1}
 ///     {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]}
 ///
-/// "keep": positive (the default) or negative. Without "detail_length": 4/3 of the mean edge. "where": beside (the default),
-/// as_it_is, or centre, and only then with "centre".
+/// "keep": positive (the default) or negative. Without "detail_length": 4/3 of the mean edge. "where": beside (the
+/// default), as_it_is, or centre, and only then with "centre".
 struct StrokeFileError : std::runtime_error
 {
     enum class Kind {
-        CannotRead,   ///< no such file, or not readable
-        TooLarge,     ///< longer than the reader takes, `most` bytes
-        Syntax,       ///< not JSON; `line`, `byte` say where
+        CannotRead, ///< no such file, or not readable
+        TooLarge,   ///< longer than the reader takes, `most` bytes
+        Syntax,     ///< not JSON; `line`, `byte` say where
         DuplicateKey,
-        NotStrokes,   ///< JSON, but not of this format or version
+        NotStrokes, ///< JSON, but not of this format or version
         UnknownKey,
         MissingKey,
         WrongType,
@@ -63,7 +65,7 @@ struct StrokeFileError : std::runtime_error
     std::optional<std::size_t> sample; ///< counted from 0, in its stroke
     std::size_t line = 0;              ///< counted from 1; 0: unknown
     std::size_t byte = 0;              ///< counted from 1; 0: unknown
-    std::optional<double> min, max; ///< with OutOfRange, where there is a range
+    std::optional<double> min, max;    ///< with OutOfRange, where there is a range
     bool orZero = false;               ///< with OutOfRange: 0 is taken, too
     int systemError = 0;               ///< errno, with CannotRead, where it is known
 };
@@ -79,8 +81,8 @@ using FileEntry = std::variant<Stroke, FileCommand>;
 std::vector<FileEntry> parseStrokes(std::string_view text);
 std::vector<FileEntry> readStrokes(const std::string& path);
 
-/// What only the model's lattice can check: throws StrokeFileError::OutOfRange, with the sample, unless it holds the stroke's brushes, and the
-/// hands are within the working volume. Where a ray comes from is free.
+/// What only the model's lattice can check: throws StrokeFileError::OutOfRange, with the sample, unless it holds the
+/// stroke's brushes, and the hands are within the working volume. Where a ray comes from is free.
 void requireFit(const Stroke& stroke, const Lattice& lattice);
 
 /// Writes every key, and numbers with enough digits to come back bit-identical.

@@ -36,8 +36,8 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
 {
     const auto& [x, y, z] = std::array{sample.position.x(), sample.position.y(), sample.position.z()};
     const Eigen::Quaterniond& turn = sample.rotation;
-    out << "{\"t\":" << shortest(sample.time) << ",\"position\":" << list({x, y, z}) << ",\"direction\":"
-        << list({sample.direction.x(), sample.direction.y(), sample.direction.z()})
+    out << "{\"t\":" << shortest(sample.time) << ",\"position\":" << list({x, y, z})
+        << ",\"direction\":" << list({sample.direction.x(), sample.direction.y(), sample.direction.z()})
         << ",\"pressure\":" << shortest(sample.pressure)
         << ",\"rotation\":" << list({turn.x(), turn.y(), turn.z(), turn.w()});
     if (sample.radius)
@@ -49,7 +49,8 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
     out << '}';
 }
 
-/// What is not in the settings yet is written as it was read. A model that came from no file is left out: nobody could read it again.
+/// What is not in the settings yet is written as it was read. A model that came from no file is left out: nobody could
+/// read it again.
 void writeShapes(std::ostream& out, const Stroke& stroke)
 {
     const StrokeSettings& settings = stroke.settings;
@@ -75,13 +76,12 @@ void write(std::ostream& out, const Stroke& stroke)
 {
     const StrokeSettings& settings = stroke.settings;
     out << "{\"tool\":\"" << name(settings.tool) << "\",\"brush\":\"" << name(settings.brush)
-        << "\",\"radius\":" << shortest(settings.radius)
-        << ",\"strength\":" << shortest(settings.strength) << ",\"falloff\":" << settings.falloff
-        << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\"" << name(settings.topology) << "\",\"fusion\":"
-        << (settings.fusion ? "true" : "false") << ",\"symmetry\":\"" << name(settings.symmetry)
-        << "\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
-        << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false") << ",\"color\":"
-        << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
+        << "\",\"radius\":" << shortest(settings.radius) << ",\"strength\":" << shortest(settings.strength)
+        << ",\"falloff\":" << settings.falloff << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\""
+        << name(settings.topology) << "\",\"fusion\":" << (settings.fusion ? "true" : "false") << ",\"symmetry\":\""
+        << name(settings.symmetry) << "\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
+        << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false")
+        << ",\"color\":" << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
     if (settings.radial > 1)
         out << ",\"radial\":" << settings.radial;
     if (settings.inverted)
@@ -149,7 +149,8 @@ std::string keysOf(const Fill& fill, const std::string&)
 
 std::string keysOf(const MaskOperation& change, const std::string&)
 {
-    const std::string keys = "\"mask\",\"how\":\"" + std::string(maskChangeNames[static_cast<std::size_t>(change.how)]) + "\"";
+    const std::string keys =
+        "\"mask\",\"how\":\"" + std::string(maskChangeNames[static_cast<std::size_t>(change.how)]) + "\"";
     return change.how == MaskOperation::Kind::Color ? keys + ",\"color\":" + list(change.color) : keys;
 }
 
@@ -160,8 +161,8 @@ std::string keysOf(const RemeshUniformly& remesh, const std::string&)
 
 std::string keysOf(const Symmetrize& symmetrize, const std::string&)
 {
-    return "\"symmetrize\",\"plane\":\"" + std::string(name(symmetrize.plane)) + "\",\"keep\":\""
-           + (symmetrize.keep == Half::Positive ? "positive" : "negative") + "\"";
+    return "\"symmetrize\",\"plane\":\"" + std::string(name(symmetrize.plane)) + "\",\"keep\":\"" +
+           (symmetrize.keep == Half::Positive ? "positive" : "negative") + "\"";
 }
 
 std::string keysOf(const Reset&, const std::string&)
@@ -181,7 +182,8 @@ std::string keysOf(const FlattenBase& flatten, const std::string&)
 
 void write(std::ostream& out, const FileCommand& entry)
 {
-    out << "{\"command\":" << std::visit([&](const auto& command) { return keysOf(command, entry.file); }, entry.command) << '}';
+    out << "{\"command\":"
+        << std::visit([&](const auto& command) { return keysOf(command, entry.file); }, entry.command) << '}';
 }
 } // namespace
 

@@ -12,7 +12,7 @@ void StrokeJsonReader::refuse(Kind kind, std::string_view value) const
 }
 
 void StrokeJsonReader::refuse(Kind kind, const std::string& key, std::optional<double> min,
-                          std::optional<double> max) const
+                              std::optional<double> max) const
 {
     StrokeFileError error = errorHere(kind, key);
     error.min = min;
@@ -36,12 +36,18 @@ std::string_view StrokeJsonReader::keyName() const
         return {};
     const auto index = static_cast<std::size_t>(m_key);
     switch (m_level) {
-    case Level::File: return fileKeys.names[index];
-    case Level::Stroke: return strokeKeys.names[index];
-    case Level::Sample: return sampleKeys.names[index];
-    case Level::Strokes: return "strokes";
-    case Level::Samples: return "samples";
-    case Level::Start: break;
+    case Level::File:
+        return fileKeys.names[index];
+    case Level::Stroke:
+        return strokeKeys.names[index];
+    case Level::Sample:
+        return sampleKeys.names[index];
+    case Level::Strokes:
+        return "strokes";
+    case Level::Samples:
+        return "samples";
+    case Level::Start:
+        break;
     }
     return {};
 }
@@ -69,9 +75,15 @@ template <std::size_t N> void StrokeJsonReader::requireKeys(const Keys<N>& keys)
 bool StrokeJsonReader::key(string_t& name)
 {
     switch (m_level) {
-    case Level::File: noteKey(fileKeys, name); break;
-    case Level::Stroke: noteKey(strokeKeys, name); break;
-    default: noteKey(sampleKeys, name); break;
+    case Level::File:
+        noteKey(fileKeys, name);
+        break;
+    case Level::Stroke:
+        noteKey(strokeKeys, name);
+        break;
+    default:
+        noteKey(sampleKeys, name);
+        break;
     }
     return true;
 }
@@ -95,7 +107,8 @@ bool StrokeJsonReader::start_object(std::size_t)
         m_level = Level::Sample;
         m_seenStroke = std::exchange(m_seen, 0);
         break;
-    default: refuse(Kind::WrongType);
+    default:
+        refuse(Kind::WrongType);
     }
     m_key = -1;
     return true;
@@ -168,7 +181,8 @@ bool StrokeJsonReader::parse_error(std::size_t position, const std::string&, con
     const std::string_view rest = m_text.substr(at);
     const bool isNumber = error.id == numberOverflow || rest.starts_with("NaN") || rest.starts_with("Inf");
     StrokeFileError result = errorHere(isNumber ? Kind::NotANumber : Kind::Syntax, std::string(keyName()));
-    result.line = 1 + static_cast<std::size_t>(std::count(m_text.begin(), m_text.begin() + static_cast<long>(at), '\n'));
+    result.line =
+        1 + static_cast<std::size_t>(std::count(m_text.begin(), m_text.begin() + static_cast<long>(at), '\n'));
     result.byte = at + 1;
     throw result;
 }

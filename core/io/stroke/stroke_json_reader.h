@@ -77,8 +77,8 @@ private:
     std::vector<FileEntry> m_entries;
     CommandDraft m_command;
     Level m_level = Level::Start;
-    int m_key = -1;          ///< in the level's keys
-    KeySet m_seen = 0;       ///< of the innermost object
+    int m_key = -1;    ///< in the level's keys
+    KeySet m_seen = 0; ///< of the innermost object
     KeySet m_seenOuter = 0, m_seenStroke = 0;
     bool m_inVector = false; ///< between the brackets of a list of numbers
     std::size_t m_count = 0; ///< of them so far

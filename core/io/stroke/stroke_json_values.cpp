@@ -1,6 +1,6 @@
 // The stroke file's values: types, ranges, and where each goes.
-#include "core/util/fingerprint.h"
 #include "core/io/stroke/stroke_json_reader.h"
+#include "core/util/fingerprint.h"
 
 #include "core/sculpt/deform/alpha.h"
 
@@ -11,8 +11,8 @@ namespace core
 {
 namespace
 {
-constexpr double minSpacing = 1e-3;   ///< but for 0: a typing error shall not ask for 10^12 dabs
-constexpr double minFactor = 1e-6;    ///< of scaling; its inverse is the largest
+constexpr double minSpacing = 1e-3; ///< but for 0: a typing error shall not ask for 10^12 dabs
+constexpr double minFactor = 1e-6;  ///< of scaling; its inverse is the largest
 
 /// The xz plane (section 3.5.2): what `"symmetry": true` means.
 constexpr Symmetry paperPlane = Symmetry::Y;
@@ -90,10 +90,17 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
 {
     const auto byte = [](double value) { return static_cast<std::uint8_t>(value); };
     switch (m_key) {
-    case ColorKey: stroke().settings.color = {byte(vector.x()), byte(vector.y()), byte(vector.z())}; break;
-    case ByKey: m_command.by = vector; break;
-    case CentreKey: m_command.centre = vector; break;
-    default: m_command.rotation = unitRotation();
+    case ColorKey:
+        stroke().settings.color = {byte(vector.x()), byte(vector.y()), byte(vector.z())};
+        break;
+    case ByKey:
+        m_command.by = vector;
+        break;
+    case CentreKey:
+        m_command.centre = vector;
+        break;
+    default:
+        m_command.rotation = unitRotation();
     }
 }
 
@@ -116,7 +123,8 @@ bool StrokeJsonReader::number(double value)
         if (m_count == vectorLength())
             refuse(Kind::WrongType);
         const bool isColor = m_level == Level::Stroke && m_key == ColorKey;
-        m_vector[m_count++] = isColor ? inRange(value, 0, 255) : inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
+        m_vector[m_count++] =
+            isColor ? inRange(value, 0, 255) : inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
         if (isColor && value != std::trunc(value))
             refuse(Kind::WrongType);
     } else if (m_level == Level::Sample) {
@@ -135,14 +143,30 @@ void StrokeJsonReader::strokeNumber(double value)
 {
     StrokeSettings& settings = stroke().settings;
     switch (m_key) {
-    case RadiusKey: settings.radius = inRange(value, Parameter::Radius); break;
-    case StrengthKey: settings.strength = inRange(value, Parameter::Strength); break;
-    case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
-    case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
-    case HeightKey: m_command.height = inRange(value, ModelLimits::minExtent, ModelLimits::maxExtent); break;
-    case FactorKey: m_command.factor = inRange(value, minFactor, 1 / minFactor); break;
-    case TurntableKey: m_turntable = inRange(value, -maxSampleMagnitude, maxSampleMagnitude); break;
-    case SpacingKey: settings.spacing = zeroOrInRange(value, minSpacing, info(Parameter::Spacing).max); break;
+    case RadiusKey:
+        settings.radius = inRange(value, Parameter::Radius);
+        break;
+    case StrengthKey:
+        settings.strength = inRange(value, Parameter::Strength);
+        break;
+    case DetailKey:
+        settings.detail = inRange(value, Parameter::Detail);
+        break;
+    case DetailLengthKey:
+        settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max);
+        break;
+    case HeightKey:
+        m_command.height = inRange(value, ModelLimits::minExtent, ModelLimits::maxExtent);
+        break;
+    case FactorKey:
+        m_command.factor = inRange(value, minFactor, 1 / minFactor);
+        break;
+    case TurntableKey:
+        m_turntable = inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
+        break;
+    case SpacingKey:
+        settings.spacing = zeroOrInRange(value, minSpacing, info(Parameter::Spacing).max);
+        break;
     case RadialKey:
         settings.radial = static_cast<int>(inRange(value, 1, maxRadial));
         if (value != std::trunc(value))
@@ -154,7 +178,8 @@ void StrokeJsonReader::strokeNumber(double value)
             refuse(Kind::WrongType);
         settings.falloff = static_cast<int>(value);
         break;
-    default: refuse(Kind::WrongType);
+    default:
+        refuse(Kind::WrongType);
     }
 }
 
@@ -162,11 +187,20 @@ void StrokeJsonReader::sampleNumber(double value)
 {
     StrokeSample& sample = stroke().samples.back();
     switch (m_key) {
-    case TimeKey: sample.time = inRange(value, -maxSampleMagnitude, maxSampleMagnitude); break;
-    case PressureKey: sample.pressure = inRange(value, 0, 1); break;
-    case SampleRadiusKey: sample.radius = inRange(value, Parameter::Radius); break;
-    case SampleStrengthKey: sample.strength = inRange(value, Parameter::Strength); break;
-    default: refuse(Kind::WrongType);
+    case TimeKey:
+        sample.time = inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
+        break;
+    case PressureKey:
+        sample.pressure = inRange(value, 0, 1);
+        break;
+    case SampleRadiusKey:
+        sample.radius = inRange(value, Parameter::Radius);
+        break;
+    case SampleStrengthKey:
+        sample.strength = inRange(value, Parameter::Strength);
+        break;
+    default:
+        refuse(Kind::WrongType);
     }
 }
 
@@ -174,7 +208,9 @@ bool StrokeJsonReader::boolean(bool value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
-    if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != InvertKey && m_key != AlphaFollowsKey))
+    if (m_level != Level::Stroke || m_inVector ||
+        (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != InvertKey &&
+         m_key != AlphaFollowsKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
         stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
@@ -244,7 +280,8 @@ void StrokeJsonReader::strokeWord(const std::string& word)
         stroke().model.fingerprint = word;
         known = isFingerprint(word);
         break;
-    default: known = commandWord(word);
+    default:
+        known = commandWord(word);
     }
     if (!known)
         refuse(Kind::UnknownValue, "\"" + word + "\"");
@@ -252,7 +289,8 @@ void StrokeJsonReader::strokeWord(const std::string& word)
 
 void StrokeJsonReader::endStroke()
 {
-    for (const auto& [print, what] : {std::pair(AlphaPrintKey, AlphaKey), std::pair(BrushModelPrintKey, BrushModelKey)}) {
+    for (const auto& [print, what] :
+         {std::pair(AlphaPrintKey, AlphaKey), std::pair(BrushModelPrintKey, BrushModelKey)}) {
         if (!(m_seen & bit(what)))
             requireNoneOf(bit(print));
     }

@@ -9,7 +9,10 @@
 namespace core
 {
 Alpha::Alpha(int width, int height, std::vector<std::uint8_t> pixels, std::string source)
-    : m_width(width), m_height(height), m_pixels(std::move(pixels)), m_source(std::move(source))
+    : m_width(width)
+    , m_height(height)
+    , m_pixels(std::move(pixels))
+    , m_source(std::move(source))
 {
     assert(width > 0 && height > 0 && width <= maxSide && height <= maxSide);
     assert(m_pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -26,7 +29,8 @@ double Alpha::at(double right, double up) const
     const int left = static_cast<int>(x), top = static_cast<int>(y);
     const auto pixel = [&](int i, int j) {
         const int column = std::min(i, m_width - 1), row = std::min(j, m_height - 1);
-        return static_cast<double>(m_pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(column)]);
+        return static_cast<double>(m_pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(m_width) +
+                                            static_cast<std::size_t>(column)]);
     };
     const double s = x - left, t = y - top;
     const double upper = pixel(left, top) + s * (pixel(left + 1, top) - pixel(left, top));

@@ -10,8 +10,8 @@
 
 namespace core
 {
-/// A grey-scale image that weights a dab: white takes all of it, black nothing. Its longer side is the brush's diameter, its middle the
-/// dab's centre. Immutable: any thread.
+/// A grey-scale image that weights a dab: white takes all of it, black nothing. Its longer side is the brush's
+/// diameter, its middle the dab's centre. Immutable: any thread.
 class Alpha
 {
 public:

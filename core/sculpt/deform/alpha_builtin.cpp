@@ -50,7 +50,8 @@ struct Seeds
         const double column = std::floor(0.5 * cells * (x + 1)), row = std::floor(0.5 * cells * (y + 1));
         for (double i = column - 2; i <= column + 2; ++i) {
             for (double j = row - 2; j <= row + 2; ++j) {
-                const double dx = 0.5 + jitter * (cellValue(i, j, 1) - 0.5), dy = 0.5 + jitter * (cellValue(i, j, 2) - 0.5);
+                const double dx = 0.5 + jitter * (cellValue(i, j, 1) - 0.5),
+                             dy = 0.5 + jitter * (cellValue(i, j, 2) - 0.5);
                 visit((i + dx) / (0.5 * cells) - 1, (j + dy) / (0.5 * cells) - 1, cellValue(i, j, 3));
             }
         }
@@ -116,9 +117,11 @@ double shadeOfWeave(double x, double y)
 double shadeOfStar(double x, double y)
 {
     constexpr double inner = 0.4;
-    constexpr std::array<std::array<double, 2>, 5> rays{
-        {{0, 1}, {0.951056516295154, 0.309016994374947}, {0.587785252292473, -0.809016994374947},
-         {-0.587785252292473, -0.809016994374947}, {-0.951056516295154, 0.309016994374947}}};
+    constexpr std::array<std::array<double, 2>, 5> rays{{{0, 1},
+                                                         {0.951056516295154, 0.309016994374947},
+                                                         {0.587785252292473, -0.809016994374947},
+                                                         {-0.587785252292473, -0.809016994374947},
+                                                         {-0.951056516295154, 0.309016994374947}}};
     constexpr double outer = 0.95;
     double shade = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -149,10 +152,12 @@ double shadeOfNoise(double x, double y)
 {
     double sum = 0, share = 0.5, cells = 5;
     for (std::uint32_t octave = 0; octave < 4; ++octave, share *= 0.5, cells *= 2) {
-        const double px = cells * (0.5 * x + 0.5), py = cells * (0.5 * y + 0.5), column = std::floor(px), row = std::floor(py);
+        const double px = cells * (0.5 * x + 0.5), py = cells * (0.5 * y + 0.5), column = std::floor(px),
+                     row = std::floor(py);
         const double s = smoothStep(0, 1, px - column), t = smoothStep(0, 1, py - row);
         const auto value = [&](double i, double j) { return cellValue(column + i, row + j, 10 + octave); };
-        const double lower = value(0, 0) + s * (value(1, 0) - value(0, 0)), upper = value(0, 1) + s * (value(1, 1) - value(0, 1));
+        const double lower = value(0, 0) + s * (value(1, 0) - value(0, 0)),
+                     upper = value(0, 1) + s * (value(1, 1) - value(0, 1));
         sum += share * (lower + t * (upper - lower));
     }
     return smoothStep(0.2, 0.75, sum);
@@ -170,8 +175,14 @@ struct DrawnAlpha
     std::string_view name;
     double (*shade)(double x, double y);
 };
-constexpr std::array<DrawnAlpha, 8> alphaTable{{{"pores", shadeOfPores}, {"scales", shadeOfScales}, {"cracks", shadeOfCracks}, {"weave", shadeOfWeave},
-                                        {"stripes", shadeOfStripes}, {"noise", shadeOfNoise}, {"ring", shadeOfRing}, {"star", shadeOfStar}}};
+constexpr std::array<DrawnAlpha, 8> alphaTable{{{"pores", shadeOfPores},
+                                                {"scales", shadeOfScales},
+                                                {"cracks", shadeOfCracks},
+                                                {"weave", shadeOfWeave},
+                                                {"stripes", shadeOfStripes},
+                                                {"noise", shadeOfNoise},
+                                                {"ring", shadeOfRing},
+                                                {"star", shadeOfStar}}};
 
 /// Each pixel the mean of 2 x 2 samples.
 std::shared_ptr<const Alpha> drawn(const DrawnAlpha& builtIn)
@@ -183,7 +194,8 @@ std::shared_ptr<const Alpha> drawn(const DrawnAlpha& builtIn)
             double sum = 0;
             for (const double dy : {0.25, 0.75})
                 for (const double dx : {0.25, 0.75})
-                    sum += builtIn.shade((column + dx) / (0.5 * pixelsPerSide) - 1, 1 - (row + dy) / (0.5 * pixelsPerSide));
+                    sum += builtIn.shade((column + dx) / (0.5 * pixelsPerSide) - 1,
+                                         1 - (row + dy) / (0.5 * pixelsPerSide));
             pixels.push_back(static_cast<std::uint8_t>(255 * std::clamp(sum / 4, 0.0, 1.0) + 0.5));
         }
     }
@@ -208,7 +220,8 @@ std::shared_ptr<const Alpha> builtInAlpha(std::string_view name)
         std::ranges::transform(alphaTable, std::back_inserter(alphas), drawn);
         return alphas;
     }();
-    const auto found = std::ranges::find(all, name, [](const auto& alpha) { return std::string_view(alpha->source()); });
+    const auto found =
+        std::ranges::find(all, name, [](const auto& alpha) { return std::string_view(alpha->source()); });
     return found == all.end() ? nullptr : *found;
 }
 } // namespace core

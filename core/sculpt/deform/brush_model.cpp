@@ -1,8 +1,8 @@
 #include "core/sculpt/deform/brush_model.h"
 
 #include "core/geometry/face_geometry.h"
-#include "core/util/fingerprint.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/util/fingerprint.h"
 
 #include <bit>
 #include <cmath>
@@ -37,7 +37,8 @@ TriangleMesh toUnitSize(const TriangleMesh& mesh)
     return unit;
 }
 
-/// Which side of the edge the line through (x, z) passes on; both faces of an edge get the same answer but for its sign, and 0 never is.
+/// Which side of the edge the line through (x, z) passes on; both faces of an edge get the same answer but for its
+/// sign, and 0 never is.
 bool isLeftOf(const Vec3f& from, const Vec3f& to, double x, double z)
 {
     const bool runsOn = from.x() < to.x() || (from.x() == to.x() && from.z() < to.z());
@@ -83,9 +84,11 @@ std::string fingerprintOf(const TriangleMesh& mesh)
 } // namespace
 
 BrushModel::BrushModel(TriangleMesh surface, std::string source)
-    : m_surface(std::move(surface)), m_source(std::move(source)), m_fingerprint(fingerprintOf(m_surface)), m_columns(columnsOf(m_surface))
-{
-}
+    : m_surface(std::move(surface))
+    , m_source(std::move(source))
+    , m_fingerprint(fingerprintOf(m_surface))
+    , m_columns(columnsOf(m_surface))
+{}
 
 BrushModel::Made BrushModel::of(const TriangleMesh& mesh, std::string source)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/geometry/box_tree.h"
 #include "core/analysis/mesh_check.h"
+#include "core/geometry/box_tree.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <memory>
@@ -10,17 +10,18 @@
 
 namespace core
 {
-/// A closed model as a brush's shape: the middle of its box at the origin, its farthest corner at distance 1. Immutable: any thread.
+/// A closed model as a brush's shape: the middle of its box at the origin, its farthest corner at distance 1.
+/// Immutable: any thread.
 class BrushModel
 {
 public:
     /// Why a model is no brush.
     enum class Fault {
         None,
-        Unsound,      ///< it does not bound a solid: `report` says why
-        TooFlat,      ///< its box is thinner than `minThickness` of its length
-        TooSmall,     ///< its box is shorter than `minLength`
-        TooManyFaces  ///< more than `maxFaces`
+        Unsound,     ///< it does not bound a solid: `report` says why
+        TooFlat,     ///< its box is thinner than `minThickness` of its length
+        TooSmall,    ///< its box is shorter than `minLength`
+        TooManyFaces ///< more than `maxFaces`
     };
     static constexpr std::size_t maxFaces = 250'000;
     static constexpr double minThickness = 1e-3, minLength = 1e-5; ///< mm
@@ -38,7 +39,8 @@ public:
     {
         double low, high;
     };
-    /// Of the line through p along y, what around p lies inside; nothing if p is outside. Cost: the faces that the line meets.
+    /// Of the line through p along y, what around p lies inside; nothing if p is outside. Cost: the faces that the line
+    /// meets.
     std::optional<Span> spanAt(const Vec3& p) const;
 
     const TriangleMesh& surface() const { return m_surface; }

@@ -6,7 +6,11 @@
 namespace core
 {
 DabWeights::DabWeights(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
-    : m_region(region), m_mesh(mesh), m_settings(settings), m_dab(dab), m_alpha(usesAlpha(settings.tool) ? settings.alpha.get() : nullptr)
+    : m_region(region)
+    , m_mesh(mesh)
+    , m_settings(settings)
+    , m_dab(dab)
+    , m_alpha(usesAlpha(settings.tool) ? settings.alpha.get() : nullptr)
 {
     if (m_alpha || settings.tool == Tool::Stamp)
         m_frame = frameOn(region, mesh, settings, dab);

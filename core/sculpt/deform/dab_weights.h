@@ -5,8 +5,8 @@
 
 namespace core
 {
-/// A dab's share of each vertex of its region: b(x) of the distance times the alpha's shade, for tools that use one; of Stamp 1 inside
-/// of the brush's model, else 0. Refers to what it was made of.
+/// A dab's share of each vertex of its region: b(x) of the distance times the alpha's shade, for tools that use one; of
+/// Stamp 1 inside of the brush's model, else 0. Refers to what it was made of.
 class DabWeights
 {
 public:

@@ -1,7 +1,7 @@
 #include "core/sculpt/deform/deform.h"
 
-#include "core/sculpt/deform/dab_weights.h"
 #include "core/mesh/normals.h"
+#include "core/sculpt/deform/dab_weights.h"
 #include "core/util/parallel.h"
 
 #include <algorithm>
@@ -12,7 +12,8 @@ namespace core
 {
 namespace
 {
-/// At strength 1 the peak of Pull and Push is this part of the radius (paper, section 3.3), and so are the steps of Clay and Layer.
+/// At strength 1 the peak of Pull and Push is this part of the radius (paper, section 3.3), and so are the steps of
+/// Clay and Layer.
 constexpr double peakPerRadius = 0.1;
 /// Of Inflate, in terms of that: what moves along normals that run together soon folds up.
 constexpr double swellPerPeak = 0.6;
@@ -62,8 +63,8 @@ Plane meanPlane(const Dabbed& d)
     return {center / d.region.size(), meanNormal(d.region, d.mesh)};
 }
 
-/// From the line through the dab's centre along its way, in the surface's mean plane; a dab that has not come from anywhere has a point
-/// for a line.
+/// From the line through the dab's centre along its way, in the surface's mean plane; a dab that has not come from
+/// anywhere has a point for a line.
 std::function<Vec3(Slot)> acrossLine(const Dabbed& d, const Vec3& normal)
 {
     Vec3 way = d.dab.motion - d.dab.motion.dot(normal) * normal;
@@ -83,11 +84,13 @@ Field along(const Dabbed& d, double length)
 /// Fuller than Pull, and gentler: +-0.06 R s w (2 - w) n_i, so that all that is under the brush swells.
 Field inflate(const Dabbed& d)
 {
-    return [&d, length = d.sign() * swellPerPeak * d.peak()](Slot v, double w) -> Vec3 { return length * w * (2 - w) * unitNormal(d.mesh, v); };
+    return [&d, length = d.sign() * swellPerPeak * d.peak()](Slot v, double w) -> Vec3 {
+        return length * w * (2 - w) * unitNormal(d.mesh, v);
+    };
 }
 
-/// Towards the mean plane raised by a peak (SculptGL's and Blender's clay), by two peaks at most; what stands above it stays. Inverted it
-/// digs.
+/// Towards the mean plane raised by a peak (SculptGL's and Blender's clay), by two peaks at most; what stands above it
+/// stays. Inverted it digs.
 Field clay(const Dabbed& d)
 {
     const Plane plane = meanPlane(d);
@@ -130,10 +133,13 @@ Field smooth(const Dabbed& d)
 Field pinch(const Dabbed& d)
 {
     const double share = d.sign() * std::min(pinchShare * d.dab.strength, maxPinched);
-    return [across = acrossLine(d, meanNormal(d.region, d.mesh)), share](Slot v, double w) -> Vec3 { return -share * w * across(v); };
+    return [across = acrossLine(d, meanNormal(d.region, d.mesh)), share](Slot v, double w) -> Vec3 {
+        return -share * w * across(v);
+    };
 }
 
-/// Pinches, and cuts in with a V for a profile: (1 - x)^4 of the distance x from the line, in radii. Inverted it raises a ridge.
+/// Pinches, and cuts in with a V for a profile: (1 - x)^4 of the distance x from the line, in radii. Inverted it raises
+/// a ridge.
 Field crease(const Dabbed& d)
 {
     const Vec3 normal = meanNormal(d.region, d.mesh);
@@ -152,7 +158,8 @@ Field follow(const Dabbed& d)
     return [way = Vec3(d.share() * d.dab.motion)](Slot, double w) -> Vec3 { return w * way; };
 }
 
-/// About the axis through where it took hold, by the turn's share; tan(a/2) = a/2 will do, and is the same on every machine.
+/// About the axis through where it took hold, by the turn's share; tan(a/2) = a/2 will do, and is the same on every
+/// machine.
 Field twist(const Dabbed& d)
 {
     return [&d, half = 0.5 * d.share() * d.dab.turn](Slot v, double w) -> Vec3 {
@@ -164,37 +171,52 @@ Field twist(const Dabbed& d)
 double longestEdge(const Mesh& mesh, Slot v)
 {
     double longest2 = 0;
-    mesh.forEachOutgoing(v, [&](Slot h) { longest2 = std::max(longest2, (mesh.point(mesh.to(h)) - mesh.point(v)).cast<double>().squaredNorm()); });
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        longest2 = std::max(longest2, (mesh.point(mesh.to(h)) - mesh.point(v)).cast<double>().squaredNorm());
+    });
     return std::sqrt(longest2);
 }
 
 /// See stamp_shape.h.
 Field stamp(const Dabbed& d)
 {
-    return [&d, stamp = StampShape(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](Slot v, double) -> Vec3 {
-        return stamp.field(d.point(v), 0.5 * longestEdge(d.mesh, v));
-    };
+    return [&d, stamp = StampShape(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](
+               Slot v, double) -> Vec3 { return stamp.field(d.point(v), 0.5 * longestEdge(d.mesh, v)); };
 }
 
 Field fieldOf(const Dabbed& d)
 {
     switch (d.settings.tool) {
-    case Tool::Pull: return along(d, d.peak());
-    case Tool::Push: return along(d, -d.peak());
-    case Tool::Inflate: return inflate(d);
-    case Tool::Clay: return clay(d);
-    case Tool::Layer: return layer(d);
-    case Tool::Flatten: return flatten(d);
-    case Tool::Scrape: return scrape(d);
-    case Tool::Smooth: return smooth(d);
-    case Tool::Pinch: return pinch(d);
-    case Tool::Crease: return crease(d);
+    case Tool::Pull:
+        return along(d, d.peak());
+    case Tool::Push:
+        return along(d, -d.peak());
+    case Tool::Inflate:
+        return inflate(d);
+    case Tool::Clay:
+        return clay(d);
+    case Tool::Layer:
+        return layer(d);
+    case Tool::Flatten:
+        return flatten(d);
+    case Tool::Scrape:
+        return scrape(d);
+    case Tool::Smooth:
+        return smooth(d);
+    case Tool::Pinch:
+        return pinch(d);
+    case Tool::Crease:
+        return crease(d);
     case Tool::Grab:
-    case Tool::SnakeHook: return follow(d);
-    case Tool::Twist: return twist(d);
-    case Tool::Stamp: return stamp(d);
+    case Tool::SnakeHook:
+        return follow(d);
+    case Tool::Twist:
+        return twist(d);
+    case Tool::Stamp:
+        return stamp(d);
     case Tool::Paint:
-    case Tool::Mask: break;
+    case Tool::Mask:
+        break;
     }
     assert(false && "these move nothing");
     return [](Slot, double) -> Vec3 { return Vec3::Zero(); };

@@ -12,14 +12,15 @@ void keepHalf(Region& region, const MirrorMap& mirror);
 /// What a spherical brush selects on both sides of the plane: of a half selected by the ball, and its images.
 void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mesh& mesh, const Sphere& ball);
 
-/// The same of a grabbed half: an image belongs to it if what its vertex carries, the image's distance, is within the radius.
+/// The same of a grabbed half: an image belongs to it if what its vertex carries, the image's distance, is within the
+/// radius.
 void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, double radius);
 
-/// Plans the deformation of a half that stands for both. The dab and its image are two dabs of one moment, d1 and d2 with
-/// the weights w1 and w2; where they overlap they are one field,
+/// Plans the deformation of a half that stands for both. The dab and its image are two dabs of one moment, d1 and d2
+/// with the weights w1 and w2; where they overlap they are one field,
 ///   D = (w1 d1 + w2 d2) / max(1, w1 + w2)
-/// so that on the plane nothing moves off it. `whole`: the selection of the dab alone, on both sides of the plane; every
-/// vertex of the half belongs to it. Its plans are overwritten. Returns the longest displacement planned.
+/// so that on the plane nothing moves off it. `whole`: the selection of the dab alone, on both sides of the plane;
+/// every vertex of the half belongs to it. Its plans are overwritten. Returns the longest displacement planned.
 double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Mesh& mesh, const StrokeSettings& settings,
                     const Dab& dab);
 } // namespace core

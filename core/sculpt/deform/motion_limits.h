@@ -24,8 +24,8 @@ public:
 
     /// Vertices that joined the region since are limited as their neighbours are.
     void extend(const Region& region, const Mesh& mesh);
-    /// Tightens the limits of the region's vertices at the bad faces and in `rings` > 0 rings around them: 1 -> 1/4 -> 0. Returns those whose limit
-    /// changed.
+    /// Tightens the limits of the region's vertices at the bad faces and in `rings` > 0 rings around them: 1 -> 1/4 ->
+    /// 0. Returns those whose limit changed.
     std::vector<Slot> tighten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings);
 
 private:

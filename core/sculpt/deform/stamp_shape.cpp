@@ -19,14 +19,19 @@ std::optional<BrushModel::Span> spanOfBall(const Vec3& p)
 } // namespace
 
 StampShape::StampShape(const DabFrame& frame, const StrokeSettings& settings, const Dab& dab)
-    : m_frame(frame), m_model(settings.model.get()), m_center(dab.position), m_radius(dab.radius), m_share(std::min(dab.strength, 1.0)),
-      m_raises(settings.inverted)
-{
-}
+    : m_frame(frame)
+    , m_model(settings.model.get())
+    , m_center(dab.position)
+    , m_radius(dab.radius)
+    , m_share(std::min(dab.strength, 1.0))
+    , m_raises(settings.inverted)
+{}
 
 Vec3 StampShape::field(const Vec3& p, double reach) const
 {
-    const auto wayAt = [&](double right, double up) { return way(p + reach * (right * m_frame.right + up * m_frame.up)); };
+    const auto wayAt = [&](double right, double up) {
+        return way(p + reach * (right * m_frame.right + up * m_frame.up));
+    };
     const double middle = wayAt(0, 0);
     int inside = 0;
     double sum = 0;

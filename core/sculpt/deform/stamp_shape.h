@@ -4,8 +4,9 @@
 
 namespace core
 {
-/// The brush's model, or a ball, on the surface: its middle at the dab's centre, its y along the surface's normal, its bounding radius
-/// the brush's. What of the surface lies inside of it sinks to its lower side along the normal, or inverted rises to its upper one.
+/// The brush's model, or a ball, on the surface: its middle at the dab's centre, its y along the surface's normal, its
+/// bounding radius the brush's. What of the surface lies inside of it sinks to its lower side along the normal, or
+/// inverted rises to its upper one.
 class StampShape
 {
 public:
@@ -13,8 +14,8 @@ public:
 
     /// How far p is to go along the normal; 0 outside.
     double way(const Vec3& p) const;
-    /// The mean of that over the square of half side `reach` around p, as a vector and as far as the strength goes: all the way at most. So
-    /// an outline is as smooth as a mesh whose edges are that long can show it.
+    /// The mean of that over the square of half side `reach` around p, as a vector and as far as the strength goes: all
+    /// the way at most. So an outline is as smooth as a mesh whose edges are that long can show it.
     Vec3 field(const Vec3& p, double reach) const;
 
 private:

@@ -14,8 +14,8 @@ template <class Operation> bool MeshEditor::run(Operation operation)
 /// Of the two faces at an edge, a corner.
 bool MeshEditor::isFrozenAround(Slot e) const
 {
-    return m_frozen && (isFrozen(m_mesh.to(2 * e)) || isFrozen(m_mesh.to(2 * e + 1)) || isFrozen(m_mesh.to(m_mesh.next(2 * e))) ||
-                        isFrozen(m_mesh.to(m_mesh.next(2 * e + 1))));
+    return m_frozen && (isFrozen(m_mesh.to(2 * e)) || isFrozen(m_mesh.to(2 * e + 1)) ||
+                        isFrozen(m_mesh.to(m_mesh.next(2 * e))) || isFrozen(m_mesh.to(m_mesh.next(2 * e + 1))));
 }
 
 Vec3f MeshEditor::middle(Slot e) const
@@ -24,7 +24,7 @@ Vec3f MeshEditor::middle(Slot e) const
     return m_mesh.lattice().snap(0.5 * sum);
 }
 
-// --- split -----------------------------------------------------------------------------------------------------------------
+// --- split
 
 Slot MeshEditor::split(Slot e)
 {
@@ -59,8 +59,8 @@ Slot MeshEditor::splitOnPlane(Slot e)
     return m_mesh.splitEdge(e, m_mirror->kept(middle(e), true));
 }
 
-/// A face that reaches across the plane is its own image; then two of its edges are each other's, and splitting them would
-/// leave an edge without an image. Splitting the third edge first, where it meets the plane, parts the face.
+/// A face that reaches across the plane is its own image; then two of its edges are each other's, and splitting them
+/// would leave an edge without an image. Splitting the third edge first, where it meets the plane, parts the face.
 void MeshEditor::splitEdgesAcross(Slot f)
 {
     const Slot first = m_mesh.faceHalfedge(f);
@@ -72,7 +72,7 @@ void MeshEditor::splitEdgesAcross(Slot f)
     }
 }
 
-// --- collapse --------------------------------------------------------------------------------------------------------------
+// --- collapse
 
 Slot MeshEditor::collapsing(Slot e) const
 {
@@ -108,7 +108,7 @@ bool MeshEditor::collapsePair(Slot h, const Vec3f& p)
     return true;
 }
 
-// --- flip ------------------------------------------------------------------------------------------------------------------
+// --- flip
 
 bool MeshEditor::flip(Slot e)
 {
@@ -138,7 +138,7 @@ bool MeshEditor::flipPair(Slot e)
     return true;
 }
 
-// --- move ------------------------------------------------------------------------------------------------------------------
+// --- move
 
 bool MeshEditor::move(Slot v, const Vec3f& p)
 {

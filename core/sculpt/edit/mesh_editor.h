@@ -10,19 +10,23 @@ namespace core
 /// Runs one operation; false means that it was verified and rolled back.
 using TryOperation = std::function<bool(const std::function<void()>& operation)>;
 
-/// How remeshing and deformation write: each operation may be verified, and with a mirror each is done together with its
-/// mirror image or not at all. In a mirror only the half where the coordinate is not negative is named, the plane included;
-/// then these hold: a vertex on the plane stays on it and another off it, by at least one lattice unit; an edge on the plane
-/// is never flipped and collapses along it; an edge that ends on the plane collapses onto it.
+/// How remeshing and deformation write: each operation may be verified, and with a mirror each is done together with
+/// its mirror image or not at all. In a mirror only the half where the coordinate is not negative is named, the plane
+/// included; then these hold: a vertex on the plane stays on it and another off it, by at least one lattice unit; an
+/// edge on the plane is never flipped and collapses along it; an edge that ends on the plane collapses onto it.
 class MeshEditor
 {
 public:
-    /// `tryOperation`: none if operations are not verified. `mirror`: none, or one that is on. `frozen`: none, or vertices that have to stay as
-    /// they are, and the shape of the faces around them, too: nothing moves, collapses or flips there.
-    explicit MeshEditor(Mesh& mesh, TryOperation tryOperation = {}, MirrorMap* mirror = nullptr, const SlotSet* frozen = nullptr)
-        : m_mesh(mesh), m_tryOperation(std::move(tryOperation)), m_mirror(mirror), m_frozen(frozen)
-    {
-    }
+    /// `tryOperation`: none if operations are not verified. `mirror`: none, or one that is on. `frozen`: none, or
+    /// vertices that have to stay as they are, and the shape of the faces around them, too: nothing moves, collapses or
+    /// flips there.
+    explicit MeshEditor(Mesh& mesh, TryOperation tryOperation = {}, MirrorMap* mirror = nullptr,
+                        const SlotSet* frozen = nullptr)
+        : m_mesh(mesh)
+        , m_tryOperation(std::move(tryOperation))
+        , m_mirror(mirror)
+        , m_frozen(frozen)
+    {}
 
     const Mesh& mesh() const { return m_mesh; }
     MirrorMap* mirror() { return m_mirror; }

@@ -53,7 +53,8 @@ Slot MirrorMap::known(Slot v) const
     if (!m_vertices.contains(v))
         return noSlot;
     const Slot image = m_images[m_vertices.position(v)];
-    const bool valid = image < m_mesh.slots().vertices && m_mesh.isVertex(image) && m_mesh.point(image) == imageOf(m_mesh.point(v));
+    const bool valid =
+        image < m_mesh.slots().vertices && m_mesh.isVertex(image) && m_mesh.point(image) == imageOf(m_mesh.point(v));
     return valid ? image : noSlot;
 }
 
@@ -115,7 +116,8 @@ Slot MirrorMap::imageOfFace(Slot f)
     return h != noSlot && m_mesh.to(m_mesh.next(h)) == imageOf(t[2]) ? m_mesh.face(h) : noSlot;
 }
 
-/// From each face to its neighbours: then all but the first vertex of a component are found next to a neighbour's image.
+/// From each face to its neighbours: then all but the first vertex of a component are found next to a neighbour's
+/// image.
 bool MirrorMap::learn(std::span<const Slot> faces, const FaceOctree& octree)
 {
     m_wanted.clear();

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "core/stroke/tool.h"
 #include "core/mesh/face_octree.h"
-#include "core/util/sparse_index.h"
 #include "core/stroke/stroke.h"
+#include "core/stroke/tool.h"
+#include "core/util/sparse_index.h"
 
 namespace core
 {
-/// Each vertex's mirror image of a surface about x, y or z = 0. Which vertex is the image of which is a question of geometry alone:
-/// the negative of a lattice coordinate is exact, and no two vertices of a sound mesh share a point. So nothing of it is
-/// stored in the mesh, and undo knows nothing of it. Not thread-safe: remembers what it found.
+/// Each vertex's mirror image of a surface about x, y or z = 0. Which vertex is the image of which is a question of
+/// geometry alone: the negative of a lattice coordinate is exact, and no two vertices of a sound mesh share a point. So
+/// nothing of it is stored in the mesh, and undo knows nothing of it. Not thread-safe: remembers what it found.
 class MirrorMap
 {
 public:
@@ -19,7 +19,7 @@ public:
     void setPlane(Symmetry plane);
     bool isOn() const { return m_axis >= 0; }
 
-    // --- all of the following only while it is on ------------------------------------------------------------------------
+    // --- all of the following only while it is on
     template <class Vector> Vector imageOf(Vector p) const
     {
         p[m_axis] = 0 - p[m_axis]; // never -0
@@ -40,20 +40,22 @@ public:
     bool isAcross(Slot e) const;
     bool isInHalf(const Triangle& corners) const;
 
-    /// The vertex whose point is the image of v's, or noSlot: v itself on the plane. Found if it was learnt, or shares a
-    /// neighbour's image.
+    /// The vertex whose point is the image of v's, or noSlot: v itself on the plane. Found if it was learnt, or shares
+    /// a neighbour's image.
     Slot imageOf(Slot v);
-    /// The half-edge that runs from the image of h's start to that of its end, or noSlot. On the plane h, across it h^1.
+    /// The half-edge that runs from the image of h's start to that of its end, or noSlot. On the plane h, across it
+    /// h^1.
     Slot imageOfHalfedge(Slot h);
     /// Or noSlot.
     Slot imageOfFace(Slot f);
     void pair(Slot v, Slot image);
 
-    /// Whether each of these faces has an image, face for face and bit for bit, and as masked. Learns the images of their corners.
-    /// Precondition: the octree is up to date. Cost: the faces.
+    /// Whether each of these faces has an image, face for face and bit for bit, and as masked. Learns the images of
+    /// their corners. Precondition: the octree is up to date. Cost: the faces.
     bool learn(std::span<const Slot> faces, const FaceOctree& octree);
 
-    /// Where p is allowed: a vertex on the plane stays on it, another stays at least one lattice unit off it, on its side.
+    /// Where p is allowed: a vertex on the plane stays on it, another stays at least one lattice unit off it, on its
+    /// side.
     Vec3f kept(Vec3f p, bool onPlane) const;
 
 private:

@@ -24,7 +24,8 @@ void FoldSmoothing::clear()
     m_takenBack.clear();
 }
 
-bool FoldSmoothing::smooth(VerifiedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices, bool mayTakeBack)
+bool FoldSmoothing::smooth(VerifiedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices,
+                           bool mayTakeBack)
 {
     const Mesh& mesh = surface.mesh();
     std::vector<std::pair<Slot, Vec3f>> places;

@@ -1,13 +1,12 @@
 // Topology fusion (paper, section 3.4):
 //   join       vertices that the motion is about to bring into contact lose their stars, the 1-rings are connected
-//     near       pairs that are about to meet                                                       fusion_candidates.cpp
-//     operate    nearest first, each verified by itself
+//     near       pairs that are about to meet fusion_candidates.cpp operate    nearest first, each verified by itself
 //   separate   what can no longer be collapsed, in separation.cpp
 
 #include "core/sculpt/fuse/fusion.h"
 
-#include "core/sculpt/fuse/ring_join.h"
 #include "core/sculpt/fuse/mirrored_join.h"
+#include "core/sculpt/fuse/ring_join.h"
 
 #include <algorithm>
 #include <tuple>
@@ -38,7 +37,8 @@ std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, cons
 }
 } // namespace
 
-/// In rounds: a seam grows stitch by stitch over all of a contact before another tube is begun, else a hole stays between.
+/// In rounds: a seam grows stitch by stitch over all of a contact before another tube is begun, else a hole stays
+/// between.
 FusionCounts TopologyFusion::join(VerifiedMesh& surface, Region& region, MotionLimits& limits, const FusionInput& input)
 {
     FusionCounts counts;
@@ -69,7 +69,8 @@ std::uint64_t TopologyFusion::joinNear(VerifiedMesh& surface, Region& region, co
         if (near.isolated && joined > 0)
             break;
         const bool isThere = mesh.isVertex(near.p) && mesh.isVertex(near.q); // they may have gone with a speck
-        if (!isThere || mesh.isMasked(near.p) || mesh.isMasked(near.q) || m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
+        if (!isThere || mesh.isMasked(near.p) || mesh.isMasked(near.q) || m_done.contains(near.p) ||
+            m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
             continue;
         const Vec3 middle = 0.5 * (mesh.point(near.p).cast<double>() + mesh.point(near.q).cast<double>());
         if (near.isolated && isBesideTube(middle, bounds.detail))
@@ -163,8 +164,8 @@ void TopologyFusion::pairUp(const Mesh& mesh, const std::vector<Slot>& created)
     }
 }
 
-/// Does the surgery if the mask lets it and it is sound, and returns the vertices that came. Those that went leave the region; copies join it
-/// in their original's place.
+/// Does the surgery if the mask lets it and it is sound, and returns the vertices that came. Those that went leave the
+/// region; copies join it in their original's place.
 std::optional<std::vector<Slot>> TopologyFusion::operate(VerifiedMesh& surface, Region& region, const Surgery& surgery)
 {
     Mesh& mesh = surface.mesh();

@@ -1,14 +1,14 @@
 // The first step of fusion.cpp: what the motion is about to bring into contact.
 //   gather     the vertices within d_thickness of the region
 //   near       pairs that are no neighbours, face each other, approach each other, and would meet in a sub-step
-// Two filters, as in Ginier's FreeStyle implementations: surfaces that meet from outside join whatever the tool; the two sides
-// of a wall do only when they are pushed.
+// Two filters, as in Ginier's FreeStyle implementations: surfaces that meet from outside join whatever the tool; the
+// two sides of a wall do only when they are pushed.
 
 #include "core/sculpt/fuse/fusion.h"
 
+#include "core/geometry/proximity_grid.h"
 #include "core/mesh/normals.h"
 #include "core/util/parallel.h"
-#include "core/geometry/proximity_grid.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,12 +17,13 @@ namespace core
 {
 namespace
 {
-/// d_thickness in terms of d_detail: edge meets edge at most this far from vertices (notes on the paper's bound, section 3.4).
+/// d_thickness in terms of d_detail: edge meets edge at most this far from vertices (notes on the paper's bound,
+/// section 3.4).
 constexpr double thicknessPerDetail = 0.735;
 /// Normals of surfaces that face each other: at more than 135 degrees.
 constexpr double facingCosine = -0.7071;
 /// If all normals lie within this cone around one direction no two of them are more than 135 degrees apart.
-constexpr double coneCosine = 0.3827; // cos 67.5 degrees
+constexpr double coneCosine = 0.3827;   // cos 67.5 degrees
 constexpr double safeConeCosine = 0.39; // a little narrower: rounding does not matter then
 /// A pair joins when the next sub-step would close this part of the gap or more, ...
 constexpr double closingShare = 1 / 1.5;
@@ -106,7 +107,8 @@ void TopologyFusion::gather(const VerifiedMesh& surface, const Region& region, d
 }
 
 /// Vertices whose normals lie within one cone do not face each other: one of each pair has another normal.
-void TopologyFusion::findNear(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input)
+void TopologyFusion::findNear(const Mesh& mesh, const Region& region, const MotionLimits& limits,
+                              const FusionInput& input)
 {
     m_near.clear();
     findTurned(mesh, region);
@@ -117,7 +119,8 @@ void TopologyFusion::findNear(const Mesh& mesh, const Region& region, const Moti
     for (Slot turned : m_turned) {
         grid.forEachNear(m_points[turned], [&](Slot near) {
             const double distance2 = (m_points[near] - m_points[turned]).squaredNorm();
-            if (distance2 >= reach2 || near == turned || (m_isTurned[near] && near < turned)) // the last: met from the other side
+            if (distance2 >= reach2 || near == turned ||
+                (m_isTurned[near] && near < turned)) // the last: met from the other side
                 return;
             const Slot lower = std::min(near, turned), upper = std::max(near, turned);
             const bool fromLower = region.contains(m_vertices.slots()[lower]);
@@ -152,7 +155,7 @@ void TopologyFusion::findTurned(const Mesh& mesh, const Region& region)
 }
 
 bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,
-                      const std::vector<Slot>& vertices)
+                               const std::vector<Slot>& vertices)
 {
     SlotSet& at = m_done;
     at.clear();
@@ -167,13 +170,14 @@ bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region
     gather(surface, region, input.reach());
     findNear(surface.mesh(), region, {}, pushing);
     return std::ranges::any_of(m_near, [&](const Near& near) {
-        const bool mayJoin = fusion && (input.pushes || !near.inside) && !surface.mesh().isMasked(near.p) && !surface.mesh().isMasked(near.q);
+        const bool mayJoin = fusion && (input.pushes || !near.inside) && !surface.mesh().isMasked(near.p) &&
+                             !surface.mesh().isMasked(near.q);
         return !mayJoin && (at.contains(near.p) || at.contains(near.q));
     });
 }
 
-/// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a new tube
-/// beside that would leave a hole in between.
+/// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a
+/// new tube beside that would leave a hole in between.
 void TopologyFusion::keepToSeams(const Mesh& mesh)
 {
     const auto meetsImage = [&](const Near& near) {
@@ -210,7 +214,7 @@ bool TopologyFusion::isNamed(Slot v, Slot other)
 }
 
 bool TopologyFusion::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const MotionLimits& limits,
-                     const FusionInput& input)
+                              const FusionInput& input)
 {
     const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
     const Vec3 &n = m_normals[i], &m = m_normals[j];

@@ -13,7 +13,8 @@ Ring halfRing(const Mesh& mesh, const MirrorMap& mirror, Slot v, std::vector<Slo
 {
     Slot first = noSlot;
     mesh.forEachOutgoing(v, [&](Slot h) {
-        if (mirror.isOnPlane(mesh.to(h)) && mirror.isInHalf(mesh.to(mesh.rotate(h))) && !mirror.isOnPlane(mesh.to(mesh.rotate(h))))
+        if (mirror.isOnPlane(mesh.to(h)) && mirror.isInHalf(mesh.to(mesh.rotate(h))) &&
+            !mirror.isOnPlane(mesh.to(mesh.rotate(h))))
             first = h;
     });
     Ring ring;
@@ -47,8 +48,8 @@ void stripToPlane(const Mesh& mesh, const MirrorMap& mirror, Ring ring, Surgery&
     RingStrip(ring, onPlane, surgery.faces).open();
 }
 
-/// An arc that starts and ends on the plane: its vertices next to the ends need no projection of their own, which might be
-/// where the end is.
+/// An arc that starts and ends on the plane: its vertices next to the ends need no projection of their own, which might
+/// be where the end is.
 void stripArcToPlane(const Mesh& mesh, const MirrorMap& mirror, const Ring& arc, Surgery& surgery)
 {
     if (arc.size() == 2)
@@ -116,7 +117,8 @@ std::optional<Surgery> withImage(const Mesh& mesh, MirrorMap& mirror, const Surg
             return std::nullopt;
         images.push_back(Surgery::newVertex(height == 0 ? i : both.vertices.size()));
         if (height > 0)
-            both.vertices.push_back({mirror.imageOf(v.point), v.color, v.original == noSlot ? noSlot : mirror.imageOf(v.original), v.mask});
+            both.vertices.push_back(
+                {mirror.imageOf(v.point), v.color, v.original == noSlot ? noSlot : mirror.imageOf(v.original), v.mask});
     }
     const auto imageOf = [&](Slot v) { return Surgery::isNew(v) ? images[Surgery::newIndex(v)] : mirror.imageOf(v); };
     for (const Triangle& t : half.faces) {

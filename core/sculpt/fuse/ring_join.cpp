@@ -1,8 +1,9 @@
-// Joining two stars (paper, section 3.4; the cases of common ring vertices and of several umbrellas as in Ginier's FreeStyle
-// implementations and El Topo's merging, Brochu and Bridson 2009):
+// Joining two stars (paper, section 3.4; the cases of common ring vertices and of several umbrellas as in Ginier's
+// FreeStyle implementations and El Topo's merging, Brochu and Bridson 2009):
 //   1. rings:      of p counter-clockwise, of q clockwise, seen from outside: they then run the same way
 //   2. arcs:       between successive common vertices, or both rings whole, started where they lie nearest
-//   3. strip:        each pair of arcs becomes a strip of triangles, evenly by Bresenham's error diffusion or by what lies nearest
+//   3. strip:        each pair of arcs becomes a strip of triangles, evenly by Bresenham's error diffusion or by what
+//   lies nearest
 //   4. umbrellas:  a vertex that is left with several gets a copy for each further one
 
 #include "core/sculpt/fuse/ring_join.h"

@@ -49,7 +49,9 @@ void RingStrip::step(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
 /// a's next vertex to where b is, than b's next to where a is.
 bool RingStrip::isNearer(std::size_t i, std::size_t j) const
 {
-    const auto distance2 = [&](Slot v, Slot w) { return (m_mesh->point(v).cast<double>() - m_mesh->point(w).cast<double>()).squaredNorm(); };
+    const auto distance2 = [&](Slot v, Slot w) {
+        return (m_mesh->point(v).cast<double>() - m_mesh->point(w).cast<double>()).squaredNorm();
+    };
     return distance2(m_a[i + 1], m_b[j]) <= distance2(m_b[j + 1], m_a[i]);
 }
 } // namespace core

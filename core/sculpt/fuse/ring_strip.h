@@ -14,18 +14,25 @@ Ring arc(const Ring& ring, std::size_t first, std::size_t last);
 
 /// In which order a strip goes on along its two sides.
 enum class Stepping {
-    Even,   ///< Bresenham's error diffusion (paper, section 3.4, Figure 13)
-    Nearest ///< by the shorter of the two edges across (Christiansen and Sederberg 1978): for sides that lie close, with uneven edges
+    Even, ///< Bresenham's error diffusion (paper, section 3.4, Figure 13)
+    /// By the shorter of the two edges across (Christiansen and Sederberg 1978): for sides that lie close, with uneven
+    /// edges.
+    Nearest
 };
 
-/// Connects two polylines that run the same way by a strip of triangles. With common ends the first and the last triangle close the
-/// gap there.
+/// Connects two polylines that run the same way by a strip of triangles. With common ends the first and the last
+/// triangle close the gap there.
 class RingStrip
 {
 public:
     RingStrip(const Ring& a, const Ring& b, std::vector<Triangle>& faces) : m_a(a), m_b(b), m_faces(faces) {}
     /// Stepping::Nearest, by where the mesh has the vertices.
-    RingStrip(const Ring& a, const Ring& b, std::vector<Triangle>& faces, const Mesh& mesh) : m_a(a), m_b(b), m_faces(faces), m_mesh(&mesh) {}
+    RingStrip(const Ring& a, const Ring& b, std::vector<Triangle>& faces, const Mesh& mesh)
+        : m_a(a)
+        , m_b(b)
+        , m_faces(faces)
+        , m_mesh(&mesh)
+    {}
 
     void open() { step(0, 0, m_a.size() - 1, m_b.size() - 1); }
     void betweenCommonEnds();

@@ -1,5 +1,5 @@
-// The last step of fusion.cpp, where an edge that is too short can no longer be collapsed: a neck three edges around is cut, a speck
-// is removed.
+// The last step of fusion.cpp, where an edge that is too short can no longer be collapsed: a neck three edges around is
+// cut, a speck is removed.
 
 #include "core/sculpt/fuse/fusion.h"
 
@@ -19,7 +19,7 @@ constexpr std::size_t speckFaces = 64, fewFaces = 16;
 } // namespace
 
 FusionCounts TopologyFusion::separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
-                             const EdgeBounds& bounds)
+                                      const EdgeBounds& bounds)
 {
     FusionCounts counts;
     const Mesh& mesh = surface.mesh();
@@ -49,7 +49,9 @@ bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const VertexPair
     const auto [a, b] = edge;
     const Slot h = mesh.findHalfedge(a, b);
     const Slot left = mesh.to(mesh.next(h)), right = mesh.to(mesh.next(h ^ 1));
-    const auto length = [&](Slot v, Slot w) { return (mesh.point(v).cast<double>() - mesh.point(w).cast<double>()).norm(); };
+    const auto length = [&](Slot v, Slot w) {
+        return (mesh.point(v).cast<double>() - mesh.point(w).cast<double>()).norm();
+    };
     double shortest = neckPerimeter * bounds.minimum;
     Slot third = noSlot;
     mesh.forEachOutgoing(a, [&](Slot g) {
@@ -83,7 +85,7 @@ bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const VertexPair
 }
 
 void TopologyFusion::removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
-                         const EdgeBounds& bounds)
+                                  const EdgeBounds& bounds)
 {
     for (Slot v : vertices) {
         if (surface.mesh().isVertex(v)) // else it went with one before
@@ -102,7 +104,8 @@ bool TopologyFusion::removeSpeck(VerifiedMesh& surface, Region& region, Slot ver
     found.add(mesh.face(mesh.outgoing(vertex)));
     const auto isTooLarge = [&] { // and stays so: both only grow
         const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
-        return found.size() > speckFaces || size > (found.size() < fewFaces ? crumbSize : speckSize) * bounds.minimum / m_detailShare;
+        return found.size() > speckFaces ||
+               size > (found.size() < fewFaces ? crumbSize : speckSize) * bounds.minimum / m_detailShare;
     };
     for (std::size_t i = 0; i < found.size(); ++i) {
         Slot h = mesh.faceHalfedge(found.slots()[i]);

@@ -10,14 +10,14 @@ namespace core
 {
 namespace
 {
-/// The smallest angle that a collapse may make, unless there was a smaller one before: 5 degrees; more would block collapses
-/// that repair what surrounds them.
+/// The smallest angle that a collapse may make, unless there was a smaller one before: 5 degrees; more would block
+/// collapses that repair what surrounds them.
 constexpr double collapsedAngleSine = 0.0872;
-/// Where the shape is kept: a place this near to the planes around it, in d, lies on them; one this near will do if there is
-/// none, and so will one whose squared distance is little larger than the least.
+/// Where the shape is kept: a place this near to the planes around it, in d, lies on them; one this near will do if
+/// there is none, and so will one whose squared distance is little larger than the least.
 constexpr double onPlanes = 0.02, nearPlanes = 0.03, littleLarger = 1.5;
-/// There a collapse may narrow an angle below collapsedAngleSine, in squared sines, to this: slivers around the tip of a cone
-/// must narrow a hair to become fewer, and would lose the tip else.
+/// There a collapse may narrow an angle below collapsedAngleSine, in squared sines, to this: slivers around the tip of
+/// a cone must narrow a hair to become fewer, and would lose the tip else.
 constexpr double keptOfSliver2 = 0.5;
 } // namespace
 
@@ -52,7 +52,8 @@ std::size_t Remesher::keepShape(Slot h, Choices& choices) const
         return 0;
     for (Merged& merged : choices)
         merged.error = planeError(m_mesh, h, merged.point.cast<double>()) / m_minimum2;
-    std::ranges::stable_sort(choices, {}, [](const Merged& merged) { return merged.error > onPlanes * onPlanes ? merged.error : 0; });
+    std::ranges::stable_sort(
+        choices, {}, [](const Merged& merged) { return merged.error > onPlanes * onPlanes ? merged.error : 0; });
     const double max = littleLarger * choices[0].error + nearPlanes * nearPlanes;
     const auto end = std::ranges::find_if(choices, [&](const Merged& merged) { return merged.error > max; });
     return static_cast<std::size_t>(end - choices.begin());
@@ -66,8 +67,8 @@ void Remesher::collapseShortEdges(std::vector<RemeshEdge> edges)
     counts.blocked.erase(std::ranges::unique(counts.blocked).begin(), counts.blocked.end());
 }
 
-/// Collapses the edges that it may, the shortest first. Returns the short edges around what it did: they changed, or may be
-/// collapsed now.
+/// Collapses the edges that it may, the shortest first. Returns the short edges around what it did: they changed, or
+/// may be collapsed now.
 std::vector<RemeshEdge> Remesher::collapse(std::vector<RemeshEdge> edges)
 {
     std::ranges::sort(edges, [](const RemeshEdge& a, const RemeshEdge& b) {

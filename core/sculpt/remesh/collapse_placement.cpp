@@ -1,7 +1,7 @@
 // What a collapse does to the shape:
-//   the planes of the faces around it, as a quadric without memory (Lindstrom and Turk 1998, after Garland and Heckbert 1997);
-//   by their areas, not by the squares of these, which let the small faces beside a crease count for nothing
-//   the normals of the faces that would meet in its vertex
+//   the planes of the faces around it, as a quadric without memory (Lindstrom and Turk 1998, after Garland and Heckbert
+//   1997); by their areas, not by the squares of these, which let the small faces beside a crease count for nothing the
+//   normals of the faces that would meet in its vertex
 
 #include "core/sculpt/remesh/collapse_placement.h"
 

@@ -45,7 +45,8 @@ void Remesher::flipEdges()
 /// Returns those that should be flipped next: only around a flip can an edge have changed its mind.
 std::vector<RemeshEdge> Remesher::flip(std::vector<RemeshEdge> edges)
 {
-    std::ranges::sort(edges, [](const RemeshEdge& a, const RemeshEdge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
+    std::ranges::sort(
+        edges, [](const RemeshEdge& a, const RemeshEdge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
     SlotSet& around = m_region.scratch();
     around.clear();
     for (const RemeshEdge& e : edges) {

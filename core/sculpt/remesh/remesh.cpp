@@ -22,8 +22,8 @@ namespace
 constexpr std::uint64_t opsPerVertex = 64, minOps = 4096, maxOps = 1 << 19;
 /// A step may turn a face by at most about 78 degrees (cos > 0.2: notes of El Topo's legality tests, Brochu 2009).
 constexpr double minTurnCosine = 0.2;
-/// The smallest angle that relaxation may make, unless there was a smaller one before: 20 degrees, the least that a dab should
-/// leave.
+/// The smallest angle that relaxation may make, unless there was a smaller one before: 20 degrees, the least that a dab
+/// should leave.
 constexpr double relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
 constexpr double sharpCosine = 0.766; ///< of 40 degrees between two faces
@@ -48,10 +48,14 @@ Shape shapeOf(const Vec3& a, const Vec3& b, const Vec3& c)
 } // namespace
 
 Remesher::Remesher(MeshEditor& edit, Region& region, const EdgeBounds& bounds, bool keepsShape)
-    : m_edit(edit), m_mesh(edit.mesh()), m_region(region), m_detail2(bounds.detail * bounds.detail),
-      m_minimum2(bounds.minimum * bounds.minimum),
-      m_opsLeft(std::min(maxOps, minOps + opsPerVertex * region.size())), m_changed(region.remeshed()),
-      m_keepsShape(keepsShape)
+    : m_edit(edit)
+    , m_mesh(edit.mesh())
+    , m_region(region)
+    , m_detail2(bounds.detail * bounds.detail)
+    , m_minimum2(bounds.minimum * bounds.minimum)
+    , m_opsLeft(std::min(maxOps, minOps + opsPerVertex * region.size()))
+    , m_changed(region.remeshed())
+    , m_keepsShape(keepsShape)
 {
     m_changed.clear();
 }
@@ -86,14 +90,15 @@ bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, const Limits
         const double turn = before.normal.dot(after.normal);
         const double before2 = (p - pb).squaredNorm(), after2 = (target - pb).squaredNorm();
         if (turn <= 0 || turn * turn <= minTurnCosine * minTurnCosine * before.area2 * after.area2 ||
-            after.smallestSine2 < std::min(limits.angleSine * limits.angleSine, limits.keptSliver2 * before.smallestSine2) ||
+            after.smallestSine2 <
+                std::min(limits.angleSine * limits.angleSine, limits.keptSliver2 * before.smallestSine2) ||
             after2 > std::max(m_detail2, before2) || after2 < std::min(limits.shortest2, before2))
             sound = false;
     });
     return sound;
 }
 
-// --- 4. relax --------------------------------------------------------------------------------------------------------------
+// --- 4. relax
 
 void Remesher::relax(const std::function<Vec3(Slot)>& place)
 {
@@ -121,7 +126,7 @@ void Remesher::moveVertex(Slot v, const Vec3& place)
         m_edit.move(v, target);
 }
 
-// --- what remesh.h offers ---------------------------------------------------------------------------------------------------
+// --- what remesh.h offers
 
 Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/util/parallel.h"
 #include "core/sculpt/remesh/remesh.h"
+#include "core/util/parallel.h"
 
 #include <functional>
 #include <optional>

@@ -17,7 +17,7 @@ bool longestFirst(const RemeshEdge& a, const RemeshEdge& b)
 }
 } // namespace
 
-// --- 0. refine -------------------------------------------------------------------------------------------------------------
+// --- 0. refine
 
 /// Mostly no. Rounds less than its margin.
 bool Remesher::mayBeTooLong(Slot f) const
@@ -128,7 +128,7 @@ Slot Remesher::split(const RemeshEdge& e)
     return m;
 }
 
-// --- 1. split --------------------------------------------------------------------------------------------------------------
+// --- 1. split
 
 /// Returns the short edges: no split touches one, and among the new edges there are more.
 std::vector<RemeshEdge> Remesher::splitLongEdges()

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/stroke/tool.h"
 #include "core/mesh/face_octree.h"
+#include "core/stroke/stroke.h"
+#include "core/stroke/tool.h"
 #include "core/util/slot_bits.h"
 #include "core/util/sparse_index.h"
-#include "core/stroke/stroke.h"
 
 #include <span>
 
@@ -35,8 +35,8 @@ public:
     const Vec3& plan(Slot v) const { return m_plan[m_index.position(v)]; }
     void setPlan(Slot v, const Vec3& plan) { m_plan[m_index.position(v)] = plan; }
 
-    /// What a tool has to know of a vertex besides: Layer how far the stroke has raised it, a tool that keeps its selection the distance from the
-    /// image of where it took hold.
+    /// What a tool has to know of a vertex besides: Layer how far the stroke has raised it, a tool that keeps its
+    /// selection the distance from the image of where it took hold.
     double carried(Slot v) const { return m_carried[m_index.position(v)]; }
     void setCarried(Slot v, double carried) { m_carried[m_index.position(v)] = carried; }
 
@@ -79,13 +79,16 @@ private:
 std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<const Slot> vertices);
 
 /// Spherical brush (paper, section 3.1.2): the vertices within the ball, by Euclidean distance, ascending by slot.
-/// `candidates` becomes the candidate triangles of section 3.1.1: those whose boxes meet the ball's, in no useful order.
+/// `candidates` becomes the candidate triangles of section 3.1.1: those whose boxes meet the ball's, in no useful
+/// order.
 void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
                   const Sphere& ball);
 
-/// Ray brush (paper, section 3.1.3): the vertices whose geodesic distance from a point of the surface is at most the ball's
-/// radius, by Dijkstra over the graph of edges inside the ball, from the three corners of the face that holds the point: one
-/// of `candidates`, which then become the faces reached. Ascending by slot. A path along edges is never shorter than the true geodesic, and on even meshes up to 15 % longer.
-/// `most`: of more vertices none is selected, and the search ends there.
-void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot max = noSlot);
+/// Ray brush (paper, section 3.1.3): the vertices whose geodesic distance from a point of the surface is at most the
+/// ball's radius, by Dijkstra over the graph of edges inside the ball, from the three corners of the face that holds
+/// the point: one of `candidates`, which then become the faces reached. Ascending by slot. A path along edges is never
+/// shorter than the true geodesic, and on even meshes up to 15 % longer. `most`: of more vertices none is selected, and
+/// the search ends there.
+void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball,
+                    Slot max = noSlot);
 } // namespace core

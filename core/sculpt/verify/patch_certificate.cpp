@@ -13,7 +13,8 @@ using Vector = IntegerDirection;
 constexpr double largestComponent = 1023;
 constexpr std::size_t certifiedPerChunk = 1024;
 
-// Bounds: lattice differences are at most 2^24, a cross product's component 2^49, times 2^10 and three terms: below 2^61.
+// Bounds: lattice differences are at most 2^24, a cross product's component 2^49, times 2^10 and three terms: below
+// 2^61.
 
 Vector difference(const LatticePoint& a, const LatticePoint& b)
 {
@@ -74,8 +75,8 @@ bool runsBack(const Vector& direction, const BoundaryEdge& s, const BoundaryEdge
     if (projectedOrientation(direction, s.fromPoint, s.toPoint, t.toPoint) != 0)
         return false;
     const Vector along = difference(s.toPoint, s.fromPoint), on = difference(t.toPoint, t.fromPoint);
-    // In projection: compare the two perpendiculars, direction x along and direction x on. Doubles do: collinear vectors'
-    // dot product is never near zero unless one of them is.
+    // In projection: compare the two perpendiculars, direction x along and direction x on. Doubles do: collinear
+    // vectors' dot product is never near zero unless one of them is.
     const Eigen::Vector3d u = direction.cross(along).cast<double>(), w = direction.cross(on).cast<double>();
     return u.dot(w) <= 0;
 }
@@ -121,7 +122,8 @@ IntegerDirection integerDirection(const Vec3& v)
     return {std::llrint(scaled.x()), std::llrint(scaled.y()), std::llrint(scaled.z())};
 }
 
-bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction)
+bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary,
+                  const IntegerDirection& direction)
 {
     return arePositive(faces, direction) && isSimpleLoop(boundary, direction);
 }
@@ -170,7 +172,8 @@ bool certifyStar(const Mesh& mesh, Slot v)
         if (direction.dot(normals[i]) <= 0)
             return false;
     }
-    // Once around: no later sector holds the first spoke. A sector is less than half a turn, since its face is positive.
+    // Once around: no later sector holds the first spoke. A sector is less than half a turn, since its face is
+    // positive.
     for (std::size_t i = 1; i < n; ++i) {
         const std::int64_t before = direction.dot(spokes[i].cross(spokes[0]));
         const std::int64_t after = direction.dot(spokes[0].cross(spokes[(i + 1) % n]));

@@ -22,11 +22,12 @@ struct BoundaryEdge
 };
 
 /// Certifies that no two of the faces meet outside shared vertices and edges: each is strictly positive against one
-/// direction, and their boundary is one loop that is simple in that projection. Then the projection covers each point of
-/// the plane as often as the loop winds around it, once or never, and every face counts +1: it is one to one.
+/// direction, and their boundary is one loop that is simple in that projection. Then the projection covers each point
+/// of the plane as often as the loop winds around it, once or never, and every face counts +1: it is one to one.
 /// `boundary`: the half-edges of the faces whose opposite face is not among them. False says nothing. Exact.
 /// Cost: O(faces + b log b) for a boundary of b edges that is not too jagged.
-bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction);
+bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary,
+                  const IntegerDirection& direction);
 /// Its two halves.
 bool arePositive(std::span<const PatchFace> faces, const IntegerDirection& direction);
 bool isSimpleLoop(std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction);

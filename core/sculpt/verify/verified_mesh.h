@@ -7,8 +7,8 @@
 
 namespace core
 {
-/// A mesh with all that is kept in step with it: the octree, the ranges to draw anew, and the verifier, which verifies each
-/// change before the others learn of it.
+/// A mesh with all that is kept in step with it: the octree, the ranges to draw anew, and the verifier, which verifies
+/// each change before the others learn of it.
 class VerifiedMesh
 {
 public:
@@ -22,10 +22,11 @@ public:
     /// See Sculptor::setVerification.
     void setVerification(bool on) { m_verification = on; }
 
-    /// Verifies what changed since the mark: true commits it, false leaves it to be rolled back, and badFaces() tells why.
+    /// Verifies what changed since the mark: true commits it, false leaves it to be rolled back, and badFaces() tells
+    /// why.
     bool verify(const Mesh::Mark& mark);
-    /// After a change that verify() found fault with: whether it may be sound now that these vertices go less far (Verifier::recheck). It is
-    /// still to be verified. If not, badFaces() tells why.
+    /// After a change that verify() found fault with: whether it may be sound now that these vertices go less far
+    /// (Verifier::recheck). It is still to be verified. If not, badFaces() tells why.
     bool recheck(std::span<const Slot> vertices);
     /// Verifies once without effect, so that the first verification that counts is fast.
     void warmUp(const Mesh::Mark& mark) { m_verifier.verify(m_mesh, m_octree, m_mesh.touchedSince(mark)); }
@@ -42,7 +43,7 @@ public:
     void follow(const MeshDelta& swapped);
 
     const std::array<std::uint64_t, 3>& tiers() const { return m_tiers; }
-    const double& verifyMs() const { return m_verifyMs; } ///< spent in verify() so far
+    const double& verifyMs() const { return m_verifyMs; }  ///< spent in verify() so far
     Slot maxDirtyFaces() const { return m_maxDirtyFaces; } ///< of one verify() since forgetDirtyFaces()
     void forgetDirtyFaces() { m_maxDirtyFaces = 0; }
 

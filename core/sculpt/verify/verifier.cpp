@@ -1,7 +1,8 @@
 // The exact local check of a change (DESIGN section 3, step 5):
 //   1. dirty faces:  those the journal says were relinked, and those around a vertex that moved
 //   2. linked:       each rightly
-//   3. partners:     every face that meets a box of the dirty ones, where they are and where they were: one box, or one for each of
+//   3. partners:     every face that meets a box of the dirty ones, where they are and where they were: one box, or one
+//   for each of
 //                    those parts of the change that nothing connects, as on both sides of a plane of symmetry
 //   4. tier a:       one certificate for all of these, or for each connected patch around dirty faces
 //      tier b:       certificates for the stars of the vertices of one that has none, exact tests of the disjoint pairs
@@ -10,10 +11,10 @@
 
 #include "core/sculpt/verify/verifier.h"
 
-#include "core/geometry/box_pairs.h"
-#include "core/geometry/box_clusters.h"
-#include "core/util/parallel.h"
 #include "core/analysis/shell_orientation.h"
+#include "core/geometry/box_clusters.h"
+#include "core/geometry/box_pairs.h"
+#include "core/util/parallel.h"
 
 #include <algorithm>
 
@@ -33,7 +34,8 @@ BoundaryEdge boundaryEdge(const Mesh& mesh, Slot h)
 /// Exact: integers. Its length is twice the area.
 Vec3 normalOf(const PatchFace& face)
 {
-    const Vec3 ab = (face.points[1] - face.points[0]).cast<double>(), ac = (face.points[2] - face.points[0]).cast<double>();
+    const Vec3 ab = (face.points[1] - face.points[0]).cast<double>(),
+               ac = (face.points[2] - face.points[0]).cast<double>();
     return ab.cross(ac);
 }
 } // namespace
@@ -93,7 +95,8 @@ std::vector<Slot> Verifier::recheck(const Mesh& mesh, std::span<const Slot> vert
     for (Slot place : near.slots())
         boxes.push_back(m_boxes[place]);
     m_stars.clear();
-    for (const auto& [i, j] : BoxPairs(boxes, changed).those([&](Slot i, Slot j) { return meetBadly(near.slots()[i], near.slots()[j]); })) {
+    for (const auto& [i, j] :
+         BoxPairs(boxes, changed).those([&](Slot i, Slot j) { return meetBadly(near.slots()[i], near.slots()[j]); })) {
         bad.push_back(m_gathered.slots()[near.slots()[i]]);
         bad.push_back(m_gathered.slots()[near.slots()[j]]);
     }
@@ -118,8 +121,9 @@ void Verifier::collectDirty(const Mesh& mesh, const TouchedSlots& touched)
     readFaces(mesh, m_gathered.slots(), 0);
 }
 
-/// The boxes of the change hold where its faces are and where they were: what lay between has been swept over. A shell that is swallowed
-/// or let out is so by a connected part of the surface as it was and as it is, and lies in the box of that.
+/// The boxes of the change hold where its faces are and where they were: what lay between has been swept over. A shell
+/// that is swallowed or let out is so by a connected part of the surface as it was and as it is, and lies in the box of
+/// that.
 void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched)
 {
     LatticeBox all;
@@ -178,8 +182,8 @@ void Verifier::readFaces(const Mesh& mesh, std::span<const Slot> faces, std::siz
     });
 }
 
-/// Most changes leave all that is near them one sheet that a single direction sees from above. (Then none of the faces is
-/// degenerate, and they are one component with an edge: a second one would have a loop of its own.)
+/// Most changes leave all that is near them one sheet that a single direction sees from above. (Then none of the faces
+/// is degenerate, and they are one component with an edge: a second one would have a loop of its own.)
 bool Verifier::certifyAll(const Mesh& mesh)
 {
     if (m_dirtyCount == 0)
@@ -299,13 +303,15 @@ void Verifier::addComponent(const Mesh& mesh, Slot seed)
             }
         }
     }
-    component.isCertified = seed < m_dirtyCount && !component.isClosed && certifyPatch(m_patch, m_boundary, integerDirection(sum));
+    component.isCertified =
+        seed < m_dirtyCount && !component.isClosed && certifyPatch(m_patch, m_boundary, integerDirection(sum));
 }
 
 /// Each patch in itself; and there is one.
 bool Verifier::isCertified() const
 {
-    return m_dirtyComponents > 0 && std::ranges::all_of(std::span(m_components).first(m_dirtyComponents), &Component::isCertified);
+    return m_dirtyComponents > 0 &&
+           std::ranges::all_of(std::span(m_components).first(m_dirtyComponents), &Component::isCertified);
 }
 
 /// Tests the pairs with at least one dirty face whose boxes meet, but those within a certified patch.
@@ -316,7 +322,9 @@ void Verifier::testPairs(const Mesh& mesh)
     if (!isCertified())
         m_result.tier = certifyStars(mesh) ? VerifyTier::Stars : VerifyTier::Pairs;
     const std::vector<BoxPairs::Pair> bad =
-        BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount).those([&](Slot i, Slot j) { return !areInOneCertified(i, j) && meetBadly(i, j); });
+        BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount).those([&](Slot i, Slot j) {
+            return !areInOneCertified(i, j) && meetBadly(i, j);
+        });
     for (const auto& [i, j] : bad) {
         m_result.badFaces.push_back(m_gathered.slots()[i]);
         m_result.badFaces.push_back(m_gathered.slots()[j]);
@@ -358,7 +366,8 @@ bool Verifier::meetBadly(Slot i, Slot j) const
     return trianglesIntersect<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
 }
 
-/// A shell wholly inside a box of the change may have been turned over, swallowed or let out without any two faces meeting now.
+/// A shell wholly inside a box of the change may have been turned over, swallowed or let out without any two faces
+/// meeting now.
 void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
 {
     for (Slot component = 0; component < m_components.size(); ++component) {

@@ -15,9 +15,10 @@ const QByteArray pinLine = "pin = pbkdf2-sha256:1:00ff:" + QByteArray(64, 'a') +
 
 QByteArray whole()
 {
-    return "# for 5b\n[class]\ntitle = Klasse 5b, Ton & Töne\nfolder = works\nstarters = vase, ball\ntools = smooth, pull\n"
-           "turn_minutes = 30\nwarning_minutes=5\nfull_screen = no\nlanguage = de\n"
-           + pinLine;
+    return "# for 5b\n[class]\ntitle = Klasse 5b, Ton & Töne\nfolder = works\nstarters = vase, ball\ntools = smooth, "
+           "pull\n"
+           "turn_minutes = 30\nwarning_minutes=5\nfull_screen = no\nlanguage = de\n" +
+           pinLine;
 }
 
 /// A class file with these bytes.
@@ -111,10 +112,12 @@ private Q_SLOTS:
         row("warning before the turn", "=5", "=31", "line 8: warning_minutes: \"31\" is no whole number from 0 to 30.");
         row("unknown tool", "smooth, pull", "smooth, melt", "line 6: tools: \"melt\" is none of pull, push, inflate");
         row("tool twice", "smooth, pull", "pull,pull", "line 6: tools: pull stands there for the second time.");
-        row("empty in a list", "vase, ball", "vase,,ball", "line 5: starters: \"\" is none of ball, cube, torus, slab, vase, head, tablet.");
+        row("empty in a list", "vase, ball", "vase,,ball",
+            "line 5: starters: \"\" is none of ball, cube, torus, slab, vase, head, tablet.");
         row("neither yes nor no", "= no", "= maybe", "line 9: full_screen: \"maybe\" is none of yes, no.");
         row("language", "= de", "= fr", "line 10: language: \"fr\" is none of system, en, de, zh_CN.");
-        row("a PIN that can be read", pinLine.constData(), "pin = 1234\n", "line 11: pin: this is no PIN as Fettle writes it");
+        row("a PIN that can be read", pinLine.constData(), "pin = 1234\n",
+            "line 11: pin: this is no PIN as Fettle writes it");
         row("no PIN", pinLine.constData(), "", "5b.ini: pin is missing.");
         row("no folder", "folder = works\n", "", "5b.ini: folder is missing.");
         row("not UTF-8", "Klasse", "\xff\xfe", "5b.ini is no class file: it is no text in UTF-8, or too long.");
@@ -150,7 +153,8 @@ private Q_SLOTS:
         QVERIFY(one != other && !one.contains(pin));
         QVERIFY(isPinRecord(one) && isPin(pin, one) && isPin(pin, other));
         QVERIFY(!isPin(QStringLiteral("47 11"), one) && !isPin({}, one));
-        for (const QString& broken : {QString(), one + u'0', one.chopped(1), QString(one).replace(QStringLiteral("sha256"), QStringLiteral("md5")),
+        for (const QString& broken : {QString(), one + u'0', one.chopped(1),
+                                      QString(one).replace(QStringLiteral("sha256"), QStringLiteral("md5")),
                                       QString(one).replace(QStringLiteral("100000"), QStringLiteral("0"))})
             QVERIFY2(!isPinRecord(broken) && !isPin(pin, broken), qPrintable(broken));
     }

@@ -147,7 +147,9 @@ void TestClassReport::initTestCase()
 {
     fs::create_directory(at("class"));
     fillClass(at("class"));
-    const Answer answer = fettle({QStringLiteral("report"), QStringLiteral("class"), QStringLiteral("-o"), QStringLiteral("report.html")}, m_folder.path());
+    const Answer answer =
+        fettle({QStringLiteral("report"), QStringLiteral("class"), QStringLiteral("-o"), QStringLiteral("report.html")},
+               m_folder.path());
     QVERIFY2(answer.status == 0 && answer.out.isEmpty() && answer.err.isEmpty(), answer.err.constData());
     m_page = read(at("report.html"));
 }
@@ -171,8 +173,10 @@ void TestClassReport::page_isAloneAndNamesAreHarmless()
     QCOMPARE(m_page.count("<script>"), 1);
     QVERIFY(m_page.contains("&lt;script&gt;alert(1)&lt;b&gt;&amp;.stl"));
     QCOMPARE(captured(m_page, "src=\"(?!data:)([^\"]*)").size(), 0);
-    const QByteArray script = m_page.mid(m_page.indexOf("<script>") + 8, m_page.indexOf("</script>") - m_page.indexOf("<script>") - 8);
-    QVERIFY(m_page.contains("script-src 'sha256-" + QCryptographicHash::hash(script, QCryptographicHash::Sha256).toBase64() + "'"));
+    const QByteArray script =
+        m_page.mid(m_page.indexOf("<script>") + 8, m_page.indexOf("</script>") - m_page.indexOf("<script>") - 8);
+    QVERIFY(m_page.contains("script-src 'sha256-" +
+                            QCryptographicHash::hash(script, QCryptographicHash::Sha256).toBase64() + "'"));
 }
 
 void TestClassReport::page_linksLeadToTheModels()
@@ -208,11 +212,15 @@ void TestClassReport::page_hasPictures()
 void TestClassReport::rows_sayWhatIsKnown()
 {
     const QString vase = rowOf(m_page, QStringLiteral("anna10.glb"));
-    QVERIFY2(vase.contains(QStringLiteral(">1 h 02 min<")) && vase.contains(QStringLiteral(">%1<").arg(ui::number(1234))), qPrintable(vase.right(600)));
+    QVERIFY2(vase.contains(QStringLiteral(">1 h 02 min<")) &&
+                 vase.contains(QStringLiteral(">%1<").arg(ui::number(1234))),
+             qPrintable(vase.right(600)));
     QVERIFY(vase.contains(QStringLiteral("data-key=\"3725\"")) && vase.contains(QStringLiteral("data-key=\"1234\"")));
     QVERIFY(rowOf(m_page, QStringLiteral("Anna2.glb")).contains(QStringLiteral(">59 s<")));
     const QString cube = rowOf(m_page, QStringLiteral("pupil 0.stl"));
-    QVERIFY2(cube.contains(QStringLiteral(">10.0 × 10.0 × 10.0<")) && cube.contains(QStringLiteral("data-key=\"1000\"")), qPrintable(cube.right(600)));
+    QVERIFY2(cube.contains(QStringLiteral(">10.0 × 10.0 × 10.0<")) &&
+                 cube.contains(QStringLiteral("data-key=\"1000\"")),
+             qPrintable(cube.right(600)));
     QCOMPARE(cube.count(QStringLiteral("<td class=\"figure\"></td>")), 2); // an STL knows neither
     QVERIFY(rowOf(m_page, QStringLiteral("open.ply")).contains(QStringLiteral("open edges: 12")));
     QVERIFY(rowOf(m_page, QStringLiteral("crossing.off")).contains(QStringLiteral("pairs of faces that intersect")));
@@ -222,7 +230,9 @@ void TestClassReport::rows_sayWhatIsKnown()
 
 void TestClassReport::pdf_hasPagesAndLinks()
 {
-    const Answer answer = fettle({QStringLiteral("report"), QStringLiteral("class"), QStringLiteral("--output"), QStringLiteral("report.PDF")}, m_folder.path());
+    const Answer answer = fettle(
+        {QStringLiteral("report"), QStringLiteral("class"), QStringLiteral("--output"), QStringLiteral("report.PDF")},
+        m_folder.path());
     QVERIFY2(answer.status == 0 && answer.out.isEmpty() && answer.err.isEmpty(), answer.err.constData());
     const QByteArray pdf = read(at("report.PDF"));
     QVERIFY(pdf.startsWith("%PDF-") && pdf.trimmed().endsWith("%%EOF"));
@@ -233,10 +243,12 @@ void TestClassReport::pdf_hasPagesAndLinks()
 
 void TestClassReport::unit_isTaken()
 {
-    const Answer answer = fettle({QStringLiteral("report"), QStringLiteral("class"), QStringLiteral("--unit"), QStringLiteral("in"), QStringLiteral("-o"),
-                                  QStringLiteral("inches.html")}, m_folder.path());
+    const Answer answer = fettle({QStringLiteral("report"), QStringLiteral("class"), QStringLiteral("--unit"),
+                                  QStringLiteral("in"), QStringLiteral("-o"), QStringLiteral("inches.html")},
+                                 m_folder.path());
     QCOMPARE(answer.status, 0);
-    QVERIFY(rowOf(read(at("inches.html")), QStringLiteral("pupil 0.stl")).contains(QStringLiteral(">254.0 × 254.0 × 254.0<")));
+    QVERIFY(rowOf(read(at("inches.html")), QStringLiteral("pupil 0.stl"))
+                .contains(QStringLiteral(">254.0 × 254.0 × 254.0<")));
 }
 
 void TestClassReport::stopped_writesNothing()
@@ -245,10 +257,10 @@ void TestClassReport::stopped_writesNothing()
     std::stop_source stop;
     double reached = 0;
     const core::JobControl control{stop.get_token(), [&](double share) {
-                                   reached = share;
-                                   if (share > 0.3)
-                                       stop.request_stop();
-                               }};
+                                       reached = share;
+                                       if (share > 0.3)
+                                           stop.request_stop();
+                                   }};
     QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled, ReportMaker::run({at("class"), at("stopped.html")}, control));
     QVERIFY(reached > 0.3 && reached < 0.5);
     QCOMPARE(left(), before);
@@ -262,14 +274,18 @@ void TestClassReport::refusals_writeNothing_data()
     QTest::newRow("two folders") << QStringLiteral("report class class -o a.html") << QStringLiteral("one folder");
     QTest::newRow("no file") << QStringLiteral("report class") << QStringLiteral("-o names it");
     QTest::newRow("another ending") << QStringLiteral("report class -o a.txt") << QStringLiteral("HTML or PDF");
-    QTest::newRow("missing folder") << QStringLiteral("report missing -o a.html") << QStringLiteral("missing: there is no such");
-    QTest::newRow("empty folder") << QStringLiteral("report class/folder.stl -o a.html") << QStringLiteral("no model in this folder");
-    QTest::newRow("a file as folder") << QStringLiteral("report class/tiny.obj -o a.html") << QStringLiteral("cannot be read");
+    QTest::newRow("missing folder") << QStringLiteral("report missing -o a.html")
+                                    << QStringLiteral("missing: there is no such");
+    QTest::newRow("empty folder") << QStringLiteral("report class/folder.stl -o a.html")
+                                  << QStringLiteral("no model in this folder");
+    QTest::newRow("a file as folder") << QStringLiteral("report class/tiny.obj -o a.html")
+                                      << QStringLiteral("cannot be read");
     QTest::newRow("nowhere") << QStringLiteral("report class -o gone/a.html") << QStringLiteral("there is no folder");
     QTest::newRow("sheet of nothing") << QStringLiteral("sheet -o a.pdf") << QStringLiteral("no file was given");
     QTest::newRow("sheet to nothing") << QStringLiteral("sheet class") << QStringLiteral("-o names it");
     QTest::newRow("sheet as a picture") << QStringLiteral("sheet class -o a.png") << QStringLiteral(".pdf");
-    QTest::newRow("sheet nowhere") << QStringLiteral("sheet class -o gone/a.pdf") << QStringLiteral("there is no folder");
+    QTest::newRow("sheet nowhere") << QStringLiteral("sheet class -o gone/a.pdf")
+                                   << QStringLiteral("there is no folder");
 }
 
 void TestClassReport::refusals_writeNothing()
@@ -279,28 +295,35 @@ void TestClassReport::refusals_writeNothing()
     const QStringList before = left();
     const Answer answer = fettle(line.split(QLatin1Char(' ')), m_folder.path());
     QCOMPARE(answer.status, 2);
-    QVERIFY2(answer.out.isEmpty() && answer.err.count('\n') == 1 && QString::fromUtf8(answer.err).contains(reason), answer.err.constData());
+    QVERIFY2(answer.out.isEmpty() && answer.err.count('\n') == 1 && QString::fromUtf8(answer.err).contains(reason),
+             answer.err.constData());
     QCOMPARE(left(), before);
 }
 
 void TestClassReport::sheets_areAPageEach()
 {
-    const Answer answer = fettle({QStringLiteral("sheet"), QStringLiteral("class"), QStringLiteral("-o"), QStringLiteral("sheets.pdf")}, m_folder.path());
+    const Answer answer =
+        fettle({QStringLiteral("sheet"), QStringLiteral("class"), QStringLiteral("-o"), QStringLiteral("sheets.pdf")},
+               m_folder.path());
     QCOMPARE(answer.status, 1);
     QVERIFY(answer.out.isEmpty());
     QCOMPARE(answer.err.count('\n'), unreadable + 1); // and the one that is open
     QVERIFY(answer.err.contains("empty.stl is empty") && answer.err.contains("open.ply has no sheet"));
     QCOMPARE(read(at("sheets.pdf")).count("/Type /Page\n"), models - unreadable - 1);
 
-    const Answer two = fettle({QStringLiteral("sheet"), QStringLiteral("class/anna10.glb"), QStringLiteral("class/tiny.obj"), QStringLiteral("--shaded"),
-                               QStringLiteral("-o"), QStringLiteral("two.pdf")}, m_folder.path());
+    const Answer two =
+        fettle({QStringLiteral("sheet"), QStringLiteral("class/anna10.glb"), QStringLiteral("class/tiny.obj"),
+                QStringLiteral("--shaded"), QStringLiteral("-o"), QStringLiteral("two.pdf")},
+               m_folder.path());
     QVERIFY2(two.status == 0 && two.err.isEmpty(), two.err.constData());
     QCOMPARE(read(at("two.pdf")).count("/Type /Page\n"), 2);
 }
 
 void TestClassReport::sheets_ofNothingAreNoFile()
 {
-    const Answer answer = fettle({QStringLiteral("sheet"), QStringLiteral("class/empty.stl"), QStringLiteral("-o"), QStringLiteral("none.pdf")}, m_folder.path());
+    const Answer answer = fettle(
+        {QStringLiteral("sheet"), QStringLiteral("class/empty.stl"), QStringLiteral("-o"), QStringLiteral("none.pdf")},
+        m_folder.path());
     QCOMPARE(answer.status, 2);
     QVERIFY(answer.err.contains("none.pdf was not written"));
     QVERIFY(!fs::exists(at("none.pdf")));
@@ -308,9 +331,12 @@ void TestClassReport::sheets_ofNothingAreNoFile()
 
 void TestClassReport::durations_areWhatAPersonWouldSay()
 {
-    const auto is = [](double seconds, const char* text) { return ui::durationText(seconds) == QLatin1StringView(text); };
+    const auto is = [](double seconds, const char* text) {
+        return ui::durationText(seconds) == QLatin1StringView(text);
+    };
     QVERIFY(is(0, "0 s") && is(59.4, "59 s") && is(59.6, "1 min") && is(89, "1 min") && is(91, "2 min"));
-    QVERIFY(is(59 * 60 + 29, "59 min") && is(59 * 60 + 31, "1 h 00 min") && is(3600 + 300, "1 h 05 min") && is(26 * 3600, "26 h 00 min"));
+    QVERIFY(is(59 * 60 + 29, "59 min") && is(59 * 60 + 31, "1 h 00 min") && is(3600 + 300, "1 h 05 min") &&
+            is(26 * 3600, "26 h 00 min"));
 }
 
 /// By the menu and two dialogs; once more and stopped, there is no second one.

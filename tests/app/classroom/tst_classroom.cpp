@@ -5,15 +5,15 @@
 #include "app/classroom/classroom_mode.h"
 #include "app/model/model_loader.h"
 
+#include "core/io/stroke/stroke_file.h"
 #include "core/journal/journal.h"
 #include "core/sculpt/sculptor.h"
-#include "core/io/stroke/stroke_file.h"
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_caption.h"
-#include "ui/classroom/classroom_lock.h"
 #include "ui/brush/color_panel.h"
-#include "ui/util/thread_mailbox.h"
+#include "ui/classroom/classroom_lock.h"
 #include "ui/classroom/pupil_name_panel.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QAction>
 #include <QContextMenuEvent>
@@ -76,13 +76,21 @@ struct Home
     explicit Home(const QString& path) : root(path)
     {
         QDir().mkpath(works);
-        places = {(root + QStringLiteral("/journals")).toStdString(), root + QStringLiteral("/own/waiting"), root + QStringLiteral("/own/turn.json")};
+        places = {(root + QStringLiteral("/journals")).toStdString(), root + QStringLiteral("/own/waiting"),
+                  root + QStringLiteral("/own/turn.json")};
     }
     ui::Classroom classroom() const
     {
         static const QString record = pinRecord(pin);
-        return {QStringLiteral("5b"), works, {core::Starter::Ball, core::Starter::Torus}, {core::Tool::Clay, core::Tool::Pull, core::Tool::Paint}, 20, 3, false,
-                ui::Language::System, record};
+        return {QStringLiteral("5b"),
+                works,
+                {core::Starter::Ball, core::Starter::Torus},
+                {core::Tool::Clay, core::Tool::Pull, core::Tool::Paint},
+                20,
+                3,
+                false,
+                ui::Language::System,
+                record};
     }
     QString journals() const { return root + QStringLiteral("/journals"); }
 
@@ -95,7 +103,8 @@ struct Class
 {
     explicit Class(const Home& home) : Class(home, home.classroom()) {}
     Class(const Home& home, const ui::Classroom& classroom)
-        : shelf(home.places.journals), mode({&program.window, &program.document, &shelf}, classroom, home.places, [this] { return now; })
+        : shelf(home.places.journals)
+        , mode({&program.window, &program.document, &shelf}, classroom, home.places, [this] { return now; })
     {
         program.document.keepJournals(&shelf);
         wireClassroom(program.window, mode);
@@ -103,9 +112,15 @@ struct Class
         program.window.show();
     }
 
-    template <class Part> Part* part(const char* name) const { return program.window.findChild<Part*>(QLatin1StringView(name)); }
+    template <class Part> Part* part(const char* name) const
+    {
+        return program.window.findChild<Part*>(QLatin1StringView(name));
+    }
     QString text(const char* label) const { return part<QLabel>(label)->text(); }
-    bool isIdle() const { return !program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0; }
+    bool isIdle() const
+    {
+        return !program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0;
+    }
     bool asks() const { return part<ui::NamePanel>("namePanel")->isVisible(); }
 
     void begin()
@@ -150,7 +165,9 @@ struct Class
     {
         std::optional<std::uint64_t> answer;
         ui::Mailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) { mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; }); });
+        program.worker.post([&](core::Sculptor& sculptor) {
+            mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
+        });
         [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, longestWait); }();
         return answer.value_or(0);
     }
@@ -169,16 +186,16 @@ struct Beginning
         , swatches(c.program.window.findChild<ui::ColorPanel*>()->swatches())
         , switches(ui::switchesOf(c.program.window.commands()))
         , view(c.program.window.viewport()->camera().saved())
-    {
-    }
+    {}
     bool operator==(const Beginning& other) const
     {
         const auto parts = [](const core::StrokeSettings& s) {
-            return std::tuple(s.tool, s.brush, s.topology, s.symmetry, s.radial, s.radius, s.strength, s.falloff, s.detail, s.spacing, s.fusion,
-                              s.add, s.color, s.alpha, s.model);
+            return std::tuple(s.tool, s.brush, s.topology, s.symmetry, s.radial, s.radius, s.strength, s.falloff,
+                              s.detail, s.spacing, s.fusion, s.add, s.color, s.alpha, s.model);
         };
-        return parts(brush) == parts(other.brush) && swatches == other.swatches && switches == other.switches && view.yaw == other.view.yaw
-               && view.pitch == other.view.pitch && view.target == other.view.target && view.distance == other.view.distance;
+        return parts(brush) == parts(other.brush) && swatches == other.swatches && switches == other.switches &&
+               view.yaw == other.view.yaw && view.pitch == other.view.pitch && view.target == other.view.target &&
+               view.distance == other.view.distance;
     }
 
     core::StrokeSettings brush;
@@ -191,8 +208,8 @@ struct Beginning
 void leaveTraces(Class& c)
 {
     ui::MainWindow& window = c.program.window;
-    for (const char* id : {"symmetry.on", "symmetry.radial", "brush.steady", "view.flat", "material.wax", "view.orthographic", "brush.ray", "tool.paint",
-                           "view.top"})
+    for (const char* id : {"symmetry.on", "symmetry.radial", "brush.steady", "view.flat", "material.wax",
+                           "view.orthographic", "brush.ray", "tool.paint", "view.top"})
         window.action(QLatin1StringView(id))->trigger();
     window.brush()->set(&core::StrokeSettings::color, core::Rgb{1, 2, 3});
     window.brush()->setValue(core::Parameter::Strength, 2);
@@ -204,8 +221,9 @@ void leaveTraces(Class& c)
 /// All other panels lead to files, printers or steps of others.
 bool isForTheHand(const QDockWidget* panel)
 {
-    const QStringList names{QStringLiteral("brushPanel"), QStringLiteral("topologyPanel"), QStringLiteral("symmetryPanel"),
-                            QStringLiteral("colorPanel"), QStringLiteral("turntablePanel"), QStringLiteral("modelPanel")};
+    const QStringList names{QStringLiteral("brushPanel"),     QStringLiteral("topologyPanel"),
+                            QStringLiteral("symmetryPanel"),  QStringLiteral("colorPanel"),
+                            QStringLiteral("turntablePanel"), QStringLiteral("modelPanel")};
     return names.contains(panel->objectName());
 }
 
@@ -286,7 +304,8 @@ void TestClassroom::twentyFiveTurns_areKept()
         }
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, longestWait);
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.waiting), QStringList(), longestWait);
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, longestWait); // of the clay that waits for the next
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1,
+                                  longestWait); // of the clay that waits for the next
     }
     QCOMPARE(foldersIn(home.journals()), QStringList());
     QStringList kept;
@@ -298,7 +317,9 @@ void TestClassroom::twentyFiveTurns_areKept()
         QVERIFY2(i >= 0, qPrintable(name));
         QCOMPARE(turn.value(QStringLiteral("name")).toString(), names[i]);
         QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), hash);
-        QCOMPARE(replayed(i % 2 == 0 ? core::Starter::Ball : core::Starter::Torus, folder + QStringLiteral("/record.json")), hash);
+        QCOMPARE(
+            replayed(i % 2 == 0 ? core::Starter::Ball : core::Starter::Torus, folder + QStringLiteral("/record.json")),
+            hash);
         QVERIFY(QFile::exists(folder + QStringLiteral("/picture.png")));
         kept << names[i];
     }
@@ -358,7 +379,8 @@ void TestClassroom::aMistakenPress_isTakenBack()
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
     c.sculpt();
     QTRY_VERIFY(!c.part<QPushButton>("classResume")->isVisible()); // when the bar is laid out again
-    QTRY_VERIFY_WITH_TIMEOUT(foldersIn(home.works).size() == 2 && !foldersIn(home.works).constFirst().startsWith(u'.'), longestWait); // what was kept stays
+    QTRY_VERIFY_WITH_TIMEOUT(foldersIn(home.works).size() == 2 && !foldersIn(home.works).constFirst().startsWith(u'.'),
+                             longestWait); // what was kept stays
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
@@ -415,7 +437,8 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     QCOMPARE(at(17 * minute - 1), QStringLiteral("4 minutes left"));
     QVERIFY(!c.part<QLabel>("classTime")->font().bold() && notice(c.program).isEmpty());
     QCOMPARE(at(17 * minute), QStringLiteral("3 minutes left"));
-    QVERIFY(c.part<QLabel>("classTime")->font().bold() && !c.part<QLabel>("classClock")->pixmap(Qt::ReturnByValue).isNull());
+    QVERIFY(c.part<QLabel>("classTime")->font().bold() &&
+            !c.part<QLabel>("classClock")->pixmap(Qt::ReturnByValue).isNull());
     QVERIFY(notice(c.program).contains(QStringLiteral("3 minutes are left")));
     QVERIFY(caption.words().time == QStringLiteral("3 min") && caption.words().isNearEnd);
     QCOMPARE(at(20 * minute), QStringLiteral("Time is up"));
@@ -428,7 +451,8 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     c.beginTurn(QStringLiteral("Ben"));
     QCOMPARE(at(c.now), QStringLiteral("20 minutes left"));
     QVERIFY(!c.part<QLabel>("classTime")->font().bold());
-    QVERIFY(caption.isVisible() && !caption.words().isNearEnd); // a turn's beginning brings bars back, but not this one's absence
+    QVERIFY(caption.isVisible() &&
+            !caption.words().isNearEnd); // a turn's beginning brings bars back, but not this one's absence
     c.program.window.setHeadset(ui::HeadsetState::Out, {});
     QVERIFY(!caption.isVisible());
 }
@@ -443,7 +467,8 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     c.sculpt();
     QVERIFY(QDir().rmdir(home.works));
     c.next();
-    QTRY_VERIFY2(notice(c.program).contains(QStringLiteral("there is no folder ") + home.works), qPrintable(notice(c.program)));
+    QTRY_VERIFY2(notice(c.program).contains(QStringLiteral("there is no folder ") + home.works),
+                 qPrintable(notice(c.program)));
     QCOMPARE(c.text("classWaiting"), QStringLiteral("1 works wait on this computer"));
     QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.waiting));
     QCOMPARE(foldersIn(home.places.waiting).size(), 1);
@@ -468,7 +493,8 @@ void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
     const std::uint64_t hash = c.hash();
     QVERIFY(QDir().rmdir(home.works));
     c.press("classNext");
-    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(),
+                             longestWait);
     QVERIFY(c.part<QMessageBox>("problem")->text().contains(QStringLiteral("The work of Anna stays open")));
     c.part<QMessageBox>("problem")->accept();
     QVERIFY(!c.asks() && c.text("classPupil") == QStringLiteral("Anna"));
@@ -520,9 +546,11 @@ void TestClassroom::noCommand_leadsOut()
     QVERIFY(c.isIdle() && c.program.document.path().isEmpty() && !c.program.document.isModified());
     QCOMPARE(c.hash(), hash);
     for (const QDockWidget* panel : window.findChildren<QDockWidget*>())
-        QVERIFY2(isForTheHand(panel) || (!panel->isVisible() && !panel->toggleViewAction()->isEnabled()), qPrintable(panel->objectName()));
+        QVERIFY2(isForTheHand(panel) || (!panel->isVisible() && !panel->toggleViewAction()->isEnabled()),
+                 qPrintable(panel->objectName()));
     if (!isTurn) { // nobody gets at the clay
-        const QPoint middle = window.viewport()->mapTo(&window, window.viewport()->rect().center() + QPoint(0, window.viewport()->height() / 4));
+        const QPoint middle = window.viewport()->mapTo(&window, window.viewport()->rect().center() +
+                                                                    QPoint(0, window.viewport()->height() / 4));
         QTest::mousePress(window.windowHandle(), Qt::LeftButton, {}, middle);
         QTest::mouseMove(window.windowHandle(), middle + QPoint(20, 0));
         QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, middle + QPoint(20, 0));
@@ -552,7 +580,8 @@ void TestClassroom::menus_haveOnlyWhatIsAllowed()
     QVERIFY(choices.size() > 30);
     for (QAction* choice : choices)
         QVERIFY2(allowed.contains(choice), qPrintable(choice->text()));
-    QVERIFY(choices.contains(window.action(QStringLiteral("tool.clay"))) && !choices.contains(window.action(QStringLiteral("tool.stamp"))));
+    QVERIFY(choices.contains(window.action(QStringLiteral("tool.clay"))) &&
+            !choices.contains(window.action(QStringLiteral("tool.stamp"))));
     QContextMenuEvent wanted(QContextMenuEvent::Mouse, {5, 5}, window.mapToGlobal(QPoint(5, 5)));
     QApplication::sendEvent(window.menuBar(), &wanted);
     QVERIFY(!QApplication::activePopupWidget());
@@ -611,8 +640,11 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.window.action(QStringLiteral("edit.classroom"))->trigger();
     QPointer<QDialog> dialog;
-    QTRY_VERIFY((dialog = program.window.findChild<QDialog*>(QStringLiteral("classroomDialog"))) && dialog->isVisible());
-    const auto type = [&dialog](const char* field, const QString& text) { QTest::keyClicks(dialog->findChild<QLineEdit*>(QLatin1StringView(field)), text); };
+    QTRY_VERIFY((dialog = program.window.findChild<QDialog*>(QStringLiteral("classroomDialog"))) &&
+                dialog->isVisible());
+    const auto type = [&dialog](const char* field, const QString& text) {
+        QTest::keyClicks(dialog->findChild<QLineEdit*>(QLatin1StringView(field)), text);
+    };
     const auto fault = [&dialog] {
         dialog->accept();
         return dialog->findChild<QLabel*>(QStringLiteral("classroomWord"))->text();
@@ -647,14 +679,16 @@ void TestClassroom::aPowerCut_losesNobodysWork_data()
         QTest::addRow("%d ms after Next Pupil", ms) << ms;
 }
 
-/// A program that ends so between two instructions has told of its work before, and the next start brings it to the class's folder.
+/// A program that ends so between two instructions has told of its work before, and the next start brings it to the
+/// class's folder.
 void TestClassroom::aPowerCut_losesNobodysWork()
 {
     QFETCH(int, afterNextMs);
     const QTemporaryDir root;
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
+    victim.start(QCoreApplication::applicationFilePath(),
+                 {QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
     QVERIFY(victim.waitForFinished(longestWait));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
     QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);

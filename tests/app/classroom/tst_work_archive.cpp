@@ -23,7 +23,8 @@ TurnWork workOf(const QString& pupil, core::Starter starter = core::Starter::Tor
 {
     static int count = 0;
     const LoadedModel model = ModelLoader::starter(starter);
-    TurnWork work{QString::number(++count), pupil, morning, morning.addSecs(600), 1, nullptr, model.sculptor->mesh().meshHash(), {}, {}};
+    TurnWork work{QString::number(++count),          pupil, morning, morning.addSecs(600), 1, nullptr,
+                  model.sculptor->mesh().meshHash(), {},    {}};
     work.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(model.sculptor->mesh()));
     work.metadata.frame = model.sculptor->mesh().frame();
     core::Stroke stroke;
@@ -42,12 +43,16 @@ QByteArray read(const QString& path)
 /// A class's folder, and what waits on this computer.
 struct Places
 {
-    explicit Places(const QString& classFolder = {}) : works(classFolder.isEmpty() ? root.filePath(QStringLiteral("class")) : classFolder)
+    explicit Places(const QString& classFolder = {})
+        : works(classFolder.isEmpty() ? root.filePath(QStringLiteral("class")) : classFolder)
     {
         QDir().mkpath(works);
     }
     ClassArchive archive() const { return {works, waiting}; }
-    static QStringList all(const QString& folder) { return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name); }
+    static QStringList all(const QString& folder)
+    {
+        return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+    }
 
     QTemporaryDir root;
     QString works, waiting = root.filePath(QStringLiteral("own/waiting"));
@@ -116,7 +121,9 @@ void TestClassArchive::names_areFolders_data()
 {
     QTest::addColumn<QString>("pupil");
     QTest::addColumn<QString>("end");
-    const auto row = [](const char* name, const char* pupil, const char* end) { QTest::newRow(name) << QString::fromUtf8(pupil) << QString::fromUtf8(end); };
+    const auto row = [](const char* name, const char* pupil, const char* end) {
+        QTest::newRow(name) << QString::fromUtf8(pupil) << QString::fromUtf8(end);
+    };
     row("plain", "Anna", "Anna");
     row("two words", "  Anna   Lena ", "Anna-Lena");
     row("up", "../x", "x");
@@ -155,7 +162,8 @@ void TestClassArchive::sameNamesInAMinute_areNumbered()
     places.archive().keep(second); // the first has gone meanwhile
     places.archive().keep(workOf(QStringLiteral("Anna"), core::Starter::Slab));
     QCOMPARE(places.archive().deliver().moved.size(), 2);
-    QCOMPARE(Places::all(places.works), QStringList({"2026-11-24-1015-Anna", "2026-11-24-1015-Anna-2", "2026-11-24-1015-Anna-2-2"}));
+    QCOMPARE(Places::all(places.works),
+             QStringList({"2026-11-24-1015-Anna", "2026-11-24-1015-Anna-2", "2026-11-24-1015-Anna-2-2"}));
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Anna"), first);
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Anna-2"), second);
 }
@@ -168,7 +176,8 @@ void TestClassArchive::aMissingFolder_isSaidAndWaitedFor()
     const KeptWork kept = places.archive().keep(work);
     const Delivery delivery = places.archive().deliver();
     QCOMPARE(delivery.waiting, 1);
-    QVERIFY2(delivery.problem.contains(QStringLiteral("there is no folder ") + places.works), qPrintable(delivery.problem));
+    QVERIFY2(delivery.problem.contains(QStringLiteral("there is no folder ") + places.works),
+             qPrintable(delivery.problem));
     QVERIFY(!QDir(places.works).exists());
     verifyWork(kept.folder, work);
     QDir().mkpath(places.works); // it is mounted again
@@ -184,7 +193,8 @@ void TestClassArchive::aClosedFolder_isSaidAndWaitedFor()
     places.archive().keep(work);
     const Delivery delivery = places.archive().deliver();
     QFile::setPermissions(places.works, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    QVERIFY2(delivery.waiting == 1 && delivery.problem.contains(QStringLiteral("not permitted")), qPrintable(delivery.problem));
+    QVERIFY2(delivery.waiting == 1 && delivery.problem.contains(QStringLiteral("not permitted")),
+             qPrintable(delivery.problem));
     QCOMPARE(places.archive().deliver().moved.size(), 1);
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);
 }
@@ -198,7 +208,8 @@ void TestClassArchive::aFullDisk_isSaidAndWaitedFor()
     const TurnWork work = workOf(QStringLiteral("Ben"));
     const KeptWork kept = places.archive().keep(work);
     const Delivery delivery = places.archive().deliver();
-    QVERIFY2(delivery.waiting == 1 && delivery.problem.endsWith(QStringLiteral("the disk is full.")), qPrintable(delivery.problem));
+    QVERIFY2(delivery.waiting == 1 && delivery.problem.endsWith(QStringLiteral("the disk is full.")),
+             qPrintable(delivery.problem));
     QCOMPARE(Places::all(places.works), QStringList(QStringLiteral("filler")));
     verifyWork(kept.folder, work);
     QFile::remove(places.works + QStringLiteral("/filler"));
@@ -255,7 +266,8 @@ void TestClassArchive::leftovers_areSwept()
 {
     const Places places;
     places.archive().keep(workOf(QStringLiteral("Dana")));
-    const QString here = places.waiting + QStringLiteral("/.unfinished-1"), there = places.works + QStringLiteral("/.unfinished-2");
+    const QString here = places.waiting + QStringLiteral("/.unfinished-1"),
+                  there = places.works + QStringLiteral("/.unfinished-2");
     QVERIFY(QDir().mkpath(here) && QDir().mkpath(there));
     QVERIFY(places.archive().deliver().waiting == 0); // neither is taken for a work
     places.archive().sweep();

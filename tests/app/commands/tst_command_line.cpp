@@ -26,13 +26,14 @@ struct Answer
     /// Bad input: one line on stderr, nothing on stdout.
     bool isRefusal(const QString& with = {}) const
     {
-        return status == 2 && out.isEmpty() && err.count('\n') == 1 && err.endsWith('\n') && err.startsWith("fettle: ")
-               && QString::fromUtf8(err).contains(with);
+        return status == 2 && out.isEmpty() && err.count('\n') == 1 && err.endsWith('\n') &&
+               err.startsWith("fettle: ") && QString::fromUtf8(err).contains(with);
     }
 };
 
 /// A program as a script sees it: no display, the C locale unless told otherwise.
-Answer run(const QString& program, const QStringList& arguments, const QString& folder, const QMap<QString, QString>& variables = {})
+Answer run(const QString& program, const QStringList& arguments, const QString& folder,
+           const QMap<QString, QString>& variables = {})
 {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -86,7 +87,8 @@ const QByteArray cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv
                         "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 } // namespace
 
-#define VERIFY_REFUSED(answer, with) QVERIFY2((answer).isRefusal(QStringLiteral(with)), ((answer).err + (answer).out).constData())
+#define VERIFY_REFUSED(answer, with)                                                                                   \
+    QVERIFY2((answer).isRefusal(QStringLiteral(with)), ((answer).err + (answer).out).constData())
 
 class TestCommandLine : public QObject
 {
@@ -167,15 +169,20 @@ void TestCommandLine::version_andHelp()
     const Answer version = fettle({QStringLiteral("--version")});
     QCOMPARE(version.status, 0);
     QVERIFY(version.out.startsWith("fettle ") && version.out.count('\n') == 1 && version.err.isEmpty());
-    for (const QStringList& arguments : {QStringList{QStringLiteral("--help")}, {QStringLiteral("help")}, {QStringLiteral("help"), QStringLiteral("replay")},
-                                         {QStringLiteral("check"), QStringLiteral("--help")}, {QStringLiteral("convert"), QStringLiteral("--help")},
-                                         {QStringLiteral("help"), QStringLiteral("report")}, {QStringLiteral("sheet"), QStringLiteral("--help")}}) {
+    for (const QStringList& arguments : {QStringList{QStringLiteral("--help")},
+                                         {QStringLiteral("help")},
+                                         {QStringLiteral("help"), QStringLiteral("replay")},
+                                         {QStringLiteral("check"), QStringLiteral("--help")},
+                                         {QStringLiteral("convert"), QStringLiteral("--help")},
+                                         {QStringLiteral("help"), QStringLiteral("report")},
+                                         {QStringLiteral("sheet"), QStringLiteral("--help")}}) {
         const Answer help = fettle(arguments);
         QCOMPARE(help.status, 0);
         QVERIFY(help.out.contains("fettle") && help.err.isEmpty());
         QVERIFY(!help.out.contains("--help-all") && !help.out.contains("Qt"));
     }
-    QVERIFY(fettle({QStringLiteral("check"), QStringLiteral("--help")}).out.startsWith("Usage: fettle check [options] FILE..."));
+    QVERIFY(fettle({QStringLiteral("check"), QStringLiteral("--help")})
+                .out.startsWith("Usage: fettle check [options] FILE..."));
 }
 
 /// Done by a shell, which redirects and limits; $1 is the program.
@@ -183,10 +190,13 @@ void TestCommandLine::output_thatCannotBeWrittenIsAnError()
 {
     write(at("a.obj"), cube);
     const auto shell = [&](const char* script) {
-        return run(QStringLiteral("sh"), {QStringLiteral("-c"), QString::fromLatin1(script), QStringLiteral("sh"), QStringLiteral(FETTLE_PROGRAM)},
-                   m_folder->path());
+        return run(
+            QStringLiteral("sh"),
+            {QStringLiteral("-c"), QString::fromLatin1(script), QStringLiteral("sh"), QStringLiteral(FETTLE_PROGRAM)},
+            m_folder->path());
     };
-    for (const char* script : {"\"$1\" check a.obj > /dev/full", "\"$1\" check --json a.obj > /dev/full", "\"$1\" --version > /dev/full"})
+    for (const char* script :
+         {"\"$1\" check a.obj > /dev/full", "\"$1\" check --json a.obj > /dev/full", "\"$1\" --version > /dev/full"})
         VERIFY_REFUSED(shell(script), "standard output");
     write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
     VERIFY_REFUSED(shell("ulimit -f 1; \"$1\" replay --strokes s.json --out big.ply"), "big.ply was not written");
@@ -197,7 +207,9 @@ void TestCommandLine::files_thatMayNotBeReadSayWhy()
 {
     write(at("a.obj"), cube);
     QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("locked")));
-    const auto check = [&](const QString& name) { return fettle({QStringLiteral("check"), name}, {}, m_folder->path()); };
+    const auto check = [&](const QString& name) {
+        return fettle({QStringLiteral("check"), name}, {}, m_folder->path());
+    };
     QCOMPARE(check(QStringLiteral("a.obj")).status, 0);
     QFile::setPermissions(at("a.obj"), {});
     QFile::setPermissions(at("locked"), {});
@@ -209,13 +221,41 @@ void TestCommandLine::files_thatMayNotBeReadSayWhy()
 void TestCommandLine::usage_isRefused_data()
 {
     QTest::addColumn<QString>("line");
-    for (const char* line : {"check", "check --jsn a.stl", "check --json --csv a.stl", "convert", "convert a.stl", "convert a.stl b.stl c.stl",
-                             "convert a.stl b.stl --unit ft", "convert a.stl b.stl --size 0", "convert a.stl b.stl --triangles 3", "convert a.stl b.stl --triangles many", "convert a.stl b.stl --size nan", "convert a.stl b.stl --size 1e999",
-                             "convert a.stl b.stl --size 10mm", "convert a.stl b.stl --up x", "convert a.stl b.stl --inner-parts hollow", "convert a.stl b.stl --legalise --large-holes perhaps", "replay",
-                             "replay s.json", "replay --strokes", "replay --strokes s.json --verify most", "replay --strokes s.json --verify none --out a.stl",
-                             "replay --strokes s.json --stats ./s.json", "replay --strokes s.json --in a.stl --out b/../a.stl",
-                             "help me", "report", "report .", "report . . -o a.html", "report . -o a.txt", "report . -o", "report . -o a.html --unit ft",
-                             "sheet", "sheet .", "sheet a.stl -o a.svg", "sheet -o a.pdf", "sheet a.stl -o a.pdf --unit ft"})
+    for (const char* line : {"check",
+                             "check --jsn a.stl",
+                             "check --json --csv a.stl",
+                             "convert",
+                             "convert a.stl",
+                             "convert a.stl b.stl c.stl",
+                             "convert a.stl b.stl --unit ft",
+                             "convert a.stl b.stl --size 0",
+                             "convert a.stl b.stl --triangles 3",
+                             "convert a.stl b.stl --triangles many",
+                             "convert a.stl b.stl --size nan",
+                             "convert a.stl b.stl --size 1e999",
+                             "convert a.stl b.stl --size 10mm",
+                             "convert a.stl b.stl --up x",
+                             "convert a.stl b.stl --inner-parts hollow",
+                             "convert a.stl b.stl --legalise --large-holes perhaps",
+                             "replay",
+                             "replay s.json",
+                             "replay --strokes",
+                             "replay --strokes s.json --verify most",
+                             "replay --strokes s.json --verify none --out a.stl",
+                             "replay --strokes s.json --stats ./s.json",
+                             "replay --strokes s.json --in a.stl --out b/../a.stl",
+                             "help me",
+                             "report",
+                             "report .",
+                             "report . . -o a.html",
+                             "report . -o a.txt",
+                             "report . -o",
+                             "report . -o a.html --unit ft",
+                             "sheet",
+                             "sheet .",
+                             "sheet a.stl -o a.svg",
+                             "sheet -o a.pdf",
+                             "sheet a.stl -o a.pdf --unit ft"})
         QTest::newRow(line) << QString::fromUtf8(line);
 }
 
@@ -309,11 +349,26 @@ void TestCommandLine::check_cube()
     const Answer answer = fettle({QStringLiteral("check"), at("cube.obj"), QStringLiteral("--json")});
     QCOMPARE(answer.status, 0);
     const QJsonObject json = answer.json();
-    const QStringList keys{QStringLiteral("area_mm2"), QStringLiteral("bounds_solid"), QStringLiteral("closed"), QStringLiteral("components"),
-                           QStringLiteral("degenerate_faces"), QStringLiteral("faces"), QStringLiteral("file"), QStringLiteral("genus"),
-                           QStringLiteral("lattice_ok"), QStringLiteral("manifold"), QStringLiteral("max_edge_mm"), QStringLiteral("min_edge_mm"),
-                           QStringLiteral("oriented"), QStringLiteral("print_ready"), QStringLiteral("self_intersections"), QStringLiteral("size_mm"),
-                           QStringLiteral("strokes"), QStringLiteral("time_spent_s"), QStringLiteral("vertices"), QStringLiteral("volume_mm3")};
+    const QStringList keys{QStringLiteral("area_mm2"),
+                           QStringLiteral("bounds_solid"),
+                           QStringLiteral("closed"),
+                           QStringLiteral("components"),
+                           QStringLiteral("degenerate_faces"),
+                           QStringLiteral("faces"),
+                           QStringLiteral("file"),
+                           QStringLiteral("genus"),
+                           QStringLiteral("lattice_ok"),
+                           QStringLiteral("manifold"),
+                           QStringLiteral("max_edge_mm"),
+                           QStringLiteral("min_edge_mm"),
+                           QStringLiteral("oriented"),
+                           QStringLiteral("print_ready"),
+                           QStringLiteral("self_intersections"),
+                           QStringLiteral("size_mm"),
+                           QStringLiteral("strokes"),
+                           QStringLiteral("time_spent_s"),
+                           QStringLiteral("vertices"),
+                           QStringLiteral("volume_mm3")};
     QCOMPARE(json.keys(), keys);
     QCOMPARE(json[QStringLiteral("file")].toString(), at("cube.obj"));
     QCOMPARE(json[QStringLiteral("vertices")].toInt(), 8);
@@ -364,10 +419,12 @@ void TestCommandLine::check_severalAndFolders()
         QCOMPARE(row.count(','), rows[0].count(','));
 }
 
-/// Three hundred models by name as people sort; what cannot be read has its place, an empty folder and a closed one are told of beside it.
+/// Three hundred models by name as people sort; what cannot be read has its place, an empty folder and a closed one are
+/// told of beside it.
 void TestCommandLine::check_folderOfAClass()
 {
-    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("class")) && QDir(m_folder->path()).mkdir(QStringLiteral("empty")) &&
+    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("class")) &&
+            QDir(m_folder->path()).mkdir(QStringLiteral("empty")) &&
             QDir(m_folder->path()).mkdir(QStringLiteral("locked")));
     QFile::setPermissions(at("locked"), {});
     QStringList names;
@@ -375,17 +432,21 @@ void TestCommandLine::check_folderOfAClass()
         names << QStringLiteral("%1upil %2.obj").arg(QLatin1Char(i % 2 == 0 ? 'P' : 'p')).arg(i);
     for (const QString& name : names)
         write(at("class/") + name, name == names[41] ? QByteArray() : cube);
-    const Answer csv = fettle({QStringLiteral("check"), QStringLiteral("empty"), QStringLiteral("class"), QStringLiteral("locked"), QStringLiteral("--csv")}, {}, m_folder->path());
+    const Answer csv = fettle({QStringLiteral("check"), QStringLiteral("empty"), QStringLiteral("class"),
+                               QStringLiteral("locked"), QStringLiteral("--csv")},
+                              {}, m_folder->path());
     QFile::setPermissions(at("locked"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     QCOMPARE(csv.status, 2);
     QCOMPARE(csv.err.count('\n'), 3);
-    QVERIFY(csv.err.contains("empty: there is no model") && csv.err.contains("locked: this folder cannot be read") && csv.err.contains("Pupil 42.obj is empty"));
+    QVERIFY(csv.err.contains("empty: there is no model") && csv.err.contains("locked: this folder cannot be read") &&
+            csv.err.contains("Pupil 42.obj is empty"));
     const QList<QByteArray> rows = csv.out.trimmed().split('\n');
     QCOMPARE(rows.size(), 301);
     for (qsizetype i = 0; i < names.size(); ++i)
         QVERIFY2(rows[i + 1].startsWith("class/" + names[i].toUtf8() + ','), rows[i + 1].constData());
     QCOMPARE(rows[42], "class/Pupil 42.obj" + QByteArray(rows[0].count(','), ','));
-    QVERIFY(fettle({QStringLiteral("check"), QStringLiteral("--csv"), QStringLiteral("empty")}, {}, m_folder->path()).isRefusal(QStringLiteral("empty")));
+    QVERIFY(fettle({QStringLiteral("check"), QStringLiteral("--csv"), QStringLiteral("empty")}, {}, m_folder->path())
+                .isRefusal(QStringLiteral("empty")));
 }
 
 /// As RFC 4180 has it: each name comes back, whatever is in it, also one that is no UTF-8.
@@ -394,7 +455,8 @@ void TestCommandLine::check_csvOfOddNames()
     const std::vector<std::string> names = {"a,b.obj", "c \"quoted\".obj", "d\nline.obj", "e\xe9.obj", "=1+1.obj"};
     for (const std::string& name : names)
         core::writeMesh(m_folder->path().toStdString() + '/' + name, core::icosphere(1, 10));
-    const Answer csv = fettle({QStringLiteral("check"), QStringLiteral("--csv"), QStringLiteral(".")}, {}, m_folder->path());
+    const Answer csv =
+        fettle({QStringLiteral("check"), QStringLiteral("--csv"), QStringLiteral(".")}, {}, m_folder->path());
     std::filesystem::remove(m_folder->path().toStdString() + '/' + names[3]); // Qt would not find it
     QVERIFY2(csv.status == 0 && csv.err.isEmpty(), csv.err.constData());
     QStringList fields{QString()};
@@ -428,8 +490,8 @@ void TestCommandLine::check_csvOfOddNames()
 void TestCommandLine::check_tableOfLongNames()
 {
     const QString end = QStringLiteral("the end.obj");
-    const QStringList names{QStringLiteral("a.obj"), QString(150, u'b') + end, QStringLiteral("\u4e2d\u6587\u540d.obj"), QStringLiteral("d\ne.obj"),
-                            QString(60, QChar(0x4e2d)) + end};
+    const QStringList names{QStringLiteral("a.obj"), QString(150, u'b') + end, QStringLiteral("\u4e2d\u6587\u540d.obj"),
+                            QStringLiteral("d\ne.obj"), QString(60, QChar(0x4e2d)) + end};
     for (const QString& name : names)
         write(m_folder->filePath(name), cube);
     const Answer table = fettle({QStringLiteral("check"), QStringLiteral(".")}, {}, m_folder->path());
@@ -456,8 +518,10 @@ void TestCommandLine::check_workOfGlbFiles()
     QCOMPARE(known[QStringLiteral("strokes")], QJsonValue(12));
     QCOMPARE(known[QStringLiteral("time_spent_s")], QJsonValue(35));
     const QJsonObject unknown = fettle({QStringLiteral("check"), QStringLiteral("--json"), at("b.glb")}).json();
-    QVERIFY(unknown.contains(QStringLiteral("strokes")) && unknown[QStringLiteral("strokes")].isNull() && unknown[QStringLiteral("time_spent_s")].isNull());
-    const QList<QByteArray> rows = fettle({QStringLiteral("check"), QStringLiteral("--csv"), m_folder->path()}).out.trimmed().split('\n');
+    QVERIFY(unknown.contains(QStringLiteral("strokes")) && unknown[QStringLiteral("strokes")].isNull() &&
+            unknown[QStringLiteral("time_spent_s")].isNull());
+    const QList<QByteArray> rows =
+        fettle({QStringLiteral("check"), QStringLiteral("--csv"), m_folder->path()}).out.trimmed().split('\n');
     QVERIFY(rows[0].endsWith(",strokes,time_spent_s") && rows[1].endsWith(",12,35") && rows[2].endsWith(",,"));
 }
 
@@ -467,7 +531,8 @@ void TestCommandLine::check_print()
     write(at("plate.obj"), "v 0 0 0\nv 20 0 0\nv 20 0.5 0\nv 0 0.5 0\nv 0 0 20\nv 20 0 20\nv 20 0.5 20\nv 0 0.5 20\n"
                            "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     const QStringList asked{QStringLiteral("check"), at("plate.obj"), QStringLiteral("--print")};
-    const Answer answer = fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--bed"), QStringLiteral("25,15,10")});
+    const Answer answer =
+        fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--bed"), QStringLiteral("25,15,10")});
     QCOMPARE(answer.status, 0); // it is in fine fettle, thin as it is
     const QJsonObject json = answer.json();
     QCOMPARE(json.size(), 20 + 8);
@@ -480,21 +545,24 @@ void TestCommandLine::check_print()
     QVERIFY(!json[QStringLiteral("fits_bed")].toBool(true));
     QVERIFY(json[QStringLiteral("unit_doubt")].isNull());
 
-    const QJsonObject fine = fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--nozzle"), QStringLiteral("0.2")}).json();
+    const QJsonObject fine =
+        fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--nozzle"), QStringLiteral("0.2")}).json();
     QCOMPARE(fine[QStringLiteral("thin_share")].toDouble(-1), 0.0);
     QVERIFY(fine[QStringLiteral("fits_bed")].isNull());
 
     write(at("cube.obj"), cube);
     const Answer csv = fettle(asked + QStringList{at("cube.obj"), QStringLiteral("--csv")});
     QCOMPARE(csv.out.count('\n'), 3);
-    QVERIFY(csv.out.split('\n')[0].endsWith("print_ready,strokes,time_spent_s,wall_limit_mm,min_wall_rays_mm,min_wall_balls_mm,thin_share,overhang_share,"
-                                            "base_area_mm2,fits_bed,unit_doubt"));
+    QVERIFY(csv.out.split('\n')[0].endsWith(
+        "print_ready,strokes,time_spent_s,wall_limit_mm,min_wall_rays_mm,min_wall_balls_mm,thin_share,overhang_share,"
+        "base_area_mm2,fits_bed,unit_doubt"));
     QVERIFY(csv.out.contains(",inches\n"));
     QCOMPARE(fettle(asked + QStringList{at("cube.obj")}).out.count('\n'), 3);
     QVERIFY(fettle({QStringLiteral("check"), at("cube.obj")}).out.contains("inches"));
 
     write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const Answer open = fettle({QStringLiteral("check"), at("open.obj"), QStringLiteral("--print"), QStringLiteral("--json")});
+    const Answer open =
+        fettle({QStringLiteral("check"), at("open.obj"), QStringLiteral("--print"), QStringLiteral("--json")});
     QCOMPARE(open.status, 1);
     for (const char* key : {"min_wall_rays_mm", "min_wall_balls_mm", "thin_share", "unit_doubt"})
         QVERIFY2(open.json()[QLatin1String(key)].isNull(), key);
@@ -507,8 +575,8 @@ void TestCommandLine::check_overhangAngle()
     constexpr int corners = 64;
     for (int i = 0; i < corners; ++i) {
         const double turn = 2 * 3.14159265358979 * i / corners;
-        cone += "v " + QByteArray::number(10 * std::tan(3.14159265358979 / 6) * std::cos(turn), 'f', 7) + " 10 "
-                + QByteArray::number(10 * std::tan(3.14159265358979 / 6) * std::sin(turn), 'f', 7) + '\n';
+        cone += "v " + QByteArray::number(10 * std::tan(3.14159265358979 / 6) * std::cos(turn), 'f', 7) + " 10 " +
+                QByteArray::number(10 * std::tan(3.14159265358979 / 6) * std::sin(turn), 'f', 7) + '\n';
     }
     QByteArray lid = "f";
     for (int i = 0; i < corners; ++i) {
@@ -517,7 +585,9 @@ void TestCommandLine::check_overhangAngle()
     }
     write(at("cone.obj"), cone + lid + '\n');
     const auto share = [&](const QStringList& options) {
-        const Answer answer = fettle(QStringList{QStringLiteral("check"), at("cone.obj"), QStringLiteral("--print"), QStringLiteral("--json")} + options);
+        const Answer answer = fettle(
+            QStringList{QStringLiteral("check"), at("cone.obj"), QStringLiteral("--print"), QStringLiteral("--json")} +
+            options);
         return answer.json()[QStringLiteral("overhang_share")].toDouble(-1);
     };
     QCOMPARE(share({}), 0.0);
@@ -528,11 +598,15 @@ void TestCommandLine::check_overhangAngle()
 void TestCommandLine::check_unit()
 {
     write(at("cube.obj"), cube);
-    const QJsonObject inches = fettle({QStringLiteral("check"), QStringLiteral("--json"), QStringLiteral("--unit"), QStringLiteral("in"), at("cube.obj")}).json();
+    const QJsonObject inches = fettle({QStringLiteral("check"), QStringLiteral("--json"), QStringLiteral("--unit"),
+                                       QStringLiteral("in"), at("cube.obj")})
+                                   .json();
     QVERIFY(std::abs(inches[QStringLiteral("volume_mm3")].toDouble() - 25.4 * 25.4 * 25.4) < 0.01);
-    const Answer page = fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("in"), at("cube.obj")});
+    const Answer page =
+        fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("in"), at("cube.obj")});
     QVERIFY(page.status == 0 && !page.out.contains("inches")); // nobody doubts what was told
-    VERIFY_REFUSED(fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("ft"), at("cube.obj")}), "not ft");
+    VERIFY_REFUSED(fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("ft"), at("cube.obj")}),
+                   "not ft");
 }
 
 void TestCommandLine::check_printRefusals_data()
@@ -543,12 +617,17 @@ void TestCommandLine::check_printRefusals_data()
     QTest::newRow("nozzle alone") << QStringList{nozzle, QStringLiteral("0.4")} << QStringLiteral("--print");
     const QString overhang = QStringLiteral("--overhang");
     QTest::newRow("overhang alone") << QStringList{overhang, QStringLiteral("30")} << QStringLiteral("--print");
-    for (const QString& wrong : {QStringLiteral("-1"), QStringLiteral("90.5"), QStringLiteral("nan"), QStringLiteral("steep")})
-        QTest::addRow("overhang %s", qPrintable(wrong)) << QStringList{print, overhang, wrong} << QStringLiteral("--overhang ") + wrong;
+    for (const QString& wrong :
+         {QStringLiteral("-1"), QStringLiteral("90.5"), QStringLiteral("nan"), QStringLiteral("steep")})
+        QTest::addRow("overhang %s", qPrintable(wrong))
+            << QStringList{print, overhang, wrong} << QStringLiteral("--overhang ") + wrong;
     QTest::newRow("bed alone") << QStringList{bed, QStringLiteral("1,2,3")} << QStringLiteral("--print");
-    for (const QString& wrong : {QStringLiteral("0"), QStringLiteral("-1"), QStringLiteral("six"), QStringLiteral("nan"), QStringLiteral("0,4")})
-        QTest::addRow("nozzle %s", qPrintable(wrong)) << QStringList{print, nozzle, wrong} << QStringLiteral("--nozzle ") + wrong;
-    for (const QString& wrong : {QStringLiteral("200"), QStringLiteral("200,200"), QStringLiteral("200,200,0"), QStringLiteral("1,2,3,4"), QStringLiteral("a,b,c")})
+    for (const QString& wrong : {QStringLiteral("0"), QStringLiteral("-1"), QStringLiteral("six"),
+                                 QStringLiteral("nan"), QStringLiteral("0,4")})
+        QTest::addRow("nozzle %s", qPrintable(wrong))
+            << QStringList{print, nozzle, wrong} << QStringLiteral("--nozzle ") + wrong;
+    for (const QString& wrong : {QStringLiteral("200"), QStringLiteral("200,200"), QStringLiteral("200,200,0"),
+                                 QStringLiteral("1,2,3,4"), QStringLiteral("a,b,c")})
         QTest::addRow("bed %s", qPrintable(wrong)) << QStringList{print, bed, wrong} << QStringLiteral("--bed");
 }
 
@@ -593,7 +672,8 @@ void TestCommandLine::check_badFiles()
     const QStringList before = left();
     QVERIFY(fettle({QStringLiteral("convert"), path, at("out.stl")}).isRefusal());
     write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
-    QVERIFY(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"), path, QStringLiteral("--out"), at("out.stl")})
+    QVERIFY(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"), path,
+                    QStringLiteral("--out"), at("out.stl")})
                 .isRefusal());
     QFile::remove(at("s.json"));
     QCOMPARE(left(), before);
@@ -631,7 +711,10 @@ void TestCommandLine::convert_unitAndSize()
     const auto sizeAfter = [&](const QStringList& options) {
         if (fettle(QStringList{QStringLiteral("convert"), at("a.obj"), at("b.obj")} + options).status != 0)
             return -1.0;
-        return fettle({QStringLiteral("check"), QStringLiteral("--json"), at("b.obj")}).json()[QStringLiteral("size_mm")].toArray()[0].toDouble();
+        return fettle({QStringLiteral("check"), QStringLiteral("--json"), at("b.obj")})
+            .json()[QStringLiteral("size_mm")]
+            .toArray()[0]
+            .toDouble();
     };
     QCOMPARE(sizeAfter({}), 1.0);
     QCOMPARE(sizeAfter({QStringLiteral("--unit"), QStringLiteral("cm")}), 10.0);
@@ -647,24 +730,40 @@ void TestCommandLine::convert_triangles()
     for (const core::Vec3f& p : ball.points)
         ball.colors.push_back(p.x() > 0 ? core::Rgb{200, 10, 10} : core::Rgb{10, 10, 200});
     core::writeMesh(at("ball.ply").toStdString(), ball);
-    QCOMPARE(fettle({QStringLiteral("convert"), at("ball.ply"), at("few.glb"), QStringLiteral("--triangles"), QStringLiteral("400")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("ball.ply"), at("few.glb"), QStringLiteral("--triangles"),
+                     QStringLiteral("400")})
+                 .status,
+             0);
     const core::TriangleMesh few = core::readMesh(at("few.glb").toStdString());
     QVERIFY(few.triangles.size() <= 400 && few.triangles.size() > 390 && !few.colors.empty());
     QCOMPARE(fettle({QStringLiteral("check"), at("few.glb")}).status, 0);
-    QCOMPARE(fettle({QStringLiteral("convert"), at("ball.ply"), at("all.ply"), QStringLiteral("--triangles"), QStringLiteral("5120")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("ball.ply"), at("all.ply"), QStringLiteral("--triangles"),
+                     QStringLiteral("5120")})
+                 .status,
+             0);
     QVERIFY(core::readMesh(at("all.ply").toStdString()).points == ball.points);
 }
 
 void TestCommandLine::convert_up()
 {
-    write(at("a.obj"), QByteArray(cube).replace("v 1 1 1", "v 1 1 3").replace("v 0 1 1", "v 0 1 3").replace("v 1 0 1", "v 1 0 3").replace("v 0 0 1", "v 0 0 3"));
+    write(at("a.obj"), QByteArray(cube)
+                           .replace("v 1 1 1", "v 1 1 3")
+                           .replace("v 0 1 1", "v 0 1 3")
+                           .replace("v 1 0 1", "v 1 0 3")
+                           .replace("v 0 0 1", "v 0 0 3"));
     const auto sizes = [&](const char* name) {
-        return fettle({QStringLiteral("check"), QStringLiteral("--json"), at(name)}).json()[QStringLiteral("size_mm")].toArray();
+        return fettle({QStringLiteral("check"), QStringLiteral("--json"), at(name)})
+            .json()[QStringLiteral("size_mm")]
+            .toArray();
     };
     QCOMPARE(sizes("a.obj"), QJsonArray({1, 1, 3}));
-    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("b.obj"), QStringLiteral("--up"), QStringLiteral("z")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("b.obj"), QStringLiteral("--up"), QStringLiteral("z")})
+                 .status,
+             0);
     QCOMPARE(sizes("b.obj"), QJsonArray({1, 3, 1}));
-    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("c.obj"), QStringLiteral("--up"), QStringLiteral("y")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("c.obj"), QStringLiteral("--up"), QStringLiteral("y")})
+                 .status,
+             0);
     QCOMPARE(sizes("c.obj"), QJsonArray({1, 1, 3}));
 }
 
@@ -692,11 +791,13 @@ void TestCommandLine::convert_legalise()
     QVERIFY(answer.out.contains("The new surface is at most"));
     QVERIFY(core::checkMesh(core::readMesh(at("out.stl").toStdString())).printReady());
 
-    QCOMPARE(fettle({QStringLiteral("convert"), at("out.stl"), at("same.stl"), QStringLiteral("--legalise")}).out, QByteArray());
+    QCOMPARE(fettle({QStringLiteral("convert"), at("out.stl"), at("same.stl"), QStringLiteral("--legalise")}).out,
+             QByteArray());
     QCOMPARE(read(at("same.stl")), read(at("out.stl"))); // what is in order stays as it is
 
     write(at("sheet.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const Answer no = fettle({QStringLiteral("convert"), at("sheet.obj"), at("none.stl"), QStringLiteral("--legalise")});
+    const Answer no =
+        fettle({QStringLiteral("convert"), at("sheet.obj"), at("none.stl"), QStringLiteral("--legalise")});
     QCOMPARE(no.status, 1);
     QVERIFY(no.out.isEmpty() && no.err.contains("sheet.obj") && no.err.count('\n') == 1);
     QVERIFY(!QFile::exists(at("none.stl")));
@@ -742,7 +843,8 @@ void TestCommandLine::convert_ontoAFullDisk()
     if (!m_smallDisk->isThere())
         QSKIP("A small disk cannot be mounted here.");
     QFETCH(QString, name);
-    const QString folder = QString::fromStdString(m_smallDisk->folder().string()), out = folder + QLatin1Char('/') + name;
+    const QString folder = QString::fromStdString(m_smallDisk->folder().string()),
+                  out = folder + QLatin1Char('/') + name;
     core::writeMesh(at("large.stl").toStdString(), core::icosphere(5, 10));
     write(at("a.obj"), cube);
     QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), out}).status, 0); // there is room for this
@@ -777,7 +879,8 @@ void TestCommandLine::pages_ontoAFullDisk()
     m_smallDisk->fill();
     const QString folder = QString::fromStdString(m_smallDisk->folder().string());
     const QStringList files = filesIn(folder);
-    VERIFY_REFUSED(fettle({command, m_folder->path(), QStringLiteral("-o"), folder + QLatin1Char('/') + name}), "the disk is full.");
+    VERIFY_REFUSED(fettle({command, m_folder->path(), QStringLiteral("-o"), folder + QLatin1Char('/') + name}),
+                   "the disk is full.");
     QCOMPARE(filesIn(folder), files);
     QFile::remove(folder + QStringLiteral("/filler"));
 }
@@ -797,19 +900,23 @@ void TestCommandLine::convert_whereNothingMayBeWritten()
     QCOMPARE(filesIn(at("closed")), QStringList{QStringLiteral("old.obj")});
     QCOMPARE(read(at("closed/old.obj")), "old");
     QFile::setPermissions(at("closed/old.obj"), QFile::ReadOwner); // it would be replaced, not written
-    VERIFY_REFUSED(fettle({QStringLiteral("convert"), at("a.obj"), at("closed/old.obj")}), "cannot be written: it is not permitted");
+    VERIFY_REFUSED(fettle({QStringLiteral("convert"), at("a.obj"), at("closed/old.obj")}),
+                   "cannot be written: it is not permitted");
     QCOMPARE(read(at("closed/old.obj")), "old");
 }
 
 void TestCommandLine::replay_statsHaveTheFields()
 {
-    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,7,0]})"));
-    const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"), at("t.json")});
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)",
+                                R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,7,0]})"));
+    const Answer answer = fettle(
+        {QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"), at("t.json")});
     QCOMPARE(answer.status, 0);
     QVERIFY2(answer.err.isEmpty() && answer.out.isEmpty(), answer.err.constData());
     const QJsonObject stats = QJsonDocument::fromJson(read(at("t.json"))).object();
-    for (const char* key : {"vertices", "faces", "euler", "components", "genus", "splits", "collapses", "flips", "fusions", "separations", "rolled_back",
-                            "verify_tiers", "peak_rss_mb", "mesh_hash", "dabs"})
+    for (const char* key :
+         {"vertices", "faces", "euler", "components", "genus", "splits", "collapses", "flips", "fusions", "separations",
+          "rolled_back", "verify_tiers", "peak_rss_mb", "mesh_hash", "dabs"})
         QVERIFY2(stats.contains(QLatin1String(key)), key);
     QCOMPARE(stats[QStringLiteral("euler")].toInt(), 2);
     QCOMPARE(stats[QStringLiteral("components")].toInt(), 1);
@@ -820,8 +927,9 @@ void TestCommandLine::replay_statsHaveTheFields()
     const QJsonArray dabs = stats[QStringLiteral("dabs")].toArray();
     QCOMPARE(dabs.size(), 3);
     for (const QJsonValue& dab : dabs)
-        for (const char* key : {"select_ms", "optimise_ms", "deform_ms", "fuse_ms", "verify_ms", "total_ms", "touched_vertices", "touched_faces", "substeps",
-                                "asked", "reached", "contact", "wall", "capped", "longest_edge", "conforming_share", "smallest_angle_deg", "outcome"})
+        for (const char* key : {"select_ms", "optimise_ms", "deform_ms", "fuse_ms", "verify_ms", "total_ms",
+                                "touched_vertices", "touched_faces", "substeps", "asked", "reached", "contact", "wall",
+                                "capped", "longest_edge", "conforming_share", "smallest_angle_deg", "outcome"})
             QVERIFY2(dab.toObject().contains(QLatin1String(key)), key);
     QVERIFY(dabs[0].toObject()[QStringLiteral("longest_edge")].toDouble(2) <= 1);
     QVERIFY(dabs[0].toObject()[QStringLiteral("conforming_share")].toDouble() > 0.9);
@@ -836,11 +944,17 @@ void TestCommandLine::replay_statsHaveTheFields()
 
 void TestCommandLine::replay_isDeterministic()
 {
-    write(at("s.json"), strokes(R"("tool":"pull","radius":0.3,"spacing":0.1)", R"({"position":[1,0,0]},{"position":[0,1,0]})"));
+    write(at("s.json"),
+          strokes(R"("tool":"pull","radius":0.3,"spacing":0.1)", R"({"position":[1,0,0]},{"position":[0,1,0]})"));
     QByteArray hash;
     for (int i = 0; i < 3; ++i) {
-        QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"), at("t.json"), QStringLiteral("--out"), at("o.ply")}).status, 0);
-        const QByteArray now = QJsonDocument::fromJson(read(at("t.json"))).object()[QStringLiteral("mesh_hash")].toString().toLatin1() + read(at("o.ply"));
+        QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"),
+                         at("t.json"), QStringLiteral("--out"), at("o.ply")})
+                     .status,
+                 0);
+        const QByteArray now =
+            QJsonDocument::fromJson(read(at("t.json"))).object()[QStringLiteral("mesh_hash")].toString().toLatin1() +
+            read(at("o.ply"));
         QVERIFY(i == 0 || now == hash);
         hash = now;
     }
@@ -849,8 +963,12 @@ void TestCommandLine::replay_isDeterministic()
 void TestCommandLine::replay_outIsInOrder()
 {
     for (const char* tool : {"pull", "push", "smooth"}) {
-        write(at("s.json"), strokes("\"tool\":\"" + QByteArray(tool) + "\",\"radius\":0.3,\"spacing\":0.2", R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,0,1]})"));
-        QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--out"), at("o.stl")}).status, 0);
+        write(at("s.json"), strokes("\"tool\":\"" + QByteArray(tool) + "\",\"radius\":0.3,\"spacing\":0.2",
+                                    R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,0,1]})"));
+        QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--out"),
+                         at("o.stl")})
+                     .status,
+                 0);
         QCOMPARE(fettle({QStringLiteral("check"), at("o.stl")}).status, 0);
     }
 }
@@ -858,8 +976,14 @@ void TestCommandLine::replay_outIsInOrder()
 void TestCommandLine::replay_fullVerifies()
 {
     write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0]},{"position":[0,1,0]})"));
-    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--verify"), QStringLiteral("full")}).status, 0);
-    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--verify"), QStringLiteral("none"), QStringLiteral("--stats"), at("t.json")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--verify"),
+                     QStringLiteral("full")})
+                 .status,
+             0);
+    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--verify"),
+                     QStringLiteral("none"), QStringLiteral("--stats"), at("t.json")})
+                 .status,
+             0);
 }
 
 void TestCommandLine::replay_neverMovesTheModel()
@@ -869,7 +993,10 @@ void TestCommandLine::replay_neverMovesTheModel()
         p += core::Vec3f(2, 0, 0);
     core::writeMesh(at("a.ply").toStdString(), model);
     write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[3,0,0]})"));
-    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"), at("a.ply"), QStringLiteral("--out"), at("b.ply")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"),
+                     at("a.ply"), QStringLiteral("--out"), at("b.ply")})
+                 .status,
+             0);
     core::Box box;
     for (const core::Vec3f& p : core::readMesh(at("b.ply").toStdString()).points)
         box.extend(p.cast<double>());
@@ -878,7 +1005,9 @@ void TestCommandLine::replay_neverMovesTheModel()
     for (core::Vec3f& p : model.points)
         p += core::Vec3f(100000, 0, 0);
     core::writeMesh(at("a.ply").toStdString(), model);
-    VERIFY_REFUSED(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"), at("a.ply")}), "a.ply");
+    VERIFY_REFUSED(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"),
+                           at("a.ply")}),
+                   "a.ply");
 }
 
 void TestCommandLine::replay_refusals_data()
@@ -892,39 +1021,52 @@ void TestCommandLine::replay_refusals_data()
     QTest::newRow("sectors") << strokes(R"("tool":"pull","radius":1,"radial":33)") << QStringLiteral("radial");
     QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
     QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");
-    QTest::newRow("infinite") << strokes(R"("tool":"pull","radius":1)", R"({"position":[1e999,0,0]})") << QStringLiteral("position");
+    QTest::newRow("infinite") << strokes(R"("tool":"pull","radius":1)", R"({"position":[1e999,0,0]})")
+                              << QStringLiteral("position");
     QTest::newRow("denormal radius") << strokes(R"("tool":"pull","radius":1e-310)") << QStringLiteral("radius");
     QTest::newRow("radius 0") << strokes(R"("tool":"pull","radius":0)") << QStringLiteral("radius");
-    QTest::newRow("radius below the lattice's detail") << strokes(R"("tool":"pull","radius":0.001)") << QStringLiteral("radius");
+    QTest::newRow("radius below the lattice's detail")
+        << strokes(R"("tool":"pull","radius":0.001)") << QStringLiteral("radius");
     QTest::newRow("radius beyond the volume") << strokes(R"("tool":"pull","radius":9)") << QStringLiteral("radius");
     QTest::newRow("detail length below the lattice's")
-        << strokes(R"("tool":"pull","radius":1,"topology":"uniform","detail_length":0.0001)") << QStringLiteral("detail_length");
-    QTest::newRow("position outside the volume") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,-8.5,0]})")
-                                                 << QStringLiteral("stroke 1, sample 2");
-    QTest::newRow("jump of ten kilometres") << strokes(R"("tool":"pull","radius":1,"spacing":0.1)", R"({"position":[0,0,1]},{"position":[1e7,0,1]})")
-                                            << QStringLiteral("position");
-    QTest::newRow("nearest from outside") << strokes(R"("tool":"pull","radius":1,"place":"nearest")", R"({"position":[9,0,0]})")
-                                          << QStringLiteral("position");
-    QTest::newRow("no direction") << strokes(R"("tool":"pull","radius":1,"place":"ray")", R"({"position":[0,0,9],"direction":[0,0,1e-310]})")
+        << strokes(R"("tool":"pull","radius":1,"topology":"uniform","detail_length":0.0001)")
+        << QStringLiteral("detail_length");
+    QTest::newRow("position outside the volume")
+        << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,-8.5,0]})")
+        << QStringLiteral("stroke 1, sample 2");
+    QTest::newRow("jump of ten kilometres")
+        << strokes(R"("tool":"pull","radius":1,"spacing":0.1)", R"({"position":[0,0,1]},{"position":[1e7,0,1]})")
+        << QStringLiteral("position");
+    QTest::newRow("nearest from outside")
+        << strokes(R"("tool":"pull","radius":1,"place":"nearest")", R"({"position":[9,0,0]})")
+        << QStringLiteral("position");
+    QTest::newRow("no direction") << strokes(R"("tool":"pull","radius":1,"place":"ray")",
+                                             R"({"position":[0,0,9],"direction":[0,0,1e-310]})")
                                   << QStringLiteral("direction");
     QTest::newRow("falloff 2") << strokes(R"("tool":"pull","radius":1,"falloff":2)") << QStringLiteral("0 or 3 to 16");
-    QTest::newRow("falloff 17") << strokes(R"("tool":"pull","radius":1,"falloff":17)") << QStringLiteral("0 or 3 to 16");
-    QTest::newRow("spacing too small") << strokes(R"("tool":"pull","radius":1,"spacing":0.0001)") << QStringLiteral("0 or 0.001 to 4");
-    QTest::newRow("spacing too large") << strokes(R"("tool":"pull","radius":1,"spacing":5)") << QStringLiteral("0 or 0.001 to 4");
-    QTest::newRow("place") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,0,1],"pressure":7})")
+    QTest::newRow("falloff 17") << strokes(R"("tool":"pull","radius":1,"falloff":17)")
+                                << QStringLiteral("0 or 3 to 16");
+    QTest::newRow("spacing too small") << strokes(R"("tool":"pull","radius":1,"spacing":0.0001)")
+                                       << QStringLiteral("0 or 0.001 to 4");
+    QTest::newRow("spacing too large") << strokes(R"("tool":"pull","radius":1,"spacing":5)")
+                                       << QStringLiteral("0 or 0.001 to 4");
+    QTest::newRow("place") << strokes(R"("tool":"pull","radius":1)",
+                                      R"({"position":[0,0,1]},{"position":[0,0,1],"pressure":7})")
                            << QStringLiteral("stroke 1, sample 2");
     QTest::newRow("cut off") << strokes(R"("tool":"pull","radius":1)").chopped(10) << QStringLiteral("line 1");
 }
 
 void TestCommandLine::replay_extremesHaveAnAnswer()
 {
-    for (const QByteArray& text : {strokes(R"("tool":"pull","radius":3)"), strokes(R"("tool":"pull","radius":8,"strength":10)"),
-                                   strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1e-310,0,1],"pressure":1e-310})"),
-                                   strokes(R"("tool":"pull","radius":0.25,"place":"ray")", R"({"position":[0,0,1e9],"direction":[0,0,-1]})"),
-                                   strokes(R"("tool":"pull","radius":0.25,"brush":"ray","spacing":0.1)",
-                                           R"({"position":[0,0,1e7],"direction":[0,0,-1]},{"position":[1e7,0,0],"direction":[-1,0,0]})")}) {
+    for (const QByteArray& text :
+         {strokes(R"("tool":"pull","radius":3)"), strokes(R"("tool":"pull","radius":8,"strength":10)"),
+          strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1e-310,0,1],"pressure":1e-310})"),
+          strokes(R"("tool":"pull","radius":0.25,"place":"ray")", R"({"position":[0,0,1e9],"direction":[0,0,-1]})"),
+          strokes(R"("tool":"pull","radius":0.25,"brush":"ray","spacing":0.1)",
+                  R"({"position":[0,0,1e7],"direction":[0,0,-1]},{"position":[1e7,0,0],"direction":[-1,0,0]})")}) {
         write(at("s.json"), text);
-        const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--out"), at("o.stl")});
+        const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"),
+                                      QStringLiteral("--out"), at("o.stl")});
         QVERIFY2(answer.status == 0 && answer.err.isEmpty(), text + answer.err);
         QCOMPARE(fettle({QStringLiteral("check"), at("o.stl")}).status, 0);
     }
@@ -935,7 +1077,8 @@ void TestCommandLine::replay_refusals()
     QFETCH(QByteArray, text);
     QFETCH(QString, with);
     write(at("s.json"), text);
-    const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--out"), at("o.stl"), QStringLiteral("--stats"), at("t.json")});
+    const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"),
+                                  QStringLiteral("--out"), at("o.stl"), QStringLiteral("--stats"), at("t.json")});
     QVERIFY2(answer.isRefusal(with) && answer.isRefusal(QStringLiteral("s.json")), answer.err.constData());
     QCOMPARE(left(), QStringList{QStringLiteral("s.json")});
 }
@@ -947,17 +1090,21 @@ void TestCommandLine::replay_refusalWritesNothing()
     write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("o.what")}), "o.what");
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")}), "o.stl");
-    QVERIFY(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")}).isRefusal(QStringLiteral("there is no folder ") + at("none")));
+    QVERIFY(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")})
+                .isRefusal(QStringLiteral("there is no folder ") + at("none")));
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--stats"), at("none/t.json")}), "t.json");
     VERIFY_REFUSED(fettle(replay + QStringList{at("a.stl")}), "a.stl");
     write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--in"), at("open.obj"), QStringLiteral("--out"), at("o.stl")}), "open.obj");
+    VERIFY_REFUSED(
+        fettle(replay + QStringList{QStringLiteral("--in"), at("open.obj"), QStringLiteral("--out"), at("o.stl")}),
+        "open.obj");
     QCOMPARE(left(), QStringList({QStringLiteral("open.obj"), QStringLiteral("s.json")}));
 }
 
 void TestCommandLine::replay_radiusHasToFitTheLattice()
 {
-    for (const char* stroke : {R"("tool":"pull","radius":0.0005)", R"("tool":"pull","radius":100)", R"("tool":"pull","radius":0.01,"detail":0.05)"}) {
+    for (const char* stroke : {R"("tool":"pull","radius":0.0005)", R"("tool":"pull","radius":100)",
+                               R"("tool":"pull","radius":0.01,"detail":0.05)"}) {
         write(at("s.json"), strokes(stroke));
         VERIFY_REFUSED(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json")}), "stroke 1");
     }
@@ -970,8 +1117,16 @@ void TestCommandLine::numbers_haveNoLocale()
     write(at("a.obj"), QByteArray(cube).replace("v 1 ", "v 1.5 "));
     for (const char* locale : {"C", "de_DE.UTF-8"}) {
         const QMap<QString, QString> variables{{QStringLiteral("LC_ALL"), QString::fromLatin1(locale)}};
-        QCOMPARE(fettle({QStringLiteral("check"), QStringLiteral("--json"), at("a.obj")}, variables).json()[QStringLiteral("size_mm")].toArray()[0].toDouble(), 1.5);
-        QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("b.obj"), QStringLiteral("--size"), QStringLiteral("2.5")}, variables).status, 0);
+        QCOMPARE(fettle({QStringLiteral("check"), QStringLiteral("--json"), at("a.obj")}, variables)
+                     .json()[QStringLiteral("size_mm")]
+                     .toArray()[0]
+                     .toDouble(),
+                 1.5);
+        QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("b.obj"), QStringLiteral("--size"),
+                         QStringLiteral("2.5")},
+                        variables)
+                     .status,
+                 0);
     }
 }
 

@@ -38,7 +38,8 @@ core::TriangleMesh awkwardTriangles()
     core::TriangleMesh mesh;
     for (core::Slot i = 0; i < 300; ++i) {
         mesh.points.emplace_back(coordinate(), coordinate(), coordinate());
-        mesh.colors.push_back({static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine())});
+        mesh.colors.push_back({static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine()),
+                               static_cast<std::uint8_t>(engine())});
         if (i % 3 == 2)
             mesh.triangles.push_back({i - 2, i - 1, i});
     }
@@ -103,12 +104,16 @@ void TestGermanLocale::textByOthers_isRead_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<QByteArray>("text");
     QTest::newRow("STL") << QStringLiteral("b.stl")
-                         << QByteArray("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0.125 0 0\nvertex 1.5e0 0 0\nvertex 0 2.75 0\nendloop\nendfacet\nendsolid s\n");
+                         << QByteArray("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0.125 0 0\nvertex 1.5e0 0 "
+                                       "0\nvertex 0 2.75 0\nendloop\nendfacet\nendsolid s\n");
     QTest::newRow("OBJ") << QStringLiteral("b.obj") << QByteArray("v 0.125 0 0\nv 1.5e0 0 0\nv 0 0 -2.75\nf 1 2 3\n");
-    QTest::newRow("PLY") << QStringLiteral("b.ply")
-                         << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                                       "property list uchar int vertex_indices\nend_header\n0.125 0 0\n1.5e0 0 0\n0 0 -2.75\n3 0 1 2\n");
-    QTest::newRow("OFF") << QStringLiteral("b.off") << QByteArray("OFF\n3 1 0\n0.125 0 0\n1.5e0 0 0\n0 0 -2.75\n3 0 1 2\n");
+    QTest::newRow("PLY")
+        << QStringLiteral("b.ply")
+        << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+                      "z\nelement face 1\n"
+                      "property list uchar int vertex_indices\nend_header\n0.125 0 0\n1.5e0 0 0\n0 0 -2.75\n3 0 1 2\n");
+    QTest::newRow("OFF") << QStringLiteral("b.off")
+                         << QByteArray("OFF\n3 1 0\n0.125 0 0\n1.5e0 0 0\n0 0 -2.75\n3 0 1 2\n");
     QTest::newRow("by Assimp") << QStringLiteral("b.nff") << QByteArray("p 3\n0.125 0 0\n1.5 0 0\n0 0 -2.75\n");
 }
 
@@ -148,8 +153,10 @@ void TestGermanLocale::commands_writeAndReadPoints()
         return process.exitCode() == 0 ? process.readAllStandardOutput() : QByteArray();
     };
     const auto text = [](const char* word) { return QString::fromLatin1(word); };
-    fettle({text("convert"), at("ball.obj"), at("inches.ply"), text("--unit"), text("in"), text("--size"), text("63.5")});
-    const QByteArray answer = fettle({text("check"), text("--print"), text("--overhang"), text("37.5"), text("--json"), at("inches.ply")});
+    fettle(
+        {text("convert"), at("ball.obj"), at("inches.ply"), text("--unit"), text("in"), text("--size"), text("63.5")});
+    const QByteArray answer =
+        fettle({text("check"), text("--print"), text("--overhang"), text("37.5"), text("--json"), at("inches.ply")});
     const QJsonObject json = QJsonDocument::fromJson(answer).object();
     QVERIFY2(std::abs(json[text("size_mm")][1].toDouble() - 63.5) < 1e-3, answer.constData());
     QVERIFY(json[text("overhang_share")].toDouble() > 0.1);

@@ -24,7 +24,8 @@ Answer lesson(const QStringList& arguments)
     program.start(QStringLiteral(FETTLE_PROGRAM), QStringList(QStringLiteral("lesson")) + arguments);
     if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit)
         return {};
-    return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()), QString::fromUtf8(program.readAllStandardError())};
+    return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()),
+            QString::fromUtf8(program.readAllStandardError())};
 }
 
 /// The first of ours, with something else in its lesson.json.
@@ -55,7 +56,9 @@ class TestLessonCommand : public QObject
 private Q_SLOTS:
     void ours_areListedInEachLanguage()
     {
-        for (const auto& [language, title] : {std::pair("en", "A mug with a handle"), std::pair("de", "Eine Tasse mit Henkel"), std::pair("zh", "带把手的杯子")}) {
+        for (const auto& [language, title] :
+             {std::pair("en", "A mug with a handle"), std::pair("de", "Eine Tasse mit Henkel"),
+              std::pair("zh", "带把手的杯子")}) {
             const Answer answer = lesson({QStringLiteral("--language"), QString::fromLatin1(language)});
             QCOMPARE(answer.status, 0);
             QVERIFY(answer.out.contains(QString::fromUtf8(title)));
@@ -67,8 +70,10 @@ private Q_SLOTS:
     void played_saysEachVerdict()
     {
         const QTemporaryDir folder;
-        const QString zip = folder.filePath(QStringLiteral("clay.zip")), model = folder.filePath(QStringLiteral("pear.ply"));
-        const Answer answer = lesson({QStringLiteral("first-clay"), QStringLiteral("--pack"), zip, QStringLiteral("--out"), model, QStringLiteral("--pictures"), folder.path()});
+        const QString zip = folder.filePath(QStringLiteral("clay.zip")),
+                      model = folder.filePath(QStringLiteral("pear.ply"));
+        const Answer answer = lesson({QStringLiteral("first-clay"), QStringLiteral("--pack"), zip,
+                                      QStringLiteral("--out"), model, QStringLiteral("--pictures"), folder.path()});
         QVERIFY2(answer.status == 0 && answer.err.isEmpty(), qPrintable(answer.err));
         QCOMPARE(answer.out.count(QStringLiteral("\n   yes ")), 10);
         QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 0);
@@ -96,11 +101,13 @@ private Q_SLOTS:
     void pupilsModel_isJudged()
     {
         const QTemporaryDir folder;
-        const QString ball = folder.filePath(QStringLiteral("ball.stl")), pear = folder.filePath(QStringLiteral("pear.stl"));
+        const QString ball = folder.filePath(QStringLiteral("ball.stl")),
+                      pear = folder.filePath(QStringLiteral("pear.stl"));
         core::writeMesh(ball.toStdString(), core::starterModel(core::Starter::Ball));
         QCOMPARE(lesson({QStringLiteral("first-clay"), QStringLiteral("--out"), pear}).status, 0);
         const auto judged = [](const QString& model, const char* step) {
-            return lesson({QStringLiteral("first-clay"), QStringLiteral("--model"), model, QStringLiteral("--step"), QString::fromLatin1(step)});
+            return lesson({QStringLiteral("first-clay"), QStringLiteral("--model"), model, QStringLiteral("--step"),
+                           QString::fromLatin1(step)});
         };
         QCOMPARE(judged(pear, "4").status, 0);
         QCOMPARE(judged(ball, "4").status, 1);
@@ -116,13 +123,19 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("from");
         QTest::addColumn<QByteArray>("to");
         QTest::addColumn<QString>("with");
-        QTest::newRow("newer") << QByteArray("\"version\": 1") << QByteArray("\"version\": 2") << QStringLiteral("newer version");
-        QTest::newRow("outside") << QByteArray("step-2.png") << QByteArray("../step-2.png") << QStringLiteral("step 2 (steps[1]): it names a file outside");
-        QTest::newRow("gone") << QByteArray("push.json") << QByteArray("none.json") << QStringLiteral("none.json, step 2 (steps[1]): this file is named, but not there");
-        QTest::newRow("no strokes") << QByteArray("push.json") << QByteArray("step-1.png") << QStringLiteral("step-1.png, step 2 (steps[1]), line 1");
-        QTest::newRow("no words") << QByteArray("\"Den Hals ziehen\"") << QByteArray("\"\"") << QStringLiteral("no words");
+        QTest::newRow("newer") << QByteArray("\"version\": 1") << QByteArray("\"version\": 2")
+                               << QStringLiteral("newer version");
+        QTest::newRow("outside") << QByteArray("step-2.png") << QByteArray("../step-2.png")
+                                 << QStringLiteral("step 2 (steps[1]): it names a file outside");
+        QTest::newRow("gone") << QByteArray("push.json") << QByteArray("none.json")
+                              << QStringLiteral("none.json, step 2 (steps[1]): this file is named, but not there");
+        QTest::newRow("no strokes") << QByteArray("push.json") << QByteArray("step-1.png")
+                                    << QStringLiteral("step-1.png, step 2 (steps[1]), line 1");
+        QTest::newRow("no words") << QByteArray("\"Den Hals ziehen\"") << QByteArray("\"\"")
+                                  << QStringLiteral("no words");
         QTest::newRow("no JSON") << QByteArray("\"steps\":") << QByteArray("steps:") << QStringLiteral("not JSON");
-        QTest::newRow("unknown") << QByteArray("\"summary\"") << QByteArray("\"sumary\"") << QStringLiteral("unknown key sumary");
+        QTest::newRow("unknown") << QByteArray("\"summary\"") << QByteArray("\"sumary\"")
+                                 << QStringLiteral("unknown key sumary");
     }
     void badInput_isOneSentence()
     {
@@ -135,19 +148,21 @@ private Q_SLOTS:
         const Answer answer = lesson({bad});
         QCOMPARE(answer.status, 2);
         QVERIFY(answer.out.isEmpty());
-        QVERIFY2(answer.err.startsWith(QStringLiteral("fettle: ") + bad) && answer.err.count(QLatin1Char('\n')) == 1 && answer.err.contains(with),
+        QVERIFY2(answer.err.startsWith(QStringLiteral("fettle: ") + bad) && answer.err.count(QLatin1Char('\n')) == 1 &&
+                     answer.err.contains(with),
                  qPrintable(answer.err));
     }
 
     void badUsage_isOneSentence()
     {
-        for (const QStringList& arguments : QList<QStringList>{{QStringLiteral("nothing-of-ours")},
-                                                               {QStringLiteral("mug"), QStringLiteral("creature")},
-                                                               {QStringLiteral("mug"), QStringLiteral("--step"), QStringLiteral("1")},
-                                                               {QStringLiteral("mug"), QStringLiteral("--pack"), QStringLiteral("mug.rar")},
-                                                               {QStringLiteral("mug"), QStringLiteral("--unpack"), QStringLiteral("mug.zip")},
-                                                               {QStringLiteral("--out"), QStringLiteral("a.stl")},
-                                                               {QStringLiteral("mug"), QStringLiteral("--out"), QStringLiteral("a.xyz")}}) {
+        for (const QStringList& arguments :
+             QList<QStringList>{{QStringLiteral("nothing-of-ours")},
+                                {QStringLiteral("mug"), QStringLiteral("creature")},
+                                {QStringLiteral("mug"), QStringLiteral("--step"), QStringLiteral("1")},
+                                {QStringLiteral("mug"), QStringLiteral("--pack"), QStringLiteral("mug.rar")},
+                                {QStringLiteral("mug"), QStringLiteral("--unpack"), QStringLiteral("mug.zip")},
+                                {QStringLiteral("--out"), QStringLiteral("a.stl")},
+                                {QStringLiteral("mug"), QStringLiteral("--out"), QStringLiteral("a.xyz")}}) {
             const Answer answer = lesson(arguments);
             QCOMPARE(answer.status, 2);
             QVERIFY(answer.out.isEmpty() && answer.err.count(QLatin1Char('\n')) == 1);

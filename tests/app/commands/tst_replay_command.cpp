@@ -2,8 +2,8 @@
 #include "app/model/model_loader.h"
 #include "core/io/mesh_io.h"
 #include "core/operations/model_command.h"
-#include "core/sculpt/sculptor.h"
 #include "core/operations/starter_models.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/solid_asserts.h"
 
 #include <nlohmann/json.hpp>
@@ -36,8 +36,9 @@ public:
         file.write(Json{{"format", "fettle-strokes"}, {"version", 1}, {"strokes", entries}}.dump().c_str());
         file.close();
         QProcess program;
-        program.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("replay"), QStringLiteral("--strokes"), path("strokes.json"), QStringLiteral("--out"),
-                                                       path("out.ply"), QStringLiteral("--stats"), path("stats.json")});
+        program.start(QStringLiteral(FETTLE_PROGRAM),
+                      {QStringLiteral("replay"), QStringLiteral("--strokes"), path("strokes.json"),
+                       QStringLiteral("--out"), path("out.ply"), QStringLiteral("--stats"), path("stats.json")});
         if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit)
             return -1;
         complaint = program.readAllStandardError();
@@ -95,8 +96,15 @@ void TestReplayCommand::everyToolAndMode_isPlayed()
                     const double angle = 0.4 * static_cast<double>(entries.size());
                     const Json sample = {{"position", {2 * std::cos(angle), 0.3, 2 * std::sin(angle)}},
                                          {"direction", {-std::cos(angle), -0.15, -std::sin(angle)}}};
-                    entries.push_back({{"tool", tool}, {"brush", brush}, {"topology", topology}, {"symmetry", symmetry}, {"place", "ray"},
-                                       {"radius", 0.25}, {"strength", 0.5}, {"color", {10, 20, 30}}, {"samples", {sample}}});
+                    entries.push_back({{"tool", tool},
+                                       {"brush", brush},
+                                       {"topology", topology},
+                                       {"symmetry", symmetry},
+                                       {"place", "ray"},
+                                       {"radius", 0.25},
+                                       {"strength", 0.5},
+                                       {"color", {10, 20, 30}},
+                                       {"samples", {sample}}});
                 }
             }
         }
@@ -107,18 +115,22 @@ void TestReplayCommand::everyToolAndMode_isPlayed()
         Replay replay;
         QVERIFY2(replay(entries) == 0, replay.complaint.constData());
         each = replay.stats();
-        const core::Lattice lattice = core::Lattice::forExtent(1); // the sphere's, on which it was sculpted: that of the file's extent is coarser
+        const core::Lattice lattice =
+            core::Lattice::forExtent(1); // the sphere's, on which it was sculpted: that of the file's extent is coarser
         const auto mesh = mesh_asserts::sculptable(core::readMesh(replay.path("out.ply").toStdString()), lattice);
         VERIFY_VALID(*mesh);
     }
     const Json& dabs = stats[0]["dabs"];
     QCOMPARE(dabs.size(), entries.size());
     for (std::size_t i = 0; i < dabs.size(); ++i) {
-        if (entries[i]["tool"] == "stamp" && dabs[i]["outcome"] != "committed") { // deep, and over what others have left
-            QVERIFY2(dabs[i]["outcome"] == "careful" || dabs[i]["capped"] == true, (entries[i].dump() + dabs[i].dump()).c_str());
+        if (entries[i]["tool"] == "stamp" &&
+            dabs[i]["outcome"] != "committed") { // deep, and over what others have left
+            QVERIFY2(dabs[i]["outcome"] == "careful" || dabs[i]["capped"] == true,
+                     (entries[i].dump() + dabs[i].dump()).c_str());
             continue;
         }
-        QVERIFY2(dabs[i]["outcome"] == (i + 1 < dabs.size() ? "committed" : "added"), (entries[i].dump() + dabs[i].dump()).c_str());
+        QVERIFY2(dabs[i]["outcome"] == (i + 1 < dabs.size() ? "committed" : "added"),
+                 (entries[i].dump() + dabs[i].dump()).c_str());
     }
     QCOMPARE(stats[0]["components"].get<int>(), 2);
     QVERIFY(stats[0]["mesh_hash"] == stats[1]["mesh_hash"]);
@@ -129,7 +141,8 @@ void TestReplayCommand::commands_doWhatTheyDoInCore_data()
     QTest::addColumn<QByteArray>("entry");
     QTest::addColumn<core::ModelCommand>("command");
     const auto row = [](const Json& entry, const core::ModelCommand& command) {
-        QTest::newRow(entry["command"].get<std::string>().c_str()) << QByteArray::fromStdString(entry.dump()) << command;
+        QTest::newRow(entry["command"].get<std::string>().c_str())
+            << QByteArray::fromStdString(entry.dump()) << command;
     };
     row({{"command", "move"}, {"by", {0.5, 0.25, -1}}}, core::Move{{0.5, 0.25, -1}});
     row({{"command", "rotate"}, {"rotation", {0, 0.6, 0, 0.8}}}, core::Rotate{Eigen::Quaterniond(0.8, 0, 0.6, 0)});
@@ -139,7 +152,8 @@ void TestReplayCommand::commands_doWhatTheyDoInCore_data()
     row({{"command", "fill"}, {"color", {1, 2, 3}}}, core::Fill{{1, 2, 3}});
     row({{"command", "mask"}, {"how", "cavity"}}, core::MaskOperation{core::MaskOperation::Kind::Cavity});
     row({{"command", "remesh"}, {"detail_length", 0.2}}, core::RemeshUniformly{0.2});
-    row({{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}}, core::Symmetrize{core::Symmetry::X, core::Half::Negative});
+    row({{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}},
+        core::Symmetrize{core::Symmetry::X, core::Half::Negative});
     row({{"command", "reset"}}, core::Reset{});
 }
 
@@ -167,14 +181,17 @@ void TestReplayCommand::commands_doWhatTheyDoInCore()
         hash = replay.stats()["mesh_hash"];
     }
     QCOMPARE(hashes[0], hashes[1]);
-    QCOMPARE(QString::fromStdString(hashes[0]), QStringLiteral("%1").arg(sculptor->mesh().meshHash(), 16, 16, QLatin1Char('0')));
+    QCOMPARE(QString::fromStdString(hashes[0]),
+             QStringLiteral("%1").arg(sculptor->mesh().meshHash(), 16, 16, QLatin1Char('0')));
 }
 
 void TestReplayCommand::inserted_isSoughtBesideTheStrokeFile()
 {
     Replay replay;
     core::writeMesh(replay.path("other.ply").toStdString(), core::icosphere(2, 0.5));
-    QVERIFY2(replay(Json::array({{{"command", "insert"}, {"file", "other.ply"}, {"where", "centre"}, {"centre", {0, 3, 0}}}})) == 0, replay.complaint.constData());
+    QVERIFY2(replay(Json::array(
+                 {{{"command", "insert"}, {"file", "other.ply"}, {"where", "centre"}, {"centre", {0, 3, 0}}}})) == 0,
+             replay.complaint.constData());
     QCOMPARE(replay.stats()["components"].get<int>(), 2);
     const auto mesh = mesh_asserts::sculptable(core::readMesh(replay.path("out.ply").toStdString()));
     VERIFY_VALID(*mesh);
@@ -197,11 +214,15 @@ void TestReplayCommand::shapes_areSoughtBesideTheStrokeFile()
     const std::string strong = hashWith({{"alpha", "bright.png"}}), weak = hashWith({{"alpha", "dim.png"}});
     QVERIFY2(!strong.empty() && !weak.empty() && strong != weak, replay.complaint.constData());
     QCOMPARE(hashWith({{"alpha", replay.path("bright.png").toStdString()}}), strong);
-    const std::string ball = hashWith({{"tool", "stamp"}}), torus = hashWith({{"tool", "stamp"}, {"model", "brush.ply"}});
+    const std::string ball = hashWith({{"tool", "stamp"}}),
+                      torus = hashWith({{"tool", "stamp"}, {"model", "brush.ply"}});
     QVERIFY2(!ball.empty() && !torus.empty() && ball != torus, replay.complaint.constData());
     const auto mesh = mesh_asserts::sculptable(core::readMesh(replay.path("out.ply").toStdString()));
     VERIFY_VALID(*mesh);
-    QCOMPARE(hashWith({{"tool", "stamp"}, {"model", "brush.ply"}, {"add", true}, {"samples", {{{"position", {0, 3, 0}}}}}}).size(), std::size_t(16));
+    QCOMPARE(
+        hashWith({{"tool", "stamp"}, {"model", "brush.ply"}, {"add", true}, {"samples", {{{"position", {0, 3, 0}}}}}})
+            .size(),
+        std::size_t(16));
     QCOMPARE(replay.stats()["genus"].get<int>(), 1);
 }
 
@@ -238,7 +259,9 @@ void TestReplayCommand::badShapes_areBadInput()
     stroke[key.toStdString()] = value.toStdString();
     stroke[key.toStdString() + "_hash"] = "0000000000000000";
     QCOMPARE(replay(Json::array({pullAtX, stroke})), 2);
-    QVERIFY2(replay.complaint.contains("strokes[1]") && replay.complaint.contains(reason) && replay.complaint.count('\n') == 1, replay.complaint.constData());
+    QVERIFY2(replay.complaint.contains("strokes[1]") && replay.complaint.contains(reason) &&
+                 replay.complaint.count('\n') == 1,
+             replay.complaint.constData());
     QVERIFY(!QFile::exists(replay.path("out.ply")));
 }
 
@@ -247,7 +270,8 @@ void TestReplayCommand::refused_isTheAnswerNo()
     Replay replay;
     core::writeMesh(replay.path("same.ply").toStdString(), core::icosphere(4, 1));
     QCOMPARE(replay(Json::array({pullAtX, {{"command", "insert"}, {"file", "same.ply"}, {"where", "as_it_is"}}})), 1);
-    QVERIFY2(replay.complaint.contains("strokes[1]") && replay.complaint.contains("same.ply"), replay.complaint.constData());
+    QVERIFY2(replay.complaint.contains("strokes[1]") && replay.complaint.contains("same.ply"),
+             replay.complaint.constData());
     QVERIFY(!QFile::exists(replay.path("out.ply")) && !QFile::exists(replay.path("stats.json")));
 }
 
@@ -259,7 +283,8 @@ void TestReplayCommand::strokesAfterACommand_areJudgedByItsModel()
     Replay replay;
     QCOMPARE(replay(Json::array({far})), 2); // outside of the working volume
     QVERIFY(replay.complaint.contains("strokes[0]"));
-    QCOMPARE(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})), 2); // inside, but the brush is too fine now
+    QCOMPARE(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})),
+             2); // inside, but the brush is too fine now
     QCOMPARE(replay(Json::array({pullAtX, {{"command", "recentre"}}, far})), 2);
     QVERIFY(replay.complaint.contains("strokes[2]"));
     QVERIFY(!QFile::exists(replay.path("out.ply")));

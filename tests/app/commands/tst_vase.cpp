@@ -6,9 +6,9 @@
 //   hollow     a pit from the neck down to the foot, and a lip    1           0    a pit goes through nothing
 //   ring       a ball beside the body grows round to its image    2           1    the ring, a torus
 //   holes      4 pushed through the ring, and their images        2           9    one a hole
-//   bridges    3 and their images, 2 across the mirror's plane    1           16   one makes one of two; 7 more are handles
-//   handles    from the lip to the shoulder, and its image        1           18   one a handle
-//   motifs     turned waves and pearls                            1           18
+//   bridges    3 and their images, 2 across the mirror's plane    1           16   one makes one of two; 7 more are
+//   handles handles    from the lip to the shoulder, and its image        1           18   one a handle motifs turned
+//   waves and pearls                            1           18
 #include "core/io/mesh_io.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/solid_asserts.h"
@@ -31,9 +31,9 @@ namespace
 using Point = std::array<double, 3>;
 
 constexpr Point up = {0, 1, 0}, down = {0, -1, 0}, inwards = {-1, 0, 0}, outwards = {1, 0, 0};
-constexpr double far = 4;                            ///< outside of everything
+constexpr double far = 4; ///< outside of everything
 constexpr double ringRadius = 1.5, ringHeight = -0.15;
-constexpr double turnSpeed = 36;                     ///< of the turntable, in degrees a second
+constexpr double turnSpeed = 36; ///< of the turntable, in degrees a second
 
 /// On the circle of that radius and height around the axis.
 Point around(double radius, double height, double degrees)
@@ -122,7 +122,8 @@ void Potter::turned(const Brush& brush, const Hand& hand, const Turn& turn)
 {
     Json samples = Json::array();
     for (int i = 0; i < 360 * turn.turns / turn.step; ++i)
-        samples.push_back({{"position", hand.position}, {"direction", hand.direction}, {"t", i * turn.step / turnSpeed}});
+        samples.push_back(
+            {{"position", hand.position}, {"direction", hand.direction}, {"t", i * turn.step / turnSpeed}});
     stroke(brush, samples, {{"place", "ray"}, {"turntable_deg_per_s", turnSpeed}});
 }
 
@@ -140,7 +141,8 @@ void Potter::wave(const Brush& brush, double height, double amplitude, double de
     Json samples = Json::array();
     for (double degrees = 0; degrees < 360; degrees += 2.5) {
         const double y = height + amplitude * std::cos(6 * degrees * std::numbers::pi / 180);
-        samples.push_back({{"position", {far, y, 0}}, {"direction", inwards}, {"t", degrees / std::abs(degreesPerSecond)}});
+        samples.push_back(
+            {{"position", {far, y, 0}}, {"direction", inwards}, {"t", degrees / std::abs(degreesPerSecond)}});
     }
     stroke(brush, samples, {{"place", "ray"}, {"turntable_deg_per_s", degreesPerSecond}});
 }
@@ -175,8 +177,8 @@ void Potter::hollow()
         turned({"smooth", 0.2}, fromAbove(radius), {6});
 }
 
-/// The hand rests ahead of the ball's side and draws it on while the model turns away, in one direction and in the other:
-/// half a ring, and the image is the other half.
+/// The hand rests ahead of the ball's side and draws it on while the model turns away, in one direction and in the
+/// other: half a ring, and the image is the other half.
 void Potter::ring()
 {
     stroke({"pull", 0.13}, {{{"position", {ringRadius, ringHeight, 0}}}}, {{"add", true}});
@@ -190,7 +192,8 @@ void Potter::ring()
     }
     for (double z : {1.0, -1.0}) { // where the halves met
         const double joint = ringRadius * z;
-        dabs({"smooth", 0.2}, {{{0, far, joint}, down}, {{0, -far, joint}, up}, {{0, ringHeight, far * z}, {0, 0, -z}}}, 2);
+        dabs({"smooth", 0.2}, {{{0, far, joint}, down}, {{0, -far, joint}, up}, {{0, ringHeight, far * z}, {0, 0, -z}}},
+             2);
     }
     turned({"pull", 0.2, 0.7}, fromOutside(ringHeight), {4, 2});
     turned({"smooth", 0.25, 0.5}, fromOutside(ringHeight), {5});
@@ -236,8 +239,9 @@ constexpr struct
     const char* name;
     void (Potter::*work)();
     int components, genus;
-} stages[] = {{"body", &Potter::body, 1, 0},       {"hollow", &Potter::hollow, 1, 0},    {"ring", &Potter::ring, 2, 1},
-              {"holes", &Potter::holes, 2, 9},     {"bridges", &Potter::bridges, 1, 16}, {"handles", &Potter::handles, 1, 18},
+} stages[] = {{"body", &Potter::body, 1, 0},        {"hollow", &Potter::hollow, 1, 0},
+              {"ring", &Potter::ring, 2, 1},        {"holes", &Potter::holes, 2, 9},
+              {"bridges", &Potter::bridges, 1, 16}, {"handles", &Potter::handles, 1, 18},
               {"motifs", &Potter::motifs, 1, 18}};
 } // namespace
 
@@ -263,8 +267,9 @@ Json TestVase::replay(const Json& strokes, core::TriangleMesh& mesh)
     file.close();
     QProcess program;
     program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    program.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("replay"), QStringLiteral("--strokes"), path("vase.json"), QStringLiteral("--out"),
-                                                   path("vase.ply"), QStringLiteral("--stats"), path("stats.json")});
+    program.start(QStringLiteral(FETTLE_PROGRAM),
+                  {QStringLiteral("replay"), QStringLiteral("--strokes"), path("vase.json"), QStringLiteral("--out"),
+                   path("vase.ply"), QStringLiteral("--stats"), path("stats.json")});
     if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0)
         return {};
     mesh = core::readMesh(path("vase.ply").toStdString());

@@ -3,11 +3,11 @@
 #include "app/document/model_analysis.h"
 #include "app/worker/stroke_step.h"
 
-#include "core/mesh/mesh_builder.h"
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
-#include "ui/util/thread_mailbox.h"
+#include "core/mesh/mesh_builder.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QDir>
 #include <QFile>
@@ -44,9 +44,7 @@ struct Session
         for (int i = 0; i < 3; ++i) {
             bool reached = false;
             ui::Mailbox mail;
-            worker.post([&](core::Sculptor&) {
-                mail.post([&reached] { reached = true; });
-            });
+            worker.post([&](core::Sculptor&) { mail.post([&reached] { reached = true; }); });
             QTRY_VERIFY_WITH_TIMEOUT(reached, 60'000);
             QCoreApplication::processEvents();
         }
@@ -290,13 +288,16 @@ void TestDocument::undoAll_andRedoAllComeBackByState()
     QCOMPARE(session.state(), states.front());
 }
 
-/// What was undone was work, too; what found nothing to change was none. The file keeps it, and another sitting goes on from there.
+/// What was undone was work, too; what found nothing to change was none. The file keeps it, and another sitting goes on
+/// from there.
 void TestDocument::work_isCountedAndSaved()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.glb"));
     Session session;
-    const auto strokes = [&session] { return session.document.facts().metadata.work.value_or(core::WorkDone{99, 0}).strokes; };
+    const auto strokes = [&session] {
+        return session.document.facts().metadata.work.value_or(core::WorkDone{99, 0}).strokes;
+    };
     QCOMPARE(strokes(), 0U);
     for (int i = 0; i < 3; ++i)
         session.stroke({50, 0, 0});
@@ -326,7 +327,8 @@ void TestDocument::jumps_goThere()
 {
     Session session;
     std::vector<std::uint64_t> states{session.state()};
-    for (const core::Vec3& where : {core::Vec3(50, 0, 0), core::Vec3(0, 50, 0), core::Vec3(0, 0, 50), core::Vec3(-50, 0, 0)}) {
+    for (const core::Vec3& where :
+         {core::Vec3(50, 0, 0), core::Vec3(0, 50, 0), core::Vec3(0, 0, 50), core::Vec3(-50, 0, 0)}) {
         session.stroke(where);
         states.push_back(session.state());
     }
@@ -664,7 +666,8 @@ void TestDocument::open_refusalLeavesTheDocument_data()
     QTest::addColumn<QByteArray>("content");
     QTest::newRow("missing") << QStringLiteral("missing.stl") << QByteArray();
     QTest::newRow("empty") << QStringLiteral("empty.stl") << QByteArray("");
-    QTest::newRow("not what its ending says") << QStringLiteral("picture.obj") << QByteArray("\x89PNG\r\n\x1a\n and so on");
+    QTest::newRow("not what its ending says")
+        << QStringLiteral("picture.obj") << QByteArray("\x89PNG\r\n\x1a\n and so on");
     QTest::newRow("open") << QStringLiteral("open.obj") << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     QTest::newRow("NaN") << QStringLiteral("nan.obj") << QByteArray("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     QTest::newRow("index") << QStringLiteral("index.obj") << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
@@ -800,7 +803,8 @@ void TestDocument::coloursThatAFormatDoesNotHold_areNamed()
     QVERIFY(!exported.at(0).at(1).toString().contains(QStringLiteral("colours")));
     session.document.exportTo(folder.filePath(QStringLiteral("a.stl")));
     QTRY_COMPARE(exported.size(), 2);
-    QVERIFY(exported.at(1).at(1).toString().contains(QStringLiteral("a.stl")) && exported.at(1).at(1).toString().contains(QStringLiteral("colours")));
+    QVERIFY(exported.at(1).at(1).toString().contains(QStringLiteral("a.stl")) &&
+            exported.at(1).at(1).toString().contains(QStringLiteral("colours")));
     QVERIFY(noticed.isEmpty());
     session.document.save(folder.filePath(QStringLiteral("b.stl")));
     QTRY_COMPARE(noticed.size(), 1);

@@ -1,9 +1,9 @@
-#include "app/model/brush_export.h"
-#include "app/document/document.h"
 #include "app/commands/stroke_assets.h"
+#include "app/document/document.h"
+#include "app/model/brush_export.h"
 
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
 #include "tests/support/shapes.h"
 #include "tests/support/viewer.h"
 #include "ui/brush/brush_files.h"
@@ -57,9 +57,7 @@ struct Session
         for (int i = 0; i < 3; ++i) {
             bool reached = false;
             ui::Mailbox mail;
-            worker.post([&](core::Sculptor&) {
-                mail.post([&reached] { reached = true; });
-            });
+            worker.post([&](core::Sculptor&) { mail.post([&reached] { reached = true; }); });
             QTRY_VERIFY_WITH_TIMEOUT(reached, longestWait);
             QCoreApplication::processEvents();
         }
@@ -192,7 +190,8 @@ void TestDocumentModel::brush_isKeptAsItIs()
 void TestDocumentModel::brush_ofALargeModelHasFewerTriangles()
 {
     const core::BuildResult built = core::buildMesh(core::icosphere(7, 50));
-    const KeptBrush kept = BrushKeeper::keep(std::make_shared<core::Mesh>(*built.mesh), QStringLiteral("large.stl"), {});
+    const KeptBrush kept =
+        BrushKeeper::keep(std::make_shared<core::Mesh>(*built.mesh), QStringLiteral("large.stl"), {});
     QVERIFY2(kept.problem.isEmpty(), qPrintable(kept.problem));
     const auto brush = ui::readBrushModel(kept.path);
     QVERIFY2(brush.what, qPrintable(brush.problem));
@@ -220,8 +219,9 @@ void TestDocumentModel::brush_withoutAPlaceIsRefused()
 void TestDocumentModel::strokesBeforeAndAfter_areUndoneAndRedone()
 {
     Session session;
-    const core::ModelCommand commands[] = {core::Move{{3, 4, 5}}, core::Mirror{0}, core::RemeshUniformly{4}, core::Fill{{1, 2, 3}},
-                                           core::Scale{30}, core::Scale{0.02}, core::Recentre{}};
+    const core::ModelCommand commands[] = {core::Move{{3, 4, 5}}, core::Mirror{0}, core::RemeshUniformly{4},
+                                           core::Fill{{1, 2, 3}}, core::Scale{30}, core::Scale{0.02},
+                                           core::Recentre{}};
     std::vector<std::uint64_t> states = {session.state()};
     for (const core::ModelCommand& command : commands) {
         session.stroke({50, 0, 0});
@@ -286,8 +286,9 @@ void TestDocumentModel::refusal_leavesAllAsItIsAndSaysWhy()
     session.wait();
     const std::uint64_t before = session.state();
     QSignalSpy refused(&session.document, &Document::refused);
-    for (const core::ModelCommand& command : {core::ModelCommand(core::Move{{1e5, 0, 0}}), core::ModelCommand(core::Scale{1e9}),
-                                              core::ModelCommand(core::RemeshUniformly{0.001})})
+    for (const core::ModelCommand& command :
+         {core::ModelCommand(core::Move{{1e5, 0, 0}}), core::ModelCommand(core::Scale{1e9}),
+          core::ModelCommand(core::RemeshUniformly{0.001})})
         session.apply(command);
     QCOMPARE(refused.size(), 3);
     for (const QList<QVariant>& arguments : refused)
@@ -392,11 +393,12 @@ void TestDocumentModel::insert_brokenIsMendedAsOneStep()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("broken.ply"));
-    core::writeMesh(path.toStdString(), shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
+    core::writeMesh(path.toStdString(),
+                    shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
     Session session;
     const std::uint64_t start = session.state();
-    QSignalSpy refused(&session.document, &Document::refused), mendable(&session.document, &Document::insertionMendable),
-        mended(&session.document, &Document::insertedMended);
+    QSignalSpy refused(&session.document, &Document::refused),
+        mendable(&session.document, &Document::insertionMendable), mended(&session.document, &Document::insertedMended);
     session.document.insert({path, core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(mendable.size(), 1);
@@ -512,8 +514,9 @@ void TestDocumentModel::spilledCommands_comeBack()
     Session session;
     session.document.history().setCap(1);
     std::vector<std::uint64_t> states = {session.state()};
-    for (const core::ModelCommand& command : {core::ModelCommand(core::Scale{40}), core::ModelCommand(core::Mirror{2}),
-                                              core::ModelCommand(core::RemeshUniformly{100}), core::ModelCommand(core::Fill{{9, 9, 9}})}) {
+    for (const core::ModelCommand& command :
+         {core::ModelCommand(core::Scale{40}), core::ModelCommand(core::Mirror{2}),
+          core::ModelCommand(core::RemeshUniformly{100}), core::ModelCommand(core::Fill{{9, 9, 9}})}) {
         session.apply(command);
         states.push_back(session.state());
     }

@@ -1,8 +1,8 @@
 #include "tests/support/program_driver.h"
 
 #include "core/io/mesh_io.h"
-#include "ui/files/file_grid.h"
 #include "ui/files/file_browser.h"
+#include "ui/files/file_grid.h"
 #include "ui/settings/settings.h"
 
 #include <QAction>
@@ -49,7 +49,10 @@ struct Opened
     }
     void overwriteByAnother() const { core::writeMesh(path.toStdString(), core::icosphere(2, 7)); }
     void press(const char* id) { program.window.action(QLatin1StringView(id))->trigger(); }
-    QMessageBox* question() const { return program.window.findChild<QMessageBox*>(QStringLiteral("overwriteQuestion")); }
+    QMessageBox* question() const
+    {
+        return program.window.findChild<QMessageBox*>(QStringLiteral("overwriteQuestion"));
+    }
     void answer(QMessageBox::ButtonRole role) const
     {
         for (QAbstractButton* button : question()->buttons())
@@ -99,7 +102,8 @@ void TestModelFile::aNewNameIsTheModels()
     QVERIFY(!ui::Settings().recentFiles().contains(o.path));
     QVERIFY(!o.program.window.isWindowModified());
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.isBusy(),
+                             60'000);
     QVERIFY(!o.question() && !QFile::exists(o.path));
     QCOMPARE(Opened::verticesIn(renamed), quint64(642));
 }
@@ -153,7 +157,8 @@ void TestModelFile::goneFromOutside_isWrittenAnewAndSaidSo()
     QVERIFY(notice(o.program).contains(QStringLiteral("anew")));
     QVERIFY(!o.program.document.isModified() && !o.question());
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.isBusy(),
+                             60'000);
 }
 
 void TestModelFile::changedByAnother_asks()
@@ -201,7 +206,8 @@ void TestModelFile::ownWritingIsNotAnothers()
     o.program.document.apply(core::Recentre{});
     QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy() && o.program.document.isSettled(), 60'000);
     o.program.document.exportTo(o.path);
-    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.isBusy(),
+                             60'000);
     o.press("file.save");
     QVERIFY(!o.question());
     QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy(), 60'000);
@@ -217,11 +223,13 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
         core::writeMesh(o.folder.filePath(QString::fromLatin1(name)).toStdString(), core::icosphere(1, 20));
     o.press("file.saveAs");
     QFileDialog* dialog = nullptr;
-    QTRY_VERIFY((dialog = o.program.window.findChild<QFileDialog*>(QStringLiteral("saveDialog"))) && dialog->isVisible());
+    QTRY_VERIFY((dialog = o.program.window.findChild<QFileDialog*>(QStringLiteral("saveDialog"))) &&
+                dialog->isVisible());
     QVERIFY(QTest::qWaitForWindowActive(dialog));
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     QTRY_VERIFY(name->hasFocus());
-    QTRY_COMPARE(dialog->selectedFiles(), QStringList{o.folder.filePath(QStringLiteral("lion.glb"))}); // the suggestion is a file that is there
+    QTRY_COMPARE(dialog->selectedFiles(),
+                 QStringList{o.folder.filePath(QStringLiteral("lion.glb"))}); // the suggestion is a file that is there
     for (const char letter : {'t', 'i', 'g', 'e', 'r'}) {
         QTest::keyClick(dialog->windowHandle(), letter);
         QTRY_VERIFY(name->text().endsWith(QLatin1Char(letter)));

@@ -2,8 +2,8 @@
 #include "tests/support/shapes.h"
 
 #include "core/io/mesh_io.h"
-#include "ui/files/file_grid.h"
 #include "ui/files/file_browser.h"
+#include "ui/files/file_grid.h"
 
 #include <QAction>
 #include <QSignalSpy>
@@ -59,7 +59,8 @@ QString mendingReport(const Program& program)
 
 void writeCrossingBalls(const QString& path)
 {
-    core::writeMesh(path.toStdString(), shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
+    core::writeMesh(path.toStdString(),
+                    shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
 }
 
 /// How often the person was asked about changes.

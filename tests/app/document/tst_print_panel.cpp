@@ -58,7 +58,8 @@ QListWidgetItem* rowWith(Program& program, const QString& text)
 
 bool isAnswered(Program& program)
 {
-    return part<QListWidget>(program, "print.findings")->isEnabled() && part<QListWidget>(program, "print.findings")->count() > 0;
+    return part<QListWidget>(program, "print.findings")->isEnabled() &&
+           part<QListWidget>(program, "print.findings")->count() > 0;
 }
 
 void check(Program& program)
@@ -139,7 +140,8 @@ void TestPrintPanelWindow::places_areFlownTo()
     QTRY_VERIFY(std::abs(camera.target().x() - plate) < 15.1 && std::abs(camera.viewDirection().y()) > 0.9);
     QTest::qWait(800); // it has arrived
     const core::Vec3 eye = camera.eye();
-    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(rowWith(program, QStringLiteral("Fits"))).center());
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(rowWith(program, QStringLiteral("Fits"))).center());
     QTest::qWait(500);
     QCOMPARE(camera.eye(), eye); // that is no place
 }

@@ -24,7 +24,8 @@ MeshState stateOf(Program& program)
     std::optional<MeshState> answer;
     ui::Mailbox mail;
     program.worker.post([&](core::Sculptor& sculptor) {
-        mail.post([&answer, state = MeshState{sculptor.mesh().meshHash(), sculptor.mesh().frame()}] { answer = state; });
+        mail.post(
+            [&answer, state = MeshState{sculptor.mesh().meshHash(), sculptor.mesh().frame()}] { answer = state; });
     });
     [&] { QTRY_VERIFY(answer); }();
     return answer.value_or(MeshState());
@@ -104,7 +105,8 @@ void TestSavedDocument::reopened_isTheSame()
     QVERIFY(stateOf(program) == saved);
     QVERIFY(!program.document.isModified());
     const core::SavedView seen = program.window.viewport()->camera().saved();
-    QVERIFY(seen.target == view.target && seen.distance == view.distance && seen.yaw == view.yaw && seen.pitch == view.pitch && seen.orthographic);
+    QVERIFY(seen.target == view.target && seen.distance == view.distance && seen.yaw == view.yaw &&
+            seen.pitch == view.pitch && seen.orthographic);
     QVERIFY(program.window.action(QStringLiteral("view.orthographic"))->isChecked());
     QCOMPARE(brush.stroke().symmetry, core::Symmetry::Z);
     QVERIFY(program.window.action(QStringLiteral("symmetry.on"))->isChecked());

@@ -1,10 +1,10 @@
-#include "tests/support/unwritable_places.h"
 #include "tests/support/program_driver.h"
+#include "tests/support/unwritable_places.h"
 
 #include "app/document/time_lapse.h"
 
-#include "ui/util/thread_mailbox.h"
 #include "ui/history/time_lapse_dialog.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -55,14 +55,21 @@ struct Studio
         }
     }
 
-    void rest() { QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0, longestWait); }
+    void rest()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() &&
+                                     program.document.facts().faces > 0,
+                                 longestWait);
+    }
 
     std::uint64_t state()
     {
         rest();
         std::optional<std::uint64_t> hash;
         ui::Mailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) { mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; }); });
+        program.worker.post([&](core::Sculptor& sculptor) {
+            mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
+        });
         [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), longestWait); }();
         return hash.value_or(0);
     }
@@ -72,7 +79,8 @@ struct Studio
     {
         TimeLapseOutcome outcome;
         bool isDone = false;
-        TimeLapseOrder order{folder, every, core::viewOf({core::Vec3::Constant(-60), core::Vec3::Constant(60)}, 96, 54)};
+        TimeLapseOrder order{folder, every,
+                             core::viewOf({core::Vec3::Constant(-60), core::Vec3::Constant(60)}, 96, 54)};
         const bool began = program.document.lookBack(
             QStringLiteral("Drawing"),
             [&](const ModelPast& past, core::JobControl control) {
@@ -206,7 +214,8 @@ void TestTimeLapse::placesThatCannotBeWritten_areOneSentence()
     const QString closed = folder.filePath(QStringLiteral("closed"));
     QVERIFY(QDir().mkdir(closed) && QFile::setPermissions(closed, QFile::ReadOwner | QFile::ExeOwner));
     outcome = s.draw(closed);
-    QVERIFY2(outcome.problem.contains(closed) && outcome.problem.endsWith(QLatin1Char('.')) && outcome.frames == 0, qPrintable(outcome.problem));
+    QVERIFY2(outcome.problem.contains(closed) && outcome.problem.endsWith(QLatin1Char('.')) && outcome.frames == 0,
+             qPrintable(outcome.problem));
     QCOMPARE(filesIn(closed), QStringList());
 }
 
@@ -280,7 +289,8 @@ void TestTimeLapse::byTheCommandLine()
     strokes.close();
     const auto run = [&](const QStringList& more) {
         QProcess program;
-        program.start(QStringLiteral(FETTLE_PROGRAM), QStringList{QStringLiteral("replay"), QStringLiteral("--strokes"), strokes.fileName()} + more);
+        program.start(QStringLiteral(FETTLE_PROGRAM),
+                      QStringList{QStringLiteral("replay"), QStringLiteral("--strokes"), strokes.fileName()} + more);
         return program.waitForFinished(-1) && program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1;
     };
     const QString frames = folder.filePath(QStringLiteral("frames"));

@@ -2,15 +2,15 @@
 
 #include "app/recovery/recovery_store.h"
 
-#include "core/sculpt/deform/alpha.h"
-#include "core/sculpt/deform/brush_model.h"
+#include "core/analysis/mesh_check.h"
 #include "core/journal/journal_recovery.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/analysis/mesh_check.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/brush_model.h"
 #include "core/stroke/stroke_edit.h"
+#include "ui/brush/stroke_edit_bar.h"
 #include "ui/history/history_panel.h"
 #include "ui/util/thread_mailbox.h"
-#include "ui/brush/stroke_edit_bar.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -41,7 +41,12 @@ struct Desk
         rest();
     }
 
-    void rest() { QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0, longestWait); }
+    void rest()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() &&
+                                     program.document.facts().faces > 0,
+                                 longestWait);
+    }
 
     /// What the mesh is, slots and free lists too.
     std::uint64_t state()
@@ -68,7 +73,10 @@ struct Desk
 
     int index() const { return program.document.undoStack().index(); }
     int count() const { return program.document.undoStack().count(); }
-    template <class Widget> Widget* find(const char* name) { return program.window.findChild<Widget*>(QLatin1StringView(name)); }
+    template <class Widget> Widget* find(const char* name)
+    {
+        return program.window.findChild<Widget*>(QLatin1StringView(name));
+    }
     ui::StrokeBar* bar() { return program.window.findChild<ui::StrokeBar*>(); }
     void showHistory()
     {
@@ -84,7 +92,10 @@ struct Desk
         QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), longestWait);
     }
     /// As if it were typed.
-    void set(const char* box, double value) { bar()->findChild<QDoubleSpinBox*>(QLatin1StringView(box))->setValue(value); }
+    void set(const char* box, double value)
+    {
+        bar()->findChild<QDoubleSpinBox*>(QLatin1StringView(box))->setValue(value);
+    }
     void choose(core::Tool tool)
     {
         auto* tools = bar()->findChild<QComboBox*>();
@@ -195,7 +206,9 @@ void TestTimeline::scrub_keysGoByOneAndPlayToTheEnd()
     QTest::keyClick(slider, Qt::Key_Right);
     QTRY_COMPARE_WITH_TIMEOUT(desk.index(), 2, longestWait);
     const QString text = desk.find<QLabel>("timelineText")->text();
-    QVERIFY2(text.contains(QStringLiteral("2")) && text.contains(QStringLiteral("3")) && text.contains(desk.program.document.undoStack().text(1)), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("2")) && text.contains(QStringLiteral("3")) &&
+                 text.contains(desk.program.document.undoStack().text(1)),
+             qPrintable(text));
     auto* play = desk.find<QToolButton>("timelinePlay");
     QTest::mouseClick(play, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(desk.index() == 3 && !play->isChecked(), longestWait);
@@ -220,7 +233,8 @@ void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo_data()
     QTest::newRow("radial") << other << twice;
     other = across();
     for (std::size_t i = 0; i < other.samples.size(); ++i)
-        other.samples[i].rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.3 * static_cast<double>(i), core::Vec3::UnitY()));
+        other.samples[i].rotation =
+            Eigen::Quaterniond(Eigen::AngleAxisd(0.3 * static_cast<double>(i), core::Vec3::UnitY()));
     QTest::newRow("turntable") << other << twice;
     other = across();
     other.settings.alpha = core::builtInAlpha(core::builtInAlphas().front());
@@ -472,7 +486,8 @@ void TestTimeline::edit_survivesTheProgram()
     };
     const auto isRight = [&](std::uint64_t now) {
         auto found = recovered();
-        if (!found || found->isDamaged || found->history.present != 2 || found->history.steps.size() != 2 || found->mesh->stateHash() != now)
+        if (!found || found->isDamaged || found->history.present != 2 || found->history.steps.size() != 2 ||
+            found->mesh->stateHash() != now)
             return false;
         found->mesh->swap(*found->deltas[1]);
         return found->mesh->stateHash() == before;

@@ -31,7 +31,8 @@ void writeGltf(const QString& path, const core::TriangleMesh& mesh)
     const auto size = static_cast<qsizetype>(qFromLittleEndian<quint32>(bytes.constData() + 12));
     QJsonObject document = QJsonDocument::fromJson(bytes.mid(jsonAt, size)).object();
     QJsonObject buffer = document[QStringLiteral("buffers")][0].toObject();
-    buffer[QStringLiteral("uri")] = QStringLiteral("data:application/octet-stream;base64,") + QString::fromLatin1(bytes.mid(jsonAt + size + chunkHead).toBase64());
+    buffer[QStringLiteral("uri")] = QStringLiteral("data:application/octet-stream;base64,") +
+                                    QString::fromLatin1(bytes.mid(jsonAt + size + chunkHead).toBase64());
     document[QStringLiteral("buffers")] = QJsonArray{buffer};
     text.write(QJsonDocument(document).toJson());
 }

@@ -1,9 +1,9 @@
-#include "tests/support/unwritable_places.h"
 #include "tests/support/program_driver.h"
+#include "tests/support/unwritable_places.h"
 
 #include "core/io/mesh_io.h"
-#include "ui/files/file_grid.h"
 #include "ui/files/file_browser.h"
+#include "ui/files/file_grid.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QAction>
@@ -130,7 +130,8 @@ struct Spoilt
                 QTest::mouseClick(problem()->button(QMessageBox::Ok), Qt::LeftButton);
             return !problem();
         };
-        QTRY_VERIFY2(isAnswered(), qPrintable(seen())); // on a busy machine a press on a box that has just been shown may be lost
+        QTRY_VERIFY2(isAnswered(),
+                     qPrintable(seen())); // on a busy machine a press on a box that has just been shown may be lost
     }
     void verifySaved() const
     {

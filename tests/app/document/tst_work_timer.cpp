@@ -21,8 +21,9 @@ void TestWorkClock::pauses_areCountedUpToTheLongest()
     core::WorkDone work;
     std::chrono::nanoseconds now = 5h;
     clock.count(work, now.count());
-    for (const std::chrono::nanoseconds pause : {std::chrono::nanoseconds(1500ms), std::chrono::nanoseconds(40s), WorkClock::longestPause,
-                                                 WorkClock::longestPause + 1ns, std::chrono::nanoseconds(8h), std::chrono::nanoseconds(0s)})
+    for (const std::chrono::nanoseconds pause :
+         {std::chrono::nanoseconds(1500ms), std::chrono::nanoseconds(40s), WorkClock::longestPause,
+          WorkClock::longestPause + 1ns, std::chrono::nanoseconds(8h), std::chrono::nanoseconds(0s)})
         clock.count(work, (now += pause).count());
     QCOMPARE(work.strokes, 7U);
     QCOMPARE(work.seconds, 1.5 + 40 + std::chrono::duration<double>(WorkClock::longestPause).count());

@@ -5,9 +5,9 @@
 
 #include "app/headset/headset.h"
 #include "app/headset/headset_settings.h"
+#include "vr/input/model_placement.h"
 #include "vr/input/wand_mapping.h"
 #include "vr/panels/panel_manager.h"
-#include "vr/input/model_placement.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,7 +15,8 @@
 #include <future>
 #include <map>
 
-/// What a person does in the headset, by the scripted runtime: frames go one by one, so that a run is the same every time.
+/// What a person does in the headset, by the scripted runtime: frames go one by one, so that a run is the same every
+/// time.
 namespace app
 {
 class HeadsetHand
@@ -28,8 +29,9 @@ public:
     {
         load(pixels);
         auto* entrance = program.window.findChild<Headset*>();
-        QObject::connect(entrance, &Headset::seen, entrance,
-                         [this](const std::optional<vr::AvatarState>& presence) { m_seen = presence.value_or(m_seen); });
+        QObject::connect(entrance, &Headset::seen, entrance, [this](const std::optional<vr::AvatarState>& presence) {
+            m_seen = presence.value_or(m_seen);
+        });
     }
     ~HeadsetHand() { m_headset.step("{'pace': 'fast'}"); } // a test that has failed comes to an end, too
 
@@ -288,7 +290,8 @@ private:
     {
         m_headset.step(QJsonDocument(step).toJson(QJsonDocument::Compact).constData());
     }
-    /// Panels are painted aside, and until one is there a trigger before it sculpts: the brush goes when its wand points at a panel.
+    /// Panels are painted aside, and until one is there a trigger before it sculpts: the brush goes when its wand
+    /// points at a panel.
     void waitUntilBrushIsAway()
     {
         for (int i = 0; i < 200 && m_seen.brush && !m_isStalled; ++i) {

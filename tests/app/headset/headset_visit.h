@@ -3,8 +3,8 @@
 #include "tests/app/headset/headset_hand.h"
 
 #include "app/headset/headset_settings.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
 
 #include <QDir>
 #include <QSettings>
@@ -16,7 +16,8 @@ namespace app
 struct Desk
 {
     /// `pixels`: of an eye.
-    explicit Desk(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few) : hand(program, pixels)
+    explicit Desk(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
+        : hand(program, pixels)
     {
         QSettings().clear();
         HeadsetSettings().setChoice(choice);
@@ -60,7 +61,8 @@ private:
 /// The same, and a person in the headset before the ball.
 struct Visit : Desk
 {
-    explicit Visit(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few) : Desk(choice, pixels)
+    explicit Visit(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
+        : Desk(choice, pixels)
     {
         hand.enter();
     }
@@ -74,7 +76,8 @@ struct Visit : Desk
 /// The same, and nobody at the window: it is not painted, which is half of what a frame costs.
 struct Alone : Visit
 {
-    explicit Alone(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few) : Visit(choice, pixels)
+    explicit Alone(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
+        : Visit(choice, pixels)
     {
         program.window.viewport()->setUpdatesEnabled(false);
     }
@@ -95,7 +98,10 @@ struct Look
         return {static_cast<int>(x * picture.width()), static_cast<int>(y * picture.height())};
     }
     /// Between two corners, those of a panel's part.
-    QImage between(const core::Vec3& a, const core::Vec3& b) const { return picture.copy(QRect(at(a), at(b)).normalized()); }
+    QImage between(const core::Vec3& a, const core::Vec3& b) const
+    {
+        return picture.copy(QRect(at(a), at(b)).normalized());
+    }
 };
 
 /// The pulses of a run that feel like that.

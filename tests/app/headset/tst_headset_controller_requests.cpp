@@ -2,8 +2,8 @@
 #include "app/headset/headset_settings.h"
 
 #include "core/io/mesh_io.h"
-#include "tests/support/unwritable_places.h"
 #include "tests/support/program_driver.h"
+#include "tests/support/unwritable_places.h"
 #include "ui/scene/materials.h"
 #include "ui/settings/settings.h"
 
@@ -307,8 +307,10 @@ void TestHeadsetWishes::class_hasItsToolsAndNoFiles()
     visit.stroke({50, 0, 0});
     const std::uint64_t hash = visit.hash();
     const QStringList files = QDir(m_folder->path()).entryList(QDir::Files);
-    visit.program.window.setClassroom({QStringLiteral("5b"), m_folder->path(), {core::Starter::Ball}, {core::Tool::Clay, core::Tool::Pull}});
-    const std::pair<vr::DocumentRequest, const char*> wishes[] = {{vr::SaveModel(), "Next Pupil"}, {vr::OpenModel{at("vase.glb"), true}, "vase.glb was not opened"}};
+    visit.program.window.setClassroom(
+        {QStringLiteral("5b"), m_folder->path(), {core::Starter::Ball}, {core::Tool::Clay, core::Tool::Pull}});
+    const std::pair<vr::DocumentRequest, const char*> wishes[] = {
+        {vr::SaveModel(), "Next Pupil"}, {vr::OpenModel{at("vase.glb"), true}, "vase.glb was not opened"}};
     for (const auto& [wish, word] : wishes) {
         visit.wish(wish);
         QVERIFY2(visit.news().notice.contains(QLatin1StringView(word)), qPrintable(visit.news().notice));

@@ -1,4 +1,5 @@
-// Each item of the panels in the headset, pressed with a wand that points at it, and looked at in the document and in the window.
+// Each item of the panels in the headset, pressed with a wand that points at it, and looked at in the document and in
+// the window.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/vr/vr_test.h"
 
@@ -208,8 +209,8 @@ void TestHeadsetPanels::tools_leave()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// With either brush, also where the panel stands before the clay, on an item, between items, and where the trigger stays pulled while
-/// the wand goes on into the clay.
+/// With either brush, also where the panel stands before the clay, on an item, between items, and where the trigger
+/// stays pulled while the wand goes on into the clay.
 void TestHeadsetPanels::presses_neverSculpt()
 {
     AtTools v;
@@ -417,8 +418,10 @@ void TestHeadsetPanels::settings_general()
     const QImage grid = floor();
     QVERIFY(v.hand.choose(panel(), vr::ShowFloor{false}, [&] { return !v.choice().showsFloor; }));
     QVERIFY(floor() != grid);
-    QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Studio, [&] { return v.choice().wands.preset == vr::ButtonPreset::Studio; }));
-    QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Paper, [&] { return v.choice().wands.preset == vr::ButtonPreset::Paper; }));
+    QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Studio,
+                          [&] { return v.choice().wands.preset == vr::ButtonPreset::Studio; }));
+    QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Paper,
+                          [&] { return v.choice().wands.preset == vr::ButtonPreset::Paper; }));
     v.hand.click(panel(), vr::ShowPanel{PanelKind::Settings, false});
     const auto yaw = [&] {
         return std::atan2(-v.model().linear()(2, 0), v.model().linear()(0, 0)) * 180 / std::numbers::pi;
@@ -453,7 +456,7 @@ void TestHeadsetPanels::settings_swapHands()
 
     v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
     v.hand.put(Side::Right, {0.3, 1.15, -0.2}); // before the settings, which stand at that side
-    v.hand.press(Side::Right, "menu"); // the tools go with the other hand
+    v.hand.press(Side::Right, "menu");          // the tools go with the other hand
     QVERIFY(v.choose(core::Tool::Paint, [&] { return v.brush().tool == core::Tool::Paint; }));
     v.hand.press(Side::Right, "menu");
     v.hand.put(Side::Left, {-0.35, 1.25, -0.3});

@@ -7,9 +7,9 @@
 #include "app/classroom/classroom_mode.h"
 #include "core/analysis/mesh_check.h"
 #include "ui/brush/brush_caption.h"
-#include "ui/lesson/lesson_panel.h"
 #include "ui/classroom/pupil_name_panel.h"
 #include "ui/headset/partner_bar.h"
+#include "ui/lesson/lesson_panel.h"
 #include "ui/viewport/pointer_highlight.h"
 
 using namespace app;
@@ -52,7 +52,8 @@ struct Pair : Visit
 {
     explicit Pair(const QSize& pixels = HeadsetHand::few) : Visit({}, keepsPictures() ? QSize(540, 600) : pixels)
     {
-        QObject::connect(&viewport(), &ui::Viewport::pointed, &program.window, [this](const auto& where) { place = where; });
+        QObject::connect(&viewport(), &ui::Viewport::pointed, &program.window,
+                         [this](const auto& where) { place = where; });
     }
     ui::Viewport& viewport() const { return *program.window.viewport(); }
     QAction* action(const char* id) const { return program.window.action(QLatin1StringView(id)); }
@@ -90,7 +91,9 @@ struct Pair : Visit
     }
     bool isSound()
     {
-        return core::checkMesh(hand.ask([](core::Sculptor& sculptor) { return core::extractMesh(sculptor.mesh()); })).boundsSolid == true;
+        return core::checkMesh(hand.ask([](core::Sculptor& sculptor) {
+                   return core::extractMesh(sculptor.mesh());
+               })).boundsSolid == true;
     }
 
     std::optional<core::SurfaceHit> place; ///< that was pointed at last
@@ -113,10 +116,7 @@ vr::HapticInput refusal()
 /// The document as one in the headset hears of it, without a headset.
 struct Listener
 {
-    Listener()
-    {
-        port = headsetDesk.open();
-    }
+    Listener() { port = headsetDesk.open(); }
     vr::DocumentUpdate news()
     {
         QCoreApplication::processEvents();
@@ -174,9 +174,11 @@ void TestHeadsetPartner::pointing_isALightInBoth()
     int distance = 1000;
     for (int y = 0; y < look.picture.height(); ++y)
         for (int x = 0; x < look.picture.width(); ++x)
-            if (isOfTheLight(look.picture.pixelColor(x, y)) && (QPoint(x, y) - look.at(place)).manhattanLength() < distance)
+            if (isOfTheLight(look.picture.pixelColor(x, y)) &&
+                (QPoint(x, y) - look.at(place)).manhattanLength() < distance)
                 distance = (QPoint(nearest = {x, y}) - look.at(place)).manhattanLength();
-    QVERIFY2(distance <= 2 + look.picture.width() / 100, qPrintable(QStringLiteral("%1, of %2 pixels").arg(distance).arg(countLight(look.picture))));
+    QVERIFY2(distance <= 2 + look.picture.width() / 100,
+             qPrintable(QStringLiteral("%1, of %2 pixels").arg(distance).arg(countLight(look.picture))));
     v.keep("pointing");
 
     QEvent leave(QEvent::Leave);
@@ -208,7 +210,10 @@ void TestHeadsetPartner::pointing_pulsesUnlessCalm()
     auto* light = v.program.window.findChild<ui::PointLight*>();
     QSet<int> eye;
     QSet<QByteArray> window;
-    const auto bytes = [](const QImage& image) { return QByteArray(reinterpret_cast<const char*>(image.constBits()), static_cast<qsizetype>(image.sizeInBytes())); };
+    const auto bytes = [](const QImage& image) {
+        return QByteArray(reinterpret_cast<const char*>(image.constBits()),
+                          static_cast<qsizetype>(image.sizeInBytes()));
+    };
     for (int i = 0; i < 4; ++i) {
         v.hand.frames(20);
         v.pointAt(middle(&v.viewport())); // at rest it would go out
@@ -454,11 +459,19 @@ void TestHeadsetPartner::classTime_isToldInBoth()
     Desk desk({}, {270, 300});
     JournalShelf shelf(home.filePath(QStringLiteral("journals")).toStdString());
     qint64 now = 0;
-    const ui::Classroom classroom{QStringLiteral("5b"), home.path(), {core::Starter::Ball}, {core::Tool::Pull}, 20, 3, false, ui::Language::System,
+    const ui::Classroom classroom{QStringLiteral("5b"),
+                                  home.path(),
+                                  {core::Starter::Ball},
+                                  {core::Tool::Pull},
+                                  20,
+                                  3,
+                                  false,
+                                  ui::Language::System,
                                   pinRecord(QStringLiteral("2468"))};
-    const ClassPlaces places{home.filePath(QStringLiteral("journals")).toStdString(), home.filePath(QStringLiteral("waiting")),
-                             home.filePath(QStringLiteral("turn.json"))};
-    ClassroomMode mode({&desk.program.window, &desk.program.document, &shelf}, classroom, places, [&now] { return now; });
+    const ClassPlaces places{home.filePath(QStringLiteral("journals")).toStdString(),
+                             home.filePath(QStringLiteral("waiting")), home.filePath(QStringLiteral("turn.json"))};
+    ClassroomMode mode({&desk.program.window, &desk.program.document, &shelf}, classroom, places,
+                       [&now] { return now; });
     wireClassroom(desk.program.window, mode);
     mode.begin();
     auto* panel = desk.program.window.findChild<ui::NamePanel*>();
@@ -495,7 +508,9 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     v.hand.waitForPanels();
     const auto content = [&] {
         const ui::LessonShown& shown = *panel->shown();
-        vr::LessonPanel lesson{shown.page.lesson, shown.page.title, shown.page.text, shown.page.step, shown.page.steps, {}, shown.page.isShown, shown.isPlaying};
+        vr::LessonPanel lesson{shown.page.lesson,  shown.page.title, shown.page.text,
+                               shown.page.step,    shown.page.steps, {},
+                               shown.page.isShown, shown.isPlaying};
         for (const ui::LessonMark& mark : shown.marks)
             lesson.marks.append({mark.text, mark.holds});
         return lesson;

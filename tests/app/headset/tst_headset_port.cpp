@@ -31,7 +31,8 @@ core::StrokeSample sampleAt(const core::Vec3& position)
     return sample;
 }
 
-/// A document with a ball of clay of radius 50, and the port of a visit. Its gui thread obeys wishes when it is told to.
+/// A document with a ball of clay of radius 50, and the port of a visit. Its gui thread obeys wishes when it is told
+/// to.
 struct Visit
 {
     Visit()
@@ -563,7 +564,8 @@ void TestHeadsetPort::port_outlivesItsVisit()
     QVERIFY(!visit.worker.strokeOpen());
 }
 
-/// A headset that does all there is at once, and a gui thread that hardly follows: each stroke comes, in order, or is refused.
+/// A headset that does all there is at once, and a gui thread that hardly follows: each stroke comes, in order, or is
+/// refused.
 void TestHeadsetPort::twoThreads_getAlong()
 {
     Visit visit;

@@ -1,11 +1,11 @@
-// A whole session in the headset, as a person has it: against the scripted runtime, with Khronos' validation layer between.
-// FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw.
+// A whole session in the headset, as a person has it: against the scripted runtime, with Khronos' validation layer
+// between. FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw.
 #include "tests/app/headset/headset_hand.h"
 #include "tests/vr/vr_test.h"
 
-#include "core/mesh/mesh_builder.h"
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
 
 #include <QDir>
 #include <QSet>

@@ -1,5 +1,5 @@
-// Entering and leaving, two people at one document, and all that can go wrong with a headset: against the scripted runtime, with Khronos'
-// validation layer between.
+// Entering and leaving, two people at one document, and all that can go wrong with a headset: against the scripted
+// runtime, with Khronos' validation layer between.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/other_windows_x11.h"
 #include "tests/vr/vr_test.h"
@@ -565,8 +565,8 @@ void TestHeadsetVisits::faults_thatItOutlives()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// Five frames a second, and one that comes late: the clay follows the wand all the same. Slow frames of the same motion are the same
-/// stroke, to the bit.
+/// Five frames a second, and one that comes late: the clay follows the wand all the same. Slow frames of the same
+/// motion are the same stroke, to the bit.
 void TestHeadsetVisits::framesThatComeLate()
 {
     Visit v;
@@ -652,8 +652,8 @@ void TestHeadsetVisits::oneView()
     QCOMPARE(desk.hand.headset().complaints(), QString());
 }
 
-/// Amid a stroke, which is kept. What the visit does when the runtime wakes comes to nothing, and VR can be entered again. There is no
-/// frame, so that the client waits in xrWaitFrame.
+/// Amid a stroke, which is kept. What the visit does when the runtime wakes comes to nothing, and VR can be entered
+/// again. There is no frame, so that the client waits in xrWaitFrame.
 void TestHeadsetVisits::frozen_isGivenUp()
 {
     Visit v;
@@ -765,11 +765,13 @@ void TestHeadsetVisits::process_endsThoughAllIsFrozen()
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("FETTLE_XR_SCRIPT"), file.fileName());
     environment.insert(QStringLiteral("FETTLE_XR_FRAMES"), folder.path());
-    environment.insert(QStringLiteral("XR_CORE_VALIDATION_FILE_NAME"), folder.filePath(QStringLiteral("validation.txt")));
+    environment.insert(QStringLiteral("XR_CORE_VALIDATION_FILE_NAME"),
+                       folder.filePath(QStringLiteral("validation.txt")));
     for (const char* home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
         environment.insert(QString::fromLatin1(home), folder.filePath(QString::fromLatin1(home)));
     const auto journals = [&folder] {
-        return QDir(folder.filePath(QStringLiteral("XDG_STATE_HOME/fettle/journals"))).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+        return QDir(folder.filePath(QStringLiteral("XDG_STATE_HOME/fettle/journals")))
+            .entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
     };
     QProcess fettle;
     fettle.setProcessEnvironment(environment);

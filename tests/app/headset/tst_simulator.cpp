@@ -1,10 +1,11 @@
-// The VR simulator as somebody at a desk has it: keys and mouse on its window, the real loader, the very same headset code.
+// The VR simulator as somebody at a desk has it: keys and mouse on its window, the real loader, the very same headset
+// code.
 #include "app/commands/command_line.h"
 #include "app/headset/headset.h"
 #include "app/headset/headset_settings.h"
 #include "app/headset/simulator_controller.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
 #include "tests/support/other_windows_x11.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/solid_asserts.h"
@@ -41,14 +42,16 @@ struct Desk
         view = window->view();
         openFile(program, m_folder.filePath(QStringLiteral("clay.glb")), {640, 480});
         auto* headset = program.window.findChild<Headset*>();
-        QObject::connect(headset, &Headset::seen, headset, [this](const std::optional<vr::AvatarState>& presence) { seen = presence.value_or(seen); });
+        QObject::connect(headset, &Headset::seen, headset,
+                         [this](const std::optional<vr::AvatarState>& presence) { seen = presence.value_or(seen); });
     }
 
     void enter()
     {
         seen = {};
         program.window.action(QStringLiteral("vr.enter"))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")), longEnough);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")), longEnough);
         QTRY_VERIFY_WITH_TIMEOUT(!view->picture().isNull(), longEnough);
         QVERIFY(window->isVisible());
         QTRY_VERIFY_WITH_TIMEOUT(seen.brush, longEnough);
@@ -71,7 +74,8 @@ struct Desk
     Eigen::Vector2d placeOf(const Vec3& point) const
     {
         const Vec3 own = view->person().head().inverse() * point;
-        return Eigen::Vector2d(own.x() / ui::SimulatedPerson::sideTangent, own.y() / ui::SimulatedPerson::upTangent) / -own.z();
+        return Eigen::Vector2d(own.x() / ui::SimulatedPerson::sideTangent, own.y() / ui::SimulatedPerson::upTangent) /
+               -own.z();
     }
     /// Over the middle of the model's front, the tip a little inside.
     void touchModel()
@@ -82,7 +86,8 @@ struct Desk
         const Vec3 tip = view->person().tip(view->person().hand()).translation();
         constexpr double metresANotch = 0.02;
         const double notches = ((front - eye).norm() - (tip - eye).norm()) / metresANotch;
-        QWheelEvent event(QPointF(9, 9), view->mapToGlobal(QPointF(9, 9)), {}, {0, qRound(120 * notches)}, {}, {}, Qt::NoScrollPhase, false);
+        QWheelEvent event(QPointF(9, 9), view->mapToGlobal(QPointF(9, 9)), {}, {0, qRound(120 * notches)}, {}, {},
+                          Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(view, &event);
         frames(3);
     }
@@ -153,7 +158,8 @@ private Q_SLOTS:
     void missing_isSaid();
 };
 
-/// A stroke is one step of the document, and sound; the wand's own undo takes it back; afterwards all goes on at the desktop and in VR.
+/// A stroke is one step of the document, and sound; the wand's own undo takes it back; afterwards all goes on at the
+/// desktop and in VR.
 void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
 {
     Desk desk;
@@ -165,7 +171,8 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
     desk.stroke();
     QCOMPARE(desk.changes(), 1);
     QVERIFY(desk.hash() != before);
-    const std::string unsoundness = desk.ask([](core::Sculptor& sculptor) { return mesh_asserts::unsoundness(sculptor.mesh()); });
+    const std::string unsoundness =
+        desk.ask([](core::Sculptor& sculptor) { return mesh_asserts::unsoundness(sculptor.mesh()); });
     QVERIFY2(unsoundness.empty(), unsoundness.c_str());
 
     const double radius = desk.seen.brush->radius;

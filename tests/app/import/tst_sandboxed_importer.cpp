@@ -1,11 +1,12 @@
-// Formats that come in through Assimp, written by Assimp's own exporters; and what hostile files and broken readers do to us: nothing.
+// Formats that come in through Assimp, written by Assimp's own exporters; and what hostile files and broken readers do
+// to us: nothing.
 
-#include "app/platform/child_process.h"
 #include "app/import/assimp_import.h"
 #include "app/import/sandboxed_importer.h"
+#include "app/platform/child_process.h"
 #include "app/platform/resource_limits.h"
-#include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 #include "tests/support/shapes.h"
 
 #include <QDir>
@@ -64,8 +65,8 @@ std::unique_ptr<aiScene> sceneOf(const TriangleMesh& mesh, const aiMatrix4x4& tr
         to->mFaces[i].mIndices = new unsigned[3]{mesh.triangles[i][0], mesh.triangles[i][1], mesh.triangles[i][2]};
     }
     scene->mNumMeshes = scene->mNumMaterials = 1;
-    scene->mMeshes = new aiMesh*[1]{to};
-    scene->mMaterials = new aiMaterial*[1]{new aiMaterial};
+    scene->mMeshes = new aiMesh* [1] { to };
+    scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
     scene->mRootNode = new aiNode("root");
     auto* node = new aiNode("model");
     node->mTransformation = transform;
@@ -164,12 +165,18 @@ void TestForeignReader::formats_areRead_data()
     QTest::addColumn<double>("millimetres");
     QTest::addColumn<bool>("isTurned"); // its Z is up
     QTest::addColumn<bool>("isColored");
-    QTest::newRow("dae") << "collada" << "a.dae" << 1000.0 << false << true;
-    QTest::newRow("upper case") << "collada" << "A.DAE" << 1000.0 << false << true;
-    QTest::newRow("x") << "x" << "a.x" << 1.0 << false << false;
-    QTest::newRow("x3d") << "x3d" << "a.x3d" << 1000.0 << false << false;
-    QTest::newRow("3ds") << "3ds" << "a.3ds" << 1.0 << true << false;
-    QTest::newRow("fbx") << "fbxa" << "a.fbx" << 10.0 << false << true;
+    QTest::newRow("dae") << "collada"
+                         << "a.dae" << 1000.0 << false << true;
+    QTest::newRow("upper case") << "collada"
+                                << "A.DAE" << 1000.0 << false << true;
+    QTest::newRow("x") << "x"
+                       << "a.x" << 1.0 << false << false;
+    QTest::newRow("x3d") << "x3d"
+                         << "a.x3d" << 1000.0 << false << false;
+    QTest::newRow("3ds") << "3ds"
+                         << "a.3ds" << 1.0 << true << false;
+    QTest::newRow("fbx") << "fbxa"
+                         << "a.fbx" << 10.0 << false << true;
 }
 
 void TestForeignReader::formats_areRead()
@@ -198,7 +205,8 @@ void TestForeignReader::mirroredNodes_stayOutward()
     aiMatrix4x4 mirror;
     mirror.a1 = -2;
     mirror.b4 = 5;
-    const TriangleMesh read = core::readMesh(written("collada", QStringLiteral("m.dae"), shapes::cube(1), false, mirror));
+    const TriangleMesh read =
+        core::readMesh(written("collada", QStringLiteral("m.dae"), shapes::cube(1), false, mirror));
     QCOMPARE(volume(read), volume(shapes::cube(1)) * 2e9);
 }
 
@@ -214,7 +222,8 @@ void TestForeignReader::commas_changeNothing()
 
 void TestForeignReader::commands_takeThem()
 {
-    const auto path = QString::fromStdString(written("collada", QStringLiteral("d.dae"), core::icosphere(2, 1.5), false).string());
+    const auto path =
+        QString::fromStdString(written("collada", QStringLiteral("d.dae"), core::icosphere(2, 1.5), false).string());
     const auto fettle = [this](const QStringList& arguments) {
         QProcess process;
         process.setWorkingDirectory(m_dir.path());
@@ -226,8 +235,8 @@ void TestForeignReader::commands_takeThem()
     QCOMPARE(fettle({QStringLiteral("convert"), path, QStringLiteral("d.ply")}), 0);
     QCOMPARE(core::readMesh(file(QStringLiteral("d.ply"))).points.size(), std::size_t(162));
     write(QStringLiteral("s.json"), R"({"format":"fettle-strokes","version":1,"strokes":[]})");
-    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), QStringLiteral("s.json"), QStringLiteral("--in"), path,
-                     QStringLiteral("--out"), QStringLiteral("r.ply")}),
+    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), QStringLiteral("s.json"),
+                     QStringLiteral("--in"), path, QStringLiteral("--out"), QStringLiteral("r.ply")}),
              0);
     QCOMPARE(fettle({QStringLiteral("convert"), path, QStringLiteral("d.fbx")}), 2); // is only read
 }
@@ -235,8 +244,10 @@ void TestForeignReader::commands_takeThem()
 void TestForeignReader::brokenReaders_areOneSentence_data()
 {
     QTest::addColumn<QByteArray>("lines");
-    for (const char* lines : {"exit 0", "exit 1", "kill -SEGV $$", "kill -ABRT $$", "echo garbage", "head -c 100000 /dev/zero", "head -c 300000000 /dev/zero",
-                              "printf 1ROF; head -c 100000 /dev/zero", "printf '1ROF\\0\\0\\0\\0'; head -c 100 /dev/zero | tr '\\0' '\\377'"})
+    for (const char* lines :
+         {"exit 0", "exit 1", "kill -SEGV $$", "kill -ABRT $$", "echo garbage", "head -c 100000 /dev/zero",
+          "head -c 300000000 /dev/zero", "printf 1ROF; head -c 100000 /dev/zero",
+          "printf '1ROF\\0\\0\\0\\0'; head -c 100 /dev/zero | tr '\\0' '\\377'"})
         QTest::newRow(lines) << QByteArray(lines);
 }
 
@@ -266,10 +277,12 @@ void TestForeignReader::whoStops_waitsForNobody()
 
 void TestForeignReader::slowReaders_areEnded()
 {
-    const app::ChildAnswer answer = app::runChild({.command = {script("echo begun; exec sleep 3600")}, .time = std::chrono::seconds(1), .maxBytes = 100});
+    const app::ChildAnswer answer = app::runChild(
+        {.command = {script("echo begun; exec sleep 3600")}, .time = std::chrono::seconds(1), .maxBytes = 100});
     QCOMPARE(static_cast<int>(answer.end), static_cast<int>(app::ChildAnswer::End::TooSlow));
     QCOMPARE(answer.bytes, std::string("begun\n"));
-    const app::ChildAnswer silent = app::runChild({.command = {script("exec >&-; exec sleep 3600")}, .time = std::chrono::seconds(60), .maxBytes = 1});
+    const app::ChildAnswer silent = app::runChild(
+        {.command = {script("exec >&-; exec sleep 3600")}, .time = std::chrono::seconds(60), .maxBytes = 1});
     QVERIFY(silent.end != app::ChildAnswer::End::Exited); // it has closed its output, and still does not go
 }
 
@@ -298,7 +311,8 @@ void TestForeignReader::ownLimits_hold()
         const int to = open(target.c_str(), O_CREAT | O_WRONLY, 0600);
         char* const nothing[] = {nullptr};
         _exit((socket(AF_INET, SOCK_STREAM, 0) == -1 ? 0 : 1) | (execve("/bin/true", nothing, nothing) == -1 ? 0 : 2) |
-              (::write(to, "x", 1) == -1 ? 0 : 4) | (unlink(target.c_str()) == -1 ? 0 : 8) | (to == STDERR_FILENO + 1 ? 0 : 16));
+              (::write(to, "x", 1) == -1 ? 0 : 4) | (unlink(target.c_str()) == -1 ? 0 : 8) |
+              (to == STDERR_FILENO + 1 ? 0 : 16));
     }
     int status = 0;
     QVERIFY(waitpid(child, &status, 0) == child && WIFEXITED(status));
@@ -327,13 +341,15 @@ void TestForeignReader::filesBeyondTheFolder_areNotRead()
     const QByteArray part = "p 3\n0.5 0 0\n1.25 0 0\n0 1.75 0\n";
     write(QStringLiteral("scene/part.nff"), part);
     write(QStringLiteral("outside.nff"), part);
-    QVERIFY(QFile::link(m_dir.filePath(QStringLiteral("outside.nff")), m_dir.filePath(QStringLiteral("scene/link.nff"))));
+    QVERIFY(
+        QFile::link(m_dir.filePath(QStringLiteral("outside.nff")), m_dir.filePath(QStringLiteral("scene/link.nff"))));
     const auto errorWith = [this](const QByteArray& named) {
         write(QStringLiteral("scene/a.lws"), "LWSC\n1\n\nLoadObject " + named + "\nShowObject 7\n\n");
         return errorOf([this] { core::readMesh(file(QStringLiteral("scene/a.lws"))); });
     };
     QVERIFY(!errorWith("part.nff"));
-    for (const QByteArray& named : {QByteArray("../outside.nff"), m_dir.filePath(QStringLiteral("outside.nff")).toUtf8(), QByteArray("link.nff")}) {
+    for (const QByteArray& named : {QByteArray("../outside.nff"),
+                                    m_dir.filePath(QStringLiteral("outside.nff")).toUtf8(), QByteArray("link.nff")}) {
         const auto error = errorWith(named);
         const std::string name = std::filesystem::path(named.toStdString()).filename().string();
         QVERIFY2(error && error->kind == Kind::OutsideFolder && error->token == name, named.constData());
@@ -345,8 +361,10 @@ void TestForeignReader::mutatedFiles_neverGetThrough()
     const int rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 5000 : 20;
     std::mt19937 engine(seed);
     int refused = 0;
-    for (const auto& [exporter, name] : {std::pair{"3ds", "a.3ds"}, {"collada", "b.dae"}, {"fbx", "c.fbx"}, {"x", "d.x"}}) {
-        QFile source(QString::fromStdString(written(exporter, QLatin1StringView(name), shapes::cube(2), true).string()));
+    for (const auto& [exporter, name] :
+         {std::pair{"3ds", "a.3ds"}, {"collada", "b.dae"}, {"fbx", "c.fbx"}, {"x", "d.x"}}) {
+        QFile source(
+            QString::fromStdString(written(exporter, QLatin1StringView(name), shapes::cube(2), true).string()));
         QVERIFY(source.open(QIODevice::ReadOnly));
         const QByteArray good = source.readAll();
         for (int round = 0; round < rounds; ++round) {

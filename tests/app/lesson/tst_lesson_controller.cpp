@@ -1,8 +1,8 @@
 // A lesson in the real window: shown, tried, judged, and left.
 #include "tests/support/program_driver.h"
 
-#include "core/lesson/lesson_playback.h"
 #include "core/io/mesh_io.h"
+#include "core/lesson/lesson_playback.h"
 #include "ui/lesson/lesson_panel.h"
 
 #include <QComboBox>
@@ -72,7 +72,8 @@ void showStep(Program& program)
 {
     press(program, "lessonPlay");
     QTRY_VERIFY(isPlaying(program));
-    QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.isSettled() && !program.document.isBusy(), 120'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.isSettled() && !program.document.isBusy(),
+                             120'000);
 }
 
 std::uint64_t teachersHash(const char* name, std::size_t steps)
@@ -93,7 +94,8 @@ class TestLessonDesk : public QObject
 private Q_SLOTS:
     void init() { QSettings().clear(); }
 
-    /// Strokes and commands alike, through the window's own stroke path: the same bits as by core alone, and the checkpoints are met.
+    /// Strokes and commands alike, through the window's own stroke path: the same bits as by core alone, and the
+    /// checkpoints are met.
     void shown_isTheTeachersModelToTheBit()
     {
         Program program;
@@ -102,7 +104,8 @@ private Q_SLOTS:
             QVERIFY(!marks(program).contains(QStringLiteral("✓ height")) || step > 2);
             showStep(program);
             QCOMPARE(hashOf(program), teachersHash("creature", step));
-            QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓")) && !marks(program).contains(QStringLiteral("○")), 60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                marks(program).contains(QStringLiteral("✓")) && !marks(program).contains(QStringLiteral("○")), 60'000);
             QCOMPARE(part<QPushButton>(program, "lessonNext")->isEnabled(), step < 4);
             press(program, "lessonNext");
         }
@@ -119,7 +122,8 @@ private Q_SLOTS:
         press(program, "lessonTry");
         QTRY_COMPARE(program.document.undoStack().index(), 0);
         QCOMPARE(hashOf(program), start);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ height: at least 115.0 mm (100.0 mm)")), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ height: at least 115.0 mm (100.0 mm)")),
+                                 60'000);
         QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         drag(program.window.viewport(), {30, 0});
         QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 1, 60'000);
@@ -147,7 +151,9 @@ private Q_SLOTS:
     {
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
-        const auto isThere = [&program](const char* id) { return program.window.action(QLatin1StringView(id))->isEnabled(); };
+        const auto isThere = [&program](const char* id) {
+            return program.window.action(QLatin1StringView(id))->isEnabled();
+        };
         QVERIFY(isThere("tool.pull") && !isThere("tool.stamp") && !isThere("tool.smooth"));
         QTest::keyClick(&program.window, Qt::Key_4); // Smooth's
         QCOMPARE(program.window.brush()->tool(), core::Tool::Pull);
@@ -176,14 +182,16 @@ private Q_SLOTS:
         for (core::Vec3f& point : start.points)
             point *= 0.7F;
         const QTemporaryDir folder;
-        const QString model = folder.filePath(QStringLiteral("start.stl")), path = folder.filePath(QStringLiteral("lesson.zip"));
+        const QString model = folder.filePath(QStringLiteral("start.stl")),
+                      path = folder.filePath(QStringLiteral("lesson.zip"));
         core::writeMesh(model.toStdString(), start);
         std::ostringstream bytes;
         bytes << std::ifstream(model.toStdString(), std::ios::binary).rdbuf();
         lesson.files["start.stl"] = bytes.str();
         lesson.start = "start.stl";
         core::writeLesson(path.toStdString(), lesson);
-        core::LessonPlayback playback(std::make_shared<const core::Lesson>(core::readLesson(path.toStdString())), path.toStdString());
+        core::LessonPlayback playback(std::make_shared<const core::Lesson>(core::readLesson(path.toStdString())),
+                                      path.toStdString());
 
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));

@@ -1,13 +1,13 @@
 // A teacher's lesson in the real window: recorded by strokes, written, read back and played; opened and changed.
 #include "tests/support/program_driver.h"
 
+#include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_model.h"
 #include "app/lesson/lesson_saving.h"
-#include "app/lesson/lesson_library.h"
-#include "core/lesson/lesson_playback.h"
 #include "core/analysis/mesh_check.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/lesson/lesson_playback.h"
+#include "core/mesh/mesh_builder.h"
 #include "ui/lesson/lesson_editor.h"
 
 #include <QComboBox>
@@ -164,7 +164,8 @@ class TestLessonEditor : public QObject
 private Q_SLOTS:
     void init() { QSettings().clear(); }
 
-    /// Two steps by hand, as one file and as a folder: both are the teacher's model to the bit, with words, tools, goals and pictures.
+    /// Two steps by hand, as one file and as a folder: both are the teacher's model to the bit, with words, tools,
+    /// goals and pictures.
     void recorded_isReadBackToTheBit()
     {
         Program program;
@@ -185,7 +186,8 @@ private Q_SLOTS:
         part<QDoubleSpinBox>(program, "lessonTolerance")->setValue(2.5);
 
         const QTemporaryDir folder;
-        const QString zip = folder.filePath(QStringLiteral("mine.zip")), plain = folder.filePath(QStringLiteral("plain"));
+        const QString zip = folder.filePath(QStringLiteral("mine.zip")),
+                      plain = folder.filePath(QStringLiteral("plain"));
         saveAndWait(program, zip);
         saveAndWait(program, plain);
         QVERIFY(QFileInfo(plain).isDir());
@@ -293,7 +295,8 @@ private Q_SLOTS:
         QVERIFY(isRecording(program));
     }
 
-    /// A lesson of the program is opened, a stroke cut, which ends the recording; what that breaks is said, and it may be saved all the same.
+    /// A lesson of the program is opened, a stroke cut, which ends the recording; what that breaks is said, and it may
+    /// be saved all the same.
     void cutStroke_isSaidAndMaySavedAllTheSame()
     {
         Program program;
@@ -328,7 +331,8 @@ private Q_SLOTS:
     void killed_isKept()
     {
         const QTemporaryDir home;
-        const std::filesystem::path root = toPath(home.filePath(QStringLiteral("lessons"))), left = toPath(home.filePath(QStringLiteral("left")));
+        const std::filesystem::path root = toPath(home.filePath(QStringLiteral("lessons"))),
+                                    left = toPath(home.filePath(QStringLiteral("left")));
         const auto isKept = [](const std::filesystem::path& where) {
             return std::filesystem::exists(where) && !std::filesystem::is_empty(where);
         };
@@ -340,8 +344,11 @@ private Q_SLOTS:
             QTest::keyClicks(part<QLineEdit>(program, "lessonName"), QStringLiteral("Mine"));
             stroke(program, {30, 12});
             const auto strokesKept = [&] {
-                for (const auto& folder : isKept(root) ? std::filesystem::directory_iterator(root) : std::filesystem::directory_iterator())
-                    if (const ReadLesson read = tryToReadLesson(QString::fromStdString((folder.path() / "lesson.zip").string())); read.lesson)
+                for (const auto& folder :
+                     isKept(root) ? std::filesystem::directory_iterator(root) : std::filesystem::directory_iterator())
+                    if (const ReadLesson read =
+                            tryToReadLesson(QString::fromStdString((folder.path() / "lesson.zip").string()));
+                        read.lesson)
                         return read.lesson->steps.at(0).strokes.size();
                 return std::size_t(0);
             };
@@ -360,7 +367,8 @@ private Q_SLOTS:
         press(program, "lessonEdit");
         QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), 60'000);
         QCOMPARE(part<QLineEdit>(program, "lessonName")->text(), QStringLiteral("Mine"));
-        QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(), QString()); // no word that nobody wrote
+        QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(),
+                 QString()); // no word that nobody wrote
         QCOMPARE(strokesOf(program), 1);
         QCOMPARE(shelf->count(), 3);
         press(program, "lessonSave");
@@ -372,13 +380,15 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!isKept(left), 60'000);
     }
 
-    /// Steps change places, a text in one language is another one, and recording goes on from the end of what was opened.
+    /// Steps change places, a text in one language is another one, and recording goes on from the end of what was
+    /// opened.
     void opened_isChangedAndRecordedOn()
     {
         Program program;
         show(program);
         const QTemporaryDir folder;
-        const QString ours = folder.filePath(QStringLiteral("ours.zip")), path = folder.filePath(QStringLiteral("more"));
+        const QString ours = folder.filePath(QStringLiteral("ours.zip")),
+                      path = folder.filePath(QStringLiteral("more"));
         core::writeLesson(toPath(ours), readLesson(QStringLiteral("first-clay")));
         Q_EMIT program.window.findChild<ui::LessonEditor*>()->lessonChosen(ours);
         auto* steps = part<QListWidget>(program, "lessonSteps");
@@ -434,7 +444,8 @@ private Q_SLOTS:
         const TriedLesson tried = LessonSaving::attempt(draft, "broken.zip", {}, {});
         QVERIFY(!tried.lesson);
         QVERIFY2(tried.problem.contains(QStringLiteral("step 2")), qPrintable(tried.problem));
-        QVERIFY2(tried.problem.contains(QStringLiteral("stroke %1").arg(draft.step(1).strokes.size())), qPrintable(tried.problem));
+        QVERIFY2(tried.problem.contains(QStringLiteral("stroke %1").arg(draft.step(1).strokes.size())),
+                 qPrintable(tried.problem));
     }
 
     /// One sentence, and nothing on disk.
@@ -463,7 +474,8 @@ private Q_SLOTS:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
-    /// Another model ends the recording, and what was recorded stays; a window with an unsaved lesson asks before it closes.
+    /// Another model ends the recording, and what was recorded stays; a window with an unsaved lesson asks before it
+    /// closes.
     void unsaved_isAskedFor()
     {
         Program program;

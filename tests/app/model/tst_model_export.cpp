@@ -2,8 +2,8 @@
 
 #include "app/model/model_export.h"
 
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -92,7 +92,8 @@ void TestModelExport::verdict_isOneLine_data()
 {
     QTest::addColumn<QString>("name");
     for (const std::string_view ending : core::writtenEndings())
-        QTest::addRow("%s", ending.data()) << QStringLiteral("ball.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
+        QTest::addRow("%s", ending.data())
+            << QStringLiteral("ball.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
 }
 
 void TestModelExport::verdict_isOneLine()
@@ -101,8 +102,9 @@ void TestModelExport::verdict_isOneLine()
     const QString target = m_folder.filePath(name);
     const ExportOutcome outcome = ModelExport::run({target, 0, false, {}, ball(20)}, quiet, {});
     QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
-    QVERIFY2(outcome.verdict.contains(target) && outcome.verdict.contains(QStringLiteral("40.0 × 40.0 × 40.0 mm"))
-                 && outcome.verdict.contains(QStringLiteral("5,120 triangles")) && outcome.verdict.contains(QStringLiteral("in fine fettle")),
+    QVERIFY2(outcome.verdict.contains(target) && outcome.verdict.contains(QStringLiteral("40.0 × 40.0 × 40.0 mm")) &&
+                 outcome.verdict.contains(QStringLiteral("5,120 triangles")) &&
+                 outcome.verdict.contains(QStringLiteral("in fine fettle")),
              qPrintable(outcome.verdict));
     QVERIFY(!outcome.verdict.contains(u'\n') && !outcome.verdict.contains(QStringLiteral("inches")));
 }
@@ -163,7 +165,8 @@ void TestModelExport::stoppedLater_isNotReadBack()
         if (what.startsWith(QStringLiteral("Reading")))
             stop.request_stop();
     };
-    const ExportOutcome outcome = ModelExport::run({path("later.stl"), 0, false, {}, ball(20)}, tell, {stop.get_token(), {}});
+    const ExportOutcome outcome =
+        ModelExport::run({path("later.stl"), 0, false, {}, ball(20)}, tell, {stop.get_token(), {}});
     QVERIFY2(outcome.verdict.contains(QStringLiteral("not read back")), qPrintable(outcome.verdict));
     QVERIFY(QFile::exists(path("later.stl")));
 }
@@ -211,7 +214,8 @@ void TestModelExport::dialog_presetsSetTheBudget()
     QDialog* dialog = nullptr;
     QTRY_VERIFY((dialog = program.window.findChild<QDialog*>(QStringLiteral("exportChoice"))) && dialog->isVisible());
     const auto* limits = in<QCheckBox>(dialog, "limits");
-    QVERIFY(in<QRadioButton>(dialog, "stl")->isChecked() && !limits->isChecked() && !in<QSpinBox>(dialog, "most")->isEnabled());
+    QVERIFY(in<QRadioButton>(dialog, "stl")->isChecked() && !limits->isChecked() &&
+            !in<QSpinBox>(dialog, "most")->isEnabled());
     QTRY_VERIFY(in<QRadioButton>(dialog, "stl")->hasFocus());
     for (const char* name : {"stl", "3mf"})
         QTest::keyClick(in<QRadioButton>(dialog, name), Qt::Key_Down);
@@ -246,7 +250,8 @@ void TestModelExport::dialog_comesBackAsItWasAgreedTo()
     QTRY_VERIFY(!dialog);
     dialog = ask();
     QTRY_VERIFY(dialog && dialog->isVisible());
-    QVERIFY(in<QRadioButton>(dialog, "stl")->isChecked() && !in<QCheckBox>(dialog, "limits")->isChecked() && !in<QCheckBox>(dialog, "slices")->isChecked());
+    QVERIFY(in<QRadioButton>(dialog, "stl")->isChecked() && !in<QCheckBox>(dialog, "limits")->isChecked() &&
+            !in<QCheckBox>(dialog, "slices")->isChecked());
 
     press(in<QRadioButton>(dialog, "3mf"));
     QTest::keyClick(in<QCheckBox>(dialog, "slices"), Qt::Key_Space);
@@ -324,9 +329,12 @@ void TestModelExport::slicer_tellsWhatItSays_data()
 {
     QTest::addColumn<QByteArray>("program"); ///< after --export-gcode --output G-CODE MODEL
     QTest::addColumn<QString>("said");
-    QTest::newRow("slices") << QByteArray("printf ';LAYER_CHANGE\\n;LAYER_CHANGE\\n; estimated printing time (normal mode) = 1h 2m\\n' > \"$3\"")
-                            << QStringLiteral("layers 2, time 1h 2m");
-    QTest::newRow("complains") << QByteArray("echo first; echo 'All objects are outside of the print volume.' >&2; exit 1")
+    QTest::newRow("slices")
+        << QByteArray(
+               "printf ';LAYER_CHANGE\\n;LAYER_CHANGE\\n; estimated printing time (normal mode) = 1h 2m\\n' > \"$3\"")
+        << QStringLiteral("layers 2, time 1h 2m");
+    QTest::newRow("complains") << QByteArray(
+                                      "echo first; echo 'All objects are outside of the print volume.' >&2; exit 1")
                                << QStringLiteral("All objects are outside of the print volume.");
     QTest::newRow("writes nothing") << QByteArray("echo done") << QStringLiteral("does not slice it: done");
     QTest::newRow("crashes") << QByteArray("echo ouch; kill -SEGV $$") << QStringLiteral("does not slice it: ouch");
@@ -339,7 +347,8 @@ void TestModelExport::slicer_tellsWhatItSays()
     QFETCH(QString, said);
     const SlicerOnPath slicer(program);
     const ExportOutcome outcome = ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, quiet, {});
-    QVERIFY2(outcome.verdict.contains(QStringLiteral("in fine fettle")) && outcome.verdict.contains(said), qPrintable(outcome.verdict));
+    QVERIFY2(outcome.verdict.contains(QStringLiteral("in fine fettle")) && outcome.verdict.contains(said),
+             qPrintable(outcome.verdict));
 }
 
 void TestModelExport::slicer_thatHangsIsStopped()
@@ -350,7 +359,8 @@ void TestModelExport::slicer_thatHangsIsStopped()
         if (what.startsWith(QStringLiteral("Slicing")))
             stop.request_stop();
     };
-    const ExportOutcome outcome = ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, tell, {stop.get_token(), {}});
+    const ExportOutcome outcome =
+        ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, tell, {stop.get_token(), {}});
     QVERIFY2(outcome.verdict.contains(QStringLiteral("was stopped")), qPrintable(outcome.verdict));
 }
 

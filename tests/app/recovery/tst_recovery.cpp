@@ -1,16 +1,16 @@
-#include "tests/support/unwritable_places.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/unwritable_places.h"
 
 #include "app/document/document.h"
-#include "app/recovery/recovery_store.h"
 #include "app/document/stroke_command.h"
+#include "app/recovery/recovery_store.h"
 
-#include "core/journal/journal_files.h"
-#include "core/util/numbered_backup.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "core/journal/journal_files.h"
+#include "core/mesh/mesh_builder.h"
 #include "core/stroke/stroke_edit.h"
+#include "core/util/numbered_backup.h"
 #include "ui/settings/settings.h"
 
 #include <QApplication>
@@ -46,13 +46,16 @@ struct State
 
 std::string lineOf(const State& s)
 {
-    return "state " + std::to_string(s.mesh) + ' ' + std::to_string(s.state) + ' ' + std::to_string(s.present) + ' ' + std::to_string(s.count);
+    return "state " + std::to_string(s.mesh) + ' ' + std::to_string(s.state) + ' ' + std::to_string(s.present) + ' ' +
+           std::to_string(s.count);
 }
 
 State stateIn(const QByteArray& line)
 {
     const QList<QByteArray> words = line.trimmed().split(' ');
-    return words.size() >= 5 && words[0] == "state" ? State{words[1].toULongLong(), words[2].toULongLong(), words[3].toInt(), words[4].toInt()} : State();
+    return words.size() >= 5 && words[0] == "state"
+               ? State{words[1].toULongLong(), words[2].toULongLong(), words[3].toInt(), words[4].toInt()}
+               : State();
 }
 
 /// Comes back as soon as it is so: the event loop is awake at each letter, so that victims seldom rest.
@@ -159,7 +162,8 @@ struct Session
             return;
         core::BrushChange brush = core::brushOf(last->report.stroke()->settings);
         brush.radius *= factor;
-        document.redoStroke(*last, std::make_shared<const core::Stroke>(core::changed(*last->report.stroke(), brush)), {}, [](const auto&) {});
+        document.redoStroke(*last, std::make_shared<const core::Stroke>(core::changed(*last->report.stroke(), brush)),
+                            {}, [](const auto&) {});
         wait();
     }
     void wholeModel(StrokeFuzzer& random)
@@ -183,7 +187,8 @@ struct Session
         case 7:
             return apply(core::Move{{random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20)}});
         case 8:
-            return apply(core::Rotate{Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-3, 3), core::Vec3::UnitY()))});
+            return apply(
+                core::Rotate{Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-3, 3), core::Vec3::UnitY()))});
         case 9:
             return apply(core::RemeshUniformly{height * random.uniform(0.05, 0.1)});
         case 10:
@@ -260,9 +265,13 @@ constexpr Kind kinds[] = {
      }},
     {"fill", [](Session& s, StrokeFuzzer&) { s.apply(core::Fill{red}); }},
     {"mask", [](Session& s, StrokeFuzzer&) { s.apply(core::MaskOperation{core::MaskOperation::Kind::Invert}); }},
-    {"clear the mask", [](Session& s, StrokeFuzzer&) { s.apply(core::MaskOperation{core::MaskOperation::Kind::Clear}); }},
+    {"clear the mask",
+     [](Session& s, StrokeFuzzer&) { s.apply(core::MaskOperation{core::MaskOperation::Kind::Clear}); }},
     {"resize", [](Session& s, StrokeFuzzer&) { s.apply(core::Scale{1.3}); }},
-    {"move", [](Session& s, StrokeFuzzer&) { s.apply(core::Move{{1, 2, 3}}); }},
+    {"move",
+     [](Session& s, StrokeFuzzer&) {
+         s.apply(core::Move{{1, 2, 3}});
+     }},
     {"recentre", whole<core::Recentre>},
     {"rotate", [](Session& s, StrokeFuzzer&) { s.apply(core::Rotate{Eigen::Quaterniond(0.8, 0.6, 0, 0)}); }},
     {"mirror", whole<core::Mirror>},
@@ -272,7 +281,8 @@ constexpr Kind kinds[] = {
     {"place on bed", whole<core::PlaceOnBed>},
     {"flatten base", [](Session& s, StrokeFuzzer&) { s.apply(core::FlattenBase{10}); }},
     {"reset", whole<core::Reset>},
-    {"import", [](Session& s, StrokeFuzzer& random) { s.document.open(s.file("ball.stl")), s.wait(), strokes(s, random); }},
+    {"import",
+     [](Session& s, StrokeFuzzer& random) { s.document.open(s.file("ball.stl")), s.wait(), strokes(s, random); }},
     {"legalise", [](Session& s, StrokeFuzzer&) { s.document.openMended(s.file("bad.stl"), {}), s.wait(); }},
     {"save", [](Session& s, StrokeFuzzer&) { s.document.save(s.file("saved.glb")), s.wait(); }},
     {"lose the file", [](Session& s, StrokeFuzzer&) { s.document.loseFile(), s.wait(); }},
@@ -319,11 +329,13 @@ State stateOf(const core::RecoveredDocument& document)
             static_cast<int>(document.history.steps.size())};
 }
 
-/// Whether it was on its way from the one to the other, step by step: from there its own steps lead back, as far as a base has left them.
+/// Whether it was on its way from the one to the other, step by step: from there its own steps lead back, as far as a
+/// base has left them.
 bool isJumping(core::RecoveredDocument& found, const State& from, const State& to)
 {
     const int present = static_cast<int>(found.history.present), count = static_cast<int>(found.history.steps.size());
-    if (count != from.count || count != to.count || present <= std::min(from.present, to.present) || present >= std::max(from.present, to.present))
+    if (count != from.count || count != to.count || present <= std::min(from.present, to.present) ||
+        present >= std::max(from.present, to.present))
         return false;
     const int way = from.present < present ? -1 : 1;
     for (int at = present; at != from.present; at += way) {
@@ -339,7 +351,8 @@ bool isJumping(core::RecoveredDocument& found, const State& from, const State& t
 bool isEditing(core::RecoveredDocument& found, const State& from, const State& to)
 {
     const std::size_t present = found.history.present;
-    if (from.present != to.present || from.count != to.count || static_cast<int>(present) + 1 != from.present || from.count != from.present)
+    if (from.present != to.present || from.count != to.count || static_cast<int>(present) + 1 != from.present ||
+        from.count != from.present)
         return false;
     if (!found.deltas.at(present))
         return true;
@@ -360,8 +373,9 @@ class XServer
 public:
     XServer()
     {
-        m_server.start(QStringLiteral("Xvfb"), {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"), QStringLiteral("0"),
-                                                QStringLiteral("640x480x24")});
+        m_server.start(QStringLiteral("Xvfb"),
+                       {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
+                        QStringLiteral("0"), QStringLiteral("640x480x24")});
         m_server.waitForReadyRead(longestWait);
         m_name = ":" + m_server.readLine().trimmed();
     }
@@ -423,8 +437,9 @@ std::unique_ptr<places::SmallDisk> smallDisk, largerDisk;
 void TestRecovery::startVictim(QProcess& victim, const fs::path& root, std::uint64_t seed, int changes)
 {
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--victim"), QString::fromStdString(root.string()),
-                                                           QString::number(seed), QString::number(changes)});
+    victim.start(QCoreApplication::applicationFilePath(),
+                 {QStringLiteral("--victim"), QString::fromStdString(root.string()), QString::number(seed),
+                  QString::number(changes)});
     QVERIFY(victim.waitForStarted());
 }
 
@@ -453,8 +468,8 @@ void TestRecovery::kill_losesNothingThatWasFinished_data()
         QTest::addRow("%llu", seed) << seed;
 }
 
-/// The same changes each time, and SIGKILL at any moment: what comes back is the last state that was told of, or the one after it, or one
-/// that a jump passes between them, or the one without a stroke that is being done otherwise.
+/// The same changes each time, and SIGKILL at any moment: what comes back is the last state that was told of, or the
+/// one after it, or one that a jump passes between them, or the one without a stroke that is being done otherwise.
 void TestRecovery::kill_losesNothingThatWasFinished()
 {
     QFETCH(quint64, seed);
@@ -498,14 +513,19 @@ void TestRecovery::kill_losesNothingThatWasFinished()
         QVERIFY2(found && !found->isDamaged, "nothing comes back");
         QVERIFY(core::checkMesh(core::extractMesh(*found->mesh)).printReady());
         const State state = stateOf(*found);
-        const bool isLast = told + 1 == states.size(), isExact = state == states[told], isNext = !isLast && state == states[told + 1];
-        QVERIFY2(isExact || isNext || (!isLast && (isJumping(*found, states[told], states[told + 1]) || isEditing(*found, states[told], states[told + 1]))),
-                 qPrintable(QStringLiteral("after %1 changes: %2").arg(told).arg(QString::fromStdString(lineOf(state)))));
+        const bool isLast = told + 1 == states.size(), isExact = state == states[told],
+                   isNext = !isLast && state == states[told + 1];
+        QVERIFY2(
+            isExact || isNext ||
+                (!isLast && (isJumping(*found, states[told], states[told + 1]) ||
+                             isEditing(*found, states[told], states[told + 1]))),
+            qPrintable(QStringLiteral("after %1 changes: %2").arg(told).arg(QString::fromStdString(lineOf(state)))));
         ++(isExact ? exact : isNext ? next : jumping);
         fs::remove_all(root);
     }
-    qInfo("%d kills: %d before the model was there, %d at the change told of last, %d at the one after it, %d within a jump", kills, early, exact,
-          next, jumping);
+    qInfo("%d kills: %d before the model was there, %d at the change told of last, %d at the one after it, %d within a "
+          "jump",
+          kills, early, exact, next, jumping);
 }
 
 void TestRecovery::kill_afterEachKindOfChange_data()
@@ -529,7 +549,9 @@ void TestRecovery::kill_afterEachKindOfChange()
         if (!document || stateOf(*document) != stateIn(lines[last]) || document->isUnsaved() != isModified)
             continue;
         ++found;
-        QVERIFY(document->history.isWhole && std::ranges::all_of(document->history.steps, [](const core::JournalStep& step) { return step.deed != nullptr; }));
+        QVERIFY(document->history.isWhole &&
+                std::ranges::all_of(document->history.steps,
+                                    [](const core::JournalStep& step) { return step.deed != nullptr; }));
     }
     QCOMPARE(found, 1);
 }
@@ -538,7 +560,8 @@ QList<QByteArray> TestRecovery::killAfter(const fs::path& root, int last)
 {
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--kinds"), QString::fromStdString(root.string()), QString::number(last)});
+    victim.start(QCoreApplication::applicationFilePath(),
+                 {QStringLiteral("--kinds"), QString::fromStdString(root.string()), QString::number(last)});
     QList<QByteArray> lines;
     while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(longestWait))) {
         if (victim.canReadLine())
@@ -753,7 +776,8 @@ void TestRecovery::damagedInPart_comesBackAndIsKept()
     const State left = leaveJournal(root, 11, 30);
     const fs::path folder = onlyFolderIn(root);
     const core::JournalFiles files = core::filesIn(folder);
-    auto segment = files.segments.lower_bound(files.bases.empty() ? 0 : files.bases.rbegin()->first); // those before are of no use
+    auto segment =
+        files.segments.lower_bound(files.bases.empty() ? 0 : files.bases.rbegin()->first); // those before are of no use
     if (std::next(segment) != files.segments.end())
         ++segment; // so that something comes back, however large the first change is
     {
@@ -795,7 +819,8 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
     session.shelf.setPatience(std::chrono::milliseconds(20));
     QSignalSpy notices(&session.document, &Document::noticed);
     const auto told = [&](const char* words) {
-        return std::ranges::count_if(notices, [&](const auto& notice) { return notice[0].toString().contains(QLatin1StringView(words)); });
+        return std::ranges::count_if(
+            notices, [&](const auto& notice) { return notice[0].toString().contains(QLatin1StringView(words)); });
     };
     session.openBall();
     StrokeFuzzer random(12);
@@ -819,7 +844,8 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
         const auto found = core::recoverJournal(session.document.journal()->folder());
         QVERIFY(found && stateOf(*found) == now && found->isUnsaved() == session.document.isModified());
         for (int i = 0; i < now.count; ++i)
-            QCOMPARE(QString::fromStdString(found->history.steps[static_cast<std::size_t>(i)].text), session.document.undoStack().text(i));
+            QCOMPARE(QString::fromStdString(found->history.steps[static_cast<std::size_t>(i)].text),
+                     session.document.undoStack().text(i));
         QTRY_VERIFY(!fs::exists(before));
         session.document.goTo(0);
         session.wait();
@@ -894,7 +920,8 @@ QByteArray TestRecovery::killDisplayOf(const fs::path& root, const QString& chan
     environment.insert(QStringLiteral("DISPLAY"), QString::fromLatin1(display.name()));
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
     victim.setProcessEnvironment(environment);
-    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--window"), QString::fromStdString(root.string()), changes});
+    victim.start(QCoreApplication::applicationFilePath(),
+                 {QStringLiteral("--window"), QString::fromStdString(root.string()), changes});
     if (!victim.waitForReadyRead(longestWait) || !victim.readAllStandardOutput().contains("ready"))
         return "not ready: " + victim.readAllStandardError();
     display.die();
@@ -938,8 +965,11 @@ int main(int argc, char* argv[])
     const bool isVictim = is(5, "--victim"), isOfKinds = is(4, "--kinds");
     if (!isVictim && !isOfKinds) { // before there are threads
         places::obeyPermissions();
-        smallDisk = std::make_unique<places::SmallDisk>(fs::temp_directory_path() / ("fettle-journal-" + std::to_string(QCoreApplication::applicationPid())));
-        largerDisk = std::make_unique<places::SmallDisk>(fs::temp_directory_path() / ("fettle-larger-" + std::to_string(QCoreApplication::applicationPid())), 32 << 10);
+        smallDisk = std::make_unique<places::SmallDisk>(
+            fs::temp_directory_path() / ("fettle-journal-" + std::to_string(QCoreApplication::applicationPid())));
+        largerDisk = std::make_unique<places::SmallDisk>(
+            fs::temp_directory_path() / ("fettle-larger-" + std::to_string(QCoreApplication::applicationPid())),
+            32 << 10);
     }
     const QCoreApplication application(argc, argv);
     if (isVictim)

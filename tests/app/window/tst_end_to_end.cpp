@@ -4,8 +4,8 @@
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
 #include "ui/brush/color_panel.h"
-#include "ui/util/error_messages.h"
 #include "ui/settings/settings.h"
+#include "ui/util/error_messages.h"
 
 #include <QAction>
 #include <QApplication>
@@ -316,7 +316,8 @@ void TestEndToEnd::closing_maySaveFirst()
 void TestEndToEnd::opening_maySaveFirst()
 {
     QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("mine.obj")), other = folder.filePath(QStringLiteral("other.stl"));
+    const QString path = folder.filePath(QStringLiteral("mine.obj")),
+                  other = folder.filePath(QStringLiteral("other.stl"));
     core::writeMesh(other.toStdString(), core::icosphere(2, 10));
     Program program;
     sculptBall(program);

@@ -1,12 +1,12 @@
 #include "tests/support/program.h"
 
-#include "core/mesh/mesh_builder.h"
 #include "core/analysis/mesh_check.h"
+#include "core/mesh/mesh_builder.h"
 #include "ui/actions/actions.h"
-#include "ui/util/thread_mailbox.h"
-#include "ui/window/main_window.h"
 #include "ui/scene/scene.h"
+#include "ui/util/thread_mailbox.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QApplication>
@@ -42,7 +42,10 @@ public:
 
 private:
     int below(int end) { return std::uniform_int_distribution(0, end - 1)(m_random); }
-    QPoint placeIn(const QWidget* widget) { return {below(std::max(1, widget->width())), below(std::max(1, widget->height()))}; }
+    QPoint placeIn(const QWidget* widget)
+    {
+        return {below(std::max(1, widget->width())), below(std::max(1, widget->height()))};
+    }
     Qt::KeyboardModifiers modifiers();
     QWidget* someWidget();
     void drag(QWidget* widget);
@@ -59,7 +62,8 @@ private:
 
 Qt::KeyboardModifiers RandomHand::modifiers()
 {
-    constexpr Qt::KeyboardModifier held[] = {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
+    constexpr Qt::KeyboardModifier held[] = {Qt::NoModifier,      Qt::NoModifier,    Qt::NoModifier,
+                                             Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
     return held[below(std::size(held))];
 }
 
@@ -74,7 +78,8 @@ QWidget* RandomHand::someWidget()
 
 void RandomHand::drag(QWidget* widget)
 {
-    constexpr Qt::MouseButton buttons[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::MiddleButton, Qt::RightButton};
+    constexpr Qt::MouseButton buttons[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::MiddleButton,
+                                           Qt::RightButton};
     const Qt::MouseButton button = buttons[below(std::size(buttons))];
     const Qt::KeyboardModifiers keys = modifiers();
     const QPointer<QWidget> guard(widget);
@@ -93,18 +98,21 @@ void RandomHand::drag(QWidget* widget)
 void RandomHand::wheel(QWidget* widget)
 {
     const QPoint at = placeIn(widget);
-    QWheelEvent turn(at, widget->mapToGlobal(at), {}, {0, 120 * (below(5) - 2)}, Qt::NoButton, modifiers(), Qt::NoScrollPhase, false);
+    QWheelEvent turn(at, widget->mapToGlobal(at), {}, {0, 120 * (below(5) - 2)}, Qt::NoButton, modifiers(),
+                     Qt::NoScrollPhase, false);
     QApplication::sendEvent(widget, &turn);
 }
 
 void RandomHand::type()
 {
-    constexpr Qt::Key keys[] = {Qt::Key_Escape, Qt::Key_Return, Qt::Key_Tab,  Qt::Key_Space, Qt::Key_Up, Qt::Key_Down, Qt::Key_0,
-                                Qt::Key_9,      Qt::Key_F,      Qt::Key_A,    Qt::Key_X,     Qt::Key_Z,  Qt::Key_T,    Qt::Key_S,
-                                Qt::Key_Minus,  Qt::Key_Period, Qt::Key_Home, Qt::Key_F1,    Qt::Key_R,  Qt::Key_Backspace};
+    constexpr Qt::Key keys[] = {Qt::Key_Escape, Qt::Key_Return, Qt::Key_Tab, Qt::Key_Space, Qt::Key_Up,
+                                Qt::Key_Down,   Qt::Key_0,      Qt::Key_9,   Qt::Key_F,     Qt::Key_A,
+                                Qt::Key_X,      Qt::Key_Z,      Qt::Key_T,   Qt::Key_S,     Qt::Key_Minus,
+                                Qt::Key_Period, Qt::Key_Home,   Qt::Key_F1,  Qt::Key_R,     Qt::Key_Backspace};
     QWidget* const focus = QApplication::focusWidget();
     const Qt::Key key = keys[below(std::size(keys))];
-    QTest::keyClick(focus ? focus : &m_program.window, key, key == Qt::Key_Z ? Qt::KeyboardModifiers(Qt::ControlModifier) : modifiers());
+    QTest::keyClick(focus ? focus : &m_program.window, key,
+                    key == Qt::Key_Z ? Qt::KeyboardModifiers(Qt::ControlModifier) : modifiers());
 }
 
 /// Any command but the end of the program, and those that change files.
@@ -125,13 +133,21 @@ void RandomHand::act()
     if (m_program.document.facts().vertices > mostVertices && !m_program.document.isBusy())
         m_program.window.action(QStringLiteral("model.reset"))->trigger();
     switch (below(10)) {
-    case 0: return wheel(m_program.window.viewport());
-    case 1: return type();
-    case 2: return choose();
-    case 3: return drag(someWidget());
-    case 4: return QTest::mouseClick(m_program.window.viewport(), Qt::LeftButton, modifiers(), placeIn(m_program.window.viewport()));
-    case 5: return m_program.window.resize(640 + below(300), 480 + below(200));
-    default: return drag(m_program.window.viewport());
+    case 0:
+        return wheel(m_program.window.viewport());
+    case 1:
+        return type();
+    case 2:
+        return choose();
+    case 3:
+        return drag(someWidget());
+    case 4:
+        return QTest::mouseClick(m_program.window.viewport(), Qt::LeftButton, modifiers(),
+                                 placeIn(m_program.window.viewport()));
+    case 5:
+        return m_program.window.resize(640 + below(300), 480 + below(200));
+    default:
+        return drag(m_program.window.viewport());
     }
 }
 
@@ -160,15 +176,16 @@ void RandomHand::answer()
 void RandomHand::rest()
 {
     m_answers.stop();
-    for (QWidget* open = nullptr; (open = QApplication::activePopupWidget()) || (open = QApplication::activeModalWidget());) {
+    for (QWidget* open = nullptr;
+         (open = QApplication::activePopupWidget()) || (open = QApplication::activeModalWidget());) {
         open->close();
         QTest::qWait(20);
     }
 }
 } // namespace
 
-/// Minutes of senseless work on the real window (FETTLE_SOAK; seconds without it). What goes wrong shows as a crash, under the
-/// sanitizers best, as a model that is not sound, or as steps that cannot be undone and done again.
+/// Minutes of senseless work on the real window (FETTLE_SOAK; seconds without it). What goes wrong shows as a crash,
+/// under the sanitizers best, as a model that is not sound, or as steps that cannot be undone and done again.
 class TestRandomHand : public QObject
 {
     Q_OBJECT
@@ -220,11 +237,13 @@ void TestRandomHand::theModelStaysSound()
         return answer.value();
     };
     const auto state = [](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); };
-    QVERIFY(ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
+    QVERIFY(
+        ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
     const int last = program.document.undoStack().index();
     const std::uint64_t before = ask(state);
     program.document.goTo(0);
-    QVERIFY(ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
+    QVERIFY(
+        ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
     program.document.goTo(last);
     QCOMPARE(program.document.undoStack().index(), last);
     QCOMPARE(ask(state), before);

@@ -4,24 +4,24 @@
 
 #include "core/io/mesh_io.h"
 #include "core/operations/starter_models.h"
+#include "ui/brush/stroke_edit_bar.h"
+#include "ui/classroom/pupil_name_panel.h"
 #include "ui/drawing/drawing_canvas.h"
 #include "ui/files/file_browser.h"
 #include "ui/help/guide_window.h"
+#include "ui/help/start_page.h"
+#include "ui/history/recovery_bar.h"
 #include "ui/lesson/lesson_editor.h"
 #include "ui/lesson/lesson_panel.h"
-#include "ui/window/main_window.h"
 #include "ui/model/repair_dialogs.h"
-#include "ui/util/repair_messages.h"
-#include "ui/util/error_messages.h"
-#include "ui/classroom/pupil_name_panel.h"
-#include "ui/history/recovery_bar.h"
-#include "ui/brush/stroke_edit_bar.h"
+#include "ui/model/unit_bar.h"
 #include "ui/scene/scene.h"
 #include "ui/settings/settings.h"
-#include "ui/help/start_page.h"
-#include "ui/widgets/theme.h"
-#include "ui/model/unit_bar.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/repair_messages.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/theme.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QApplication>
@@ -40,9 +40,9 @@
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QTextBrowser>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTranslator>
 
 using namespace app;
@@ -95,11 +95,14 @@ QString clippedText(const QWidget* widget)
     if (const auto* box = qobject_cast<const QComboBox*>(widget)) {
         QStyleOptionComboBox option;
         option.initFrom(box);
-        const QRect room = box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        const QRect room =
+            box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
         return room.width() >= widthOf(box, box->currentText()) ? QString() : box->currentText();
     }
     if (const auto* line = qobject_cast<const QLineEdit*>(widget)) { // what a person types may be longer, our words not
-        const QString words = line->text().isEmpty() ? line->placeholderText() : line->isReadOnly() ? line->text() : QString();
+        const QString words = line->text().isEmpty() ? line->placeholderText()
+                              : line->isReadOnly()   ? line->text()
+                                                     : QString();
         return line->width() >= widthOf(line, words) ? QString() : words;
     }
     if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) {
@@ -125,8 +128,8 @@ QStringList clippedTexts(const QWidget& window)
 }
 } // namespace
 
-/// The main states of the window as pictures, to be looked at: build/<preset>/screenshots. What a test can see is seen here:
-/// nothing is clipped, and the window fits a small screen.
+/// The main states of the window as pictures, to be looked at: build/<preset>/screenshots. What a test can see is seen
+/// here: nothing is clipped, and the window fits a small screen.
 class TestScreenshots : public QObject
 {
     Q_OBJECT
@@ -164,7 +167,8 @@ void TestScreenshots::states_data()
 {
     QTest::addColumn<ui::ThemeChoice>("theme");
     QTest::addColumn<QString>("locale");
-    for (const auto& [theme, name] : {std::pair(ui::ThemeChoice::Light, "light"), std::pair(ui::ThemeChoice::Dark, "dark")})
+    for (const auto& [theme, name] :
+         {std::pair(ui::ThemeChoice::Light, "light"), std::pair(ui::ThemeChoice::Dark, "dark")})
         for (const char* locale : {"en", "de", "zh_CN"})
             QTest::addRow("%s %s", name, locale) << theme << QString::fromLatin1(locale);
 }
@@ -175,7 +179,9 @@ void TestScreenshots::states()
         QSKIP("There is no OpenGL here.");
     QFETCH(ui::ThemeChoice, theme);
     QFETCH(QString, locale);
-    m_folder.setPath(QStringLiteral(FETTLE_SCREENSHOT_DIR "/%1x %2").arg(qApp->devicePixelRatio()).arg(QString::fromLatin1(QTest::currentDataTag())));
+    m_folder.setPath(QStringLiteral(FETTLE_SCREENSHOT_DIR "/%1x %2")
+                         .arg(qApp->devicePixelRatio())
+                         .arg(QString::fromLatin1(QTest::currentDataTag())));
     QVERIFY(m_folder.mkpath(QStringLiteral(".")));
 
     const Words words(locale);
@@ -243,7 +249,8 @@ void TestScreenshots::largerTexts()
     if (!ui::graphicsProblem().isEmpty())
         QSKIP("There is no OpenGL here.");
     QFETCH(ui::TextSize, size);
-    m_folder.setPath(QStringLiteral(FETTLE_SCREENSHOT_DIR "/text %1").arg(QString::fromLatin1(QTest::currentDataTag())));
+    m_folder.setPath(
+        QStringLiteral(FETTLE_SCREENSHOT_DIR "/text %1").arg(QString::fromLatin1(QTest::currentDataTag())));
     QVERIFY(m_folder.mkpath(QStringLiteral(".")));
     const QFont usual = QApplication::font();
     QApplication::setFont(ui::scaled(usual, ui::factorOf(size)));
@@ -266,7 +273,9 @@ void TestScreenshots::largerTexts()
 
 void TestScreenshots::takeRecovery(Program& program)
 {
-    auto* bar = new ui::RecoveryBar({QStringLiteral("a-vase-with-a-rather-long-name.glb"), QDateTime({2026, 11, 22}, {14, 3}), 128}, &program.window);
+    auto* bar = new ui::RecoveryBar(
+        {QStringLiteral("a-vase-with-a-rather-long-name.glb"), QDateTime({2026, 11, 22}, {14, 3}), 128},
+        &program.window);
     take(program.window, QStringLiteral("recovery"));
     bar->findChild<QPushButton*>(QStringLiteral("discardRecovery"))->click();
     take(*QApplication::activeModalWidget(), QStringLiteral("recovery-question"));
@@ -280,7 +289,8 @@ void TestScreenshots::takeStrokeBar(Program& program)
     facts.size = {100, 100, 100};
     QList<ui::OfferedTool> tools;
     for (const core::Tool tool : {core::Tool::Pull, core::Tool::Flatten, core::Tool::Smooth})
-        tools.append({tool, program.window.action(QStringLiteral("tool.") + QLatin1StringView(core::name(tool).data()))});
+        tools.append(
+            {tool, program.window.action(QStringLiteral("tool.") + QLatin1StringView(core::name(tool).data()))});
     auto* bar = new ui::StrokeBar({core::Tool::Flatten, 12.5, 0.8}, facts, tools, &program.window);
     bar->setHint(QCoreApplication::translate("app::StrokeEdit", "With this brush it does nothing."));
     take(program.window, QStringLiteral("stroke-bar"));
@@ -290,7 +300,8 @@ void TestScreenshots::takeStrokeBar(Program& program)
 void TestScreenshots::takeUnits(Program& program)
 {
     for (const auto guess : {core::UnitDoubt::Inches, core::UnitDoubt::Metres}) {
-        auto* bar = new ui::UnitBar({QStringLiteral("a-model-with-a-rather-long-name.stl"), 1.234, guess}, &program.window);
+        auto* bar =
+            new ui::UnitBar({QStringLiteral("a-model-with-a-rather-long-name.stl"), 1.234, guess}, &program.window);
         take(program.window, QStringLiteral("units-%1").arg(static_cast<int>(guess)));
         bar->leave();
     }
@@ -328,7 +339,8 @@ void TestScreenshots::takeMending(Program& program)
     report.nonManifoldEdges.count = 12;
     report.misorientedEdges.count = 345;
     report.intersections.count = 6789;
-    const QString problem = ui::Messages::refusal(QStringLiteral("/home/someone/Models/scans/a-scan-with-a-long-name.obj"), report);
+    const QString problem =
+        ui::Messages::refusal(QStringLiteral("/home/someone/Models/scans/a-scan-with-a-long-name.obj"), report);
     ui::askToMend(&program.window, ui::MendFor::Opening, problem, [](const auto&) {});
     takeDialog(QStringLiteral("mend"));
     ui::askToMend(&program.window, ui::MendFor::Insertion, problem, [](const auto&) {});
@@ -382,7 +394,8 @@ void TestScreenshots::takePanels(Program& program)
         if (auto* files = panel->findChild<ui::FilesPanel*>())
             showModels(files);
         if (auto* drawing = panel->findChild<ui::DrawingCanvas*>())
-            QTRY_VERIFY(inked(drawing->picture()) > 0 && !panel->findChild<QLabel*>(QStringLiteral("preview.note"))->isVisible());
+            QTRY_VERIFY(inked(drawing->picture()) > 0 &&
+                        !panel->findChild<QLabel*>(QStringLiteral("preview.note"))->isVisible());
         QTRY_COMPARE(program.window.size(), smallScreen);
         take(program.window, QStringLiteral("panel-") + panel->objectName());
         panel->setHidden(wasHidden);
@@ -391,8 +404,10 @@ void TestScreenshots::takePanels(Program& program)
 
 void TestScreenshots::showModels(ui::FilesPanel* panel)
 {
-    constexpr std::pair<const char*, core::Starter> models[] = {
-        {"vase.stl", core::Starter::Vase}, {"head.ply", core::Starter::Head}, {"ring.obj", core::Starter::Torus}, {"cube.stl", core::Starter::Cube}};
+    constexpr std::pair<const char*, core::Starter> models[] = {{"vase.stl", core::Starter::Vase},
+                                                                {"head.ply", core::Starter::Head},
+                                                                {"ring.obj", core::Starter::Torus},
+                                                                {"cube.stl", core::Starter::Cube}};
     for (const auto& [name, starter] : models)
         core::writeMesh(m_models.filePath(QLatin1StringView(name)).toStdU16String(), core::starterModel(starter));
     QVERIFY(QDir(m_models.path()).mkpath(QStringLiteral("older")));
@@ -414,8 +429,9 @@ void TestScreenshots::takeMenus(Program& program)
 
 void TestScreenshots::takeDialogs(Program& program)
 {
-    for (const char* id : {"edit.preferences", "edit.classroom", "file.timeLapse", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
-                           "model.symmetrize", "model.remesh", "model.flattenBase"}) {
+    for (const char* id :
+         {"edit.preferences", "edit.classroom", "file.timeLapse", "help.keys", "help.about", "model.move",
+          "model.rotate", "model.scale", "model.mirror", "model.symmetrize", "model.remesh", "model.flattenBase"}) {
         program.window.action(QLatin1StringView(id))->trigger();
         QDialog* dialog = nullptr;
         QTRY_VERIFY((dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())));
@@ -443,7 +459,8 @@ void TestScreenshots::takeHelp(Program& program)
     auto* pages = guide->findChild<QListWidget*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentRow(page);
-        QVERIFY(!guide->findChild<QTextBrowser*>()->toPlainText().contains(QLatin1StringView("**"))); // else Markdown was not understood
+        QVERIFY(!guide->findChild<QTextBrowser*>()->toPlainText().contains(
+            QLatin1StringView("**"))); // else Markdown was not understood
         take(*guide, QStringLiteral("guide-%1").arg(page + 1));
     }
     guide->close();
@@ -454,7 +471,10 @@ void TestScreenshots::takeClass()
 {
     const QTemporaryDir own;
     const QList<core::Starter> starters(std::begin(core::starters), std::end(core::starters));
-    ui::Classroom classroom{QStringLiteral("5b, Tuesday"), own.filePath(QStringLiteral("none")), starters, {core::Tool::Pull, core::Tool::Smooth}};
+    ui::Classroom classroom{QStringLiteral("5b, Tuesday"),
+                            own.filePath(QStringLiteral("none")),
+                            starters,
+                            {core::Tool::Pull, core::Tool::Smooth}};
     classroom.fullScreen = false;
     JournalShelf shelf(own.filePath(QStringLiteral("journals")).toStdString());
     Program program;
@@ -471,7 +491,9 @@ void TestScreenshots::takeClass()
     auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
     QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);
     QTRY_COMPARE(program.window.size(), smallScreen);
-    const auto isReadable = [&program] { return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty(); };
+    const auto isReadable = [&program] {
+        return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
+    };
     QTRY_VERIFY_WITH_TIMEOUT(isReadable(), longestWait);
     take(program.window, QStringLiteral("class-name"));
     const auto begin = [&](const QString& pupil) {
@@ -508,7 +530,9 @@ void TestScreenshots::takeLesson(Program& program)
     dock->findChild<QPushButton*>(QStringLiteral("lessonPlay"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokeOpen(), 60'000);
     take(program.window, QStringLiteral("lesson-shown"));
-    const auto isMet = [marks] { return marks->text().contains(QChar(0x2713)) && !marks->text().contains(QChar(0x25CB)); };
+    const auto isMet = [marks] {
+        return marks->text().contains(QChar(0x2713)) && !marks->text().contains(QChar(0x25CB));
+    };
     QTRY_VERIFY_WITH_TIMEOUT(isMet(), 60'000);
     take(program.window, QStringLiteral("lesson-met"));
 }
@@ -528,7 +552,8 @@ void TestScreenshots::takeLessonEditor(Program& program)
         take(program.window, QStringLiteral("lesson-editor-%1").arg(page + 1));
     }
     editor->findChild<QPushButton*>(QStringLiteral("lessonRecord"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), longestWait);
     take(program.window, QStringLiteral("lesson-editor-recording"));
 }
 

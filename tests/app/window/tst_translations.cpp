@@ -1,4 +1,5 @@
-// Every language says everything: the files in translations/ against the sources, against themselves, and in the program.
+// Every language says everything: the files in translations/ against the sources, against themselves, and in the
+// program.
 #include "ui/actions/actions.h"
 
 #include <QAction>
@@ -99,7 +100,8 @@ QString pathOf(const QString& language)
 QStringList languages()
 {
     QStringList all;
-    for (const QString& name : QDir(QStringLiteral(FETTLE_SOURCE_DIR "/translations")).entryList({QStringLiteral("*.ts")}))
+    for (const QString& name :
+         QDir(QStringLiteral(FETTLE_SOURCE_DIR "/translations")).entryList({QStringLiteral("*.ts")}))
         all << name.mid(7).chopped(3);
     return all;
 }
@@ -249,8 +251,8 @@ void TestTranslations::everySource_isThere()
     QFETCH(QString, language);
     const QTemporaryDir folder;
     const QString fresh = folder.filePath(QStringLiteral("fettle_%1.ts").arg(language));
-    QStringList arguments{QStringLiteral("-silent"), QStringLiteral("-locations"), QStringLiteral("none"), QStringLiteral("-I"),
-                          QStringLiteral(FETTLE_SOURCE_DIR)};
+    QStringList arguments{QStringLiteral("-silent"), QStringLiteral("-locations"), QStringLiteral("none"),
+                          QStringLiteral("-I"), QStringLiteral(FETTLE_SOURCE_DIR)};
     if (language == QStringLiteral("en"))
         arguments << QStringLiteral("-pluralonly");
     for (const char* room : {"ui", "vr", "app"})
@@ -263,7 +265,8 @@ void TestTranslations::everySource_isThere()
     const QStringList wanted = readCatalogue(fresh).keys();
     QVERIFY(!wanted.isEmpty());
     for (const QString& key : wanted)
-        QVERIFY2(readCatalogue(pathOf(language)).keys().contains(key), qPrintable(QStringLiteral("not in the file: ") + key));
+        QVERIFY2(readCatalogue(pathOf(language)).keys().contains(key),
+                 qPrintable(QStringLiteral("not in the file: ") + key));
     QCOMPARE(readCatalogue(pathOf(language)).keys(), wanted);
 }
 
@@ -275,7 +278,8 @@ void TestTranslations::everyMessage_isTranslated()
         QCOMPARE(message.translations.size(), message.isPlural ? formsIn(language) : 1);
         for (const QString& translation : message.translations) {
             const QString found = fault(message, translation);
-            QVERIFY2(found.isEmpty(), qPrintable(QStringLiteral("\"%1\", for \"%2\", %3").arg(translation, message.source, found)));
+            QVERIFY2(found.isEmpty(),
+                     qPrintable(QStringLiteral("\"%1\", for \"%2\", %3").arg(translation, message.source, found)));
         }
     }
 }
@@ -315,8 +319,9 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
     QMainWindow window;
     const ui::Actions actions(&window);
     QStringList titles;
-    for (const ui::MenuId id : {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Tool, ui::MenuId::Mask, ui::MenuId::Model,
-                                ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
+    for (const ui::MenuId id :
+         {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Tool, ui::MenuId::Mask, ui::MenuId::Model,
+          ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
         QStringList keys;
         if (id == ui::MenuId::Sculpt)
             keys += mnemonics(actions.menuTitle(ui::MenuId::Tool)) + mnemonics(actions.menuTitle(ui::MenuId::Mask));
@@ -333,7 +338,10 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
     QCOMPARE(titles.removeDuplicates(), 0);
     for (const ui::ActionInfo& row : ui::actionTable())
         for (const QString& title : titles)
-            QVERIFY2(!actions.get(QLatin1StringView(row.id))->shortcuts().contains(QKeySequence(QStringLiteral("Alt+") + title)), row.id);
+            QVERIFY2(!actions.get(QLatin1StringView(row.id))
+                          ->shortcuts()
+                          .contains(QKeySequence(QStringLiteral("Alt+") + title)),
+                     row.id);
 }
 
 void TestTranslations::menuKeys_areInMenusOnly()
@@ -370,7 +378,8 @@ void TestTranslations::theProgram_speaksIt()
         if (!message.source.startsWith(QStringLiteral("Fettle sculpts")))
             continue;
         QVERIFY(message.translations.first() != message.source);
-        QVERIFY(fettle({QStringLiteral("--help")}, language).contains(message.translations.first().section(QStringLiteral("%1"), 0, 0)));
+        QVERIFY(fettle({QStringLiteral("--help")}, language)
+                    .contains(message.translations.first().section(QStringLiteral("%1"), 0, 0)));
         return;
     }
     QFAIL("the help is missing");
@@ -378,7 +387,8 @@ void TestTranslations::theProgram_speaksIt()
 
 void TestTranslations::theProgram_countsInEnglish()
 {
-    const QStringList one{QStringLiteral("convert"), QStringLiteral("a")}, three = one + QStringList{QStringLiteral("b"), QStringLiteral("c")};
+    const QStringList one{QStringLiteral("convert"), QStringLiteral("a")},
+        three = one + QStringList{QStringLiteral("b"), QStringLiteral("c")};
     QVERIFY(fettle(one, QStringLiteral("en")).contains(QStringLiteral("but 1 was given")));
     QVERIFY(fettle(three, QStringLiteral("en")).contains(QStringLiteral("but 3 were given")));
     QVERIFY(fettle(one, QStringLiteral("en:de")).contains(QStringLiteral("but 1 was given")));

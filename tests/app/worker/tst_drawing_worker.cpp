@@ -27,8 +27,10 @@ struct Studio
             ++count;
             last = drawing;
         });
-        QObject::connect(&drawings, &DrawingWorker::refused, &here, [this](const QString& sentence) { refused << sentence; });
-        QObject::connect(&drawings, &DrawingWorker::noticed, &here, [this](const QString& sentence) { noticed << sentence; });
+        QObject::connect(&drawings, &DrawingWorker::refused, &here,
+                         [this](const QString& sentence) { refused << sentence; });
+        QObject::connect(&drawings, &DrawingWorker::noticed, &here,
+                         [this](const QString& sentence) { noticed << sentence; });
         worker.setModel(ball(subdivisions));
     }
     ~Studio() { worker.stop(); }

@@ -276,7 +276,9 @@ void TestSculptWorker::worker_saysWhatABrushWouldTake()
     SculptWorker worker;
     QList<std::shared_ptr<const core::Footprint>> footprints;
     connect(&worker, &SculptWorker::answeredDesktop, this,
-            [&](const std::optional<core::SurfaceHit>&, const std::shared_ptr<const core::Footprint>& footprint) { footprints << footprint; });
+            [&](const std::optional<core::SurfaceHit>&, const std::shared_ptr<const core::Footprint>& footprint) {
+                footprints << footprint;
+            });
     const core::Ray ray{core::Vec3(0, 0, 200), core::Vec3(0, 0, -1)};
     core::StrokeSettings brush = settings();
     brush.brush = core::BrushShape::Ray;
@@ -390,7 +392,8 @@ void TestSculptWorker::worker_tellsWhatTheHeadsetsSamplesDid()
     QList<core::Shortfall> told;
     SculptWorker worker;
     connect(
-        &worker, &SculptWorker::sampledHeadset, &worker, [&](quint64, core::Shortfall shortfall) { told << shortfall; }, Qt::DirectConnection);
+        &worker, &SculptWorker::sampledHeadset, &worker, [&](quint64, core::Shortfall shortfall) { told << shortfall; },
+        Qt::DirectConnection);
     worker.setModel(sphere());
     core::StrokeSettings adding = settings();
     adding.add = true;

@@ -1,8 +1,8 @@
 // The whole-model check: named shapes by their properties, random ones against CGAL.
 
-#include "core/geometry/lattice_placement.h"
 #include "core/analysis/mesh_check.h"
 #include "core/analysis/nesting.h"
+#include "core/geometry/lattice_placement.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/shapes.h"
 
@@ -336,7 +336,8 @@ void TestMeshCheck::surfaceAndImage_areJudgedAsEachAlone()
     int imagesThatMeet = 0, surfacesThatMeet = 0;
     for (unsigned i = 0; i < 40; ++i) {
         const float noise = i % 2 == 0 ? 0 : 0.03F;
-        const TriangleMesh mesh = shapes::scaled(shapes::noisy(core::icosphere(4, 1), noise, i), 20.0F + static_cast<float>(3 * i));
+        const TriangleMesh mesh =
+            shapes::scaled(shapes::noisy(core::icosphere(4, 1), noise, i), 20.0F + static_cast<float>(3 * i));
         std::vector<LatticePoint> image;
         for (const Vec3f& p : mesh.points)
             image.push_back(p.array().round().matrix().cast<int>());
@@ -351,7 +352,8 @@ void TestMeshCheck::surfaceAndImage_areJudgedAsEachAlone()
         imagesThatMeet += both.imageMeets && surface.count == 0 ? 1 : 0;
         surfacesThatMeet += surface.count != 0 ? 1 : 0;
     }
-    QVERIFY2(imagesThatMeet > 0 && surfacesThatMeet > 0, qPrintable(QStringLiteral("%1 %2").arg(imagesThatMeet).arg(surfacesThatMeet)));
+    QVERIFY2(imagesThatMeet > 0 && surfacesThatMeet > 0,
+             qPrintable(QStringLiteral("%1 %2").arg(imagesThatMeet).arg(surfacesThatMeet)));
 }
 
 void TestMeshCheck::lattice_tellsWhatImportWouldBreak()

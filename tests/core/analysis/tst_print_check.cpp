@@ -161,7 +161,8 @@ void TestPrintCheck::walls_areAsThickAsTheyWereMade()
 
 void TestPrintCheck::edges_ofRightAnglesAreNotThin()
 {
-    for (const TriangleMesh& mesh : {shapes::cube(10), turnedAboutZ(shapes::cube(10), 20), shapes::scaled(shapes::tetrahedron(), 10)}) {
+    for (const TriangleMesh& mesh :
+         {shapes::cube(10), turnedAboutZ(shapes::cube(10), 20), shapes::scaled(shapes::tetrahedron(), 10)}) {
         const PrintMeasures measures = measured(mesh);
         QVERIFY(measures.walls);
         QVERIFY(minOf(measures.walls->byBalls) > 5);
@@ -310,15 +311,17 @@ void TestPrintCheck::bed_holdsWhatFits()
 
 void TestPrintCheck::broken_modelsHaveNoWalls()
 {
-    for (const TriangleMesh& mesh : {shapes::openCone(7), shapes::cubeWithFlippedFace(), shapes::reversed(shapes::cube(3)),
-                                     shapes::sphereThroughSphere(), TriangleMesh()}) {
+    for (const TriangleMesh& mesh :
+         {shapes::openCone(7), shapes::cubeWithFlippedFace(), shapes::reversed(shapes::cube(3)),
+          shapes::sphereThroughSphere(), TriangleMesh()}) {
         const PrintMeasures measures = measured(mesh);
         QVERIFY(!measures.walls);
         const PrintReport report = core::checkForPrint(measures, {.bed = {300, 300, 300}});
         QVERIFY(!report.minByRays && !report.minByBalls);
         QCOMPARE(report.thin.count, 0u);
         QVERIFY(report.fit == core::BedFit::AsItStands);
-        QVERIFY(std::ranges::all_of(core::pictureOf(measures, PrintPicture::Thickness), [](float t) { return std::isinf(t); }));
+        QVERIFY(std::ranges::all_of(core::pictureOf(measures, PrintPicture::Thickness),
+                                    [](float t) { return std::isinf(t); }));
     }
 }
 
@@ -333,7 +336,8 @@ void TestPrintCheck::picture_showsWhatWasMeasured()
     const std::vector<float> leaning = core::pictureOf(measured(core::icosphere(5, 10)), PrintPicture::Overhang);
     const TriangleMesh ball = core::icosphere(5, 10);
     for (std::size_t v = 0; v < leaning.size(); ++v) {
-        const double angle = -std::asin(std::clamp(static_cast<double>(ball.points[v].y()) / 10, -1.0, 1.0)) * 180 / std::numbers::pi;
+        const double angle =
+            -std::asin(std::clamp(static_cast<double>(ball.points[v].y()) / 10, -1.0, 1.0)) * 180 / std::numbers::pi;
         QVERIFY(std::abs(static_cast<double>(leaning[v]) - angle) < 4 || leaning[v] == -90); // the most of its faces
     }
 }
@@ -357,11 +361,11 @@ void TestPrintCheck::stopped_endsSoon()
     double last = 0;
     const TriangleMesh mesh = core::icosphere(6, 10);
     const PrintMeasures measures = core::measureForPrint(mesh, {source.get_token(), [&](double share) {
-                                                             QVERIFY(share >= last);
-                                                             last = share;
-                                                             if (share > 0.5)
-                                                                 source.request_stop();
-                                                         }});
+                                                                    QVERIFY(share >= last);
+                                                                    last = share;
+                                                                    if (share > 0.5)
+                                                                        source.request_stop();
+                                                                }});
     QVERIFY(last > 0.5 && last < 0.9);
 }
 

@@ -24,7 +24,8 @@ bool isSame(const core::DrawnView& one, const core::DrawnView& other)
 bool isSame(const LineDrawing& one, const LineDrawing& other)
 {
     return std::ranges::equal(one.views, other.views, [](const auto& a, const auto& b) { return isSame(a, b); }) &&
-           one.box.isApprox(other.box, 0) && one.volume == other.volume && one.pixel == other.pixel && one.hasCreases == other.hasCreases;
+           one.box.isApprox(other.box, 0) && one.volume == other.volume && one.pixel == other.pixel &&
+           one.hasCreases == other.hasCreases;
 }
 
 /// One follows the patches, the other sees the whole model each time.
@@ -102,7 +103,8 @@ private Q_SLOTS:
                 sculptor.addSample(sample);
                 if (random.below(6) == 0)
                     pair.stopADrawing(sculptor);
-                QVERIFY2(pair.drawTheSame(sculptor, random.below(2) == 0), qPrintable(QStringLiteral("stroke %1").arg(i)));
+                QVERIFY2(pair.drawTheSame(sculptor, random.below(2) == 0),
+                         qPrintable(QStringLiteral("stroke %1").arg(i)));
             }
             undo.push_back(sculptor.endStroke());
             if (random.below(3) == 0) {

@@ -1,7 +1,8 @@
-// Drawings against the model itself: what is drawn lies on its edges, and a ray from there to the eye says whether it can be seen.
+// Drawings against the model itself: what is drawn lies on its edges, and a ray from there to the eye says whether it
+// can be seen.
 
-#include "core/mesh/dirty_slots.h"
 #include "core/drawing/line_drawing.h"
+#include "core/mesh/dirty_slots.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 
@@ -94,7 +95,8 @@ private:
 
     void addEdge(Slot a, Slot b, const Vec3f& one, const Vec3f& other)
     {
-        const bool isOutline = (one.z() > 0) != (other.z() > 0), isCrease = one.dot(other) < static_cast<float>(core::creaseCosine);
+        const bool isOutline = (one.z() > 0) != (other.z() > 0),
+                   isCrease = one.dot(other) < static_cast<float>(core::creaseCosine);
         if (isOutline || (isCrease && one.z() > 0))
             lines.push_back({m_points[a], m_points[b]});
     }
@@ -105,7 +107,8 @@ private:
             return true;
         for (int i = 0; i < 12; ++i) {
             const double angle = i * std::numbers::pi / 6;
-            if (what(at + m_tolerance * Vec3f(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0)))
+            if (what(at +
+                     m_tolerance * Vec3f(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0)))
                 return true;
         }
         return false;
@@ -224,8 +227,10 @@ private Q_SLOTS:
     {
         QFETCH(int, shape);
         const core::TriangleMesh meshes[] = {
-            turned(shapes::torus({30, 10, 48, 24}), 1.1), turned(shapes::together(shapes::cube(40), shapes::moved(shapes::cube(20), {0, 15, 35})), 0.4),
-            shapes::noisy(core::icosphere(3, 50), 2, 7), turned(shapes::together(shapes::torus({30, 6, 24, 8}), core::icosphere(2, 20)), 0.8)};
+            turned(shapes::torus({30, 10, 48, 24}), 1.1),
+            turned(shapes::together(shapes::cube(40), shapes::moved(shapes::cube(20), {0, 15, 35})), 0.4),
+            shapes::noisy(core::icosphere(3, 50), 2, 7),
+            turned(shapes::together(shapes::torus({30, 6, 24, 8}), core::icosphere(2, 20)), 0.8)};
         const DrawArrays model = arraysOf(meshes[shape]);
         const LineDrawing drawing = drawn(model);
         std::size_t hidden = 0;
@@ -263,7 +268,8 @@ private Q_SLOTS:
                 const auto& [r, g, b, alpha] = image.pixels[static_cast<std::size_t>(y * image.width + x)];
                 covered += alpha == 255 ? 1 : 0;
                 QVERIFY(g == 0 && b == 0);
-                const Vec2f at = image.topLeft + image.pixel * Vec2f(static_cast<float>(x) + 0.5F, -static_cast<float>(y) - 0.5F);
+                const Vec2f at =
+                    image.topLeft + image.pixel * Vec2f(static_cast<float>(x) + 0.5F, -static_cast<float>(y) - 0.5F);
                 if (std::abs(at.norm() - 50) > 0.5F)
                     QCOMPARE(alpha, std::uint8_t(at.norm() < 50 ? 255 : 0));
                 QCOMPARE(r > 0, alpha > 0);

@@ -1,5 +1,5 @@
-#include "core/io/mesh_io.h"
 #include "core/drawing/model_thumbnail.h"
+#include "core/io/mesh_io.h"
 
 #include "tests/support/shapes.h"
 
@@ -19,7 +19,8 @@ core::ModelThumbnail pictureOf(const core::TriangleMesh& mesh)
 
 std::size_t inked(const core::ModelThumbnail& picture)
 {
-    return static_cast<std::size_t>(std::ranges::count_if(picture.rgba, [](const auto& pixel) { return pixel[3] > 0; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(picture.rgba, [](const auto& pixel) { return pixel[3] > 0; }));
 }
 
 /// Rows and columns that hold something: from, to.
@@ -56,7 +57,8 @@ private Q_SLOTS:
             QCOMPARE(picture.rgba.size(), std::size_t(side * side));
             const Extent extent(picture);
             QVERIFY(extent.right - extent.left >= side - 6 && extent.bottom - extent.top >= side - 6);
-            QVERIFY(std::abs(extent.left - (side - 1 - extent.right)) <= 1 && std::abs(extent.top - (side - 1 - extent.bottom)) <= 1);
+            QVERIFY(std::abs(extent.left - (side - 1 - extent.right)) <= 1 &&
+                    std::abs(extent.top - (side - 1 - extent.bottom)) <= 1);
             QCOMPARE(picture.rgba.front()[3], std::uint8_t(0));
         }
     }
@@ -181,7 +183,8 @@ private Q_SLOTS:
                 std::stop_source stop;
                 QVERIFY(!core::readMesh(path, {.stop = stop.get_token()}).triangles.empty());
                 stop.request_stop();
-                QVERIFY_EXCEPTION_THROWN((void)core::readMesh(path, {.stop = stop.get_token()}), core::ReadingCancelled);
+                QVERIFY_EXCEPTION_THROWN((void)core::readMesh(path, {.stop = stop.get_token()}),
+                                         core::ReadingCancelled);
             }
     }
 };

@@ -1,5 +1,5 @@
-// Pairs of triangles, against CGAL: do_intersect for pairs that share no corner, the exact kernel's intersection, by its
-// kind, for pairs that do.
+// Pairs of triangles, against CGAL: do_intersect for pairs that share no corner, the exact kernel's intersection, by
+// its kind, for pairs that do.
 
 #include "core/geometry/triangle_intersection.h"
 

@@ -1,8 +1,8 @@
 #include "tests/support/shapes.h"
 
 #include "core/io/export_check.h"
-#include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -44,7 +44,8 @@ void TestExportCheck::whatWasWritten_isThere_data()
 {
     QTest::addColumn<QString>("name");
     for (const std::string_view ending : core::writtenEndings())
-        QTest::addRow("%s", ending.data()) << QStringLiteral("a.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
+        QTest::addRow("%s", ending.data())
+            << QStringLiteral("a.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
 }
 
 void TestExportCheck::whatWasWritten_isThere()
@@ -63,7 +64,8 @@ void TestExportCheck::oneBit_isFound_data()
     QTest::addColumn<bool>("isColor");
     QTest::newRow("a coordinate in STL") << QStringLiteral("a.stl") << 2 + 12 << false;
     QTest::newRow("a corner in PLY") << QStringLiteral("a.ply") << 4 << false;
-    QTest::newRow("a colour in GLB") << QStringLiteral("a.glb") << static_cast<int>(12 * painted().triangles.size()) + 8 - 1 << true;
+    QTest::newRow("a colour in GLB") << QStringLiteral("a.glb")
+                                     << static_cast<int>(12 * painted().triangles.size()) + 8 - 1 << true;
 }
 
 void TestExportCheck::oneBit_isFound()

@@ -1,7 +1,7 @@
 #include "tests/support/mesh_asserts.h"
 
-#include "core/mesh/mesh_builder.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
@@ -38,7 +38,8 @@ TriangleMesh painted()
     const core::Lattice lattice(14);
     for (Vec3f& p : mesh.points) {
         p = lattice.snap(p.cast<double>() + core::Vec3(5, 1, -2));
-        mesh.colors.push_back({static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine())});
+        mesh.colors.push_back({static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine()),
+                               static_cast<std::uint8_t>(engine())});
     }
     return mesh;
 }
@@ -90,7 +91,8 @@ struct Glb
 Glb takenApart(const std::string& bytes)
 {
     const std::size_t length = wordAt(bytes, headSize);
-    return {Json::parse(bytes.substr(headSize + chunkHeadSize, length)), bytes.substr(headSize + 2 * chunkHeadSize + length)};
+    return {Json::parse(bytes.substr(headSize + chunkHeadSize, length)),
+            bytes.substr(headSize + 2 * chunkHeadSize + length)};
 }
 
 void appendWord(std::string& bytes, std::uint32_t word)
@@ -110,7 +112,8 @@ std::string putTogether(const Glb& glb)
     return bytes + std::string("BIN\0", 4) + glb.binary;
 }
 
-/// What in the file goes against sections 3 and 4 of the glTF 2.0 specification, as far as our files use them. Empty: nothing.
+/// What in the file goes against sections 3 and 4 of the glTF 2.0 specification, as far as our files use them. Empty:
+/// nothing.
 class Rules
 {
 public:
@@ -131,12 +134,15 @@ private:
 
     void container()
     {
-        expect(m_bytes.size() >= headSize + chunkHeadSize && m_bytes.starts_with("glTF") && wordAt(m_bytes, 4) == 2, "head");
+        expect(m_bytes.size() >= headSize + chunkHeadSize && m_bytes.starts_with("glTF") && wordAt(m_bytes, 4) == 2,
+               "head");
         expect(wordAt(m_bytes, 8) == m_bytes.size(), "length");
         const std::size_t json = wordAt(m_bytes, headSize), second = headSize + chunkHeadSize + json;
         expect(json % 4 == 0 && m_bytes.substr(headSize + 4, 4) == "JSON", "the first chunk is JSON, whole words");
-        expect(second + chunkHeadSize <= m_bytes.size() && m_bytes.substr(second + 4, 4) == std::string("BIN\0", 4), "the second is binary");
-        expect(wordAt(m_bytes, second) % 4 == 0 && second + chunkHeadSize + wordAt(m_bytes, second) == m_bytes.size(), "and the last");
+        expect(second + chunkHeadSize <= m_bytes.size() && m_bytes.substr(second + 4, 4) == std::string("BIN\0", 4),
+               "the second is binary");
+        expect(wordAt(m_bytes, second) % 4 == 0 && second + chunkHeadSize + wordAt(m_bytes, second) == m_bytes.size(),
+               "and the last");
     }
 
     void document()
@@ -145,7 +151,8 @@ private:
         const Json& json = m_glb.json;
         expect(json.at("asset").at("version") == "2.0", "version");
         expect(json.at("buffers").size() == 1 && json["buffers"][0].at("byteLength") <= m_glb.binary.size() &&
-                   m_glb.binary.size() - json["buffers"][0]["byteLength"].get<std::size_t>() < 4, "buffer");
+                   m_glb.binary.size() - json["buffers"][0]["byteLength"].get<std::size_t>() < 4,
+               "buffer");
         expect(!json.contains("extensionsRequired"), "nothing is required");
         const Json extensions = json.value("extensions", Json::object());
         for (const auto& [name, extension] : extensions.items())
@@ -167,17 +174,24 @@ private:
         return each * count;
     }
 
-    const Json& viewOf(const Json& accessor) const { return m_glb.json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>()); }
+    const Json& viewOf(const Json& accessor) const
+    {
+        return m_glb.json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+    }
 
     void accessorHolds(const Json& accessor)
     {
         const Json& view = viewOf(accessor);
-        const std::size_t begin = view.value("byteOffset", std::size_t(0)) + accessor.value("byteOffset", std::size_t(0));
+        const std::size_t begin =
+            view.value("byteOffset", std::size_t(0)) + accessor.value("byteOffset", std::size_t(0));
         const std::size_t size = sizeOf(accessor), count = accessor.at("count");
         expect(count > 0, "count");
         expect(begin % 4 == 0 && size % 4 == 0, "whole words");
-        expect(accessor.value("byteOffset", std::size_t(0)) + count * size <= view.at("byteLength").get<std::size_t>(), "within its view");
-        expect(view.value("byteOffset", std::size_t(0)) + view.at("byteLength").get<std::size_t>() <= m_glb.binary.size(), "within the buffer");
+        expect(accessor.value("byteOffset", std::size_t(0)) + count * size <= view.at("byteLength").get<std::size_t>(),
+               "within its view");
+        expect(view.value("byteOffset", std::size_t(0)) + view.at("byteLength").get<std::size_t>() <=
+                   m_glb.binary.size(),
+               "within the buffer");
         if (accessor.at("componentType") == 5126)
             for (std::size_t i = 0; i < count * size / 4; ++i)
                 expect(std::isfinite(std::bit_cast<float>(wordAt(m_glb.binary, begin + 4 * i))), "a number");
@@ -188,7 +202,8 @@ private:
         const Json& accessors = m_glb.json.at("accessors");
         const Json& positions = accessors.at(primitive.at("attributes").at("POSITION").get<std::size_t>());
         for (const auto& [name, index] : primitive["attributes"].items()) {
-            expect(accessors.at(index.get<std::size_t>()).at("count") == positions.at("count"), name + " for each vertex");
+            expect(accessors.at(index.get<std::size_t>()).at("count") == positions.at("count"),
+                   name + " for each vertex");
             expect(viewOf(accessors[index.get<std::size_t>()]).value("target", 0) == 34962, name + " is of vertices");
         }
         boundsHold(positions);
@@ -196,7 +211,9 @@ private:
         const Json& indices = accessors.at(primitive.at("indices").get<std::size_t>());
         expect(viewOf(indices).value("target", 0) == 34963 && indices.at("type") == "SCALAR", "indices");
         for (std::size_t i = 0; i < indices.at("count"); ++i)
-            expect(wordAt(m_glb.binary, viewOf(indices).at("byteOffset").get<std::size_t>() + 4 * i) < positions.at("count"), "an index in range");
+            expect(wordAt(m_glb.binary, viewOf(indices).at("byteOffset").get<std::size_t>() + 4 * i) <
+                       positions.at("count"),
+                   "an index in range");
         expect(primitive.at("material") < m_glb.json.at("materials").size(), "material");
     }
 
@@ -213,7 +230,8 @@ private:
                 least = std::min(least, componentAt(positions, i));
                 most = std::max(most, componentAt(positions, i));
             }
-            expect(positions.at("min").at(k).get<float>() == least && positions.at("max").at(k).get<float>() == most, "min and max");
+            expect(positions.at("min").at(k).get<float>() == least && positions.at("max").at(k).get<float>() == most,
+                   "min and max");
         }
     }
 
@@ -247,7 +265,10 @@ private Q_SLOTS:
     void assimp_readsTheSame();
 
 private:
-    std::filesystem::path file(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)).toStdString(); }
+    std::filesystem::path file(const char* name) const
+    {
+        return m_folder.filePath(QString::fromLatin1(name)).toStdString();
+    }
     DocumentMetadata notesAfter(const std::function<void(Json& metadata)>& change) const;
 
     QTemporaryDir m_folder;
@@ -261,12 +282,14 @@ void TestGlbFile::notes_comeBackUnchanged()
     QVERIFY(read.palette == metadata.palette);
     QVERIFY(read.frame == metadata.frame);
     QVERIFY(read.view && read.view->target == metadata.view->target && read.view->distance == metadata.view->distance);
-    QVERIFY(read.view->yaw == metadata.view->yaw && read.view->pitch == metadata.view->pitch && read.view->orthographic);
+    QVERIFY(read.view->yaw == metadata.view->yaw && read.view->pitch == metadata.view->pitch &&
+            read.view->orthographic);
     QVERIFY(read.brush && read.brush->tool == metadata.brush->tool && read.brush->brush == metadata.brush->brush);
     QVERIFY(read.brush->topology == metadata.brush->topology && read.brush->symmetry == metadata.brush->symmetry);
     QVERIFY(read.brush->radius == metadata.brush->radius && read.brush->strength == metadata.brush->strength);
     QVERIFY(read.brush->falloff == metadata.brush->falloff && read.brush->detail == metadata.brush->detail);
-    QVERIFY(read.brush->spacing == metadata.brush->spacing && read.brush->fusion == metadata.brush->fusion && read.brush->color == metadata.brush->color);
+    QVERIFY(read.brush->spacing == metadata.brush->spacing && read.brush->fusion == metadata.brush->fusion &&
+            read.brush->color == metadata.brush->color);
     QVERIFY(read.work == metadata.work);
 
     core::writeMesh(file("a.glb"), painted());
@@ -289,7 +312,8 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut_data()
     QTest::addColumn<QString>("value");
     QTest::addColumn<QString>("left"); ///< which of palette, frame, view, brush, work are
     const auto row = [](const char* path, const char* value, const char* left) {
-        QTest::addRow("%s: %s", path, value) << QString::fromLatin1(path) << QString::fromLatin1(value) << QString::fromLatin1(left);
+        QTest::addRow("%s: %s", path, value)
+            << QString::fromLatin1(path) << QString::fromLatin1(value) << QString::fromLatin1(left);
     };
     row("/new", "[1,{}]", "pfvbw"); // what we do not know is passed over
     row("/version", "2", "");
@@ -328,7 +352,8 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
     QFETCH(QString, path);
     QFETCH(QString, value);
     QFETCH(QString, left);
-    const DocumentMetadata metadata = notesAfter([&](Json& json) { json[Json::json_pointer(path.toStdString())] = Json::parse(value.toStdString()); });
+    const DocumentMetadata metadata = notesAfter(
+        [&](Json& json) { json[Json::json_pointer(path.toStdString())] = Json::parse(value.toStdString()); });
     QCOMPARE(!metadata.palette.empty(), left.contains(u'p'));
     QCOMPARE(metadata.frame.has_value(), left.contains(u'f'));
     QCOMPARE(metadata.view.has_value(), left.contains(u'v'));
@@ -336,14 +361,17 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
     QCOMPARE(metadata.work.has_value(), left.contains(u'w'));
 }
 
-/// A document's surface, which nobody would import like that: not in the middle, on another lattice than its size asks for.
+/// A document's surface, which nobody would import like that: not in the middle, on another lattice than its size asks
+/// for.
 void TestGlbFile::latticeAndBits_comeBackUnchanged()
 {
     const core::MeshFrame frame = *someNotes().frame;
     const core::BuildResult first = core::buildMesh(painted(), false, {}, frame);
     QVERIFY(first.mesh && first.mesh->frame() == frame);
-    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh), {.metadata = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}, .work = {}}});
-    const core::BuildResult again = core::buildMesh(core::readMesh(file("a.glb")), true, {}, core::readMetadata(file("a.glb")).frame);
+    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh),
+                    {.metadata = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}, .work = {}}});
+    const core::BuildResult again =
+        core::buildMesh(core::readMesh(file("a.glb")), true, {}, core::readMetadata(file("a.glb")).frame);
     QVERIFY(again.mesh && again.moved == core::Vec3::Zero());
     QVERIFY(again.mesh->frame() == frame);
     QCOMPARE(again.mesh->meshHash(), first.mesh->meshHash());
@@ -415,7 +443,8 @@ void TestGlbFile::tinygltf_readsTheSame()
         const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
         return model.buffers.at(0).data.data() + view.byteOffset + accessor.byteOffset;
     };
-    QVERIFY(std::memcmp(bytesOfAccessor(primitive.attributes.at("POSITION")), mesh.points.data(), 12 * mesh.points.size()) == 0);
+    QVERIFY(std::memcmp(bytesOfAccessor(primitive.attributes.at("POSITION")), mesh.points.data(),
+                        12 * mesh.points.size()) == 0);
     QVERIFY(std::memcmp(bytesOfAccessor(primitive.indices), mesh.triangles.data(), 12 * mesh.triangles.size()) == 0);
     QCOMPARE(model.nodes.at(0).scale, std::vector<double>(3, 0.001));
 }

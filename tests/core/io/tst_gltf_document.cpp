@@ -1,7 +1,7 @@
 // glTF with its buffers in the JSON and in files beside it; and files that name what is not theirs.
 
-#include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 #include "tests/support/shapes.h"
 
 #include <QTemporaryDir>
@@ -25,7 +25,9 @@ QByteArray binary()
 {
     const TriangleMesh mesh = shapes::tetrahedron();
     QByteArray bytes;
-    const auto add = [&bytes](auto number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); }; // little-endian machines only
+    const auto add = [&bytes](auto number) {
+        bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }; // little-endian machines only
     for (const Vec3f& p : mesh.points)
         for (int i = 0; i < 3; ++i)
             add(p[i]);
@@ -67,7 +69,8 @@ private Q_SLOTS:
     void buffersBeside_areRead_data()
     {
         QTest::addColumn<QByteArray>("uri");
-        for (const char* uri : {"a.bin", "./a.bin", "%61.bin", "parts/a%20b.bin", "parts/a b.bin", "parts/../a.bin", "parts/./../parts/a b.bin"})
+        for (const char* uri : {"a.bin", "./a.bin", "%61.bin", "parts/a%20b.bin", "parts/a b.bin", "parts/../a.bin",
+                                "parts/./../parts/a b.bin"})
             QTest::newRow(uri) << QByteArray(uri);
     }
     void buffersBeside_areRead()
@@ -119,7 +122,8 @@ private:
 void TestGltfDocument::textures_areRemarked()
 {
     QVERIFY(!readAll(gltf(inside())).remarks.textures);
-    QVERIFY(readAll(gltf(inside(), 72, R"(,"textures":[{"source":0}],"images":[{"uri":"../../nothing.png"}])")).remarks.textures);
+    QVERIFY(readAll(gltf(inside(), 72, R"(,"textures":[{"source":0}],"images":[{"uri":"../../nothing.png"}])"))
+                .remarks.textures);
     QVERIFY(readAll(gltf(inside(), 72, R"(,"skins":[{}])")).remarks.poses);
 }
 
@@ -127,15 +131,17 @@ void TestGltfDocument::textures_areRemarked()
 void TestGltfDocument::manyTextsAreNoStructure()
 {
     QVERIFY(isTetrahedron(read(gltf(inside(), 72, R"(,"extras":")" + QByteArray(20'000'000, 'x') + '"'))));
-    const auto error = errorOf(gltf(inside(), 72, R"(,"extras":)" + QByteArray(5'000'000, '[') + QByteArray(5'000'000, ']')));
+    const auto error =
+        errorOf(gltf(inside(), 72, R"(,"extras":)" + QByteArray(5'000'000, '[') + QByteArray(5'000'000, ']')));
     QVERIFY(error && error->kind == Kind::TooManyElements);
 }
 
 void TestGltfDocument::whatIsElsewhere_isNotRead_data()
 {
     QTest::addColumn<QByteArray>("uri");
-    for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "..%2Foutside.bin", "parts/../../outside.bin", "/etc/passwd", "%2Fetc%2Fpasswd",
-                            "file:///etc/passwd", "http://127.0.0.1/a.bin", "C:/a.bin", "..\\\\outside.bin", "a.bin%00.png", "a%2", "//etc/passwd", ""})
+    for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "..%2Foutside.bin", "parts/../../outside.bin",
+                            "/etc/passwd", "%2Fetc%2Fpasswd", "file:///etc/passwd", "http://127.0.0.1/a.bin",
+                            "C:/a.bin", "..\\\\outside.bin", "a.bin%00.png", "a%2", "//etc/passwd", ""})
         QTest::newRow(uri) << QByteArray(uri);
 }
 
@@ -191,7 +197,8 @@ void TestGltfDocument::badBuffers_areRefused()
 void TestGltfDocument::mutatedFiles_neverGetThrough()
 {
     const QByteArray good = gltf(inside());
-    const QList<QByteArray> words{"-1", "0", "4294967295", "1e99", "\"", "{", "}", "[", "]", ",", "null", "true", "uri", "a.bin", "../", "%", "\\u0000"};
+    const QList<QByteArray> words{"-1", "0",    "4294967295", "1e99", "\"",    "{",   "}", "[",      "]",
+                                  ",",  "null", "true",       "uri",  "a.bin", "../", "%", "\\u0000"};
     std::mt19937 engine(seed);
     int refused = 0;
     for (int round = 0; round < 3000; ++round) {

@@ -1,7 +1,8 @@
-// Files of more than a few thousand elements, which all cores read and write in parts: the same as if one had read them.
+// Files of more than a few thousand elements, which all cores read and write in parts: the same as if one had read
+// them.
 
-#include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 #include "core/util/parallel.h"
 #include "tests/support/shapes.h"
 
@@ -32,7 +33,8 @@ TriangleMesh largeModel()
     std::mt19937 random(seed);
     std::ranges::shuffle(mesh.triangles, random);
     std::ranges::generate(mesh.colors = std::vector<Rgb>(mesh.points.size()), [&random] {
-        return Rgb{static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random())};
+        return Rgb{static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+                   static_cast<std::uint8_t>(random())};
     });
     return mesh;
 }
@@ -81,7 +83,8 @@ template <typename Value> void put(std::ofstream& file, Value value)
 }
 
 /// Binary PLY whose faces have a flag before their corners.
-void writePolygons(const std::filesystem::path& path, const TriangleMesh& mesh, const std::vector<std::vector<std::int32_t>>& faces)
+void writePolygons(const std::filesystem::path& path, const TriangleMesh& mesh,
+                   const std::vector<std::vector<std::int32_t>>& faces)
 {
     std::ofstream file(path, std::ios::binary);
     file << "ply\nformat binary_little_endian 1.0\nelement vertex " << mesh.points.size()
@@ -102,7 +105,8 @@ std::vector<std::vector<std::int32_t>> facesOf(const TriangleMesh& mesh)
 {
     std::vector<std::vector<std::int32_t>> faces;
     for (const Triangle& t : mesh.triangles)
-        faces.push_back({static_cast<std::int32_t>(t[0]), static_cast<std::int32_t>(t[1]), static_cast<std::int32_t>(t[2])});
+        faces.push_back(
+            {static_cast<std::int32_t>(t[0]), static_cast<std::int32_t>(t[1]), static_cast<std::int32_t>(t[2])});
     return faces;
 }
 
@@ -130,7 +134,8 @@ private Q_SLOTS:
         QTest::addColumn<int>("threads");
         for (const char* const ending : {"ply", "glb", "obj", "off"})
             for (const int threads : {1, 2, 5})
-                QTest::addRow("%s, %d threads", ending, threads) << QStringLiteral("model.") + QLatin1String(ending) << threads;
+                QTest::addRow("%s, %d threads", ending, threads)
+                    << QStringLiteral("model.") + QLatin1String(ending) << threads;
     }
     void comesBack()
     {
@@ -262,7 +267,8 @@ private Q_SLOTS:
         core::writeMesh(path("stopped.stl"), largeModel());
         std::stop_source source;
         source.request_stop();
-        QVERIFY_EXCEPTION_THROWN(core::readMesh(path("stopped.stl"), {.stop = source.get_token()}), core::ReadingCancelled);
+        QVERIFY_EXCEPTION_THROWN(core::readMesh(path("stopped.stl"), {.stop = source.get_token()}),
+                                 core::ReadingCancelled);
     }
 };
 

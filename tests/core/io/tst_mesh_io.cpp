@@ -1,7 +1,7 @@
 // Mesh files: round trips to the same bits, bad input by kind and place, and mutations of good files.
 
-#include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 #include "tests/support/shapes.h"
 
 #include <QDir>
@@ -222,7 +222,8 @@ const char* const textPly =
     "4 0 1 2 3\n3 2 1 0\n0 1\n";
 
 const char* const smallOff =
-    "# before\nCNOFF # with colours and normals\n\n5 3 0 # counts\n0 0 0 0 0 1 255 0 0 255\n1 0 0 0 0 1 0 255 0 255 # second\n"
+    "# before\nCNOFF # with colours and normals\n\n5 3 0 # counts\n0 0 0 0 0 1 255 0 0 255\n1 0 0 0 0 1 0 255 0 255 # "
+    "second\n"
     "# between\n1 1 0 0 0 1\n0 1 0 0 0 1 1 2 3\n\n0 0 5 0 0 1 9 9 9 9\n4 0 1 2 3 0.5 0.5 0.5\n2 0 1\n3 4 3 2 7\n";
 
 std::string glbOf(std::string json, std::string binary)
@@ -230,11 +231,12 @@ std::string glbOf(std::string json, std::string binary)
     json.resize((json.size() + 3) / 4 * 4, ' ');
     binary.resize((binary.size() + 3) / 4 * 4);
     const auto number = [](std::size_t value) {
-        const auto bytes = std::bit_cast<std::array<char, 4>>(static_cast<std::uint32_t>(value)); // little-endian machines only
+        const auto bytes =
+            std::bit_cast<std::array<char, 4>>(static_cast<std::uint32_t>(value)); // little-endian machines only
         return std::string(bytes.data(), bytes.size());
     };
-    return "glTF" + number(2) + number(28 + json.size() + binary.size()) + number(json.size()) + "JSON" + json + number(binary.size()) +
-           std::string("BIN\0", 4) + binary;
+    return "glTF" + number(2) + number(28 + json.size() + binary.size()) + number(json.size()) + "JSON" + json +
+           number(binary.size()) + std::string("BIN\0", 4) + binary;
 }
 
 std::string bytesOf(std::initializer_list<float> numbers)
@@ -260,7 +262,8 @@ std::string smallGlb()
 {"bufferView":3,"componentType":5121,"normalized":true,"count":4,"type":"VEC3"}],
 "bufferViews":[{"buffer":0,"byteLength":64,"byteStride":16},{"buffer":0,"byteOffset":64,"byteLength":8},{"buffer":0,"byteOffset":72,"byteLength":12},{"buffer":0,"byteOffset":84,"byteLength":12}],
 "buffers":[{"byteLength":96}]})",
-                 points + std::string("\2\0\1\3\2\0\0\0", 8) + third + std::string("\377\0\0\0\377\0\0\0\377\0\0\0", 12));
+                 points + std::string("\2\0\1\3\2\0\0\0", 8) + third +
+                     std::string("\377\0\0\0\377\0\0\0\377\0\0\0", 12));
 }
 
 double area(const TriangleMesh& mesh)
@@ -388,21 +391,25 @@ void TestMeshIo::palette_isKeptBesideTheModel()
     const TriangleMesh ball = core::icosphere(2, 10);
     for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb", "a.3mf"})
         for (const bool ascii : {false, true}) {
-            core::writeMesh(file(name), ball, {.ascii = ascii, .metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
+            core::writeMesh(
+                file(name), ball,
+                {.ascii = ascii, .metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
             QVERIFY2(readPalette(file(name)) == palette, name);
             QVERIFY2(core::readMesh(file(name)).points == ball.points, name);
             core::writeMesh(file(name), ball, {.ascii = ascii});
             QVERIFY2(readPalette(file(name)).empty(), name);
         }
-    core::writeMesh(file("a.stl"), ball, {.metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
+    core::writeMesh(file("a.stl"), ball,
+                    {.metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
     QVERIFY(readPalette(file("a.stl")).empty());
     QVERIFY(readPalette(file("none.ply")).empty());
 }
 
 void TestMeshIo::palette_thatIsNoneIsNotRead()
 {
-    for (const std::string_view line : {"# fettle palette 12345\n", "# fettle palette 123456 zz0000\n", "# fettle palette 1234567\n", "# fettle palette -12345\n",
-                                        "# fettle palette", "# fettle palette 123456  123456\n", "fettle palette 123456\n"}) {
+    for (const std::string_view line : {"# fettle palette 12345\n", "# fettle palette 123456 zz0000\n",
+                                        "# fettle palette 1234567\n", "# fettle palette -12345\n", "# fettle palette",
+                                        "# fettle palette 123456  123456\n", "fettle palette 123456\n"}) {
         writeBytes(file("a.obj"), line);
         QVERIFY2(readPalette(file("a.obj")).empty(), line.data());
     }
@@ -497,7 +504,8 @@ void TestMeshIo::stl_colorsOfVisCamAndMagicsAreRead()
         }
         const TriangleMesh mesh = parsed("a.stl", bytes);
         std::vector<Rgb> colors = mesh.colors;
-        std::sort(colors.begin(), colors.end(), [](Rgb a, Rgb b) { return std::tie(a.r, a.g, a.b) < std::tie(b.r, b.g, b.b); });
+        std::sort(colors.begin(), colors.end(),
+                  [](Rgb a, Rgb b) { return std::tie(a.r, a.g, a.b) < std::tie(b.r, b.g, b.b); });
         return colors;
     };
     const std::uint16_t red = 31, green = 31 << 5, high = 31 << 10, flag = 1 << 15;
@@ -511,7 +519,8 @@ void TestMeshIo::stl_colorsOfVisCamAndMagicsAreRead()
     QCOMPARE(colorsOf(magics, {flag, flag, flag, flag}), all({10, 20, 30}));
     QCOMPARE(colorsOf(magics, {red, red, red, red}), all({255, 0, 0}));
     // A corner of a tetrahedron lies on three of its faces: one lies on no green one.
-    QCOMPARE(colorsOf(magics, {red, red, red, green}), (std::vector<Rgb>{{170, 85, 0}, {170, 85, 0}, {170, 85, 0}, {255, 0, 0}}));
+    QCOMPARE(colorsOf(magics, {red, red, red, green}),
+             (std::vector<Rgb>{{170, 85, 0}, {170, 85, 0}, {170, 85, 0}, {255, 0, 0}}));
 }
 
 void TestMeshIo::obj_isRead()
@@ -581,9 +590,10 @@ void TestMeshIo::glb_isReadInMillimetres()
 {
     core::writeMesh(file("a.glb"), shapes::cube(40));
     QVERIFY(sameBits(core::readMesh(file("a.glb")), shapes::cube(40)));
-    const std::string metres = glbOf(R"({"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+    const std::string metres = glbOf(
+        R"({"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"byteLength":36}],"buffers":[{"byteLength":36}]})",
-                                     bytesOf({0, 0, 0, 1, 0, 0, 0, 0.5F, 0}));
+        bytesOf({0, 0, 0, 1, 0, 0, 0, 0.5F, 0}));
     const TriangleMesh mesh = parsed("a.glb", metres);
     QVERIFY(sameBits(mesh.points[1], {1000, 0, 0}));
     QVERIFY(sameBits(mesh.points[2], {0, 500, 0}));
@@ -595,7 +605,7 @@ void TestMeshIo::glb_nodesStripsAndSparseAccessorsAreRead()
     const TriangleMesh mesh = parsed("a.glb", smallGlb());
     const std::vector<core::Triangle> expected{{0, 1, 3}, {1, 2, 3}, {4, 6, 5}, {4, 7, 6}};
     QCOMPARE(mesh.triangles, expected);
-    QVERIFY(sameBits(mesh.points[2], {1, 1, 5})); // sparse, and moved
+    QVERIFY(sameBits(mesh.points[2], {1, 1, 5}));  // sparse, and moved
     QVERIFY(sameBits(mesh.points[6], {-1, 1, 0})); // mirrored
     QCOMPARE(mesh.colors[0], (Rgb{255, 0, 0}));
     QCOMPARE(mesh.colors[1], (Rgb{0, 255, 0}));
@@ -606,7 +616,8 @@ void TestMeshIo::glb_colorsComeBackFromLight()
 {
     TriangleMesh mesh = core::icosphere(3, 10);
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
-        mesh.colors.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(7 * i)});
+        mesh.colors.push_back(
+            {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(7 * i)});
     QVERIFY(mesh.points.size() >= 256);
     core::writeMesh(file("a.glb"), mesh);
     QVERIFY(sameBits(core::readMesh(file("a.glb")), mesh));
@@ -752,24 +763,32 @@ void TestMeshIo::badInput_data()
     row("off lying", "a.off", "OFF\n4000 1 0\n0 0 0\n", Kind::CutOff, "line 4");
     row("off with too many", "a.off", "OFF\n4000000000 1 0\n0 0 0\n", Kind::TooManyElements, "line 2", "vertices");
     row("off with nan", "a.off", "OFF\n3 1 0\n0 0 0\n0 nan 0\n1 1 1\n3 0 1 2\n", Kind::NotANumber, "line 4", "nan");
-    row("off index too large", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1 3 \n", Kind::IndexOutOfRange, "line 6", "3");
+    row("off index too large", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1 3 \n", Kind::IndexOutOfRange, "line 6",
+        "3");
     row("off face of none", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n0 0 1 3\n", Kind::Malformed, "line 6", "0");
     row("off cut off", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1", Kind::CutOff, "line 6");
     row("off without faces", "a.off", "OFF\n3 0 0\n0 0 0\n0 1 0\n1 1 1\n", Kind::NoFaces, "");
 
     const QByteArray glb = QByteArray::fromStdString(smallGlb());
-    const auto glbWith = [&glb](const char* old, const QByteArray& text) { return QByteArray(glb).replace(old, text.leftJustified(qsizetype(strlen(old)))); };
+    const auto glbWith = [&glb](const char* old, const QByteArray& text) {
+        return QByteArray(glb).replace(old, text.leftJustified(qsizetype(strlen(old))));
+    };
     row("glb cut off", "a.glb", glb.left(glb.size() - 8), Kind::CutOff, "end");
     row("glb of version 1", "a.glb", QByteArray(glb).replace(4, 1, "\1"), Kind::Malformed, "byte 4", "1");
     row("glb without JSON", "a.glb", QByteArray(glb).replace(16, 4, "MORE"), Kind::Malformed, "byte 12");
     row("glb with broken JSON", "a.glb", glbWith("\"asset\"", "\"asset"), Kind::Malformed, "byte 32");
-    row("glb index too large", "a.glb", QByteArray(glb).replace(glb.size() - 31, 1, "\4"), Kind::IndexOutOfRange, "", "4");
-    row("glb accessor beyond its view", "a.glb", glbWith("\"count\":4,\"type\":\"SCALAR\"", "\"count\":9,\"type\":\"SCALAR\""), Kind::Malformed, "",
+    row("glb index too large", "a.glb", QByteArray(glb).replace(glb.size() - 31, 1, "\4"), Kind::IndexOutOfRange, "",
+        "4");
+    row("glb accessor beyond its view", "a.glb",
+        glbWith("\"count\":4,\"type\":\"SCALAR\"", "\"count\":9,\"type\":\"SCALAR\""), Kind::Malformed, "",
         "bufferViews/1");
-    row("glb node of itself", "a.glb", glbWith("\"children\":[1,2]", "\"children\":[0,2]"), Kind::Malformed, "", "nodes");
-    row("glb with far data", "a.glb", glbWith("\"byteLength\":96", "\"uri\":\"../a.b\""), Kind::OutsideFolder, "", "../a.b");
+    row("glb node of itself", "a.glb", glbWith("\"children\":[1,2]", "\"children\":[0,2]"), Kind::Malformed, "",
+        "nodes");
+    row("glb with far data", "a.glb", glbWith("\"byteLength\":96", "\"uri\":\"../a.b\""), Kind::OutsideFolder, "",
+        "../a.b");
     row("glb that needs what we lack", "a.glb",
-        QByteArray::fromStdString(glbOf(R"({"extensionsRequired":["KHR_draco_mesh_compression"]})", "")), Kind::Malformed, "", "KHR_draco_mesh_compression");
+        QByteArray::fromStdString(glbOf(R"({"extensionsRequired":["KHR_draco_mesh_compression"]})", "")),
+        Kind::Malformed, "", "KHR_draco_mesh_compression");
 
     row("ply without end of header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", Kind::CutOff, "line 4");
     row("ply of unknown encoding", "a.ply", "ply\nformat utf8 1.0\nend_header\n", Kind::Malformed, "line 2", "utf8");
@@ -883,7 +902,7 @@ void TestMeshIo::truncatedFiles_areRefused_data()
     QTest::newRow("3mf") << "a.3mf" << written("w.3mf", false) << true;
     QTest::newRow("off") << "a.off" << written("w.off", false) << true;
     QTest::newRow("off of all kinds") << "a.off" << QByteArray(smallOff) << false; // a colour may be shorter
-    QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false; // has no end
+    QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false;           // has no end
     QTest::newRow("obj of all kinds") << "a.obj" << QByteArray(smallObj) << false;
 }
 

@@ -1,6 +1,6 @@
+#include "core/io/stroke/stroke_file.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/deform/brush_model.h"
-#include "core/io/stroke/stroke_file.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -83,7 +83,8 @@ Stroke randomStroke(std::mt19937_64& random)
         sample.position = Vec3(between(-1, 1), between(-1, 1), between(-1e-300, 1e-300));
         sample.direction = Vec3(between(-1, 1), 1, between(-1, 1));
         sample.pressure = between(0, 1);
-        sample.rotation = Eigen::Quaterniond(between(0.1, 1), between(-1, 1), between(-1, 1), between(-1, 1)).normalized();
+        sample.rotation =
+            Eigen::Quaterniond(between(0.1, 1), between(-1, 1), between(-1, 1), between(-1, 1)).normalized();
         if (random() % 2)
             sample.radius = between(0.1, 1);
         if (random() % 2)
@@ -143,12 +144,14 @@ void TestStrokeFile::defaults_areTheDesigns()
 
 void TestStrokeFile::values_arriveWhereTheyBelong()
 {
-    const Stroke stroke = strokesOf(file(
-        R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"uniform",
+    const Stroke stroke =
+        strokesOf(
+            file(
+                R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"uniform",
            "detail_length":0.125,"fusion":true,"symmetry":"z","radial":6,"spacing":0.25,"place":"ray","add":true,"invert":true,
            "color":[200,120,80])",
-        R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0,"up":[0,2,-1])"))
-                              .at(0);
+                R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0,"up":[0,2,-1])"))
+            .at(0);
     QVERIFY(stroke.settings.tool == Tool::Smooth && stroke.settings.place == Placement::Ray);
     QCOMPARE(stroke.settings.radius, 2.5);
     QCOMPARE(stroke.settings.strength, 3.0);
@@ -227,9 +230,9 @@ void TestStrokeFile::writing_andReadingGivesTheSameBits()
 void TestStrokeFile::turntable_isRotationAboutY()
 {
     for (const double t : {0.0, 0.25, 1.0, 7.5, -3.0}) {
-        const Stroke stroke = strokesOf(file(least + R"(,"turntable_deg_per_s":36)",
-                                                R"("position":[1,0,0],"t":)" + std::to_string(t)))
-                                  .at(0);
+        const Stroke stroke =
+            strokesOf(file(least + R"(,"turntable_deg_per_s":36)", R"("position":[1,0,0],"t":)" + std::to_string(t)))
+                .at(0);
         const double angle = 36 * t * 3.14159265358979323846 / 180;
         const Vec3 turned = stroke.samples.at(0).rotation * Vec3(1, 0, 0);
         QVERIFY((turned - Vec3(std::cos(angle), 0, -std::sin(angle))).norm() < 1e-14);
@@ -283,7 +286,9 @@ void TestStrokeFile::refuses_data()
     const auto row = [](const std::string& text, Kind kind, const char* key) {
         QTest::newRow(text.substr(0, 150).c_str()) << QString::fromStdString(text) << kind << QString::fromUtf8(key);
     };
-    const auto stroke = [&](const std::string& more, Kind kind, const char* key) { row(file(least + "," + more), kind, key); };
+    const auto stroke = [&](const std::string& more, Kind kind, const char* key) {
+        row(file(least + "," + more), kind, key);
+    };
     const auto sample = [&](const std::string& more, Kind kind, const char* key) { row(file(least, more), kind, key); };
     const std::string at = R"("position":[1,0,0],)";
 
@@ -306,7 +311,8 @@ void TestStrokeFile::refuses_data()
 
     row(file(R"("radius":1)"), Kind::MissingKey, "tool");
     row(file(R"("tool":"pull")"), Kind::MissingKey, "radius");
-    row(R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":1}]})", Kind::MissingKey, "samples");
+    row(R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":1}]})", Kind::MissingKey,
+        "samples");
     row(file(R"("radius":1,"tool":"melt")"), Kind::UnknownValue, "tool: \"melt\"");
     row(file(R"("radius":1,"tool":1)"), Kind::WrongType, "tool");
     row(file(R"("radius":1,"tool":null)"), Kind::WrongType, "tool");
@@ -442,16 +448,18 @@ void TestStrokeFile::refuses()
 void TestStrokeFile::refusal_namesStrokeAndSample()
 {
     const std::string good = R"({"tool":"pull","radius":1,"samples":[{"position":[0,0,1]}]},)";
-    const auto error = errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good + good
-                               + R"({"tool":"pull","radius":1,"samples":[{"position":[0,0,1]},{"position":[0,0,1],"pressure":2}]}]})");
+    const auto error =
+        errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good + good +
+                R"({"tool":"pull","radius":1,"samples":[{"position":[0,0,1]},{"position":[0,0,1],"pressure":2}]}]})");
     QVERIFY(error && error->kind == Kind::OutOfRange);
     QCOMPARE(error->stroke.value(), std::size_t(2));
     QCOMPARE(error->sample.value(), std::size_t(1));
     QCOMPARE(error->min.value(), 0.0);
     QCOMPARE(error->max.value(), 1.0);
 
-    const auto late = errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good
-                              + R"({"samples":[{"position":[0,0,1],"direction":[1,0,0]},{"position":[0,0,1],"direction":[0,0,0]}],
+    const auto late =
+        errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good +
+                R"({"samples":[{"position":[0,0,1],"direction":[1,0,0]},{"position":[0,0,1],"direction":[0,0,0]}],
                                     "tool":"pull","radius":1,"place":"ray"}]})");
     QVERIFY(late && late->key == "direction");
     QCOMPARE(late->stroke.value(), std::size_t(1));
@@ -549,7 +557,8 @@ void TestStrokeFile::commands_roundTrip()
     QCOMPARE(std::get<core::FlattenBase>(commandAt(14).command).height, 0.5);
     QCOMPARE(std::get<core::MaskOperation>(commandAt(15).command).how, core::MaskOperation::Kind::Shrink);
 
-    const auto swapped = parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
+    const auto swapped =
+        parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
     QVERIFY(std::get<Move>(std::get<FileCommand>(swapped.at(0)).command).by == Vec3(1, 0, 0));
 }
 

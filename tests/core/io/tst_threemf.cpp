@@ -1,7 +1,7 @@
 // 3MF packages of others: units, components, colours, parts elsewhere; and what hostile ones try.
 
-#include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
 #include "tests/support/shapes.h"
 
 #include <QTemporaryDir>
@@ -34,17 +34,19 @@ const std::string modelHead =
 /// A right-angled tetrahedron; `more` goes into each of its triangles.
 std::string mesh(const std::string& more = {})
 {
-    std::string text = R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y=" +2.0 " z="0"/>)"
-                       R"(<vertex x="0" y="0" z="3e0"/></vertices><triangles>)";
-    for (const char* corners : {R"(v1="0" v2="2" v3="1")", R"(v1="0" v2="1" v3="3")", R"(v1="0" v2="3" v3="2")", R"(v1="1" v2="2" v3="3")"})
+    std::string text =
+        R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y=" +2.0 " z="0"/>)"
+        R"(<vertex x="0" y="0" z="3e0"/></vertices><triangles>)";
+    for (const char* corners :
+         {R"(v1="0" v2="2" v3="1")", R"(v1="0" v2="1" v3="3")", R"(v1="0" v2="3" v3="2")", R"(v1="1" v2="2" v3="3")"})
         text += std::string("<triangle ") + corners + " " + more + "/>";
     return text + "</triangles></mesh>";
 }
 
 std::string model(const std::string& resources, const std::string& items, const std::string& attributes = {})
 {
-    return "<?xml version=\"1.0\"?><model " + modelHead + " " + attributes + "><resources>" + resources + "</resources><build>" + items +
-           "</build></model>";
+    return "<?xml version=\"1.0\"?><model " + modelHead + " " + attributes + "><resources>" + resources +
+           "</resources><build>" + items + "</build></model>";
 }
 
 std::string object(int id, const std::string& content, const std::string& attributes = {})
@@ -98,7 +100,10 @@ private Q_SLOTS:
     void mutatedModels_neverGetThrough();
 
 private:
-    std::filesystem::path file(const std::string& name) const { return std::filesystem::path(m_dir.path().toStdString()) / name; }
+    std::filesystem::path file(const std::string& name) const
+    {
+        return std::filesystem::path(m_dir.path().toStdString()) / name;
+    }
     std::filesystem::path package(const Parts& parts, int packing = ZIP_CM_DEFLATE) const;
     TriangleMesh read(const std::string& model) const
     {
@@ -115,7 +120,8 @@ std::filesystem::path TestThreeMf::package(const Parts& parts, int packing) cons
     std::filesystem::remove(path);
     zip* const archive = zip_open(path.c_str(), ZIP_CREATE, nullptr);
     for (const auto& [name, text] : parts) {
-        const auto index = zip_file_add(archive, name.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0);
+        const auto index =
+            zip_file_add(archive, name.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0);
         zip_set_file_compression(archive, static_cast<zip_uint64_t>(index), packing, 0);
     }
     zip_close(archive);
@@ -137,8 +143,12 @@ void TestThreeMf::units_becomeMillimetres_data()
     QTest::addColumn<QString>("attribute");
     QTest::addColumn<double>("millimetres");
     QTest::newRow("none") << "" << 1.0;
-    for (const auto& [name, millimetres] : std::initializer_list<std::pair<const char*, double>>{
-             {"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}})
+    for (const auto& [name, millimetres] : std::initializer_list<std::pair<const char*, double>>{{"micron", 0.001},
+                                                                                                 {"millimeter", 1},
+                                                                                                 {"centimeter", 10},
+                                                                                                 {"inch", 25.4},
+                                                                                                 {"foot", 304.8},
+                                                                                                 {"meter", 1000}})
         QTest::newRow(name) << QStringLiteral("unit=\"%1\"").arg(QLatin1StringView(name)) << millimetres;
 }
 
@@ -148,7 +158,8 @@ void TestThreeMf::units_becomeMillimetres()
     QFETCH(double, millimetres);
     const TriangleMesh read = this->read(model(object(1, mesh()), item(1), attribute.toStdString()));
     QCOMPARE(read.points.size(), std::size_t(4));
-    const Vec3f wanted(static_cast<float>(millimetres), static_cast<float>(2 * millimetres), static_cast<float>(3 * millimetres));
+    const Vec3f wanted(static_cast<float>(millimetres), static_cast<float>(2 * millimetres),
+                       static_cast<float>(3 * millimetres));
     QVERIFY(largest(read) == wanted);
     const TriangleMesh turned = core::readMesh(file("a.3mf"));
     QVERIFY(turned.points[3] == Vec3f(0, wanted.z(), 0)); // Z is up
@@ -157,8 +168,10 @@ void TestThreeMf::units_becomeMillimetres()
 void TestThreeMf::components_areTransformed()
 {
     // a tetrahedron at its place and one 10 away, both turned by a quarter about z (x becomes y), all doubled
-    const std::string parts = R"(<components><component objectid="1"/><component objectid="1" transform="1 0 0 0 1 0 0 0 1 10 0 0"/></components>)";
-    const TriangleMesh read = this->read(model(object(1, mesh()) + object(2, parts), item(2, R"(transform="0 2 0 -2 0 0  0 0 2	5 0 0 ")")));
+    const std::string parts =
+        R"(<components><component objectid="1"/><component objectid="1" transform="1 0 0 0 1 0 0 0 1 10 0 0"/></components>)";
+    const TriangleMesh read =
+        this->read(model(object(1, mesh()) + object(2, parts), item(2, R"(transform="0 2 0 -2 0 0  0 0 2	5 0 0 ")")));
     QCOMPARE(read.triangles.size(), std::size_t(8));
     QCOMPARE(volume(read), 16.0);
     QVERIFY(read.points[1] == Vec3f(5, 2, 0));
@@ -173,21 +186,26 @@ void TestThreeMf::mirroredComponents_stayOutward()
 
 void TestThreeMf::partsElsewhere_areRead()
 {
-    const std::string root = model(object(1, R"(<components><component p:path="/3D/Objects/b.model" objectid="7"/></components>)"), item(1));
-    const auto path = package({{"_rels/.rels", relationships}, {"3D/a.model", root}, {"3D/Objects/b.model", model(object(7, mesh()), "")}});
+    const std::string root =
+        model(object(1, R"(<components><component p:path="/3D/Objects/b.model" objectid="7"/></components>)"), item(1));
+    const auto path = package(
+        {{"_rels/.rels", relationships}, {"3D/a.model", root}, {"3D/Objects/b.model", model(object(7, mesh()), "")}});
     QCOMPARE(volume(core::readMesh(path)), 1.0);
 }
 
 void TestThreeMf::supports_areLeftOut()
 {
-    const std::string both = object(1, mesh()) + object(2, mesh(), R"(type="support")") + object(3, mesh(), R"(type="other")");
-    const TriangleMesh read = this->read(model(both, item(1) + item(2) + item(3, R"(transform="1 0 0 0 1 0 0 0 1 9 9 9")")));
+    const std::string both =
+        object(1, mesh()) + object(2, mesh(), R"(type="support")") + object(3, mesh(), R"(type="other")");
+    const TriangleMesh read =
+        this->read(model(both, item(1) + item(2) + item(3, R"(transform="1 0 0 0 1 0 0 0 1 9 9 9")")));
     QCOMPARE(read.triangles.size(), std::size_t(4));
 }
 
 void TestThreeMf::colors_areRead()
 {
-    const std::string group = R"(<m:colorgroup id="5"><m:color color="#FF0000"/><m:color color="#0080FF80"/></m:colorgroup>)";
+    const std::string group =
+        R"(<m:colorgroup id="5"><m:color color="#FF0000"/><m:color color="#0080FF80"/></m:colorgroup>)";
     const std::string materials = R"(<basematerials id="6"><base name="a" displaycolor="#010203"/></basematerials>)";
     const auto colorsOf = [&](const std::string& objectAttributes, const std::string& triangleAttributes) {
         return read(model(group + materials + object(1, mesh(triangleAttributes), objectAttributes), item(1))).colors;
@@ -200,8 +218,8 @@ void TestThreeMf::colors_areRead()
     QVERIFY(colorsOf("", R"(pid="6" p1="9")").empty());
     QVERIFY(colorsOf("", R"(pid="9" p1="0")").empty());
     const std::vector<Rgb> mixed = colorsOf("", R"(pid="5" p1="0" p2="1" p3="1")");
-    QVERIFY(mixed[0] == red);  // the first corner of three triangles
-    QVERIFY(mixed[2] == blue); // never the first one
+    QVERIFY(mixed[0] == red);               // the first corner of three triangles
+    QVERIFY(mixed[2] == blue);              // never the first one
     QCOMPARE(mixed[1].r, std::uint8_t(85)); // once of three
 }
 
@@ -224,7 +242,8 @@ void TestThreeMf::insideAnApplication_withCommas_bitsStay()
     std::mt19937 engine(seed);
     TriangleMesh wanted = core::icosphere(3, 10);
     for (Vec3f& p : wanted.points) {
-        p += 0.001F * Vec3f(static_cast<float>(engine() % 997), static_cast<float>(engine() % 991), static_cast<float>(engine() % 983));
+        p += 0.001F * Vec3f(static_cast<float>(engine() % 997), static_cast<float>(engine() % 991),
+                            static_cast<float>(engine() % 983));
         wanted.colors.push_back({std::uint8_t(engine()), std::uint8_t(engine()), std::uint8_t(engine())});
     }
     core::writeMesh(file("commas.3mf"), wanted);
@@ -241,19 +260,24 @@ void TestThreeMf::badPackages_areRefused_data()
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<Kind>("kind");
     QTest::addColumn<QString>("token");
-    const auto row = [](const char* name, Kind kind, const QString& token, const std::string& text, const std::string& relations = relationships) {
+    const auto row = [](const char* name, Kind kind, const QString& token, const std::string& text,
+                        const std::string& relations = relationships) {
         QTest::newRow(name) << QByteArray::fromStdString(relations) << QByteArray::fromStdString(text) << kind << token;
     };
     const std::string good = model(object(1, mesh()), item(1));
-    const auto pointing = [](const std::string& to) { return std::string(relationships).replace(relationships.find("/3D/a.model"), 11, to); };
+    const auto pointing = [](const std::string& to) {
+        return std::string(relationships).replace(relationships.find("/3D/a.model"), 11, to);
+    };
     row("out of the package", Kind::Malformed, "/../../etc/passwd", good, pointing("/../../etc/passwd"));
     row("to a part that is not there", Kind::Malformed, "etc/passwd", good, pointing("/etc/passwd"));
     row("to nothing", Kind::Malformed, "_rels/.rels", good, R"(<Relationships xmlns="x"/>)");
     row("to another machine", Kind::Malformed, "_rels/.rels", good, pointing("/3D/a.model\" TargetMode=\"External"));
     row("components out of the package", Kind::Malformed, "../b.model",
         model(object(1, R"(<components><component p:path="../b.model" objectid="1"/></components>)"), item(1)));
-    row("laughs", Kind::Malformed, "", R"(<!DOCTYPE model [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>)" + good.substr(21));
-    row("a file from outside", Kind::Malformed, "", R"(<!DOCTYPE model [<!ENTITY a SYSTEM "file:///etc/passwd">]>)" + good.substr(21));
+    row("laughs", Kind::Malformed, "",
+        R"(<!DOCTYPE model [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>)" + good.substr(21));
+    row("a file from outside", Kind::Malformed, "",
+        R"(<!DOCTYPE model [<!ENTITY a SYSTEM "file:///etc/passwd">]>)" + good.substr(21));
     row("no end", Kind::Malformed, "", good.substr(0, good.size() - 9));
     row("not XML", Kind::Malformed, "", "solid");
     row("unknown unit", Kind::Malformed, "furlong", model(object(1, mesh()), item(1), R"(unit="furlong")"));
@@ -262,13 +286,20 @@ void TestThreeMf::badPackages_areRefused_data()
     row("in itself", Kind::TooManyElements, "components",
         model(object(1, R"(<components><component objectid="1"/></components>)"), item(1)));
     row("nothing to build", Kind::NoFaces, "", model(object(1, mesh()), ""));
-    row("no coordinate", Kind::Malformed, "z", model(object(1, R"(<mesh><vertices><vertex x="0" y="0"/></vertices></mesh>)"), item(1)));
-    row("nan", Kind::NotANumber, "nan", model(object(1, R"(<mesh><vertices><vertex x="nan" y="0" z="0"/></vertices></mesh>)"), item(1)));
-    row("commas", Kind::NotANumber, "0,5", model(object(1, R"(<mesh><vertices><vertex x="0,5" y="0" z="0"/></vertices></mesh>)"), item(1)));
-    row("index", Kind::IndexOutOfRange, "4", model(object(1, R"(<mesh><triangles><triangle v1="4" v2="1" v3="0"/></triangles></mesh>)"), item(1)));
-    row("negative index", Kind::NotANumber, "-1", model(object(1, R"(<mesh><triangles><triangle v1="-1" v2="1" v3="0"/></triangles></mesh>)"), item(1)));
-    row("transform of eleven", Kind::NotANumber, "", model(object(1, mesh()), item(1, R"(transform="1 0 0 0 1 0 0 0 1 0 0")")));
-    row("transform too far", Kind::NotANumber, "", model(object(1, mesh()), item(1, R"(transform="1e300 0 0 0 1 0 0 0 1 0 0 0")")));
+    row("no coordinate", Kind::Malformed, "z",
+        model(object(1, R"(<mesh><vertices><vertex x="0" y="0"/></vertices></mesh>)"), item(1)));
+    row("nan", Kind::NotANumber, "nan",
+        model(object(1, R"(<mesh><vertices><vertex x="nan" y="0" z="0"/></vertices></mesh>)"), item(1)));
+    row("commas", Kind::NotANumber, "0,5",
+        model(object(1, R"(<mesh><vertices><vertex x="0,5" y="0" z="0"/></vertices></mesh>)"), item(1)));
+    row("index", Kind::IndexOutOfRange, "4",
+        model(object(1, R"(<mesh><triangles><triangle v1="4" v2="1" v3="0"/></triangles></mesh>)"), item(1)));
+    row("negative index", Kind::NotANumber, "-1",
+        model(object(1, R"(<mesh><triangles><triangle v1="-1" v2="1" v3="0"/></triangles></mesh>)"), item(1)));
+    row("transform of eleven", Kind::NotANumber, "",
+        model(object(1, mesh()), item(1, R"(transform="1 0 0 0 1 0 0 0 1 0 0")")));
+    row("transform too far", Kind::NotANumber, "",
+        model(object(1, mesh()), item(1, R"(transform="1e300 0 0 0 1 0 0 0 1 0 0 0")")));
     std::string deep;
     for (int i = 0; i < 100'000; ++i)
         deep += "<a>";
@@ -331,10 +362,29 @@ void TestThreeMf::mutatedModels_neverGetThrough()
 {
     const int rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 200'000 : 1'500;
     const std::string group = R"(<m:colorgroup id="5"><m:color color="#FF0000"/></m:colorgroup>)";
-    const std::string good = model(group + object(1, mesh(R"(pid="5" p1="0")")) + object(2, R"(<components><component objectid="1"/></components>)"),
+    const std::string good = model(group + object(1, mesh(R"(pid="5" p1="0")")) +
+                                       object(2, R"(<components><component objectid="1"/></components>)"),
                                    item(2, R"(transform="1 0 0 0 1 0 0 0 1 0 0 0")"));
-    const std::vector<std::string> words{"-1", "0", "4294967295", "1e99", "nan", "\"", "<", ">", "/>", "<!--", "</object>", "<mesh>", "<object id=\"1\">",
-                                         "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>", "&lt;", "&#0;", std::string(1, '\0'), "\xff\xfe", "]]>", "<?x?>"};
+    const std::vector<std::string> words{"-1",
+                                         "0",
+                                         "4294967295",
+                                         "1e99",
+                                         "nan",
+                                         "\"",
+                                         "<",
+                                         ">",
+                                         "/>",
+                                         "<!--",
+                                         "</object>",
+                                         "<mesh>",
+                                         "<object id=\"1\">",
+                                         "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>",
+                                         "&lt;",
+                                         "&#0;",
+                                         std::string(1, '\0'),
+                                         "\xff\xfe",
+                                         "]]>",
+                                         "<?x?>"};
     std::mt19937 engine(seed);
     int refused = 0;
     for (int round = 0; round < rounds; ++round) {
@@ -342,9 +392,15 @@ void TestThreeMf::mutatedModels_neverGetThrough()
         for (auto edits = 1 + engine() % 3; edits != 0; --edits) {
             const std::size_t at = engine() % text.size();
             switch (engine() % 3) {
-            case 0: text[at] = static_cast<char>(engine()); break;
-            case 1: text.erase(at, 1 + engine() % 8); break;
-            default: text.insert(at, words[engine() % words.size()]); break;
+            case 0:
+                text[at] = static_cast<char>(engine());
+                break;
+            case 1:
+                text.erase(at, 1 + engine() % 8);
+                break;
+            default:
+                text.insert(at, words[engine() % words.size()]);
+                break;
             }
         }
         const auto error = errorOf([&] {

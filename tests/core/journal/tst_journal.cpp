@@ -1,13 +1,13 @@
+#include "core/analysis/mesh_check.h"
+#include "core/io/stroke/stroke_file.h"
 #include "core/journal/checksum.h"
 #include "core/journal/compaction.h"
-#include "core/journal/journal_files.h"
 #include "core/journal/journal.h"
+#include "core/journal/journal_files.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/analysis/mesh_check.h"
 #include "core/mesh/mesh_hash.h"
 #include "core/operations/snapshot.h"
 #include "core/sculpt/sculptor.h"
-#include "core/io/stroke/stroke_file.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
 
@@ -40,7 +40,8 @@ State stateOf(const RecoveredDocument& document)
 class Session
 {
 public:
-    Session(const fs::path& root, const TriangleMesh& model, std::uint64_t seed, JournalLimits limits = {}) : m_random(seed)
+    Session(const fs::path& root, const TriangleMesh& model, std::uint64_t seed, JournalLimits limits = {})
+        : m_random(seed)
     {
         auto mesh = std::move(buildMesh(model).mesh);
         const auto start = snapshotOf(*mesh);
@@ -68,7 +69,8 @@ public:
         auto delta = std::make_shared<MeshDelta>(m_sculptor->endStroke());
         if (delta->empty())
             return;
-        const JournalStep step{"step " + std::to_string(states.size()), "pull", stroke.samples.size(), 0, std::make_shared<const FileEntry>(stroke)};
+        const JournalStep step{"step " + std::to_string(states.size()), "pull", stroke.samples.size(), 0,
+                               std::make_shared<const FileEntry>(stroke)};
         m_journal->changed(m_sculptor->mesh(), *delta, step);
         if (m_other)
             m_other->changed(m_sculptor->mesh(), *delta, step);
@@ -139,7 +141,8 @@ private:
 
 void write(const fs::path& file, std::string_view bytes)
 {
-    std::ofstream(file, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(file, std::ios::binary | std::ios::trunc)
+        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 /// The end of each record, 0 first.
@@ -198,7 +201,8 @@ void TestJournal::checksum_isThatOfZip()
 {
     QCOMPARE(checksum("123456789"), 0xcbf43926u); // the check value of the catalogue of CRCs
     const std::string bytes(1000, 'x');
-    QCOMPARE(checksum(std::string_view(bytes).substr(300), checksum(std::string_view(bytes).substr(0, 300))), checksum(bytes));
+    QCOMPARE(checksum(std::string_view(bytes).substr(300), checksum(std::string_view(bytes).substr(0, 300))),
+             checksum(bytes));
 }
 
 void TestJournal::recovery_givesTheStateAndTheHistory()
@@ -222,7 +226,8 @@ void TestJournal::recovery_givesTheStateAndTheHistory()
     const auto later = recoverJournal(session.journal().folder());
     QVERIFY(later && stateOf(*later) == session.now() && later->isUnsaved());
     QCOMPARE(later->document.path, std::string("/a/path"));
-    QVERIFY(later->document.metadata.view && later->document.metadata.view->target == Vec3(1, 2, 3) && later->document.metadata.view->orthographic);
+    QVERIFY(later->document.metadata.view && later->document.metadata.view->target == Vec3(1, 2, 3) &&
+            later->document.metadata.view->orthographic);
     QVERIFY(later->document.metadata.brush && later->document.metadata.brush->radius == 7);
     QVERIFY(later->document.metadata.work == metadata.work && !found->document.metadata.work);
 }
@@ -337,7 +342,8 @@ void TestJournal::flippedBytes_neverGiveAnotherState()
         }
         write(segmentFile(folder, 0), spoilt);
         const auto found = recoverJournal(folder);
-        const auto record = static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), first) - ends.begin()) - 1;
+        const auto record =
+            static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), first) - ends.begin()) - 1;
         const bool isWhole = first == whole.size();
         QVERIFY(found && stateOf(*found) == session.states[isWhole ? ends.size() - 1 : record]);
     }
@@ -364,12 +370,14 @@ void TestJournal::unsyncedPages_costWhatWasNotSynced()
             bytes.resize(synced.size() + random.below(bytes.size() - synced.size() + 1));
         for (std::size_t at = synced.size(); at < bytes.size(); at = (at / page + 1) * page)
             if (random.below(2) == 0)
-                std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), std::min(bytes.size() - at, page - at % page), '\0');
+                std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                            std::min(bytes.size() - at, page - at % page), '\0');
         const fs::path copy = copyOf(folder);
         write(segmentFile(copy, 0), bytes);
         const auto found = recoverJournal(copy);
         QVERIFY(found);
-        const auto match = std::find(session.states.begin() + static_cast<std::ptrdiff_t>(states) - 1, session.states.end(), stateOf(*found));
+        const auto match = std::find(session.states.begin() + static_cast<std::ptrdiff_t>(states) - 1,
+                                     session.states.end(), stateOf(*found));
         QVERIFY2(match != session.states.end(), "older than what was synced, or a state that never was");
         fs::remove_all(copy);
     }
@@ -400,8 +408,8 @@ void TestJournal::compaction_keepsTheDocumentWithinItsBound()
     }
     QVERIFY(session.journal().stats().compactions > 3);
     QVERIFY(reached > 30);
-    qInfo("%.0f KiB recorded, at most %.0f KiB kept, %llu compactions", double(session.journal().stats().bytes) / 1024, double(most) / 1024,
-          static_cast<unsigned long long>(session.journal().stats().compactions));
+    qInfo("%.0f KiB recorded, at most %.0f KiB kept, %llu compactions", double(session.journal().stats().bytes) / 1024,
+          double(most) / 1024, static_cast<unsigned long long>(session.journal().stats().compactions));
     QVERIFY(most < session.journal().stats().bytes / 2);
 }
 
@@ -512,14 +520,16 @@ void TestJournal::lateBeginning_holdsWhatWasAndWhatCame()
     QVERIFY(isTold && !hasBegun);
     journal->drain();
     QVERIFY(JournalFolder::abandoned(root / "second").empty() && !fs::exists(journal->folder()));
-    journal->beginWith(mesh, {snapshotOf(*buildMesh(icosphere(3, 20)).mesh), {"clay", "", {}, false}}, {{"clay", "", {}, false}, before.history});
+    journal->beginWith(mesh, {snapshotOf(*buildMesh(icosphere(3, 20)).mesh), {"clay", "", {}, false}},
+                       {{"clay", "", {}, false}, before.history});
     for (int i = 0; i < 10; ++i)
         session.act();
     journal->flush();
     QVERIFY(hasBegun);
     const auto found = recoverJournal(journal->folder());
     QVERIFY(found && !found->isDamaged && stateOf(*found) == session.now());
-    const Session later(JournalFolder::make(root / "third"), std::move(*recoverJournal(journal->folder())), 1); // it can be gone on with
+    const Session later(JournalFolder::make(root / "third"), std::move(*recoverJournal(journal->folder())),
+                        1); // it can be gone on with
     QVERIFY(later.now() == session.now());
 }
 
@@ -629,7 +639,8 @@ void TestJournal::folders_belongToWhoHoldsThem()
 void TestJournal::folders_setAsideAreBounded()
 {
     const QTemporaryDir home;
-    const fs::path root = fs::path(home.path().toStdString()) / "journals", aside = fs::path(home.path().toStdString()) / "aside";
+    const fs::path root = fs::path(home.path().toStdString()) / "journals",
+                   aside = fs::path(home.path().toStdString()) / "aside";
     fs::path last;
     for (int i = 0; i < 5; ++i) {
         const auto folder = JournalFolder::make(root);

@@ -1,4 +1,5 @@
-// Fettle's own lessons, and how lessons are played: each is played to its end and meets its checkpoints, in every language.
+// Fettle's own lessons, and how lessons are played: each is played to its end and meets its checkpoints, in every
+// language.
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
 #include "tests/support/solid_asserts.h"
@@ -53,7 +54,9 @@ private Q_SLOTS:
             const Checkpoint& checkpoint = playback.step().checkpoint;
             QVERIFY(!checkpoint.asksNothing());
             const TriangleMesh target = checkpoint.target ? playback.target() : TriangleMesh();
-            const auto isMetBy = [&](const TriangleMesh& model) { return evaluate(checkpoint, model, checkpoint.target ? &target : nullptr).isMet(); };
+            const auto isMetBy = [&](const TriangleMesh& model) {
+                return evaluate(checkpoint, model, checkpoint.target ? &target : nullptr).isMet();
+            };
             QVERIFY2(isMetBy(after), std::to_string(i).c_str());
             const bool isJudgedByFacts = !checkpoint.target || checkpoint.facts.size() > 1;
             if (isJudgedByFacts && i + 1 < playback.lesson().steps.size()) // it asks for something that was not there
@@ -261,7 +264,8 @@ private Q_SLOTS:
         stroke.settings.radius = 10;
         stroke.samples[0].position = {1e6, 0, 0};
         const auto position = errorOf(stroke);
-        QVERIFY(position && position->strokes->key == "position" && position->strokes->sample == std::optional<std::size_t>(0));
+        QVERIFY(position && position->strokes->key == "position" &&
+                position->strokes->sample == std::optional<std::size_t>(0));
         const auto command = errorOf(FileCommand{FlattenBase{500}, {}});
         QVERIFY(command && command->kind == LessonError::Kind::Refused);
         QVERIFY(!errorOf(FileCommand{Reset{}, {}}));

@@ -1,5 +1,5 @@
-#include "core/lesson/checkpoint.h"
 #include "core/analysis/mesh_check.h"
+#include "core/lesson/checkpoint.h"
 #include "core/operations/starter_models.h"
 
 #include <QTest>
@@ -92,7 +92,8 @@ private Q_SLOTS:
         QVERIFY(verdictOf(3.1, small, large).holds);
     }
 
-    /// A thorn on a twentieth of the surface or less is passed over, a missing half is not, though all that is there fits.
+    /// A thorn on a twentieth of the surface or less is passed over, a missing half is not, though all that is there
+    /// fits.
     void number_isOfMostOfBothSurfaces()
     {
         const TriangleMesh ball = icosphere(5, radius);

@@ -1,7 +1,7 @@
 // A lesson is changed as its editor changes it, and stays one that can be written, read and played to its end.
+#include "core/lesson/lesson_check.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
-#include "core/lesson/lesson_check.h"
 #include "tests/support/solid_asserts.h"
 
 #include <QTemporaryDir>
@@ -51,7 +51,9 @@ Played play(const Lesson& lesson)
 
 bool isMet(const Played& played)
 {
-    return played.unsoundness.empty() && std::ranges::all_of(played.checks, [](const StepCheck& check) { return check.idle.empty() && check.verdict.isMet(); });
+    return played.unsoundness.empty() && std::ranges::all_of(played.checks, [](const StepCheck& check) {
+               return check.idle.empty() && check.verdict.isMet();
+           });
 }
 } // namespace
 
@@ -60,7 +62,8 @@ class TestLessonDraft : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// What was opened and not changed is played to the same bits, its checkpoints are met, and its own words are there.
+    /// What was opened and not changed is played to the same bits, its checkpoints are met, and its own words are
+    /// there.
     void unchanged_isTheSameLesson_data()
     {
         QTest::addColumn<QByteArray>("name");
@@ -115,7 +118,8 @@ private Q_SLOTS:
         QCOMPARE(play(readBack(draft.complete({}))).hash, before);
     }
 
-    /// Without its legs the creature does not stand: what a later step asks for is said not to be there, and the lesson is played all the same.
+    /// Without its legs the creature does not stand: what a later step asks for is said not to be there, and the lesson
+    /// is played all the same.
     void cut_isSaidWhereItMatters()
     {
         LessonDraft draft = draftOf("creature");
@@ -221,10 +225,11 @@ private Q_SLOTS:
         LessonPlayback playback(std::make_shared<const Lesson>(draftOf("mug").lesson()), "mug");
         std::stop_source stop;
         std::vector<double> shares;
-        const auto checks = checkLesson(playback, [](std::size_t, const TriangleMesh&) {}, {stop.get_token(), [&](double share) {
-                                                                                             shares.push_back(share);
-                                                                                             stop.request_stop();
-                                                                                         }});
+        const auto checks =
+            checkLesson(playback, [](std::size_t, const TriangleMesh&) {}, {stop.get_token(), [&](double share) {
+                                                                                shares.push_back(share);
+                                                                                stop.request_stop();
+                                                                            }});
         QCOMPARE(shares.size(), std::size_t(1));
         QCOMPARE(checks.size(), std::size_t(1));
         VERIFY_VALID(playback.mesh());

@@ -1,6 +1,6 @@
 // Lessons as files: what comes back, and what is refused.
-#include "core/lesson/lesson_file.h"
 #include "core/io/mesh_io.h"
+#include "core/lesson/lesson_file.h"
 #include "core/operations/starter_models.h"
 
 #include <nlohmann/json.hpp>
@@ -24,7 +24,8 @@ Q_DECLARE_METATYPE(core::LessonError::Kind)
 namespace
 {
 const std::string png = "\x89PNG\r\n\x1a\n...";
-const std::string strokes = R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":9,"samples":[{"position":[0,50,0]}]}]})";
+const std::string strokes =
+    R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":9,"samples":[{"position":[0,50,0]}]}]})";
 
 Json text(const char* words)
 {
@@ -33,7 +34,11 @@ Json text(const char* words)
 
 Json least()
 {
-    return {{"format", "fettle-lesson"}, {"version", 1}, {"title", text("A")}, {"start", "ball"}, {"steps", {{{"title", text("B")}, {"text", text("C")}}}}};
+    return {{"format", "fettle-lesson"},
+            {"version", 1},
+            {"title", text("A")},
+            {"start", "ball"},
+            {"steps", {{{"title", text("B")}, {"text", text("C")}}}}};
 }
 
 /// All that a lesson may have.
@@ -53,7 +58,10 @@ Json full()
                                  {"width_mm", {{"least", 1}, {"most", 1e3}}},
                                  {"print_ready", true},
                                  {"target", {{"file", "models/start.stl"}, {"tolerance_mm", 0.1}}}}}});
-    lesson["steps"].push_back({{"title", text("D")}, {"text", text("E")}, {"strokes", "strokes/two.json"}, {"checkpoint", {{"target", {{"tolerance_mm", 2}}}}}});
+    lesson["steps"].push_back({{"title", text("D")},
+                               {"text", text("E")},
+                               {"strokes", "strokes/two.json"},
+                               {"checkpoint", {{"target", {{"tolerance_mm", 2}}}}}});
     return lesson;
 }
 
@@ -74,7 +82,11 @@ using Content = std::map<std::string, std::string>;
 
 Content contentOf(const Json& lesson)
 {
-    return {{"lesson.json", lesson.dump()}, {"a.png", png}, {"models/start.stl", stl()}, {"strokes/one.json", strokes}, {"strokes/two.json", strokes}};
+    return {{"lesson.json", lesson.dump()},
+            {"a.png", png},
+            {"models/start.stl", stl()},
+            {"strokes/one.json", strokes},
+            {"strokes/two.json", strokes}};
 }
 
 LessonFiles filesOf(const Content& content)
@@ -127,7 +139,8 @@ void pack(const std::filesystem::path& path, const Content& content, const std::
 {
     zip_t* const archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
     for (const auto& [name, bytes] : content)
-        zip_file_add(archive, (folder + name).c_str(), zip_source_buffer(archive, bytes.data(), bytes.size(), 0), ZIP_FL_ENC_UTF_8);
+        zip_file_add(archive, (folder + name).c_str(), zip_source_buffer(archive, bytes.data(), bytes.size(), 0),
+                     ZIP_FL_ENC_UTF_8);
     zip_close(archive);
 }
 
@@ -158,8 +171,11 @@ private Q_SLOTS:
         QCOMPARE(step.tools, (std::vector{Tool::Pull, Tool::Smooth}));
         QCOMPARE(step.strokes.size(), std::size_t(1));
         QCOMPARE(std::get<Stroke>(step.strokes[0]).settings.radius, 9.0);
-        const std::vector<FactBounds> facts = {
-            {Fact::Genus, 1, 1}, {Fact::Height, 60.1}, {Fact::Width, 1, 1e3}, {Fact::Volume, 0, 1e6}, {Fact::PrintReady, 1, 1}};
+        const std::vector<FactBounds> facts = {{Fact::Genus, 1, 1},
+                                               {Fact::Height, 60.1},
+                                               {Fact::Width, 1, 1e3},
+                                               {Fact::Volume, 0, 1e6},
+                                               {Fact::PrintReady, 1, 1}};
         QCOMPARE(step.checkpoint.facts, facts);
         QCOMPARE(step.checkpoint.target->file, std::string("models/start.stl"));
         QCOMPARE(step.checkpoint.target->tolerance, 0.1);
@@ -210,8 +226,10 @@ private Q_SLOTS:
         write(path / "mine.txt", "mine");
         QCOMPARE(fileErrorOf([&] { writeLesson(path, lesson); }), std::optional(FileErrorKind::WriteFailed));
         QCOMPARE(bytesOf(path / "mine.txt"), std::string("mine"));
-        QCOMPARE(fileErrorOf([&] { writeLesson(path / "no" / "folder", lesson); }), std::optional(FileErrorKind::NoFolder));
-        QCOMPARE(fileErrorOf([&] { writeLesson(path / "no" / "a.zip", lesson); }), std::optional(FileErrorKind::NoFolder));
+        QCOMPARE(fileErrorOf([&] { writeLesson(path / "no" / "folder", lesson); }),
+                 std::optional(FileErrorKind::NoFolder));
+        QCOMPARE(fileErrorOf([&] { writeLesson(path / "no" / "a.zip", lesson); }),
+                 std::optional(FileErrorKind::NoFolder));
         std::size_t entries = 0;
         for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path.parent_path()))
             ++entries;
@@ -238,7 +256,8 @@ private Q_SLOTS:
         QCOMPARE(error.key, std::string("genus"));
         QCOMPARE(error.path, std::filesystem::path("a.zip"));
         Content content = contentOf(full());
-        content["strokes/two.json"] = R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":-9,"samples":[{"position":[0,50,0]}]}]})";
+        content["strokes/two.json"] =
+            R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":-9,"samples":[{"position":[0,50,0]}]}]})";
         const LessonError inStrokes = errorOf(content).value();
         QCOMPARE(inStrokes.kind, Kind::Strokes);
         QCOMPARE(inStrokes.file, std::string("strokes/two.json"));
@@ -360,9 +379,14 @@ private Q_SLOTS:
             for (std::size_t changes = 1 + random() % 4; changes > 0 && !bytes.empty(); --changes) {
                 const std::size_t at = random() % bytes.size(), count = 1 + random() % 9;
                 switch (random() % 3) {
-                case 0: bytes[at] = static_cast<char>(random()); break;
-                case 1: bytes.erase(at, count); break;
-                default: bytes.insert(random() % bytes.size(), bytes.substr(at, count));
+                case 0:
+                    bytes[at] = static_cast<char>(random());
+                    break;
+                case 1:
+                    bytes.erase(at, count);
+                    break;
+                default:
+                    bytes.insert(random() % bytes.size(), bytes.substr(at, count));
                 }
             }
             return bytes;
@@ -435,12 +459,14 @@ void TestLessonFile::refuses_data()
     row("no start", Kind::MissingKey, [](Json& lesson) { lesson.erase("start"); });
     row("no steps", Kind::WrongType, [](Json& lesson) { lesson["steps"] = Json::array(); });
     row("a step that is none", Kind::WrongType, [](Json& lesson) { lesson["steps"][0] = 5; });
-    row("steps without end", Kind::TooMany, [](Json& lesson) { lesson["steps"] = Json(LessonLimits::maxSteps + 1, lesson["steps"][0]); });
+    row("steps without end", Kind::TooMany,
+        [](Json& lesson) { lesson["steps"] = Json(LessonLimits::maxSteps + 1, lesson["steps"][0]); });
     row("no language", Kind::NoWords, [](Json& lesson) { lesson["title"] = Json::object(); });
     row("no words", Kind::NoWords, [](Json& lesson) { lesson["title"]["de"] = "  "; });
     row("odd language", Kind::UnknownKey, [](Json& lesson) { lesson["title"]["../de"] = "a"; });
     row("a number for words", Kind::WrongType, [](Json& lesson) { lesson["title"]["de"] = 5; });
-    row("a book", Kind::TooLong, [](Json& lesson) { lesson["title"]["de"] = std::string(LessonLimits::maxTextBytes + 1, 'a'); });
+    row("a book", Kind::TooLong,
+        [](Json& lesson) { lesson["title"]["de"] = std::string(LessonLimits::maxTextBytes + 1, 'a'); });
     row("unknown starter", Kind::UnknownValue, [](Json& lesson) { lesson["start"] = "cow"; });
     row("start without file", Kind::MissingKey, [](Json& lesson) { lesson["start"] = Json::object(); });
     step("unknown key in a step", Kind::UnknownKey, "sound", "a.mp3");
@@ -449,7 +475,8 @@ void TestLessonFile::refuses_data()
     step("no tools", Kind::WrongType, "tools", Json::array());
     step("missing file", Kind::MissingFile, "picture", "b.png");
     step("no picture", Kind::NotAPicture, "picture", "strokes/one.json");
-    for (const char* const name : {"../a.png", "/etc/passwd", "models/../../a.png", "C:a.png", "C:/a.png", "models\\a.png", "./a.png", "a//b.png", "", "a\nb.png"})
+    for (const char* const name : {"../a.png", "/etc/passwd", "models/../../a.png", "C:a.png", "C:/a.png",
+                                   "models\\a.png", "./a.png", "a//b.png", "", "a\nb.png"})
         step(name[0] ? name : "empty name", Kind::BadName, "picture", name);
     step("strokes outside", Kind::BadName, "strokes", "../one.json");
     step("no strokes", Kind::Strokes, "strokes", "a.png");
@@ -466,7 +493,8 @@ void TestLessonFile::refuses_data()
     fact("target outside", Kind::BadName, "target", {{"file", "../a.stl"}, {"tolerance_mm", 1}});
     QTest::newRow("twice") << QByteArray(R"({"format":"fettle-lesson","version":1,"version":1})") << Kind::DuplicateKey;
     QTest::newRow("brackets") << QByteArray(R"({"format":)") + QByteArray(100'000, '[') << Kind::TooDeep;
-    QTest::newRow("a number without end") << QByteArray(R"({"format":"fettle-lesson","version":1e999})") << Kind::Syntax;
+    QTest::newRow("a number without end")
+        << QByteArray(R"({"format":"fettle-lesson","version":1e999})") << Kind::Syntax;
     QTest::newRow("bytes") << QByteArray("\xff\xfe\0\0", 4) << Kind::Syntax;
 }
 

@@ -26,7 +26,9 @@ constexpr std::uint64_t seed = 20240812;
 LatticeBox randomBox(StrokeFuzzer& random, const Mesh& mesh)
 {
     const double reach = mesh.lattice().halfVolume() / mesh.lattice().unit() / 6;
-    const auto corner = [&] { return Vec3(random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)); };
+    const auto corner = [&] {
+        return Vec3(random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach));
+    };
     LatticeBox box;
     const Vec3 a = corner();
     const Vec3 b = random.below(2) == 0 ? corner() : Vec3(a + 0.05 * corner());

@@ -101,7 +101,8 @@ void TestFootprint::ofTheRayBrush_leavesTheOtherSideOut()
     const auto hit = sculptor.hit({{0.01, 5, 0.02}, -Vec3::UnitY()});
     QVERIFY(hit);
     const auto below = [&] {
-        return std::ranges::count_if(sculptor.footprint(settings, hit->position).slots, [&](Slot v) { return sculptor.mesh().point(v).y() < 0; });
+        return std::ranges::count_if(sculptor.footprint(settings, hit->position).slots,
+                                     [&](Slot v) { return sculptor.mesh().point(v).y() < 0; });
     };
     QCOMPARE(below(), 0);
     QVERIFY(sculptor.footprint(settings, hit->position).slots.size() > 100);

@@ -265,7 +265,9 @@ void TestMesh::touchedSince_namesEachElementOnce()
         for (int i = 0; i < 10; ++i)
             editOnce(random, *mesh);
         const core::TouchedSlots touched = mesh->touchedSince(mark);
-        const auto isTouched = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::count(slots, slot) == 1; };
+        const auto isTouched = [](const std::vector<Slot>& slots, Slot slot) {
+            return std::ranges::count(slots, slot) == 1;
+        };
         for (Slot v = 0; v < mesh->slots().vertices; ++v) {
             const bool same = v < vertices.size() && vertices[v].live == mesh->isVertex(v) &&
                               (!mesh->isVertex(v) || vertices[v].point == mesh->point(v));
@@ -423,7 +425,8 @@ void TestMesh::collapse_refusesABrokenLinkCondition()
     int refused = 0;
     for (Slot h = 0; h < 2 * mesh->slots().edges; ++h) {
         int common = 0;
-        mesh->forEachOutgoing(mesh->from(h), [&](Slot g) { common += mesh->findHalfedge(mesh->to(h), mesh->to(g)) != noSlot; });
+        mesh->forEachOutgoing(mesh->from(h),
+                              [&](Slot g) { common += mesh->findHalfedge(mesh->to(h), mesh->to(g)) != noSlot; });
         if (common > 2) {
             QVERIFY(!mesh->isCollapseOk(h));
             ++refused;

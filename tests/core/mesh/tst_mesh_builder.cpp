@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <numeric>
 
-using core::BuildResult;
 using core::buildMesh;
+using core::BuildResult;
 using core::extractMesh;
 using core::Slot;
 using core::TriangleMesh;

@@ -11,7 +11,6 @@
 
 #include <QTest>
 
-
 using core::MeshPatch;
 using core::Sculptor;
 using core::Slot;
@@ -125,7 +124,8 @@ void TestMeshPatch::anyMergedRun_givesTheMesh()
                 QVERIFY(isInForm(merged));
             }
             viewer.apply(merged);
-            QVERIFY2(viewer == viewerOf(run.wholes[i]), qPrintable(QString::fromLatin1("seed %1, up to %2").arg(seed).arg(i)));
+            QVERIFY2(viewer == viewerOf(run.wholes[i]),
+                     qPrintable(QString::fromLatin1("seed %1, up to %2").arg(seed).arg(i)));
             QCOMPARE(merged.liveFaces, run.wholes[i].liveFaces);
         }
     }
@@ -196,7 +196,8 @@ void TestMeshPatch::merge_ofSmallSpans_agreesWithSlots()
     const auto randomPatch = [&] {
         MeshPatch patch;
         patch.faceSlots = 1 + static_cast<Slot>(random.below(30));
-        for (Slot at = static_cast<Slot>(random.below(5)); at < patch.faceSlots; at += 1 + static_cast<Slot>(random.below(5))) {
+        for (Slot at = static_cast<Slot>(random.below(5)); at < patch.faceSlots;
+             at += 1 + static_cast<Slot>(random.below(5))) {
             SlotSpan span = {at, 0};
             for (std::uint64_t n = 1 + random.below(5); n > 0 && at < patch.faceSlots; --n, ++at, ++span.count)
                 patch.faces.push_back({value, value + 1, value + 2}), ++value;

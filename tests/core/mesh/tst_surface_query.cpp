@@ -166,7 +166,9 @@ void TestSurfaceQuery::color_isTheCornersAndBetweenThemTheirMean()
         mesh->setColor(t[i], colors[i]);
     const FaceOctree octree(*mesh);
     const auto [a, b, c] = cornersOf(*mesh, 0);
-    const auto at = [&](double u, double v) { return nearestPoint(*mesh, octree, (1 - u - v) * a + u * b + v * c)->color; };
+    const auto at = [&](double u, double v) {
+        return nearestPoint(*mesh, octree, (1 - u - v) * a + u * b + v * c)->color;
+    };
     QCOMPARE(at(1.0 / 3, 1.0 / 3), (core::Rgb{87, 87, 87}));
     QCOMPARE(at(0.5, 0.25), (core::Rgb{68, 128, 65}));
     QCOMPARE(at(0.998, 0.001), colors[1]);

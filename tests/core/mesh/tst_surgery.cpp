@@ -1,5 +1,5 @@
-#include "core/sculpt/fuse/ring_join.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/fuse/ring_join.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
@@ -39,7 +39,8 @@ namespace
 /// Two cones that meet in a neck three edges around, `neck` from their axis.
 TriangleMesh hourglass(double neck)
 {
-    return clay::revolved({{0, -1, 0}, {0.8, -0.9, 0}, {0.5, -0.4, 0}, {neck, 0, 0}, {0.5, 0.4, 0}, {0.8, 0.9, 0}, {0, 1, 0}}, 3);
+    return clay::revolved(
+        {{0, -1, 0}, {0.8, -0.9, 0}, {0.5, -0.4, 0}, {neck, 0, 0}, {0.5, 0.4, 0}, {0.8, 0.9, 0}, {0, 1, 0}}, 3);
 }
 
 Slot nearestVertex(const Mesh& mesh, const Vec3& p)
@@ -83,7 +84,8 @@ void TestSurgery::joinStars_ofRandomPairs_leavesAManifold()
         const auto mesh = sculptable(core::icosphere(2, 1));
         const auto vertex = [&] { return static_cast<Slot>(random.below(mesh->slots().vertices)); };
         const Slot p = vertex(), q = vertex();
-        const std::optional<Surgery> surgery = core::joinStars(*mesh, p, q, i % 2 == 0 ? core::Stepping::Even : core::Stepping::Nearest);
+        const std::optional<Surgery> surgery =
+            core::joinStars(*mesh, p, q, i % 2 == 0 ? core::Stepping::Even : core::Stepping::Nearest);
         if (!surgery)
             continue;
         ++joined;
@@ -99,7 +101,8 @@ void TestSurgery::joinStars_ofRandomPairs_leavesAManifold()
 
 void TestSurgery::joinStars_ofTwoBalls_makesOne()
 {
-    const auto mesh = sculptable(shapes::together(core::icosphere(3, 1), shapes::moved(core::icosphere(3, 1), {2.05f, 0, 0})));
+    const auto mesh =
+        sculptable(shapes::together(core::icosphere(3, 1), shapes::moved(core::icosphere(3, 1), {2.05f, 0, 0})));
     QCOMPARE(eulerNumber(*mesh), 4);
     const auto surgery = core::joinStars(*mesh, nearestVertex(*mesh, {1, 0, 0}), nearestVertex(*mesh, {1.05, 0, 0}));
     QVERIFY(surgery);
@@ -111,7 +114,8 @@ void TestSurgery::joinStars_ofTwoBalls_makesOne()
 void TestSurgery::joinStars_throughASlab_makesAHole()
 {
     const auto mesh = sculptable(clay::slab(2, 0.1, 16));
-    const auto surgery = core::joinStars(*mesh, nearestVertex(*mesh, {0, 0.05, 0}), nearestVertex(*mesh, {0, -0.05, 0}));
+    const auto surgery =
+        core::joinStars(*mesh, nearestVertex(*mesh, {0, 0.05, 0}), nearestVertex(*mesh, {0, -0.05, 0}));
     QVERIFY(surgery);
     operate(*mesh, *surgery);
     QCOMPARE(eulerNumber(*mesh), 0);
@@ -175,7 +179,8 @@ void TestSurgery::replaceFaces_canBeTakenBack()
     const std::uint64_t before = mesh->stateHash();
     mesh->beginStroke();
     const Mesh::Mark mark = mesh->mark();
-    const auto surgery = core::joinStars(*mesh, nearestVertex(*mesh, {-0.025, 0, 0}), nearestVertex(*mesh, {0.025, 0, 0}));
+    const auto surgery =
+        core::joinStars(*mesh, nearestVertex(*mesh, {-0.025, 0, 0}), nearestVertex(*mesh, {0.025, 0, 0}));
     QVERIFY(surgery);
     mesh->replaceFaces(*surgery);
     QVERIFY(mesh->stateHash() != before);
@@ -211,7 +216,8 @@ void TestSurgery::aSideUsedTwice_isNotOk()
 /// Two balls made to touch in one vertex by naming them the same: one of them has to take a copy.
 void TestSurgery::twoUmbrellas_areNotOkAndSplit()
 {
-    const auto mesh = sculptable(shapes::together(core::icosphere(1, 1), shapes::moved(core::icosphere(1, 1), {3, 0, 0})));
+    const auto mesh =
+        sculptable(shapes::together(core::icosphere(1, 1), shapes::moved(core::icosphere(1, 1), {3, 0, 0})));
     const Slot p = nearestVertex(*mesh, {1, 0, 0}), q = nearestVertex(*mesh, {2, 0, 0});
     Surgery surgery;
     surgery.near = p;

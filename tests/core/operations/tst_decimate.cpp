@@ -1,9 +1,9 @@
-#include "tests/support/clay.h"
 #include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 
-#include "core/operations/decimate.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/decimate.h"
 #include "core/operations/starter_models.h"
 
 #include <QTest>
@@ -74,8 +74,9 @@ double farthest(const TriangleMesh& from, const TriangleMesh& surface, std::size
     for (std::size_t i = 0; i < from.points.size(); i += step) {
         double least = 1e300;
         for (const core::Triangle& t : surface.triangles)
-            least = std::min(least, squaredDistance(from.points[i].cast<double>(), surface.points[t[0]].cast<double>(),
-                                                    surface.points[t[1]].cast<double>(), surface.points[t[2]].cast<double>()));
+            least = std::min(least,
+                             squaredDistance(from.points[i].cast<double>(), surface.points[t[0]].cast<double>(),
+                                             surface.points[t[1]].cast<double>(), surface.points[t[2]].cast<double>()));
         most = std::max(most, least);
     }
     return std::sqrt(most);
@@ -124,12 +125,14 @@ void TestDecimate::surface_staysSound()
     const TriangleMesh before = core::extractMesh(*input.mesh);
     const core::Lattice lattice = input.mesh->lattice();
     const TriangleMesh few = core::decimate(*input.mesh, static_cast<std::size_t>(triangles)).mesh;
-    QVERIFY(few.triangles.size() <= static_cast<std::size_t>(triangles) && few.triangles.size() + 2 > static_cast<std::size_t>(triangles) - 1);
+    QVERIFY(few.triangles.size() <= static_cast<std::size_t>(triangles) &&
+            few.triangles.size() + 2 > static_cast<std::size_t>(triangles) - 1);
     const auto verdict = judgedByCgal(few);
     QVERIFY(verdict && verdict->allWell());
     QCOMPARE(eulerNumber(few), eulerNumber(before));
     QVERIFY(std::ranges::all_of(few.points, [&](const Vec3f& p) { return lattice.isOnLattice(p); }));
-    const double there = farthest(few, before, 1 + few.points.size() / 500), back = farthest(before, few, 1 + before.points.size() / 1000);
+    const double there = farthest(few, before, 1 + few.points.size() / 500),
+                 back = farthest(before, few, 1 + before.points.size() / 1000);
     QVERIFY2(std::max(there, back) < within, qPrintable(QStringLiteral("%1 mm and back %2 mm").arg(there).arg(back)));
 }
 
@@ -142,7 +145,8 @@ void TestDecimate::flatFaces_needNoTriangles()
     QVERIFY(farthest(slab, few, 1) < 1e-3 && farthest(few, slab, 1) < 1e-3);
 }
 
-/// Seen from a vertex of the model, the nearest vertex of what is left has nearly the colour that was there, but near the borders.
+/// Seen from a vertex of the model, the nearest vertex of what is left has nearly the colour that was there, but near
+/// the borders.
 void TestDecimate::colors_stayWhereTheyAre()
 {
     const TriangleMesh mesh = twoColored();
@@ -156,7 +160,9 @@ void TestDecimate::colors_stayWhereTheyAre()
         ++looked;
         const Rgb expected = p.x() * p.y() * p.z() > 0 ? Rgb{20, 40, 220} : Rgb{220, 40, 20};
         const Rgb c = few.colors[i];
-        wrong += std::abs(c.r - expected.r) > 12 || std::abs(c.g - expected.g) > 12 || std::abs(c.b - expected.b) > 12 ? 1U : 0U;
+        wrong += std::abs(c.r - expected.r) > 12 || std::abs(c.g - expected.g) > 12 || std::abs(c.b - expected.b) > 12
+                     ? 1U
+                     : 0U;
     }
     QVERIFY(looked > few.points.size() / 10);
     QCOMPARE(wrong, std::size_t(0));
@@ -184,13 +190,15 @@ void TestDecimate::tooSmallABudget_keepsTopology()
 void TestDecimate::enough_changesNothing()
 {
     const core::BuildResult input = core::buildMesh(twoColored());
-    const TriangleMesh before = core::extractMesh(*input.mesh), after = core::decimate(*input.mesh, before.triangles.size()).mesh;
+    const TriangleMesh before = core::extractMesh(*input.mesh),
+                       after = core::decimate(*input.mesh, before.triangles.size()).mesh;
     QVERIFY(after.points == before.points && after.triangles == before.triangles && after.colors == before.colors);
 }
 
 void TestDecimate::sameInput_sameBits()
 {
-    const TriangleMesh one = core::decimate(built(twoColored()), 1500).mesh, two = core::decimate(built(twoColored()), 1500).mesh;
+    const TriangleMesh one = core::decimate(built(twoColored()), 1500).mesh,
+                       two = core::decimate(built(twoColored()), 1500).mesh;
     QVERIFY(one.points == two.points && one.triangles == two.triangles && one.colors == two.colors);
 }
 
@@ -199,10 +207,10 @@ void TestDecimate::stopped_givesNothing()
     std::stop_source stop;
     double last = 0;
     core::JobControl control{stop.get_token(), [&](double share) {
-        QVERIFY(share >= last && share <= 1);
-        last = share;
-        stop.request_stop();
-    }};
+                                 QVERIFY(share >= last && share <= 1);
+                                 last = share;
+                                 stop.request_stop();
+                             }};
     QVERIFY(core::decimate(built(wavyBall()), 500, control).mesh.triangles.empty());
     QVERIFY(last > 0 && last < 1);
 }

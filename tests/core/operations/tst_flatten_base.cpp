@@ -1,9 +1,9 @@
 // A flat base and a place on the bed: on named solids exactly, on random ones judged by CGAL.
 
-#include "core/operations/model_command.h"
-#include "core/geometry/polygon_triangulation.h"
 #include "core/analysis/print_check.h"
+#include "core/geometry/polygon_triangulation.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/model_command.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -57,7 +57,8 @@ Loop ring(double radius, int corners, const FlatPoint& centre, bool isHole)
     Loop loop;
     for (int i = 0; i < corners; ++i) {
         const double angle = (isHole ? -2 : 2) * 3.14159265358979 * i / corners;
-        loop.emplace_back(centre.x() + std::lround(radius * std::cos(angle)), centre.y() + std::lround(radius * std::sin(angle)));
+        loop.emplace_back(centre.x() + std::lround(radius * std::cos(angle)),
+                          centre.y() + std::lround(radius * std::sin(angle)));
     }
     return loop;
 }
@@ -89,7 +90,9 @@ double highest(const Mesh& mesh)
 
 TriangleMesh turned(TriangleMesh mesh, double about, double aside)
 {
-    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(about, core::Vec3::UnitX()) * Eigen::AngleAxisd(aside, core::Vec3::UnitZ())).toRotationMatrix();
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(about, core::Vec3::UnitX()) * Eigen::AngleAxisd(aside, core::Vec3::UnitZ()))
+            .toRotationMatrix();
     for (Vec3f& p : mesh.points)
         p = (turn * p.cast<double>()).cast<float>();
     return mesh;
@@ -131,7 +134,8 @@ void TestFlattenBase::polygons_areFilled_data()
     }());
 }
 
-/// Every side once, every other edge twice, all triangles anticlockwise, and together as large as the loops: that is a filling.
+/// Every side once, every other edge twice, all triangles anticlockwise, and together as large as the loops: that is a
+/// filling.
 void TestFlattenBase::polygons_areFilled()
 {
     QFETCH(const std::vector<Loop>, loops);
@@ -182,11 +186,16 @@ void TestFlattenBase::base_isFlat_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::addColumn<double>("share"); ///< of the height
-    const std::pair<const char*, TriangleMesh> models[] = {
-        {"sphere", core::icosphere(3, 1)},     {"cube", shapes::cube(1)},         {"torus", shapes::torus()},
-        {"turned torus", turned(shapes::torus(), 0.8, 0.6)}, {"turned cube", turned(shapes::cube(1), 0.5, 0.3)},
-        {"bowl", clay::bowl()},                {"spiral", clay::spiral()},        {"shell", shapes::nestedSpheres(true)},
-        {"two fingers", clay::twoFingers(0.01)}, {"slab", clay::slab(2, 0.05, 12)}};
+    const std::pair<const char*, TriangleMesh> models[] = {{"sphere", core::icosphere(3, 1)},
+                                                           {"cube", shapes::cube(1)},
+                                                           {"torus", shapes::torus()},
+                                                           {"turned torus", turned(shapes::torus(), 0.8, 0.6)},
+                                                           {"turned cube", turned(shapes::cube(1), 0.5, 0.3)},
+                                                           {"bowl", clay::bowl()},
+                                                           {"spiral", clay::spiral()},
+                                                           {"shell", shapes::nestedSpheres(true)},
+                                                           {"two fingers", clay::twoFingers(0.01)},
+                                                           {"slab", clay::slab(2, 0.05, 12)}};
     for (const auto& [name, mesh] : models)
         for (const double share : {0.02, 0.25, 0.5, 0.8})
             QTest::addRow("%s, %g", name, share) << mesh << share;
@@ -242,12 +251,14 @@ void TestFlattenBase::base_ofRandomModels()
 {
     std::mt19937 engine(20240812);
     std::uniform_real_distribution<double> angle(-3, 3), share(0.01, 0.97);
-    const TriangleMesh sources[] = {core::icosphere(3, 1), shapes::torus(), clay::bowl(), shapes::cube(1), clay::spiral(),
-                                    shapes::nestedSpheres(true), clay::cutRing(0.05), clay::slab(1, 0.1, 6)};
+    const TriangleMesh sources[] = {core::icosphere(3, 1), shapes::torus(),      clay::bowl(),
+                                    shapes::cube(1),       clay::spiral(),       shapes::nestedSpheres(true),
+                                    clay::cutRing(0.05),   clay::slab(1, 0.1, 6)};
     int done = 0;
     constexpr int rounds = 120;
     for (int i = 0; i < rounds; ++i) {
-        TriangleMesh shape = turned(sources[i % std::size(sources)], i % 3 ? angle(engine) : 0, i % 3 ? angle(engine) : 0);
+        TriangleMesh shape =
+            turned(sources[i % std::size(sources)], i % 3 ? angle(engine) : 0, i % 3 ? angle(engine) : 0);
         if (i % 2)
             shape = shapes::noisy(shape, 0.004F, static_cast<unsigned>(i));
         if (!core::checkMesh(shape).printReady())

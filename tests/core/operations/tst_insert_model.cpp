@@ -88,7 +88,8 @@ void TestInsertModel::intoAVoid_isTaken()
 void TestInsertModel::into_theMatterIsRefused()
 {
     QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::AsItIs}).refusal == ModelRefusal::Inside);
-    QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {20, 0, 0}}).refusal == ModelRefusal::Inside);
+    QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {20, 0, 0}}).refusal ==
+            ModelRefusal::Inside);
 }
 
 void TestInsertModel::around_thePresentModelIsRefused()
@@ -116,7 +117,8 @@ void TestInsertModel::touching_isRefused()
 
 void TestInsertModel::overlapping_isRefused()
 {
-    QVERIFY(tried(icosphere(3, 50), {icosphere(2, 20), Insert::Place::Centre, {50, 0, 0}}).refusal == ModelRefusal::Touching);
+    QVERIFY(tried(icosphere(3, 50), {icosphere(2, 20), Insert::Place::Centre, {50, 0, 0}}).refusal ==
+            ModelRefusal::Touching);
 }
 
 void TestInsertModel::unsoundModel_isRefusedWithItsReport()
@@ -130,7 +132,8 @@ void TestInsertModel::unsoundModel_isRefusedWithItsReport()
 
 void TestInsertModel::tooFar_isRefused()
 {
-    QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {0, 450, 0}}).refusal == ModelRefusal::TooFar);
+    QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {0, 450, 0}}).refusal ==
+            ModelRefusal::TooFar);
     QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {0, 350, 0}}).changes);
 }
 
@@ -161,9 +164,9 @@ void TestInsertModel::stopped_changesNothing()
         std::stop_source source;
         int calls = 0;
         const JobControl control{source.get_token(), [&](double) {
-                                 if (++calls == stopAt)
-                                     source.request_stop();
-                             }};
+                                     if (++calls == stopAt)
+                                         source.request_stop();
+                                 }};
         const auto mesh = buildMesh(icosphere(3, 50)).mesh;
         const ModelChange change = applyToCopy(*mesh, Insert{icosphere(3, 20)}, control);
         QVERIFY(!change.changes && change.delta.empty());

@@ -1,9 +1,10 @@
-// What is masked stays: it does not move, is not remeshed away, does not fuse, and takes no colour, whatever tool goes over it.
-#include "core/operations/decimate.h"
-#include "core/operations/mask_operations.h"
-#include "core/mesh/mesh_builder.h"
+// What is masked stays: it does not move, is not remeshed away, does not fuse, and takes no colour, whatever tool goes
+// over it.
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/decimate.h"
+#include "core/operations/mask_operations.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
@@ -16,8 +17,8 @@
 #include <cmath>
 #include <set>
 
-using core::MaskOperation;
 using core::DabReport;
+using core::MaskOperation;
 using core::Mesh;
 using core::Rgb;
 using core::Sculptor;
@@ -142,7 +143,8 @@ std::vector<int> masks(const Mesh& mesh)
 bool isSound(const Sculptor& sculptor)
 {
     const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
+           sculptor.indexIsConsistent();
 }
 
 /// What is farthest from the ball's middle, of those at that angle from the z axis.
@@ -266,7 +268,8 @@ void TestMask::half_movesHalf()
     stroke(*half, mask, {onBall(0)});
     for (Sculptor* sculptor : {free.get(), half.get()})
         stroke(*sculptor, settingsOf(Tool::Pull, 12), {onBall(0)});
-    const double whole = highestAt(free->mesh(), 0, 0.2) - ballRadius, part = highestAt(half->mesh(), 0, 0.2) - ballRadius;
+    const double whole = highestAt(free->mesh(), 0, 0.2) - ballRadius,
+                 part = highestAt(half->mesh(), 0, 0.2) - ballRadius;
     QVERIFY2(std::abs(part / whole - 0.6) < 0.02, qPrintable(QString::number(part / whole)));
 }
 
@@ -387,7 +390,8 @@ void TestMask::symmetrized_isItsOwnImage()
     const auto sculptor = ball(4);
     maskAt(*sculptor, onBall(50), 15);
     maskAt(*sculptor, onBall(-20), 10);
-    const std::size_t kept = std::ranges::count_if(maskedPoints(sculptor->mesh()), [](const Point& p) { return p[0] > 5; });
+    const std::size_t kept =
+        std::ranges::count_if(maskedPoints(sculptor->mesh()), [](const Point& p) { return p[0] > 5; });
     change(*sculptor, core::Symmetrize{core::Symmetry::X, core::Half::Positive});
     VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
     const std::set<Point> after = maskedPoints(sculptor->mesh());
@@ -403,7 +407,9 @@ void TestMask::flattened_staysMasked()
     constexpr float level = -10;
     const auto sculptor = ball(4);
     maskAt(*sculptor, onBall(30), 20);
-    const auto isAbove = [](const std::set<Point>& face) { return std::ranges::all_of(face, [](const Point& p) { return p[1] > level + 1; }); };
+    const auto isAbove = [](const std::set<Point>& face) {
+        return std::ranges::all_of(face, [](const Point& p) { return p[1] > level + 1; });
+    };
     std::set<std::set<Point>> above;
     std::ranges::copy_if(maskedFaces(sculptor->mesh()), std::inserter(above, above.end()), isAbove);
     change(*sculptor, core::FlattenBase{level + ballRadius});
@@ -445,7 +451,9 @@ void TestMask::blurred_isSofterAndSharpenedHarder()
 {
     const auto sculptor = ball(4);
     maskAt(*sculptor, onBall(0), 20);
-    const auto between = [&] { return std::ranges::count_if(masks(sculptor->mesh()), [](int mask) { return mask > 0 && mask < 255; }); };
+    const auto between = [&] {
+        return std::ranges::count_if(masks(sculptor->mesh()), [](int mask) { return mask > 0 && mask < 255; });
+    };
     QCOMPARE(between(), 0);
     const std::size_t masked = maskedCount(sculptor->mesh());
     change(*sculptor, MaskOperation{How::Blur});

@@ -72,7 +72,9 @@ void TestStarterModels::isSymmetric()
             p[axis] = -p[axis];
         return Place{p.x() + 0, p.y() + 0, p.z() + 0}; // no -0
     };
-    const auto face = [&](const core::Triangle& t, int axis) { return Face{place(t[0], axis), place(t[1], axis), place(t[2], axis)}; };
+    const auto face = [&](const core::Triangle& t, int axis) {
+        return Face{place(t[0], axis), place(t[1], axis), place(t[2], axis)};
+    };
     for (const core::Triangle& t : mesh.triangles)
         faces.insert(face(t, -1));
     for (const core::Triangle& t : mesh.triangles) {

@@ -87,7 +87,8 @@ void TestSymmetrize::half_andItsImage_data()
     for (const auto& [name, mesh] : models) {
         for (const Symmetry plane : {Symmetry::X, Symmetry::Y, Symmetry::Z}) {
             for (const Half keep : {Half::Positive, Half::Negative})
-                QTest::addRow("%s, %s %s 0", name, std::string(core::name(plane)).c_str(), keep == Half::Positive ? ">" : "<")
+                QTest::addRow("%s, %s %s 0", name, std::string(core::name(plane)).c_str(),
+                              keep == Half::Positive ? ">" : "<")
                     << mesh << plane << keep;
         }
     }
@@ -172,7 +173,8 @@ void TestSymmetrize::touchingHalves_areRefused()
 
 void TestSymmetrize::parts_onTheOtherSide_go()
 {
-    const auto mesh = sculptable(shapes::together(core::icosphere(3, 1), shapes::moved(core::icosphere(2, 0.3), {-2, 0, 0})));
+    const auto mesh =
+        sculptable(shapes::together(core::icosphere(3, 1), shapes::moved(core::icosphere(2, 0.3), {-2, 0, 0})));
     ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive});
     mesh->swap(change.delta);
     QCOMPARE(mesh_asserts::eulerNumber(*mesh), 2);
@@ -188,7 +190,8 @@ void TestSymmetrize::stopped_changesNothing()
     const auto mesh = sculptable(lopsided());
     std::stop_source stop;
     stop.request_stop();
-    const ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}, {stop.get_token(), {}});
+    const ModelChange change =
+        applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}, {stop.get_token(), {}});
     QVERIFY(!change.changes && change.delta.empty());
 }
 

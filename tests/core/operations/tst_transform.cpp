@@ -111,8 +111,15 @@ void TestTransform::everyCommand_keepsTheModelSound()
     const auto mesh = sculpted(shape, 7);
     VERIFY_VALID(*mesh);
     const double size = boxOf(*mesh).sizes().maxCoeff();
-    const ModelCommand commands[] = {Move{Vec3(0.31, -0.2, 0.1) * size}, Rotate{turn(37, Vec3(1, 2, 3).normalized())},
-                                     Scale{0.3}, Scale{25.4}, Scale{1e-4}, Mirror{0}, Mirror{1}, Mirror{2}, Recentre{},
+    const ModelCommand commands[] = {Move{Vec3(0.31, -0.2, 0.1) * size},
+                                     Rotate{turn(37, Vec3(1, 2, 3).normalized())},
+                                     Scale{0.3},
+                                     Scale{25.4},
+                                     Scale{1e-4},
+                                     Mirror{0},
+                                     Mirror{1},
+                                     Mirror{2},
+                                     Recentre{},
                                      Fill{{10, 20, 30}}};
     for (const ModelCommand& command : commands) {
         const std::uint64_t before = mesh->stateHash();
@@ -246,7 +253,8 @@ void TestTransform::fill_setsEveryColour()
 void TestTransform::nothing_isNoChange()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
-    for (const ModelCommand& command : {ModelCommand(Move{}), ModelCommand(Rotate{}), ModelCommand(Scale{1}), ModelCommand(Fill{})}) {
+    for (const ModelCommand& command :
+         {ModelCommand(Move{}), ModelCommand(Rotate{}), ModelCommand(Scale{1}), ModelCommand(Fill{})}) {
         const ModelChange change = applyToCopy(*mesh, command);
         QVERIFY(!change.changes && change.delta.empty());
         QVERIFY(change.refusal == ModelRefusal::None);
@@ -334,9 +342,9 @@ void TestTransform::stopped_changesNothing()
     std::stop_source source;
     int calls = 0;
     const JobControl control{source.get_token(), [&](double) {
-                             ++calls;
-                             source.request_stop();
-                         }};
+                                 ++calls;
+                                 source.request_stop();
+                             }};
     const ModelChange change = applyToCopy(*mesh, Rotate{turn(20, Vec3::UnitX())}, control);
     QCOMPARE(calls, 1);
     QVERIFY(!change.changes && change.delta.empty() && change.refusal == ModelRefusal::None);
@@ -364,15 +372,24 @@ void TestTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
     const auto command = [&]() -> ModelCommand {
         const double size = boxOf(sculptor.mesh()).sizes().maxCoeff();
         switch (random.below(9)) {
-        case 0: return Move{random.uniform(0, 0.5) * size * random.direction()};
-        case 1: return Rotate{turn(random.uniform(0, 360), random.direction())};
-        case 2: return Scale{random.uniform(0.2, 4)};
-        case 3: return Mirror{int(random.below(3))};
-        case 4: return Fill{{std::uint8_t(random.below(256)), 3, 4}};
-        case 5: return RemeshUniformly{sculptor.mesh().uniformDetail() * random.uniform(0.8, 1.5)};
-        case 6: return Insert{icosphere(2, size * random.uniform(0.05, 0.3))};
-        case 7: return Reset{start};
-        default: return Recentre{};
+        case 0:
+            return Move{random.uniform(0, 0.5) * size * random.direction()};
+        case 1:
+            return Rotate{turn(random.uniform(0, 360), random.direction())};
+        case 2:
+            return Scale{random.uniform(0.2, 4)};
+        case 3:
+            return Mirror{int(random.below(3))};
+        case 4:
+            return Fill{{std::uint8_t(random.below(256)), 3, 4}};
+        case 5:
+            return RemeshUniformly{sculptor.mesh().uniformDetail() * random.uniform(0.8, 1.5)};
+        case 6:
+            return Insert{icosphere(2, size * random.uniform(0.05, 0.3))};
+        case 7:
+            return Reset{start};
+        default:
+            return Recentre{};
         }
     };
     std::vector<MeshDelta> deltas;

@@ -1,6 +1,6 @@
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/model_command.h"
 #include "core/mesh/surface_query.h"
+#include "core/operations/model_command.h"
 #include "core/operations/uniform_remesh.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
@@ -89,8 +89,7 @@ TriangleMesh cylinder()
 }
 } // namespace
 
-#define VERIFY_AT_MOST(value, most)                                                                                    \
-    QVERIFY2((value) <= (most), qPrintable(QStringLiteral(#value " is %1").arg(value)))
+#define VERIFY_AT_MOST(value, most) QVERIFY2((value) <= (most), qPrintable(QStringLiteral(#value " is %1").arg(value)))
 
 class TestUniformRemesh : public QObject
 {
@@ -162,7 +161,8 @@ void TestUniformRemesh::roundShapes_becomeUniform()
     const Remeshed result = remeshed(shape, timesDetail);
     QVERIFY(result.change.refusal == ModelRefusal::None);
     const Evenness evenness = evennessOf(*result.mesh, edgeBounds(result.detail));
-    QVERIFY2(evenness.isUniform(), qPrintable(QStringLiteral("%1 of %2 too short").arg(evenness.tooShort).arg(evenness.edges)));
+    QVERIFY2(evenness.isUniform(),
+             qPrintable(QStringLiteral("%1 of %2 too short").arg(evenness.tooShort).arg(evenness.edges)));
     if (result.change.changes)
         QCOMPARE(result.mesh->uniformDetail(), result.detail);
     VERIFY_AT_MOST(volumeChange(result, shape), 0.01);
@@ -307,11 +307,11 @@ void TestUniformRemesh::stopped_changesNothing()
         int calls = 0;
         double last = 0;
         const JobControl control{source.get_token(), [&](double share) {
-                                 QVERIFY(share >= last && share <= 1);
-                                 last = share;
-                                 if (++calls == stopAt)
-                                     source.request_stop();
-                             }};
+                                     QVERIFY(share >= last && share <= 1);
+                                     last = share;
+                                     if (++calls == stopAt)
+                                         source.request_stop();
+                                 }};
         const ModelChange change = applyToCopy(*mesh, RemeshUniformly{0.5 * mesh->uniformDetail()}, control);
         QCOMPARE(calls, stopAt); // stops at once
         QVERIFY(!change.changes && change.delta.empty());

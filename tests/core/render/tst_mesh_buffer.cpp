@@ -1,5 +1,5 @@
-#include "core/render/mesh_buffer.h"
 #include "core/mesh/draw_arrays.h"
+#include "core/render/mesh_buffer.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/mesh_asserts.h"
 
@@ -75,12 +75,14 @@ using Buffer = core::MeshBuffer<MemoryGl>;
 
 template <class Value> bool startsWith(const MemoryGl::Bytes& bytes, const std::vector<Value>& values)
 {
-    return bytes.size() >= values.size() * sizeof(Value) && std::memcmp(bytes.data(), values.data(), values.size() * sizeof(Value)) == 0;
+    return bytes.size() >= values.size() * sizeof(Value) &&
+           std::memcmp(bytes.data(), values.data(), values.size() * sizeof(Value)) == 0;
 }
 
 bool holds(const MemoryGl& gl, const core::DrawArrays& arrays)
 {
-    return startsWith(gl.buffer(gl.attributes.at(0)), arrays.vertices) && startsWith(gl.buffer(gl.elements), arrays.faces);
+    return startsWith(gl.buffer(gl.attributes.at(0)), arrays.vertices) &&
+           startsWith(gl.buffer(gl.elements), arrays.faces);
 }
 
 std::size_t bytesOf(const core::MeshPatch& patch)

@@ -1,8 +1,9 @@
-// FETTLE_SOAK=1: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on. FETTLE_MODELS=n: another number of them.
+// FETTLE_SOAK=1: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on. FETTLE_MODELS=n:
+// another number of them.
 
-#include "core/repair/repair.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mesh_hash.h"
+#include "core/repair/repair.h"
 #include "core/util/worker_pool.h"
 #include "tests/support/bad_models.h"
 #include "tests/support/cgal_judge.h"
@@ -34,8 +35,8 @@ double volumeOf(const TriangleMesh& mesh)
     return checkMesh(mesh).volume.value_or(0);
 }
 
-/// A strange model by its seed: triangles, tetrahedra or cubes on a coarse grid, where corners, edges and planes coincide, or a
-/// crumpled ball or torus with faces turned over, repeated, taken out, or led astray.
+/// A strange model by its seed: triangles, tetrahedra or cubes on a coarse grid, where corners, edges and planes
+/// coincide, or a crumpled ball or torus with faces turned over, repeated, taken out, or led astray.
 TriangleMesh strangeModel(unsigned seed)
 {
     std::mt19937 random(seed);
@@ -320,7 +321,8 @@ void TestRepair::nothingEnclosed_isRefused()
 
 void TestRepair::farModel_isMovedAndSaid()
 {
-    const RepairResult result = repairMesh(shapes::moved(badModel(QStringLiteral("crossing cubes")).mesh, {4000, 0, 0}));
+    const RepairResult result =
+        repairMesh(shapes::moved(badModel(QStringLiteral("crossing cubes")).mesh, {4000, 0, 0}));
     QVERIFY(result.mesh);
     QVERIFY(result.report.moved.x() < -3900);
     QVERIFY(result.report.fromNew.largest < 0.01);
@@ -345,11 +347,11 @@ void TestRepair::stopped_hasNoMesh()
     double last = 0;
     const RepairResult result =
         repairMesh(badModel(QStringLiteral("winding torus knot")).mesh, {}, {stop.get_token(), [&](double share) {
-                                                                               QVERIFY(share >= last);
-                                                                               last = share;
-                                                                               if (share > 0.1)
-                                                                                   stop.request_stop();
-                                                                           }});
+                                                                                 QVERIFY(share >= last);
+                                                                                 last = share;
+                                                                                 if (share > 0.1)
+                                                                                     stop.request_stop();
+                                                                             }});
     QVERIFY(last > 0.1);
     QVERIFY(!result.mesh);
 }
@@ -357,7 +359,8 @@ void TestRepair::stopped_hasNoMesh()
 void TestRepair::strangeModels_becomeSolidsOrAreRefused()
 {
     const auto first = static_cast<unsigned>(numberFromEnvironment("FETTLE_SEED", 1));
-    const auto count = static_cast<unsigned>(numberFromEnvironment("FETTLE_MODELS", qEnvironmentVariableIsSet("FETTLE_SOAK") ? 20'000 : 40));
+    const auto count = static_cast<unsigned>(
+        numberFromEnvironment("FETTLE_MODELS", qEnvironmentVariableIsSet("FETTLE_SOAK") ? 20'000 : 40));
     for (unsigned seed = first; seed < first + count; ++seed) {
         const TriangleMesh mesh = strangeModel(seed);
         const RepairResult result = repairMesh(mesh);

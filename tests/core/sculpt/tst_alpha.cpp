@@ -1,5 +1,5 @@
-#include "core/sculpt/deform/alpha.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/mesh_asserts.h"
@@ -29,7 +29,8 @@ std::unique_ptr<Sculptor> ball()
 /// Bright on the right, black on the left.
 std::shared_ptr<const Alpha> rightHalf()
 {
-    return std::make_shared<Alpha>(4, 4, std::vector<std::uint8_t>{0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255}, "right");
+    return std::make_shared<Alpha>(
+        4, 4, std::vector<std::uint8_t>{0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255}, "right");
 }
 
 /// Bright above, black below.
@@ -155,8 +156,10 @@ void TestAlpha::stroke_movesWhereItIsBright()
         stroke(*right, settingsOf(tool, rightHalf()), {front(0, 0)});
         stroke(*up, settingsOf(tool, upperHalf()), {front(0, 0)});
         const double least = 0.15;
-        QVERIFY2(std::abs(raisedAt(*right, 6, 0)) > least && std::abs(raisedAt(*right, -6, 0)) < 0.05, core::name(tool).data());
-        QVERIFY2(std::abs(raisedAt(*up, 0, 3)) > least && std::abs(raisedAt(*up, 0, -5)) < 0.05, core::name(tool).data());
+        QVERIFY2(std::abs(raisedAt(*right, 6, 0)) > least && std::abs(raisedAt(*right, -6, 0)) < 0.05,
+                 core::name(tool).data());
+        QVERIFY2(std::abs(raisedAt(*up, 0, 3)) > least && std::abs(raisedAt(*up, 0, -5)) < 0.05,
+                 core::name(tool).data());
         QVERIFY(isSound(*right) && isSound(*up));
     }
 }

@@ -1,8 +1,8 @@
-#include "core/sculpt/deform/brush_model.h"
-#include "core/mesh/mesh_builder.h"
-#include "core/sculpt/sculptor.h"
-#include "core/operations/starter_models.h"
 #include "core/geometry/winding_number.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/starter_models.h"
+#include "core/sculpt/deform/brush_model.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
@@ -70,7 +70,8 @@ StrokeSettings stampOf(Model model, bool raises = false)
 }
 
 /// `up`: of the hand.
-std::vector<DabReport> dab(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& at, const std::optional<Vec3>& up = {})
+std::vector<DabReport> dab(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& at,
+                           const std::optional<Vec3>& up = {})
 {
     sculptor.beginStroke(settings);
     core::StrokeSample sample;
@@ -89,13 +90,17 @@ double heightAt(const Sculptor& sculptor, double x, double y)
 bool isSound(const Sculptor& sculptor)
 {
     const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
+           sculptor.indexIsConsistent();
 }
 
 std::vector<std::pair<const char*, Model>> models()
 {
-    return {{"ball", nullptr}, {"cube", modelOf(core::starterModel(Starter::Cube))}, {"torus", modelOf(core::starterModel(Starter::Torus))},
-            {"L", modelOf(letterL())}, {"bowl", modelOf(clay::bowl())}};
+    return {{"ball", nullptr},
+            {"cube", modelOf(core::starterModel(Starter::Cube))},
+            {"torus", modelOf(core::starterModel(Starter::Torus))},
+            {"L", modelOf(letterL())},
+            {"bowl", modelOf(clay::bowl())}};
 }
 } // namespace
 
@@ -195,7 +200,8 @@ void TestBrushModel::spanAt_isTheSolid_data()
         QTest::newRow(models()[static_cast<std::size_t>(i)].first) << i;
 }
 
-/// On a grid that meets corners and edges: inside where the winding number says so, and the span's ends are the surface's.
+/// On a grid that meets corners and edges: inside where the winding number says so, and the span's ends are the
+/// surface's.
 void TestBrushModel::spanAt_isTheSolid()
 {
     QFETCH(int, which);
@@ -215,7 +221,8 @@ void TestBrushModel::spanAt_isTheSolid()
                 QCOMPARE(span.has_value(), number > 0.5);
                 inside += span ? 1 : 0;
                 if (span)
-                    QVERIFY(span->low <= y && y <= span->high && winding.at({x, 0.5 * (span->low + span->high), z}) > 0.5);
+                    QVERIFY(span->low <= y && y <= span->high &&
+                            winding.at({x, 0.5 * (span->low + span->high), z}) > 0.5);
             }
         }
     }
@@ -257,7 +264,8 @@ void TestBrushModel::cube_raisesAFlatTop()
     dab(*sculptor, stampOf(modelOf(core::starterModel(Starter::Cube)), true), {0, 0, ballRadius});
     const double half = radius / std::sqrt(3.0);
     for (const double x : {-0.8, 0.0, 0.8})
-        QVERIFY2(std::abs(heightAt(*sculptor, x * half, 0.8 * half) - ballRadius - half) < 0.06, qPrintable(QString::number(heightAt(*sculptor, x * half, 0.8 * half))));
+        QVERIFY2(std::abs(heightAt(*sculptor, x * half, 0.8 * half) - ballRadius - half) < 0.06,
+                 qPrintable(QString::number(heightAt(*sculptor, x * half, 0.8 * half))));
     QVERIFY(std::abs(heightAt(*sculptor, 1.3 * half, 0) - ballRadius) < 1);
     QVERIFY(isSound(*sculptor));
 }
@@ -310,7 +318,8 @@ void TestBrushModel::pressed_isSound_data()
     QTest::addColumn<bool>("raises");
     for (int i = 0; i < static_cast<int>(models().size()); ++i) {
         for (const bool raises : {false, true})
-            QTest::addRow("%s %s", models()[static_cast<std::size_t>(i)].first, raises ? "raised" : "pressed") << i << raises;
+            QTest::addRow("%s %s", models()[static_cast<std::size_t>(i)].first, raises ? "raised" : "pressed")
+                << i << raises;
     }
 }
 
@@ -471,7 +480,8 @@ void TestBrushModel::added_nearTheSurfaceIsRefused()
     const std::uint64_t before = sculptor->mesh().stateHash();
     StrokeSettings settings = stampOf(modelOf(letterL()));
     settings.add = true;
-    for (const auto& [x, refusal] : {std::pair(62.5, core::Refusal::TooClose), {0.0, core::Refusal::Inside}, {1e4, core::Refusal::Wall}}) {
+    for (const auto& [x, refusal] :
+         {std::pair(62.5, core::Refusal::TooClose), {0.0, core::Refusal::Inside}, {1e4, core::Refusal::Wall}}) {
         const DabReport report = dab(*sculptor, settings, {x, 0, 0})[0];
         QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == refusal);
     }

@@ -46,8 +46,8 @@ StrokeSettings settingsFor(Tool tool, double radius = 0.3)
 bool isSound(const Sculptor& sculptor)
 {
     const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() &&
-           mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
+           sculptor.indexIsConsistent();
 }
 
 template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
@@ -123,7 +123,8 @@ void TestDabEngine::paint_withoutFalloff_setsTheFullColour()
     settings.falloff = 0;
     const DabReport report = dabOnce(*sculptor, settings, {0, 0, 1});
     std::uint32_t painted = 0;
-    forEachVertex(sculptor->mesh(), [&](Slot v, const Vec3&) { painted += sculptor->mesh().color(v) == settings.color; });
+    forEachVertex(sculptor->mesh(),
+                  [&](Slot v, const Vec3&) { painted += sculptor->mesh().color(v) == settings.color; });
     QCOMPARE(painted, report.touchedVertices);
 }
 
@@ -219,7 +220,8 @@ void TestDabEngine::addedSphere_isPartOfTheModel()
     sample.position = {0, 0, 1.6};
     QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Added));
     sample.radius = 0.1;
-    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Refused)); // inside the new one
+    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome),
+             core::name(DabOutcome::Refused)); // inside the new one
     sample.radius.reset();
     sample.position = {0, 0, 1.9};
     QVERIFY(sculptor->addSample(sample).at(0).touchedVertices > 20); // pulls the new one

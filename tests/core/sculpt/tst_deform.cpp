@@ -1,5 +1,5 @@
-#include "core/sculpt/deform/deform.h"
 #include "core/mesh/normals.h"
+#include "core/sculpt/deform/deform.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"

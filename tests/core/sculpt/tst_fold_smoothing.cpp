@@ -65,8 +65,8 @@ void TestFoldSmoothing::strongStrokes_reachWhatIsAsked_data()
     QTest::newRow("pull, widest") << int(Tool::Pull) << 0.5 << 8.0 << 0.8;
 }
 
-/// Creases form where the flanks of a bulge, or of a pit, move towards each other: they must close, not jam, and not be riddled
-/// with holes.
+/// Creases form where the flanks of a bulge, or of a pit, move towards each other: they must close, not jam, and not be
+/// riddled with holes.
 void TestFoldSmoothing::strongStrokes_reachWhatIsAsked()
 {
     QFETCH(int, tool);

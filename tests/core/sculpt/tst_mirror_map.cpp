@@ -1,4 +1,5 @@
-// Sculpting about a plane of symmetry: what was symmetric stays so, bit for bit, whatever was stroked, across the plane too.
+// Sculpting about a plane of symmetry: what was symmetric stays so, bit for bit, whatever was stroked, across the plane
+// too.
 //
 // FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs of each shape and plane.
 
@@ -65,9 +66,9 @@ struct Tally
 
     void print() const
     {
-        std::cout << dabs << " dabs: " << fallback << " careful, " << endedEarly << " ended early, " << empty << " empty, "
-                  << whole << " reached 95 % of what was asked; " << fusions << " fusions, " << separations << " separations"
-                  << std::endl;
+        std::cout << dabs << " dabs: " << fallback << " careful, " << endedEarly << " ended early, " << empty
+                  << " empty, " << whole << " reached 95 % of what was asked; " << fusions << " fusions, "
+                  << separations << " separations" << std::endl;
     }
 };
 
@@ -76,9 +77,11 @@ class MirrorRun
 {
 public:
     MirrorRun(const core::TriangleMesh& shape, Symmetry plane, std::uint64_t seed)
-        : m_sculptor(sculptable(shape)), m_plane(plane), m_fuzzer(seed), m_where("seed " + std::to_string(seed))
-    {
-    }
+        : m_sculptor(sculptable(shape))
+        , m_plane(plane)
+        , m_fuzzer(seed)
+        , m_where("seed " + std::to_string(seed))
+    {}
 
     void go(std::uint64_t dabs, Tally& tally)
     {
@@ -388,7 +391,8 @@ void TestMirrorMap::addedSphere_touchingItsImageIsRefused()
 namespace
 {
 /// Dabs until the genus or the number of parts has changed, but not more than `most`. Returns the Euler number.
-std::int64_t sculptUntilChanged(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path, int most)
+std::int64_t sculptUntilChanged(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path,
+                                int most)
 {
     const std::int64_t before = mesh_asserts::eulerNumber(sculptor.mesh());
     for (int i = 0; i < most && mesh_asserts::eulerNumber(sculptor.mesh()) == before; ++i)
@@ -432,12 +436,13 @@ void TestMirrorMap::wall_isPiercedAtThePlane()
 
 void TestMirrorMap::neck_partsAtThePlane()
 {
-    const std::vector<Vec3> profile = {{0, -1, 0}, {0.5, -0.9, 0}, {0.6, -0.6, 0}, {0.25, -0.2, 0}, {0.12, 0, 0},
-                                       {0.25, 0.2, 0}, {0.6, 0.6, 0}, {0.5, 0.9, 0}, {0, 1, 0}};
+    const std::vector<Vec3> profile = {{0, -1, 0},     {0.5, -0.9, 0}, {0.6, -0.6, 0}, {0.25, -0.2, 0}, {0.12, 0, 0},
+                                       {0.25, 0.2, 0}, {0.6, 0.6, 0},  {0.5, 0.9, 0},  {0, 1, 0}};
     Sculptor sculptor(sculptable(symmetrized(clay::revolved(profile, 24), Symmetry::Y))); // an hourglass
     StrokeSettings settings = settingsFor(Tool::Push, 0.25);
     settings.symmetry = Symmetry::Y;
-    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.12, 0, 0}, {-0.06, 0, 0.1}, {-0.06, 0, -0.1}}, 60), 4); // two parts
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.12, 0, 0}, {-0.06, 0, 0.1}, {-0.06, 0, -0.1}}, 60),
+             4); // two parts
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::Y);
     VERIFY_VALID(sculptor.mesh());
 }

@@ -1,4 +1,5 @@
-// What the figures of the paper show. Of those that are shown elsewhere: Figures 5 and 6 in tst_remesh, 16 in tst_dab_engine.
+// What the figures of the paper show. Of those that are shown elsewhere: Figures 5 and 6 in tst_remesh, 16 in
+// tst_dab_engine.
 
 #include "core/analysis/mesh_check.h"
 #include "core/sculpt/remesh/remesh.h"
@@ -114,7 +115,8 @@ private Q_SLOTS:
     void pinch_cutsANeck();
 };
 
-/// (a, b, c): the back of the dog. A path along edges may be longer than the straight way, so the ray brush's rim lies inside.
+/// (a, b, c): the back of the dog. A path along edges may be longer than the straight way, so the ray brush's rim lies
+/// inside.
 void TestPaperFigures::figure4_onASimpleSurfaceBothBrushesDoTheSame()
 {
     const Vec3 top(0, 0, 1);
@@ -161,8 +163,8 @@ void TestPaperFigures::figure4_nextToAFoldTheRayBrushTakesTheNearSheet()
     }
 }
 
-/// A flat star of two vertices p and q, 0.3 apart, on top of a solid; only they are selected. It is its own image when turned
-/// by half a turn, so what forbids to move p towards q forbids to move q towards p.
+/// A flat star of two vertices p and q, 0.3 apart, on top of a solid; only they are selected. It is its own image when
+/// turned by half a turn, so what forbids to move p towards q forbids to move q towards p.
 void TestPaperFigures::figure7_illegalCollapsesAreRefused_data()
 {
     QTest::addColumn<double>("ax"); // a common neighbour of p and q; its edge to b points past p or between them
@@ -225,7 +227,8 @@ void TestPaperFigures::figure11_fourToolsOnOnePart_data()
     QTest::newRow("smooth") << Tool::Smooth;
 }
 
-/// Each is gradual, "can be halted at any time": the surface is valid between sub-steps and goes one way from dab to dab.
+/// Each is gradual, "can be halted at any time": the surface is valid between sub-steps and goes one way from dab to
+/// dab.
 void TestPaperFigures::figure11_fourToolsOnOnePart()
 {
     QFETCH(Tool, tool);

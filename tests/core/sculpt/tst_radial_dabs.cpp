@@ -1,7 +1,7 @@
-// Sculpting in several sectors about y: bit for bit alike by half and quarter turns, as alike as the lattice allows by others; every result is
-// judged.
-#include "core/sculpt/deform/deform.h"
+// Sculpting in several sectors about y: bit for bit alike by half and quarter turns, as alike as the lattice allows by
+// others; every result is judged.
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/deform/deform.h"
 #include "core/sculpt/sculptor.h"
 #include "core/stroke/radial_symmetry.h"
 #include "tests/support/cgal_judge.h"
@@ -79,7 +79,8 @@ StrokeSettings settingsOf(Tool tool, int radial, Symmetry symmetry = Symmetry::N
     return settings;
 }
 
-std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path, core::MeshDelta* delta = nullptr)
+std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path,
+                              core::MeshDelta* delta = nullptr)
 {
     std::vector<DabReport> reports;
     sculptor.beginStroke(settings);
@@ -113,7 +114,8 @@ std::vector<Vec3> path()
 bool isSound(const Sculptor& sculptor)
 {
     const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
+           sculptor.indexIsConsistent();
 }
 
 /// Of the points no farther than `within` from the line from the origin through `at`, the farthest out.
@@ -142,7 +144,8 @@ void addTools()
     for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
         for (const int radial : {2, 4}) {
             for (const Symmetry plane : {Symmetry::None, Symmetry::X})
-                QTest::addRow("%s, %d, %s", core::toolNames()[i].data(), radial, core::name(plane).data()) << static_cast<Tool>(i) << radial << plane;
+                QTest::addRow("%s, %d, %s", core::toolNames()[i].data(), radial, core::name(plane).data())
+                    << static_cast<Tool>(i) << radial << plane;
         }
     }
 }
@@ -190,7 +193,8 @@ void TestRadialDabs::turns_areExactByQuarters()
     for (int n = 1; n <= core::maxRadial; ++n) {
         for (int k = 0; k < n; ++k) {
             const Turn turn = Turn::part(k, n);
-            QVERIFY(std::abs(turn.cosine - std::cos(2 * pi * k / n)) < 4e-15 && std::abs(turn.sine - std::sin(2 * pi * k / n)) < 4e-15);
+            QVERIFY(std::abs(turn.cosine - std::cos(2 * pi * k / n)) < 4e-15 &&
+                    std::abs(turn.sine - std::sin(2 * pi * k / n)) < 4e-15);
         }
     }
 }
@@ -259,7 +263,8 @@ void TestRadialDabs::everySector_getsItsDab()
     QVERIFY(first > 1.5);
     for (int k = 1; k < radial; ++k) {
         const double height = heightAt(sculptor->mesh(), inSector(k, radial, at)) - ballRadius;
-        QVERIFY2(std::abs(height - first) < 0.04 * first, qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
+        QVERIFY2(std::abs(height - first) < 0.04 * first,
+                 qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
     }
     QVERIFY(std::abs(heightAt(sculptor->mesh(), onBall(20 + 180.0 / radial, 10)) - ballRadius) < 0.1 || radial > 6);
     QVERIFY(isSound(*sculptor));
@@ -297,7 +302,8 @@ void TestRadialDabs::withAPlane_eachSectorIsMirrored()
         Vec3 place = inSector(k, 6, at);
         for (int side = 0; side < 2; ++side, place.x() = -place.x()) {
             const double height = heightAt(sculptor->mesh(), place) - ballRadius;
-            QVERIFY2(std::abs(height - first) < 0.1 * first, qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
+            QVERIFY2(std::abs(height - first) < 0.1 * first,
+                     qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
         }
     }
     QVERIFY(isSound(*sculptor));
@@ -316,7 +322,7 @@ void TestRadialDabs::onTheAxis_isOneDab()
     stroke(*once, settingsOf(Tool::Pull, 1), {pole});
     const std::vector<DabReport> reports = stroke(*often, settingsOf(Tool::Pull, radial), {pole});
     QCOMPARE(often->mesh().stateHash(), once->mesh().stateHash());
-    QCOMPARE(reports.at(0).sequential, radial == 2 || radial == 4); // no promise, but with these
+    QCOMPARE(reports.at(0).sequential, radial == 2 || radial == 4);                // no promise, but with these
     stroke(*beside, settingsOf(Tool::Pull, radial), {pole + Vec3(0.02, 0, 0.01)}); // nor is it another a little beside
     QVERIFY(std::abs(heightAt(beside->mesh(), pole) - heightAt(once->mesh(), pole)) < 0.1);
     QVERIFY(isSound(*often) && isSound(*beside));
@@ -333,7 +339,8 @@ void TestRadialDabs::besideTheAxis_staysSound()
     QFETCH(int, radial);
     QFETCH(Symmetry, plane);
     const auto sculptor = ball();
-    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(tool, radial, plane), {onBall(20, 84), onBall(20, 77), onBall(20, 90), onBall(200, 84)});
+    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(tool, radial, plane),
+                                                  {onBall(20, 84), onBall(20, 77), onBall(20, 90), onBall(200, 84)});
     QVERIFY(std::ranges::any_of(reports, &DabReport::apart));
     QVERIFY(isSound(*sculptor));
 }
@@ -365,7 +372,8 @@ void TestRadialDabs::paintedModel_keepsItsColours()
         const Mesh& mesh = sculptor->mesh();
         for (int k = 0; k < 4; ++k) {
             const auto isRed = [&](Slot v) {
-                return mesh.isVertex(v) && mesh.color(v).g < 100 && (inSector(k, 4, onBall(20, 10)) - mesh.point(v).cast<double>()).norm() < 12;
+                return mesh.isVertex(v) && mesh.color(v).g < 100 &&
+                       (inSector(k, 4, onBall(20, 10)) - mesh.point(v).cast<double>()).norm() < 12;
             };
             bool has = false;
             for (Slot v = 0; v < mesh.slots().vertices; ++v)
@@ -390,14 +398,16 @@ void TestRadialDabs::heldClay_isHeldInEachSector_data()
         for (const Symmetry plane : {Symmetry::None, Symmetry::X}) {
             for (const bool meets : {false, true}) {
                 if (tool == Tool::Grab || !meets)
-                    QTest::addRow("%s, %s, %s", core::name(tool).data(), core::name(plane).data(), meets ? "meets" : "alone") << tool << plane << meets;
+                    QTest::addRow("%s, %s, %s", core::name(tool).data(), core::name(plane).data(),
+                                  meets ? "meets" : "alone")
+                        << tool << plane << meets;
             }
         }
     }
 }
 
-/// Drawn outwards; in one sector perhaps against a ball that stands there, from where on each sector goes on by itself: what each holds comes
-/// along as far but that one, and with a plane its image, which stops when it does.
+/// Drawn outwards; in one sector perhaps against a ball that stands there, from where on each sector goes on by itself:
+/// what each holds comes along as far but that one, and with a plane its image, which stops when it does.
 void TestRadialDabs::heldClay_isHeldInEachSector()
 {
     QFETCH(Tool, tool);
@@ -425,8 +435,10 @@ void TestRadialDabs::heldClay_isHeldInEachSector()
         Vec3 place = inSector(k, 4, at);
         for (int side = 0; side < (plane == Symmetry::None ? 1 : 2); ++side, place.x() = -place.x()) {
             const double height = heightAt(sculptor->mesh(), place) - ballRadius;
-            const bool isBlocked = meets && std::abs(std::abs(place.x()) - std::abs(stop.x())) + std::abs(place.z() - stop.z()) < 1;
-            QVERIFY2((std::abs(height - first) < 0.06 * first) != isBlocked, qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
+            const bool isBlocked =
+                meets && std::abs(std::abs(place.x()) - std::abs(stop.x())) + std::abs(place.z() - stop.z()) < 1;
+            QVERIFY2((std::abs(height - first) < 0.06 * first) != isBlocked,
+                     qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
         }
     }
     QVERIFY(isSound(*sculptor));
@@ -442,7 +454,8 @@ void TestRadialDabs::heldHalf_staysOne_data()
     }
 }
 
-/// Balls stand before another sector, alike on both sides of the plane: it goes on by itself there, and yet as exactly on both sides.
+/// Balls stand before another sector, alike on both sides of the plane: it goes on by itself there, and yet as exactly
+/// on both sides.
 void TestRadialDabs::heldHalf_staysOne()
 {
     QFETCH(Symmetry, plane);
@@ -480,7 +493,8 @@ void TestRadialDabs::spheres_areAddedInEachSector()
         QVERIFY(isSound(*sculptor));
         if (radial == 4)
             QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 4), std::string());
-        const std::vector<DabReport> more = stroke(*sculptor, settings, {Vec3(4, 70, 0)}); // they would be in each other
+        const std::vector<DabReport> more =
+            stroke(*sculptor, settings, {Vec3(4, 70, 0)}); // they would be in each other
         QVERIFY(more.at(0).outcome == DabOutcome::Refused && more.at(0).refusal == core::Refusal::TooClose);
         QVERIFY(isSound(*sculptor));
     }

@@ -1,5 +1,5 @@
-#include "core/sculpt/select/region.h"
 #include "core/mesh/surface_query.h"
+#include "core/sculpt/select/region.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"

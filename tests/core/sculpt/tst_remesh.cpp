@@ -27,14 +27,20 @@ struct Subject
     std::vector<Slot> candidates;
     core::Sphere ball;
 
-    Subject(core::TriangleMesh shape, const core::Sphere& brush) : mesh(sculptable(std::move(shape))), edit(*mesh), ball(brush)
+    Subject(core::TriangleMesh shape, const core::Sphere& brush)
+        : mesh(sculptable(std::move(shape)))
+        , edit(*mesh)
+        , ball(brush)
     {
         const FaceOctree octree(*mesh);
         selectSphere(region, candidates, *mesh, octree, ball);
         mesh->beginStroke();
     }
 
-    double length(Slot e) const { return (mesh->point(mesh->to(2 * e)) - mesh->point(mesh->to(2 * e + 1))).cast<double>().norm(); }
+    double length(Slot e) const
+    {
+        return (mesh->point(mesh->to(2 * e)) - mesh->point(mesh->to(2 * e + 1))).cast<double>().norm();
+    }
 
     double shareAtLeast(double least) const
     {
@@ -57,7 +63,8 @@ struct Subject
 Vec3 areaVector(const Mesh& mesh, Slot f)
 {
     const core::Triangle& t = mesh.corners(f);
-    const Vec3 a = mesh.point(t[0]).cast<double>(), b = mesh.point(t[1]).cast<double>(), c = mesh.point(t[2]).cast<double>();
+    const Vec3 a = mesh.point(t[0]).cast<double>(), b = mesh.point(t[1]).cast<double>(),
+               c = mesh.point(t[2]).cast<double>();
     return 0.5 * (b - a).cross(c - a);
 }
 
@@ -141,9 +148,10 @@ void TestRemesh::optimise_boundsTheEdges()
             angles.push_back(smallestAngle(*s.mesh, f));
     }
     std::ranges::sort(angles);
-    std::cout << QTest::currentDataTag() << ": " << edges.size() << " edges, " << 100 * share << " % at least d long, 1st percentile of smallest angles "
-              << angles[angles.size() / 100] << " degrees; " << counts.splits << " splits, " << counts.collapses << " collapses, "
-              << counts.flips << " flips" << std::endl;
+    std::cout << QTest::currentDataTag() << ": " << edges.size() << " edges, " << 100 * share
+              << " % at least d long, 1st percentile of smallest angles " << angles[angles.size() / 100] << " degrees; "
+              << counts.splits << " splits, " << counts.collapses << " collapses, " << counts.flips << " flips"
+              << std::endl;
     QVERIFY(share >= 0.95);
     QVERIFY(angles[angles.size() / 100] >= 20);
 }
@@ -300,7 +308,8 @@ void TestRemesh::refine_makesFacesUnderTheBrushFine()
     for (Slot e : s.innerEdges())
         QVERIFY(s.length(e) <= detail);
     for (Slot v = 0; v < s.mesh->slots().vertices; ++v) { // what lies in the ball is selected
-        const bool inside = s.mesh->isVertex(v) && (s.mesh->point(v).cast<double>() - brush.center).norm() <= brush.radius;
+        const bool inside =
+            s.mesh->isVertex(v) && (s.mesh->point(v).cast<double>() - brush.center).norm() <= brush.radius;
         QCOMPARE(s.mesh->isVertex(v) && s.region.contains(v), inside);
     }
     VERIFY_VALID(*s.mesh);

@@ -1,11 +1,12 @@
-// The promise under random and under meant strokes: after every dab the mesh is valid and the index right, undo and redo
-// give the same bits, and what can be done is done.
+// The promise under random and under meant strokes: after every dab the mesh is valid and the index right, undo and
+// redo give the same bits, and what can be done is done.
 //
-// FETTLE_SOAK=1: a million dabs. FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs. FETTLE_TRACE=1: says
-// what each dab did. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run begins with that mesh, symmetric about that plane.
+// FETTLE_SOAK=1: a million dabs. FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs. FETTLE_TRACE=1:
+// says what each dab did. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run begins with that mesh, symmetric about
+// that plane.
 
-#include "core/sculpt/sculptor.h"
 #include "core/io/mesh_io.h"
+#include "core/sculpt/sculptor.h"
 #include "core/util/worker_pool.h"
 #include "tests/support/clay.h"
 #include "tests/support/environment.h"
@@ -118,10 +119,12 @@ namespace
 {
 constexpr std::uint64_t dabsPerRun = 250, dabsPerLine = 10'000, seedsPerPart = 1'000'000;
 constexpr int fuzzParts = 4;
-/// Of a soak, beyond what each test run does: to do a run again takes as long as the run, and finds only what is not the same twice.
+/// Of a soak, beyond what each test run does: to do a run again takes as long as the run, and finds only what is not
+/// the same twice.
 constexpr std::uint64_t runsPerReplay = 4;
 
-/// What the runs of a fuzzer begin with: in turn two shapes as they are, one made symmetric, one that grew in an earlier run.
+/// What the runs of a fuzzer begin with: in turn two shapes as they are, one made symmetric, one that grew in an
+/// earlier run.
 class FuzzStarts
 {
 public:
@@ -130,7 +133,8 @@ public:
         if (!qEnvironmentVariableIsSet("FETTLE_START"))
             return;
         const std::string plane = qEnvironmentVariable("FETTLE_PLANE", "none").toStdString();
-        m_given = {"given", core::readMesh(qEnvironmentVariable("FETTLE_START").toStdString()), core::symmetryNamed(plane).value()};
+        m_given = {"given", core::readMesh(qEnvironmentVariable("FETTLE_START").toStdString()),
+                   core::symmetryNamed(plane).value()};
     }
 
     FuzzStart next()
@@ -180,14 +184,16 @@ void TestSculptor::randomStrokes_keepThePromise()
     QFETCH(int, part);
     const bool soak = qEnvironmentVariableIntValue("FETTLE_SOAK") != 0;
     const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : usualDabs) / fuzzParts;
-    const std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 20240812) + seedsPerPart * static_cast<std::uint64_t>(part);
+    const std::uint64_t seed =
+        numberFromEnvironment("FETTLE_SEED", 20240812) + seedsPerPart * static_cast<std::uint64_t>(part);
     FuzzStarts starts;
     FuzzTally tally;
     for (std::uint64_t run = 0, line = dabsPerLine; tally.dabs < dabs; ++run) {
         const FuzzStart start = starts.next();
         FuzzRun fuzz(start, seed + run, tally);
         const bool replays = tally.dabs < usualDabs / fuzzParts || run % runsPerReplay == 0;
-        fuzz.go(std::min(dabsPerRun, dabs - tally.dabs), replays ? FuzzRun::AtEnd::UndoAndReplay : FuzzRun::AtEnd::Undo);
+        fuzz.go(std::min(dabsPerRun, dabs - tally.dabs),
+                replays ? FuzzRun::AtEnd::UndoAndReplay : FuzzRun::AtEnd::Undo);
         if (!fuzz.ok() || tally.dabs >= std::min(line, dabs)) {
             tally.print(std::cout);
             line += dabsPerLine;
@@ -233,7 +239,8 @@ void TestSculptor::undoneStrokes_leaveNoTraceInMirroredOnes()
     }
 }
 
-/// Shrunk from a run that hung: a dab that met nothing came after an undo, and the quality of what was there before was asked for.
+/// Shrunk from a run that hung: a dab that met nothing came after an undo, and the quality of what was there before was
+/// asked for.
 void TestSculptor::afterUndo_theSelectionHasNoQuality()
 {
     Sculptor sculptor(sculptable(core::icosphere(3, 1)));
@@ -296,7 +303,8 @@ void TestSculptor::pushThroughASlab_withoutFusion_stopsAtContact()
     for (int i = 0; i < 20; ++i) {
         const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
         QVERIFY(above);
-        const DabReport report = dabOnce(sculptor, {.tool = Tool::Push, .position = above->position, .radius = 0.4, .strength = 2, .fusion = false});
+        const DabReport report = dabOnce(
+            sculptor, {.tool = Tool::Push, .position = above->position, .radius = 0.4, .strength = 2, .fusion = false});
         const bool stops = report.outcome == DabOutcome::EndedEarly || report.reached < 0.95 * report.asked;
         QVERIFY(report.contact || !stops); // it says why
         QCOMPARE(core::shortfallOf(report), stops ? core::Shortfall::Contact : core::Shortfall::None);
@@ -321,7 +329,8 @@ void TestSculptor::fingersPulledTogether_withoutFusion_stopAtContact()
             QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4);
         }
     }
-    const auto left = sculptor.hit({{-0.1, 0.01, 0.02}, {1, 0, 0}}), right = sculptor.hit({{0.1, 0.01, 0.02}, {-1, 0, 0}});
+    const auto left = sculptor.hit({{-0.1, 0.01, 0.02}, {1, 0, 0}}),
+               right = sculptor.hit({{0.1, 0.01, 0.02}, {-1, 0, 0}});
     QVERIFY(!left || !right || (left->position - right->position).norm() < 0.1); // they came near before they stopped
 }
 
@@ -335,7 +344,8 @@ void TestSculptor::surfaceAtContact_withoutFusion_followsAPullAway()
     }
     const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
     QVERIFY(above);
-    const DabReport away = dabOnce(sculptor, {.tool = Tool::Pull, .position = above->position, .radius = 0.4, .fusion = false});
+    const DabReport away =
+        dabOnce(sculptor, {.tool = Tool::Pull, .position = above->position, .radius = 0.4, .fusion = false});
     QVERIFY(away.outcome == DabOutcome::Committed || away.outcome == DabOutcome::Fallback);
     QVERIFY(away.reached >= 0.95 * away.asked && !away.contact);
     const auto after = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
@@ -356,7 +366,8 @@ void TestSculptor::threads_doNotChangeABit()
             const DabReport report = dabOnce(sculptor, {tool, Vec3(0, 0, 1), 0.7, 1, 0.2});
             QVERIFY(report.touchedVertices > 4096);
             for (const core::DrawVertex& v : sculptor.takePatch().vertices)
-                patches = patches * 31 + static_cast<std::uint8_t>(v.normal[0]) + static_cast<std::uint8_t>(v.normal[2]);
+                patches =
+                    patches * 31 + static_cast<std::uint8_t>(v.normal[0]) + static_cast<std::uint8_t>(v.normal[2]);
         }
         dabOnce(sculptor, {Tool::Push, Vec3(0, 0, 1), 0.5, 8, 0.3});
         hashes.push_back(sculptor.mesh().stateHash() + patches);

@@ -1,5 +1,5 @@
-#include "core/sculpt/selection_quality.h"
 #include "core/sculpt/sculptor.h"
+#include "core/sculpt/selection_quality.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
@@ -80,10 +80,12 @@ void TestSelectionQuality::shareCountsTheLongEdges()
 void TestSelectionQuality::onlyWhatIsSelectedCounts()
 {
     const auto mesh = sculptable(clay::slab(8, 1, 8)); // squares of side 1, cut once
-    const auto quality = selectionQuality(*mesh, regionOf(*mesh, [](const Vec3& p) { return p.y() > 0 && p.norm() < 2.5; }), {1, 1});
+    const auto quality =
+        selectionQuality(*mesh, regionOf(*mesh, [](const Vec3& p) { return p.y() > 0 && p.norm() < 2.5; }), {1, 1});
     QVERIFY(quality);
     QVERIFY(near(quality->longestEdge, std::sqrt(2.0)));
-    const auto edge = selectionQuality(*mesh, regionOf(*mesh, [](const Vec3& p) { return p.y() > 0 && p.z() == 0; }), {1, 1});
+    const auto edge =
+        selectionQuality(*mesh, regionOf(*mesh, [](const Vec3& p) { return p.y() > 0 && p.z() == 0; }), {1, 1});
     QVERIFY(!edge); // a row of vertices has edges and no face
 }
 

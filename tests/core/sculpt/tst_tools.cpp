@@ -87,7 +87,9 @@ double longestEdge(const Mesh& mesh)
     double longest = 0;
     for (Slot v = 0; v < mesh.slots().vertices; ++v) {
         if (mesh.isVertex(v))
-            mesh.forEachOutgoing(v, [&](Slot h) { longest = std::max(longest, double((mesh.point(mesh.to(h)) - mesh.point(v)).norm())); });
+            mesh.forEachOutgoing(v, [&](Slot h) {
+                longest = std::max(longest, double((mesh.point(mesh.to(h)) - mesh.point(v)).norm()));
+            });
     }
     return longest;
 }
@@ -122,7 +124,8 @@ double volume(const Mesh& mesh)
 bool isSound(const Sculptor& sculptor)
 {
     const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
+           sculptor.indexIsConsistent();
 }
 
 /// For each few degrees of a stroke about y, the sharpest edge that runs along it: 180 is flat.
@@ -133,11 +136,13 @@ std::vector<double> sharpestAlong(const Mesh& mesh, double halfWidth, double fro
     for (Slot e = 0; e < mesh.slots().edges; ++e) {
         if (!mesh.isEdge(e))
             continue;
-        const Vec3 a = mesh.point(mesh.to(2 * e)).cast<double>(), b = mesh.point(mesh.to(2 * e + 1)).cast<double>(), middle = 0.5 * (a + b);
+        const Vec3 a = mesh.point(mesh.to(2 * e)).cast<double>(), b = mesh.point(mesh.to(2 * e + 1)).cast<double>(),
+                   middle = 0.5 * (a + b);
         const double angle = std::atan2(middle.x(), middle.z()) * 180 / pi;
         if (std::abs(middle.y()) > halfWidth || angle < from || angle >= to || std::abs((b - a).normalized().y()) > 0.7)
             continue;
-        const Vec3 left = core::faceNormal(mesh, mesh.face(2 * e)), right = core::faceNormal(mesh, mesh.face(2 * e + 1));
+        const Vec3 left = core::faceNormal(mesh, mesh.face(2 * e)),
+                   right = core::faceNormal(mesh, mesh.face(2 * e + 1));
         const double cosine = left.dot(right) / (left.norm() * right.norm());
         double& bin = bins[std::min(bins.size() - 1, static_cast<std::size_t>((angle - from) / perBin))];
         bin = std::min(bin, 180 - std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi);
@@ -227,7 +232,8 @@ void TestTools::layer_risesToOneHeight()
     }
     stroke(*sculptor, settings, path);
     const double height = 0.1 * settings.radius;
-    QVERIFY2(std::abs(highest(sculptor->mesh()) - ballRadius - height) < 0.15 * height, qPrintable(QString::number(highest(sculptor->mesh()))));
+    QVERIFY2(std::abs(highest(sculptor->mesh()) - ballRadius - height) < 0.15 * height,
+             qPrintable(QString::number(highest(sculptor->mesh()))));
     stroke(*sculptor, settings, arc(0, 30, 10)); // another stroke lays another layer
     QVERIFY(highest(sculptor->mesh()) > ballRadius + 1.8 * height);
     QVERIFY(isSound(*sculptor));
@@ -323,7 +329,8 @@ void TestTools::crease_staysSharp()
 void TestTools::grab_movesWhatItHeld()
 {
     const auto sculptor = ball();
-    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 20), straight({0, 0, 50}, {0, 0, 90}, 9));
+    const std::vector<DabReport> reports =
+        stroke(*sculptor, settingsOf(Tool::Grab, 20), straight({0, 0, 50}, {0, 0, 90}, 9));
     for (const DabReport& report : reports)
         QCOMPARE(report.outcome, DabOutcome::Committed);
     QVERIFY2(std::abs(highest(sculptor->mesh()) - 90) < 0.5, qPrintable(QString::number(highest(sculptor->mesh()))));
@@ -343,7 +350,8 @@ void TestTools::grab_keepsTheMeshAsFineAsItWas()
 {
     const auto sculptor = ball();
     const Slot before = sculptor->mesh().live().vertices;
-    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 25), straight({0, 0, 50}, {0, 0, 65}, 9));
+    const std::vector<DabReport> reports =
+        stroke(*sculptor, settingsOf(Tool::Grab, 25), straight({0, 0, 50}, {0, 0, 65}, 9));
     QVERIFY(reports.back().touchedVertices > before / 32); // what is held could have been collapsed
     QVERIFY2(sculptor->mesh().live().vertices >= before, qPrintable(QString::number(sculptor->mesh().live().vertices)));
     QVERIFY(isSound(*sculptor));
@@ -363,7 +371,8 @@ void TestTools::grab_alongRaysKeepsToThePlane()
     }
     sculptor->endStroke();
     double farthest = 0;
-    forEachPoint(sculptor->mesh(), [&](const Vec3& p) { farthest = p.z() > 49 ? std::max(farthest, p.x()) : farthest; });
+    forEachPoint(sculptor->mesh(),
+                 [&](const Vec3& p) { farthest = p.z() > 49 ? std::max(farthest, p.x()) : farthest; });
     double field = 0; // a little before its centre it takes a vertex farthest
     for (double x = 0; x < 20; x += 0.1)
         field = std::max(field, x + 30 * core::falloff(x / 20, settings.falloff));
@@ -371,8 +380,8 @@ void TestTools::grab_alongRaysKeepsToThePlane()
     QVERIFY(isSound(*sculptor));
 }
 
-/// What is dragged two radii over its own front folds up there. That holds little back, and nothing on the way back; and behind it the mesh
-/// stays as fine as the brush asks for, up to what is not in the hand.
+/// What is dragged two radii over its own front folds up there. That holds little back, and nothing on the way back;
+/// and behind it the mesh stays as fine as the brush asks for, up to what is not in the hand.
 void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
 {
     const auto sculptor = ball();
@@ -380,7 +389,8 @@ void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
     const std::vector<Vec3> back = arc(45, 30, 15);
     path.insert(path.end(), back.begin(), back.end());
     const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 20), path);
-    QVERIFY(std::ranges::any_of(reports, [](const DabReport& report) { return report.outcome == DabOutcome::Fallback; }));
+    QVERIFY(
+        std::ranges::any_of(reports, [](const DabReport& report) { return report.outcome == DabOutcome::Fallback; }));
     double asked = 0, reached = 0;
     for (std::size_t i = 1; i < 40; ++i) {
         asked += reports[i].asked;
@@ -409,7 +419,8 @@ void TestTools::grab_farIsStoppedByTheWall()
     const auto sculptor = ball(4);
     const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 20), {{0, 0, 50}, {0, 0, 10'000}});
     QCOMPARE(reports.back().outcome, DabOutcome::EndedEarly);
-    QVERIFY(core::shortfallOf(reports.back()) == core::Shortfall::Wall || core::shortfallOf(reports.back()) == core::Shortfall::Capped);
+    QVERIFY(core::shortfallOf(reports.back()) == core::Shortfall::Wall ||
+            core::shortfallOf(reports.back()) == core::Shortfall::Capped);
     QVERIFY(isSound(*sculptor));
 }
 
@@ -487,7 +498,8 @@ void TestTools::dragged_throughAnotherPart()
     forEachPoint(sculptor.mesh(), [&](const Vec3& p) { box.extend(p); });
     StrokeSettings settings = settingsOf(tool, 0.3);
     settings.fusion = fusion;
-    const std::vector<DabReport> reports = stroke(sculptor, settings, straight({box.min().x(), 0, 0}, {box.max().x() + 0.3, 0, 0}, 25));
+    const std::vector<DabReport> reports =
+        stroke(sculptor, settings, straight({box.min().x(), 0, 0}, {box.max().x() + 0.3, 0, 0}, 25));
     const bool met = std::ranges::any_of(reports, [](const DabReport& report) { return report.contact; });
     QVERIFY(fusion ? sculptor.totals().fusions > 0 : met);
     QVERIFY(isSound(sculptor));

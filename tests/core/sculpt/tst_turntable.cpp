@@ -40,10 +40,13 @@ struct Turn
 /// What a file says in which a pushing hand rests at x, at height 0, pointing inwards.
 std::vector<core::FileEntry> groove(const Turn& turn)
 {
-    std::string text = R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"push","radius":0.3,"strength":0.3,)"
-                       R"("place":"ray","turntable_deg_per_s":)" + std::to_string(turn.degreesPerSecond) + R"(,"samples":[)";
+    std::string text =
+        R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"push","radius":0.3,"strength":0.3,)"
+        R"("place":"ray","turntable_deg_per_s":)" +
+        std::to_string(turn.degreesPerSecond) + R"(,"samples":[)";
     for (int i = 0; i < turn.seconds * turn.dabsPerSecond; ++i)
-        text += (i == 0 ? "" : ",") + (R"({"position":[3,0,0],"direction":[-1,0,0],"t":)" + std::to_string(i / turn.dabsPerSecond)) + "}";
+        text += (i == 0 ? "" : ",") +
+                (R"({"position":[3,0,0],"direction":[-1,0,0],"t":)" + std::to_string(i / turn.dabsPerSecond)) + "}";
     return core::parseStrokes(text + "]}]}");
 }
 

@@ -73,7 +73,9 @@ void changeAtRandom(StrokeFuzzer& random, Mesh& mesh)
     const Vec3 by = edge * random.uniform(0, 1) * random.uniform(0, 3) * random.direction();
     const std::uint64_t kind = random.below(7);
     if (kind == 0) { // a fold, or a move by a few lattice units
-        const Vec3 step = random.below(2) == 0 ? by : Vec3(lattice.unit() * static_cast<double>(random.below(4)) * random.direction());
+        const Vec3 step = random.below(2) == 0
+                              ? by
+                              : Vec3(lattice.unit() * static_cast<double>(random.below(4)) * random.direction());
         mesh.setPoint(start, clamped(lattice, center + step));
         return;
     }
@@ -144,7 +146,9 @@ std::vector<PatchFace> noisySheet(StrokeFuzzer& random, int step, int noise)
 {
     constexpr int side = 5;
     std::array<LatticePoint, side * side> points;
-    const auto offset = [&] { return static_cast<int>(random.below(static_cast<std::uint64_t>(2 * noise + 1))) - noise; };
+    const auto offset = [&] {
+        return static_cast<int>(random.below(static_cast<std::uint64_t>(2 * noise + 1))) - noise;
+    };
     for (int i = 0; i < side * side; ++i)
         points[static_cast<std::size_t>(i)] = {i % side * step + offset(), i / side * step + offset(), offset()};
     std::vector<PatchFace> faces;
@@ -170,7 +174,8 @@ std::vector<PatchFace> partOf(const std::vector<PatchFace>& sheet, StrokeFuzzer&
         const PatchFace& next = sheet[random.below(sheet.size())];
         bool known = false, neighbour = false;
         for (const PatchFace& f : part) {
-            const auto shared = std::ranges::count_if(f.corners, [&](Slot v) { return std::ranges::count(next.corners, v) > 0; });
+            const auto shared =
+                std::ranges::count_if(f.corners, [&](Slot v) { return std::ranges::count(next.corners, v) > 0; });
             known = known || shared == 3;
             neighbour = neighbour || shared == 2;
         }
@@ -208,7 +213,8 @@ TriangleMesh ballAndSpeck(const Vec3f& speckAt, float speckRadius, bool inwards)
     return shapes::together(core::icosphere(3, 1), inwards ? shapes::reversed(speck) : speck);
 }
 
-/// Moves the vertices of the ball (not of the speck) within `reach` of the pole (0, 1, 0) by `by` at the pole, less around.
+/// Moves the vertices of the ball (not of the speck) within `reach` of the pole (0, 1, 0) by `by` at the pole, less
+/// around.
 void moveCap(Mesh& mesh, double reach, double by)
 {
     for (Slot v = 0; v < core::icosphere(3, 1).points.size(); ++v) {
@@ -255,7 +261,8 @@ void TestVerifier::randomChanges_agreeWithAllPairsAndCgal_data()
     QTest::newRow("thinSlabOnACoarseLattice") << clay::slab(2, 0.125, 4) << 4;
     QTest::newRow("nestedShells") << shapes::nestedSpheres(true) << 18;
     QTest::newRow("twoFingers") << shapes::together(shapes::moved(core::icosphere(1, 1), {-1.02f, 0, 0}),
-                                                    shapes::moved(core::icosphere(1, 1), {1.02f, 0, 0})) << 20;
+                                                    shapes::moved(core::icosphere(1, 1), {1.02f, 0, 0}))
+                                << 20;
 }
 
 void TestVerifier::randomChanges_agreeWithAllPairsAndCgal()
@@ -301,12 +308,14 @@ void TestVerifier::randomChanges_agreeWithAllPairsAndCgal()
             QCOMPARE(mesh.stateHash(), before);
         }
     }
-    std::cout << QTest::currentDataTag() << ": sound by patch, stars, pairs " << sound[0] << ' ' << sound[1] << ' ' << sound[2]
-              << ", meeting " << meeting << ", degenerate " << degenerate << ", turned or swallowed " << nested << std::endl;
+    std::cout << QTest::currentDataTag() << ": sound by patch, stars, pairs " << sound[0] << ' ' << sound[1] << ' '
+              << sound[2] << ", meeting " << meeting << ", degenerate " << degenerate << ", turned or swallowed "
+              << nested << std::endl;
     QVERIFY(sound[0] + sound[1] + sound[2] > 100 && meeting > 100);
 }
 
-/// Of a motion that was not sound some vertices go back a part of their way: what the short look finds at them is what the whole one finds.
+/// Of a motion that was not sound some vertices go back a part of their way: what the short look finds at them is what
+/// the whole one finds.
 void TestVerifier::recheck_findsWhatIsBadThere()
 {
     StrokeFuzzer random(seed);
@@ -316,7 +325,8 @@ void TestVerifier::recheck_findsWhatIsBadThere()
         Mesh& mesh = *subject.mesh;
         const Mesh::Mark mark = mesh.mark();
         std::vector<std::pair<Slot, Vec3f>> moved;
-        const Vec3 center = mesh.point(randomVertex(random, mesh)).cast<double>(), by = random.uniform(0, 1.2) * random.direction();
+        const Vec3 center = mesh.point(randomVertex(random, mesh)).cast<double>(),
+                   by = random.uniform(0, 1.2) * random.direction();
         for (Slot v = 0; v < mesh.slots().vertices; ++v) {
             const Vec3 p = mesh.point(v).cast<double>();
             if ((p - center).norm() > 0.5)
@@ -340,7 +350,8 @@ void TestVerifier::recheck_findsWhatIsBadThere()
         QVERIFY(std::ranges::includes(all, there));
         for (Slot v : back) {
             mesh.forEachOutgoing(v, [&](Slot h) {
-                QCOMPARE(std::ranges::binary_search(there, mesh.face(h)), std::ranges::binary_search(all, mesh.face(h)));
+                QCOMPARE(std::ranges::binary_search(there, mesh.face(h)),
+                         std::ranges::binary_search(all, mesh.face(h)));
             });
         }
         ++looked;
@@ -372,7 +383,8 @@ void TestVerifier::certifiedPatch_neverMeetsItself()
         if (random.below(2) == 0) {
             direction = Vec3::Zero();
             for (const PatchFace& f : faces)
-                direction += (f.points[1] - f.points[0]).cast<double>().cross((f.points[2] - f.points[0]).cast<double>());
+                direction +=
+                    (f.points[1] - f.points[0]).cast<double>().cross((f.points[2] - f.points[0]).cast<double>());
         }
         const bool sound = isEmbedded(faces);
         const bool proved = core::certifyPatch(faces, boundary, core::integerDirection(direction));
@@ -380,7 +392,8 @@ void TestVerifier::certifiedPatch_neverMeetsItself()
         embedded += sound;
         certified += proved;
     }
-    std::cout << QTest::currentDataTag() << ": " << certified << " patches certified of " << embedded << " embedded" << std::endl;
+    std::cout << QTest::currentDataTag() << ": " << certified << " patches certified of " << embedded << " embedded"
+              << std::endl;
     QVERIFY(certified > 1000);
 }
 
@@ -404,7 +417,8 @@ void TestVerifier::certifiedStar_neverMeetsItself()
             mesh->forEachOutgoing(v, [&](Slot h) { // around in the plane, more or less
                 const Vec3 p = mesh->point(mesh->to(h)).cast<double>();
                 const Vec3 flat = random.below(3) == 0 ? Vec3::Zero() : Vec3(p.normalized());
-                mesh->setPoint(mesh->to(h), lattice.snap({coordinate(flat.x()), coordinate(flat.y()), coordinate(flat.z())}));
+                mesh->setPoint(mesh->to(h),
+                               lattice.snap({coordinate(flat.x()), coordinate(flat.y()), coordinate(flat.z())}));
             });
             std::vector<PatchFace> star;
             mesh->forEachOutgoing(v, [&](Slot h) {
@@ -412,12 +426,14 @@ void TestVerifier::certifiedStar_neverMeetsItself()
                 star.push_back({t, {mesh->latticePoint(t[0]), mesh->latticePoint(t[1]), mesh->latticePoint(t[2])}});
             });
             const bool sound = isEmbedded(star), proved = core::certifyStar(*mesh, v);
-            QVERIFY2(sound || !proved, qPrintable(QString::fromLatin1("seed %1, range %2, star %3").arg(seed).arg(range).arg(i)));
+            QVERIFY2(sound || !proved,
+                     qPrintable(QString::fromLatin1("seed %1, range %2, star %3").arg(seed).arg(range).arg(i)));
             embedded += sound;
             certified += proved;
             mesh->rollback(mark);
         }
-        std::cout << "range " << range << ": " << certified << " stars certified of " << embedded << " embedded" << std::endl;
+        std::cout << "range " << range << ": " << certified << " stars certified of " << embedded << " embedded"
+                  << std::endl;
         QVERIFY(certified > 100);
     }
 }
@@ -511,7 +527,8 @@ void TestVerifier::cavityLetOutOfASpike_isBad()
     const Slot tip = static_cast<Slot>(top - spiked.points.begin());
     const Vec3f foot = *top;
     top->y() = 2.5f;
-    Subject subject(sculptable(shapes::together(spiked, shapes::reversed(shapes::moved(core::icosphere(0, 0.01), {foot.x(), 1.7f, foot.z()})))));
+    Subject subject(sculptable(shapes::together(
+        spiked, shapes::reversed(shapes::moved(core::icosphere(0, 0.01), {foot.x(), 1.7f, foot.z()})))));
     Mesh& mesh = *subject.mesh;
     VERIFY_VALID(mesh);
     const Mesh::Mark mark = mesh.mark();
@@ -538,7 +555,8 @@ void TestVerifier::nestedShellTurnedOver_isBad()
 }
 
 /// Only the gate can write links, and it writes them rightly; so the damage comes in by a delta.
-/// As on both sides of a plane of symmetry: what lies between is not looked at, and the most that is asked of each is its own certificate.
+/// As on both sides of a plane of symmetry: what lies between is not looked at, and the most that is asked of each is
+/// its own certificate.
 void TestVerifier::changesApart_areCertifiedApart()
 {
     Subject subject(sculptable(core::icosphere(4, 1)));

@@ -18,7 +18,8 @@ StrokeSample at(const Vec3& position)
     return sample;
 }
 
-std::vector<core::Dab> dabsOf(StrokePath& path, const StrokeSample& sample, const StrokePath::CenterOf& centerOf = whereItIs)
+std::vector<core::Dab> dabsOf(StrokePath& path, const StrokeSample& sample,
+                              const StrokePath::CenterOf& centerOf = whereItIs)
 {
     std::vector<core::Dab> dabs;
     path.add(sample);
@@ -160,7 +161,9 @@ void TestStrokePath::up_alongTheDirection()
 
 void TestStrokePath::miss_isEmptyAndStartsAnew()
 {
-    const StrokePath::CenterOf onlyRight = [](const Vec3& p, const Vec3&) { return p.x() >= 0 ? std::optional(p) : std::nullopt; };
+    const StrokePath::CenterOf onlyRight = [](const Vec3& p, const Vec3&) {
+        return p.x() >= 0 ? std::optional(p) : std::nullopt;
+    };
     StrokePath single(spaced(0));
     single.add(at({-1, 0, 0}));
     const auto due = single.next(onlyRight);
@@ -198,7 +201,9 @@ void TestStrokePath::surfaceThatRises_ends()
 {
     StrokePath path(spaced(0.1));
     double height = 0;
-    const auto risen = [&](const Vec3& position, const Vec3&) { return std::optional<Vec3>(position + height * Vec3::UnitZ()); };
+    const auto risen = [&](const Vec3& position, const Vec3&) {
+        return std::optional<Vec3>(position + height * Vec3::UnitZ());
+    };
     const auto dabsTo = [&](const Vec3& position) {
         int dabs = 0;
         for (path.add(at(position)); path.next(risen); ++dabs)

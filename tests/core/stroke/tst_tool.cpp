@@ -1,5 +1,5 @@
-#include "core/stroke/tool.h"
 #include "core/stroke/stroke.h"
+#include "core/stroke/tool.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
+#include "core/io/mesh_io.h"
 #include "core/util/atomic_file.h"
 #include "core/util/numbered_backup.h"
-#include "core/io/mesh_io.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -58,7 +58,8 @@ void TestNumberedBackup::lastThree_stayBesideTheFile()
         save(file, "version " + std::to_string(i));
         QCOMPARE(read(file), "version " + std::to_string(i));
         for (int back = 1; back <= 3; ++back)
-            QCOMPARE(read(NumberedBackup::nameOf(file, back)), back < i ? "version " + std::to_string(i - back) : std::string());
+            QCOMPARE(read(NumberedBackup::nameOf(file, back)),
+                     back < i ? "version " + std::to_string(i - back) : std::string());
     }
     QVERIFY(names(home) == std::vector<std::string>({"vase.glb", "vase.glb~1", "vase.glb~2", "vase.glb~3"}));
 }
@@ -92,7 +93,8 @@ void TestNumberedBackup::savingThatFails_changesNothing()
 void TestNumberedBackup::links_areFollowed()
 {
     const QTemporaryDir home;
-    const fs::path file = fs::path(home.path().toStdString()) / "vase.glb", link = fs::path(home.path().toStdString()) / "link.glb";
+    const fs::path file = fs::path(home.path().toStdString()) / "vase.glb",
+                   link = fs::path(home.path().toStdString()) / "link.glb";
     save(file, "one");
     fs::create_symlink(file, link);
     save(link, "two");

@@ -65,12 +65,13 @@ void TestParallel::fewChunks_areDoneAtOnce()
 void TestParallel::joinedParts_standInOrder()
 {
     QFETCH(std::size_t, count);
-    const auto odd = core::joinChunks<std::vector<std::size_t>>(count, 10, [](std::size_t begin, std::size_t end, auto& part) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (i % 2 == 1)
-                part.push_back(i);
-        }
-    });
+    const auto odd =
+        core::joinChunks<std::vector<std::size_t>>(count, 10, [](std::size_t begin, std::size_t end, auto& part) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (i % 2 == 1)
+                    part.push_back(i);
+            }
+        });
     QCOMPARE(odd.size(), count / 2);
     for (std::size_t i = 0; i < odd.size(); ++i)
         QCOMPARE(odd[i], 2 * i + 1);

@@ -138,7 +138,8 @@ private Q_SLOTS:
             for (int y = 0; y < image.height(); ++y)
                 for (int x = 0; x < image.width(); ++x)
                     ofPalette += image.pixelColor(x, y) == QColor(10, 200, 30);
-            QVERIFY2(row.menu == ui::MenuId::New ? inked(image) > 100 && ofPalette == 0 : ofPalette > 20, row.id); // a starter has clay's colours
+            QVERIFY2(row.menu == ui::MenuId::New ? inked(image) > 100 && ofPalette == 0 : ofPalette > 20,
+                     row.id); // a starter has clay's colours
         }
     }
 };

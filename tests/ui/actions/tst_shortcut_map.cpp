@@ -47,7 +47,8 @@ private Q_SLOTS:
             QTest::newRow(row.key) << row.value;
     }
 
-    /// Nothing that the preset gives is lost to another command, and every action that has a key somewhere has one here.
+    /// Nothing that the preset gives is lost to another command, and every action that has a key somewhere has one
+    /// here.
     void eachPresetIsWhole()
     {
         QFETCH(KeyPreset, preset);
@@ -64,7 +65,8 @@ private Q_SLOTS:
 
     void presetsDepartFromEachOther()
     {
-        const QString radius = QStringLiteral("brush.radius"), frame = QStringLiteral("view.frame"), pull = QStringLiteral("tool.pull");
+        const QString radius = QStringLiteral("brush.radius"), frame = QStringLiteral("view.frame"),
+                      pull = QStringLiteral("tool.pull");
         QCOMPARE(ui::presetKeys(KeyPreset::Fettle, radius), keys("F"));
         QCOMPARE(ui::presetKeys(KeyPreset::ZBrush, radius), keys("S"));
         QVERIFY(ui::presetKeys(KeyPreset::ZBrush, frame).contains(QKeySequence(Qt::Key_F)));
@@ -85,7 +87,9 @@ private Q_SLOTS:
 
     void theTableDecidesAmongEquals()
     {
-        const KeyMap map({KeyPreset::Fettle, {{QStringLiteral("view.ground"), QStringLiteral("Q")}, {QStringLiteral("tool.push"), QStringLiteral("Q; Q")}}});
+        const KeyMap map({KeyPreset::Fettle,
+                          {{QStringLiteral("view.ground"), QStringLiteral("Q")},
+                           {QStringLiteral("tool.push"), QStringLiteral("Q; Q")}}});
         QVERIFY(isSound(map));
         QCOMPARE(map.owner(QKeySequence(Qt::Key_Q)), QStringLiteral("tool.push"));
         QVERIFY(map.keys(QStringLiteral("view.ground")).isEmpty());
@@ -95,7 +99,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<QString>("text");
-        const auto row = [](const char* name, const char* id, const QString& text) { QTest::newRow(name) << QString::fromLatin1(id) << text; };
+        const auto row = [](const char* name, const char* id, const QString& text) {
+            QTest::newRow(name) << QString::fromLatin1(id) << text;
+        };
         row("no such action", "tool.teleport", QStringLiteral("Q"));
         row("no key", "tool.pull", QStringLiteral("grmpf"));
         row("one of two is no key", "tool.pull", QStringLiteral("Q; grmpf"));
@@ -141,13 +147,16 @@ private Q_SLOTS:
     void someKeysAreNobodys()
     {
         const auto problem = [](const char* key) { return ui::problemOf(QKeySequence(QLatin1StringView(key))); };
-        for (const char* key : {"Esc", "Tab", "Shift+Tab", "Ctrl+Tab", "Return", "Space", "Up", "Shift+Left", "Backspace", "F10", "0", "Num+0"})
+        for (const char* key : {"Esc", "Tab", "Shift+Tab", "Ctrl+Tab", "Return", "Space", "Up", "Shift+Left",
+                                "Backspace", "F10", "0", "Num+0"})
             QVERIFY2(problem(key) == KeyProblem::Widgets, key);
-        for (const int key : {Qt::Key_Shift, Qt::Key_Control, Qt::Key_Alt, Qt::Key_Meta, Qt::Key_AltGr, Qt::Key_CapsLock})
+        for (const int key :
+             {Qt::Key_Shift, Qt::Key_Control, Qt::Key_Alt, Qt::Key_Meta, Qt::Key_AltGr, Qt::Key_CapsLock})
             QVERIFY(ui::problemOf(QKeySequence(key)) == KeyProblem::Held);
         for (const char* key : {"Alt+F", "Alt+Z", "Alt+\xc3\x84"})
             QVERIFY2(ui::problemOf(QKeySequence(QString::fromUtf8(key))) == KeyProblem::Menus, key);
-        for (const char* key : {"F", "1", "Num+1", "Alt+1", "Ctrl+Return", "Ctrl+Up", "Ctrl+0", "F5", "Home", "Ctrl+Alt+F", "."})
+        for (const char* key :
+             {"F", "1", "Num+1", "Alt+1", "Ctrl+Return", "Ctrl+Up", "Ctrl+0", "F5", "Home", "Ctrl+Alt+F", "."})
             QVERIFY2(problem(key) == KeyProblem::None, key);
     }
 };

@@ -5,8 +5,8 @@
 #include "core/operations/starter_models.h"
 #include "ui/brush/brush_files.h"
 #include "ui/brush/brush_shapes.h"
-#include "ui/window/main_window.h"
 #include "ui/settings/settings.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QBuffer>
@@ -130,8 +130,11 @@ void TestBrushFiles::alpha_refused_data()
     QTest::addColumn<QString>("words");
     QTest::newRow("text") << QByteArray("This is no image.") << QStringLiteral("not an image");
     QTest::newRow("empty") << QByteArray() << QStringLiteral("not an image");
-    QTest::newRow("SVG") << QByteArray(R"(<svg xmlns="http://www.w3.org/2000/svg" width="8" height="8"><text y="8">a</text></svg>)") << QStringLiteral("not an image");
-    QTest::newRow("20,000 x 20,000") << pngHeader(20'000) + bigEndian(20) + "IDAT" + QByteArray(24, 'x') << QStringLiteral("20000 × 20000 pixels");
+    QTest::newRow("SVG")
+        << QByteArray(R"(<svg xmlns="http://www.w3.org/2000/svg" width="8" height="8"><text y="8">a</text></svg>)")
+        << QStringLiteral("not an image");
+    QTest::newRow("20,000 x 20,000") << pngHeader(20'000) + bigEndian(20) + "IDAT" + QByteArray(24, 'x')
+                                     << QStringLiteral("20000 × 20000 pixels");
     QTest::newRow("a header alone") << pngHeader(64) << QStringLiteral("damaged");
     QByteArray black;
     QBuffer buffer(&black);
@@ -303,7 +306,8 @@ void TestBrushFiles::settings_keepTheAlpha()
     }
     {
         ui::MainWindow window;
-        QTRY_VERIFY(window.brush()->stroke().alpha && window.brush()->stroke().alpha->source() == path("kept.png").toStdString());
+        QTRY_VERIFY(window.brush()->stroke().alpha &&
+                    window.brush()->stroke().alpha->source() == path("kept.png").toStdString());
         QVERIFY(window.brush()->stroke().alphaFollows);
     }
     {

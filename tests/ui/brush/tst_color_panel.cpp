@@ -1,8 +1,8 @@
 #include "ui/actions/actions.h"
-#include "ui/settings/brush_settings.h"
 #include "ui/brush/color_panel.h"
 #include "ui/brush/color_swatches.h"
 #include "ui/brush/color_wheel.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
 
 #include "tests/ui/ui_test.h"
@@ -32,7 +32,10 @@ struct Palette
         window.show();
     }
 
-    template <class Widget> Widget* child(const char* name) const { return panel->findChild<Widget*>(QLatin1StringView(name)); }
+    template <class Widget> Widget* child(const char* name) const
+    {
+        return panel->findChild<Widget*>(QLatin1StringView(name));
+    }
     const Rgb& color() const { return brush.stroke().color; }
     void drag(const QPointF& from, const QPointF& to)
     {
@@ -125,7 +128,8 @@ private Q_SLOTS:
             QTest::keyClick(p.panel->wheel(), key);
             return !(p.color() == before);
         };
-        for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})
+        for (const Qt::Key key :
+             {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})
             QVERIFY(press(key));
         QVERIFY(isNear(p.color(), {200, 50, 50}, 2)); // each pair goes there and back
     }
@@ -217,7 +221,8 @@ private Q_SLOTS:
             if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith(QStringLiteral("qt_")))
                 continue;
             const auto* button = qobject_cast<const QToolButton*>(widget);
-            QVERIFY2(!widget->accessibleName().isEmpty() || (button && button->defaultAction()), qPrintable(widget->objectName()));
+            QVERIFY2(!widget->accessibleName().isEmpty() || (button && button->defaultAction()),
+                     qPrintable(widget->objectName()));
             QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->objectName()));
         }
     }

@@ -71,8 +71,9 @@ private Q_SLOTS:
         const ui::DrawingSheet sheet = sheetOf(side);
         const double scale = ui::sheetScale(sheet), two = 2 * static_cast<double>(side);
         QVERIFY(isRound(scale >= 1 ? scale : 1 / scale));
-        QVERIFY(two * scale < 210);        // two views above each other are on the page,
-        QVERIFY(two * scale > 0.25 * 210); // and the next scale, at most 2.5 times as large, would not fit with words and frame
+        QVERIFY(two * scale < 210); // two views above each other are on the page,
+        QVERIFY(two * scale >
+                0.25 * 210); // and the next scale, at most 2.5 times as large, would not fit with words and frame
         const QRectF bar = ui::sheetScaleBar(sheet);
         QVERIFY(isRound(bar.width() / scale));
         QVERIFY(bar.width() >= 20 && bar.width() <= 50);
@@ -95,7 +96,9 @@ private Q_SLOTS:
         QFont font;
         font.setPixelSize(10);
         const ui::DrawingLook look{Qt::black, Qt::white, 2, font};
-        ui::DrawingLayout(drawing, {ui::DrawnSides::Right, false, false}, look, ui::DrawingLayout::Arrangement::Projection).paint(painter, {400, 300}, 10);
+        ui::DrawingLayout(drawing, {ui::DrawnSides::Right, false, false}, look,
+                          ui::DrawingLayout::Arrangement::Projection)
+            .paint(painter, {400, 300}, 10);
         painter.end();
         int left = image.width(), right = 0;
         for (int x = 0; x < image.width(); ++x)
@@ -116,7 +119,8 @@ private Q_SLOTS:
         const QRectF bar = ui::sheetScaleBar(sheet);
         const int row = static_cast<int>(bar.center().y() * dotsAMm);
         int first = 0, last = 0;
-        for (int x = static_cast<int>((bar.left() - 1) * dotsAMm); x < static_cast<int>((bar.right() + 1) * dotsAMm); ++x)
+        for (int x = static_cast<int>((bar.left() - 1) * dotsAMm); x < static_cast<int>((bar.right() + 1) * dotsAMm);
+             ++x)
             if (isDark(image, x, row)) {
                 first = first == 0 ? x : first;
                 last = x;
@@ -130,7 +134,8 @@ private Q_SLOTS:
         const QByteArray pdf = written(folder.filePath(QStringLiteral("a.pdf")), sheetOf(40));
         QVERIFY(pdf.startsWith("%PDF-"));
         QVERIFY(pdf.trimmed().endsWith("%%EOF"));
-        const auto box = QRegularExpression(QStringLiteral("MediaBox \\[0 0 ([0-9.]+) ([0-9.]+)\\]")).match(QString::fromLatin1(pdf));
+        const auto box = QRegularExpression(QStringLiteral("MediaBox \\[0 0 ([0-9.]+) ([0-9.]+)\\]"))
+                             .match(QString::fromLatin1(pdf));
         QVERIFY(box.hasMatch());
         QVERIFY(std::abs(box.captured(1).toDouble() - 297 / 25.4 * 72) < 0.5);
         QVERIFY(std::abs(box.captured(2).toDouble() - 210 / 25.4 * 72) < 0.5);
@@ -161,7 +166,8 @@ private Q_SLOTS:
         mesh.colors.assign(mesh.points.size(), {0, 0, 255});
         core::DrawArrays model;
         model.apply(core::wholePatchOf(*mesh_asserts::sculptable(mesh)));
-        const ui::DrawingSheet sheet{QStringLiteral("ball"), QDate(2024, 2, 29), core::drawLines(model, {512, true}, {}).value(), true};
+        const ui::DrawingSheet sheet{QStringLiteral("ball"), QDate(2024, 2, 29),
+                                     core::drawLines(model, {512, true}, {}).value(), true};
         const QImage image = QImage::fromData(written(folder.filePath(QStringLiteral("a.png")), sheet));
         int blue = 0;
         for (int x = 0; x < image.width(); ++x)
@@ -181,7 +187,8 @@ private Q_SLOTS:
     void noModelIsAnEmptySheet()
     {
         const QTemporaryDir folder;
-        QVERIFY(!written(folder.filePath(QStringLiteral("a.svg")), {QStringLiteral("nothing"), QDate(2024, 2, 29), {}}).isEmpty());
+        QVERIFY(!written(folder.filePath(QStringLiteral("a.svg")), {QStringLiteral("nothing"), QDate(2024, 2, 29), {}})
+                     .isEmpty());
     }
 };
 

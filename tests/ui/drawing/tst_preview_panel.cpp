@@ -1,5 +1,5 @@
-#include "ui/window/main_window.h"
 #include "ui/drawing/preview_panel.h"
+#include "ui/window/main_window.h"
 
 #include "core/mesh/dirty_slots.h"
 #include "tests/support/mesh_asserts.h"
@@ -145,7 +145,8 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         Shown shown;
-        shown.window.setModel({QStringLiteral("lion.stl"), 8, 12, {1, 1, 1}, core::Box(core::Vec3(0, 0, 0), core::Vec3(1, 1, 1))});
+        shown.window.setModel(
+            {QStringLiteral("lion.stl"), 8, 12, {1, 1, 1}, core::Box(core::Vec3(0, 0, 0), core::Vec3(1, 1, 1))});
         QSignalSpy asked(shown.panel, &ui::PreviewPanel::exportRequested);
         shown.window.action(QStringLiteral("file.exportDrawing"))->trigger();
         QFileDialog* dialog = nullptr;
@@ -155,7 +156,8 @@ private Q_SLOTS:
         dialog->setDirectory(folder.path());
         QTest::keyClick(name, Qt::Key_Return);
         QTRY_COMPARE(asked.size(), 1);
-        QCOMPARE(asked[0], QVariantList({folder.filePath(QStringLiteral("lion.pdf")), QStringLiteral("lion.stl"), false}));
+        QCOMPARE(asked[0],
+                 QVariantList({folder.filePath(QStringLiteral("lion.pdf")), QStringLiteral("lion.stl"), false}));
     }
 };
 

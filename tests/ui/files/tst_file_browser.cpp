@@ -1,10 +1,10 @@
 #include "ui/actions/actions.h"
+#include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
 #include "ui/files/file_list_model.h"
-#include "ui/files/file_browser.h"
-#include "ui/window/main_window.h"
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/settings/settings.h"
+#include "ui/window/main_window.h"
 
 #include "core/io/mesh_io.h"
 #include "core/operations/starter_models.h"
@@ -67,7 +67,10 @@ struct Shown
 
     template <class T> T* child(const char* name) const { return window.findChild<T*>(QLatin1StringView(name)); }
     QString state() const { return child<QLabel>("files.state")->text(); }
-    QString emptyWord() const { return child<QLabel>("files.empty")->isVisible() ? child<QLabel>("files.empty")->text() : QString(); }
+    QString emptyWord() const
+    {
+        return child<QLabel>("files.empty")->isVisible() ? child<QLabel>("files.empty")->text() : QString();
+    }
 
     QStringList names() const
     {
@@ -137,15 +140,18 @@ private Q_SLOTS:
     {
         const Models models;
         const Shown s(models);
-        QTRY_COMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl"), QStringLiteral("broken.ply")}));
-        QTRY_VERIFY(!s.picture(QStringLiteral("ball 10.stl")).isNull() && !s.picture(QStringLiteral("ball 9.obj")).isNull());
+        QTRY_COMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 9.obj"),
+                                             QStringLiteral("ball 10.stl"), QStringLiteral("broken.ply")}));
+        QTRY_VERIFY(!s.picture(QStringLiteral("ball 10.stl")).isNull() &&
+                    !s.picture(QStringLiteral("ball 9.obj")).isNull());
         const QImage fine = s.picture(QStringLiteral("ball 10.stl")), coarse = s.picture(QStringLiteral("ball 9.obj"));
         QVERIFY(inked(fine) > fine.width() * fine.height() / 2);
         QVERIFY(qAlpha(fine.pixel(0, 0)) == 0);
         QVERIFY(fine != coarse);
         QCOMPARE(s.find(QStringLiteral("ball 10.stl")).data(ui::FileListModel::VerticesRole).toInt(), 642);
         QTRY_VERIFY(s.problem(QStringLiteral("broken.ply")).contains(QStringLiteral("broken.ply")));
-        QVERIFY(s.find(QStringLiteral("broken.ply")).data(Qt::ToolTipRole).toString() == s.problem(QStringLiteral("broken.ply")));
+        QVERIFY(s.find(QStringLiteral("broken.ply")).data(Qt::ToolTipRole).toString() ==
+                s.problem(QStringLiteral("broken.ply")));
         QTRY_VERIFY(!s.child<QToolButton>("files.stop")->isVisible());
         QVERIFY(s.state().contains(QStringLiteral("3")));
     }
@@ -166,7 +172,8 @@ private Q_SLOTS:
         QCOMPARE(s.names(), QStringList({QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl")})); // 162, 642
         s.child<QToolButton>("files.direction")->click();
         filter->clear();
-        QCOMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 10.stl"), QStringLiteral("ball 9.obj"), QStringLiteral("broken.ply")}));
+        QCOMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 10.stl"),
+                                         QStringLiteral("ball 9.obj"), QStringLiteral("broken.ply")}));
         sortBy(s, ui::FileOrder::Size);
         QCOMPARE(s.names().constLast(), QStringLiteral("broken.ply"));
     }
@@ -248,7 +255,8 @@ private Q_SLOTS:
         auto* menu = s.child<QMenu>("files.menu");
         QVERIFY(menu && menu->isVisible());
         for (const ui::ActionInfo& row : ui::actionTable())
-            QCOMPARE(menu->actions().contains(s.window.action(QLatin1StringView(row.id))), row.menu == ui::MenuId::Files);
+            QCOMPARE(menu->actions().contains(s.window.action(QLatin1StringView(row.id))),
+                     row.menu == ui::MenuId::Files);
         menu->close();
     }
 
@@ -298,8 +306,12 @@ private Q_SLOTS:
         const Models models;
         const Shown s(models);
         QTRY_COMPARE(s.names().size(), 4);
-        s.window.findChild<ui::Actions*>()->setKeys({ui::KeyPreset::Fettle, {{QStringLiteral("files.rename"), QStringLiteral("Q")}, {QStringLiteral("files.open"), QStringLiteral("Return; Ctrl+Return")}}});
-        const QList<QKeySequence> opening = s.window.action(QStringLiteral("files.open"))->shortcuts(); // what it has from the start it may keep
+        s.window.findChild<ui::Actions*>()->setKeys(
+            {ui::KeyPreset::Fettle,
+             {{QStringLiteral("files.rename"), QStringLiteral("Q")},
+              {QStringLiteral("files.open"), QStringLiteral("Return; Ctrl+Return")}}});
+        const QList<QKeySequence> opening =
+            s.window.action(QStringLiteral("files.open"))->shortcuts(); // what it has from the start it may keep
         QVERIFY(opening.size() == 2 && opening.contains(QKeySequence(Qt::Key_Return)));
         const auto renames = [&s](Qt::Key key) {
             s.choose(QStringLiteral("ball 9.obj"));
@@ -413,7 +425,8 @@ private Q_SLOTS:
         QTRY_COMPARE(s.find(QStringLiteral("ball 9.obj")).isValid(), QFile::exists(models.path("ball 9.obj")));
         if (QStorageInfo(models.folder.path()) == QStorageInfo(QDir::home())) { // else the disk may have no trash
             QVERIFY(!QFile::exists(models.path("ball 9.obj")));
-            const QDir trash(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/Trash/files"));
+            const QDir trash(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+                             QStringLiteral("/Trash/files"));
             QVERIFY(!trash.entryList({QStringLiteral("ball 9.obj*")}).isEmpty());
         }
         s.choose(QStringLiteral("inner"));

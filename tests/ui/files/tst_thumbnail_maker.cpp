@@ -28,10 +28,11 @@ struct Maker
 {
     explicit Maker(const QString& cache) : maker(cache)
     {
-        QObject::connect(&maker, &ThumbnailMaker::made, &here, [this](const FileEntry& file, const Thumbnail& thumbnail) {
-            order << QFileInfo(file.path).fileName();
-            last = thumbnail;
-        });
+        QObject::connect(&maker, &ThumbnailMaker::made, &here,
+                         [this](const FileEntry& file, const Thumbnail& thumbnail) {
+                             order << QFileInfo(file.path).fileName();
+                             last = thumbnail;
+                         });
     }
     Thumbnail one(const QString& path)
     {
@@ -63,7 +64,8 @@ private Q_SLOTS:
     void theSameContentIsDrawnOnce()
     {
         const QTemporaryDir folder;
-        const QString one = folder.filePath(QStringLiteral("one.obj")), copy = folder.filePath(QStringLiteral("copy.obj"));
+        const QString one = folder.filePath(QStringLiteral("one.obj")),
+                      copy = folder.filePath(QStringLiteral("copy.obj"));
         const QString cache = folder.filePath(QStringLiteral("cache/deep"));
         write(one, core::starterModel(core::Starter::Vase));
         QVERIFY(QFile::copy(one, copy));
@@ -95,7 +97,8 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(gone));
         m.maker.want({entry});
         QTRY_COMPARE(m.order.size(), 1);
-        QVERIFY(m.last.picture.isNull() && m.last.problem.contains(QStringLiteral("gone.stl")) && m.last.problem.endsWith(QLatin1Char('.')));
+        QVERIFY(m.last.picture.isNull() && m.last.problem.contains(QStringLiteral("gone.stl")) &&
+                m.last.problem.endsWith(QLatin1Char('.')));
         QFile empty(folder.filePath(QStringLiteral("empty.ply")));
         QVERIFY(empty.open(QIODevice::WriteOnly));
         QVERIFY(m.one(empty.fileName()).problem.contains(QStringLiteral("empty.ply")));

@@ -28,14 +28,16 @@ double farFromEye(const SimulatedPerson& person)
     return (person.tip(person.hand()).translation() - person.head().translation()).norm();
 }
 
-void move(SimulatorView& view, const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton, Qt::KeyboardModifiers modifiers = {})
+void move(SimulatorView& view, const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton,
+          Qt::KeyboardModifiers modifiers = {})
 {
     sendMouse(&view, QEvent::MouseMove, view.placeOf(place).toPoint(), button, modifiers);
 }
 
 void wheel(SimulatorView& view, int notches, Qt::KeyboardModifiers modifiers = {})
 {
-    QWheelEvent event(QPointF(9, 9), view.mapToGlobal(QPointF(9, 9)), {}, {0, 120 * notches}, {}, modifiers, Qt::NoScrollPhase, false);
+    QWheelEvent event(QPointF(9, 9), view.mapToGlobal(QPointF(9, 9)), {}, {0, 120 * notches}, {}, modifiers,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &event);
 }
 
@@ -59,7 +61,8 @@ private Q_SLOTS:
     void tip_isWhereTheMouseIs()
     {
         Seated at;
-        for (const Eigen::Vector2d& place : {Eigen::Vector2d(0, 0), Eigen::Vector2d(-0.7, 0.4), Eigen::Vector2d(0.9, -0.8)}) {
+        for (const Eigen::Vector2d& place :
+             {Eigen::Vector2d(0, 0), Eigen::Vector2d(-0.7, 0.4), Eigen::Vector2d(0.9, -0.8)}) {
             move(at.view, place);
             QVERIFY((seen(at.person(), at.tip()) - place).norm() < 0.01);
         }

@@ -42,7 +42,10 @@ struct Desk
     ui::Actions actions{&window};
     ui::GuideWindow guide{actions, &window};
 
-    template <class Widget> Widget* child(const char* name) { return guide.findChild<Widget*>(QLatin1StringView(name)); }
+    template <class Widget> Widget* child(const char* name)
+    {
+        return guide.findChild<Widget*>(QLatin1StringView(name));
+    }
     QListWidget* contents() { return child<QListWidget>("guideContents"); }
     QString text() { return child<QTextBrowser>("guideText")->toPlainText(); }
     int shown()
@@ -67,13 +70,15 @@ private Q_SLOTS:
     void languagesSayTheSame()
     {
         for (const QString& language : languages)
-            QCOMPARE(QDir(QStringLiteral(":/help/") + language).entryList({QStringLiteral("*.md")}).size(), qsizetype(ui::helpPages().size()));
+            QCOMPARE(QDir(QStringLiteral(":/help/") + language).entryList({QStringLiteral("*.md")}).size(),
+                     qsizetype(ui::helpPages().size()));
         for (const HelpPage& page : ui::helpPages()) {
             const QString id = QLatin1StringView(page.id), english = source(QStringLiteral("en"), id);
             for (const QString& language : languages) {
                 const QString text = source(language, id);
                 QVERIFY2(text.startsWith(QStringLiteral("# ")), page.id);
-                for (const char* pattern : {R"(!\[[^\]]*\]\(([^)]*)\))", R"([^!]\[[^\]]*\]\(([^)]*)\))", R"(\{([^}]*)\})"})
+                for (const char* pattern :
+                     {R"(!\[[^\]]*\]\(([^)]*)\))", R"([^!]\[[^\]]*\]\(([^)]*)\))", R"(\{([^}]*)\})"})
                     QCOMPARE(found(text, QLatin1StringView(pattern)), found(english, QLatin1StringView(pattern)));
                 QCOMPARE(text.count(QStringLiteral("\n|")), english.count(QStringLiteral("\n|")));
                 QCOMPARE(text.count(QStringLiteral("\n- ")), english.count(QStringLiteral("\n- ")));
@@ -95,7 +100,9 @@ private Q_SLOTS:
             for (const QString& place : found(text, QStringLiteral(R"(\{([^}]*)\})"))) {
                 const QString what = place.section(u':', 0, 0), id = place.section(u':', 1);
                 const bool isHeld = place == QStringLiteral("invert") || place == QStringLiteral("smooth");
-                QVERIFY2(isHeld || ((what == QStringLiteral("key") || what == QStringLiteral("menu")) && ids.contains(id)), qPrintable(place));
+                QVERIFY2(isHeld ||
+                             ((what == QStringLiteral("key") || what == QStringLiteral("menu")) && ids.contains(id)),
+                         qPrintable(place));
             }
             for (const QString& link : found(text, QStringLiteral(R"([^!]\[[^\]]*\]\(([^)]*)\))")))
                 QVERIFY2(pages.contains(link), qPrintable(link));
@@ -118,7 +125,8 @@ private Q_SLOTS:
                 const QString where = language + u' ' + desk.contents()->item(i)->text();
                 QVERIFY2(desk.text().size() > 100 && !desk.contents()->item(i)->text().isEmpty(), qPrintable(where));
                 for (const char* mark : {"**", "{", "}", "](", "`", "|--"})
-                    QVERIFY2(!desk.text().contains(QLatin1StringView(mark)), qPrintable(where + QLatin1StringView(mark)));
+                    QVERIFY2(!desk.text().contains(QLatin1StringView(mark)),
+                             qPrintable(where + QLatin1StringView(mark)));
             }
         }
         QCOMPARE(ui::helpFolder(QLocale(QStringLiteral("fr"))), QStringLiteral(":/help/en"));
@@ -130,7 +138,9 @@ private Q_SLOTS:
         Desk desk;
         desk.guide.openPage(QStringLiteral("tools"));
         QVERIFY(!desk.text().contains(QStringLiteral("Alt")));
-        desk.actions.setKeys({ui::KeyPreset::ZBrush, {{QStringLiteral("tool.pull"), QStringLiteral("Ctrl+Alt+9")}, {QStringLiteral("tool.push"), {}}}});
+        desk.actions.setKeys(
+            {ui::KeyPreset::ZBrush,
+             {{QStringLiteral("tool.pull"), QStringLiteral("Ctrl+Alt+9")}, {QStringLiteral("tool.push"), {}}}});
         desk.guide.openPage(QStringLiteral("tools"));
         QVERIFY(desk.text().contains(QStringLiteral("Ctrl+Alt+9")) && desk.text().contains(QStringLiteral("no key")));
         QVERIFY(ui::helpText(QStringLiteral("tools"), desk.actions).contains(QStringLiteral("`Alt`")));

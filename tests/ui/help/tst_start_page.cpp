@@ -1,10 +1,10 @@
 #include "core/drawing/model_thumbnail.h"
 #include "core/operations/starter_models.h"
 #include "ui/actions/actions.h"
-#include "ui/lesson/lesson_panel.h"
-#include "ui/window/main_window.h"
-#include "ui/settings/settings.h"
 #include "ui/help/start_page.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/settings/settings.h"
+#include "ui/window/main_window.h"
 
 #include "tests/ui/ui_test.h"
 
@@ -33,7 +33,8 @@ QImage pictureOf(core::Starter starter)
 {
     const core::ModelThumbnail picture = core::drawThumbnail(core::starterModel(starter), pictureSide, {}).value();
     const auto* bytes = picture.rgba.front().data();
-    return QImage(bytes, picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied).convertToFormat(QImage::Format_RGBA8888);
+    return QImage(bytes, picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied)
+        .convertToFormat(QImage::Format_RGBA8888);
 }
 
 /// But for what rounding may do.
@@ -103,7 +104,8 @@ private Q_SLOTS:
             const QImage drawn = pictureOf(core::starters[number++]);
             if (!isAlike(shown, drawn)) {
                 QVERIFY(made.mkpath(QStringLiteral(".")) && drawn.save(made.filePath(file)));
-                QFAIL(qPrintable(QStringLiteral("resources/pictures/%1 is not of its starter; %2 is.").arg(file, made.filePath(file))));
+                QFAIL(qPrintable(QStringLiteral("resources/pictures/%1 is not of its starter; %2 is.")
+                                     .arg(file, made.filePath(file))));
             }
         }
     }
@@ -152,7 +154,8 @@ private Q_SLOTS:
     {
         MainWindow window;
         shownIn(window, true)->findChild<QPushButton*>(QStringLiteral("startGuide"))->click();
-        QTRY_VERIFY(window.findChild<QDialog*>(QStringLiteral("guide")) && window.findChild<QDialog*>(QStringLiteral("guide"))->isVisible());
+        QTRY_VERIFY(window.findChild<QDialog*>(QStringLiteral("guide")) &&
+                    window.findChild<QDialog*>(QStringLiteral("guide"))->isVisible());
     }
 
     void whetherItIsShownIsRemembered()
@@ -172,11 +175,13 @@ private Q_SLOTS:
         StartPage* page = shownIn(window, true);
         page->setLessons({{QStringLiteral("mug"), QStringLiteral("A mug"), QStringLiteral("With a handle."), {}}});
         for (const QWidget* widget : page->findChildren<QWidget*>()) {
-            if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().isEmpty() || widget->objectName().startsWith(QLatin1StringView("qt_")))
+            if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().isEmpty() ||
+                widget->objectName().startsWith(QLatin1StringView("qt_")))
                 continue;
             ++controls;
             const auto* button = qobject_cast<const QAbstractButton*>(widget);
-            QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()), qPrintable(widget->objectName()));
+            QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
+                     qPrintable(widget->objectName()));
             QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->objectName()));
         }
         QVERIFY(controls >= 12);

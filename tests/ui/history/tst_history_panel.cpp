@@ -67,7 +67,9 @@ private Q_SLOTS:
         for (int row = 0; row < 5; ++row)
             QVERIFY(!s.list()->model()->index(row, 0).data(Qt::DecorationRole).isNull());
         QCOMPARE(s.list()->currentIndex().row(), 3);
-        QVERIFY(s.panel.findChild<QLabel*>(QStringLiteral("historyMemory"))->text().contains(QLocale().toString(2.5, 'f', 1)));
+        QVERIFY(s.panel.findChild<QLabel*>(QStringLiteral("historyMemory"))
+                    ->text()
+                    .contains(QLocale().toString(2.5, 'f', 1)));
     }
 
     void aClickGoesToAnyStepThatIsKept()

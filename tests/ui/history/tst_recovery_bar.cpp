@@ -91,7 +91,8 @@ void TestRecoveryBar::discarding_isAskedOnce()
     QSignalSpy discarded(m_bar, &RecoveryBar::discardRequested);
     QTest::mouseClick(button("discardRecovery"), Qt::LeftButton);
     QMessageBox* question = nullptr;
-    QTRY_VERIFY((question = m_bar->findChild<QMessageBox*>(QStringLiteral("discardRecoveryQuestion"))) && question->isVisible());
+    QTRY_VERIFY((question = m_bar->findChild<QMessageBox*>(QStringLiteral("discardRecoveryQuestion"))) &&
+                question->isVisible());
     QVERIFY(question->text().contains(QStringLiteral("vase.glb")));
     QCOMPARE(question->defaultButton(), question->button(QMessageBox::Cancel));
     for (QAbstractButton* each : question->buttons())

@@ -21,11 +21,12 @@ struct Recorder
     {
         camera.setViewport(800, 600);
         camera.frame({});
-        QObject::connect(&input, &ui::PointerInput::hoverRequested, &input, [this](const core::Ray& ray, const std::optional<core::StrokeSettings>& footprintOf) {
-            ++questions;
-            asked = ray;
-            askedBrush = footprintOf;
-        });
+        QObject::connect(&input, &ui::PointerInput::hoverRequested, &input,
+                         [this](const core::Ray& ray, const std::optional<core::StrokeSettings>& footprintOf) {
+                             ++questions;
+                             asked = ray;
+                             askedBrush = footprintOf;
+                         });
         QObject::connect(&input, &ui::PointerInput::strokeBegan, &input, [this](const core::StrokeSettings& s) {
             log << QStringLiteral("began");
             settings = s;
@@ -102,7 +103,8 @@ private Q_SLOTS:
             r.send(Kind::Release, {600, 300});
             double aside = 0;
             for (std::size_t i = 1; i + 2 < r.samples.size(); ++i)
-                aside = std::max(aside, std::abs(r.samples[i].direction.dot(r.camera.up()) / r.samples[i].direction.dot(r.camera.viewDirection())));
+                aside = std::max(aside, std::abs(r.samples[i].direction.dot(r.camera.up()) /
+                                                 r.samples[i].direction.dot(r.camera.viewDirection())));
             return aside;
         };
         QVERIFY(farthestAside(false) > 0);
@@ -139,12 +141,13 @@ private Q_SLOTS:
 
     void aPressPicksOnceInsteadOfSculpting()
     {
-        for (const std::optional<core::SurfaceHit>& hit : {std::optional(somewhere), std::optional<core::SurfaceHit>()}) {
+        for (const std::optional<core::SurfaceHit>& hit :
+             {std::optional(somewhere), std::optional<core::SurfaceHit>()}) {
             Recorder r;
             QSignalSpy picked(&r.input, &ui::PointerInput::picked);
             r.input.setPicking(true);
             r.rest({400, 300}, somewhere);
-            QVERIFY(!r.input.hover()); // nothing would be sculpted
+            QVERIFY(!r.input.hover());       // nothing would be sculpted
             r.send(Kind::Press, {450, 300}); // the answer is not known yet
             r.send(Kind::Move, {460, 300});
             r.send(Kind::Release, {460, 300});
@@ -156,14 +159,16 @@ private Q_SLOTS:
         }
     }
 
-    /// In the plane that faces the camera, through the last stroke's place if there was one; once, and wherever the pointer is.
+    /// In the plane that faces the camera, through the last stroke's place if there was one; once, and wherever the
+    /// pointer is.
     void anArmedPressAsksForASphere()
     {
         Recorder r;
         QList<core::Vec3> places;
         QObject::connect(&r.input, &ui::PointerInput::sphereRequested, &r.input,
                          [&](const core::StrokeSettings& settings, const core::StrokeSample& sample) {
-                             QVERIFY(settings.add && settings.tool == Tool::Pull && settings.place == core::Placement::Point);
+                             QVERIFY(settings.add && settings.tool == Tool::Pull &&
+                                     settings.place == core::Placement::Point);
                              QCOMPARE(settings.radius, r.brush.stroke().radius);
                              places << sample.position;
                          });
@@ -181,7 +186,9 @@ private Q_SLOTS:
             QCOMPARE(places.back(), shown);
             QVERIFY((r.camera.project(places.back()) - at).norm() < 1e-6);
         };
-        const auto depth = [&](const core::Vec3& point) { return (point - r.camera.eye()).dot(r.camera.viewDirection()); };
+        const auto depth = [&](const core::Vec3& point) {
+            return (point - r.camera.eye()).dot(r.camera.viewDirection());
+        };
         const core::Vec3 eye = r.camera.eye();
         click({30, 40});
         QVERIFY(std::abs(depth(places.back()) - depth({0, 0, 0})) < 1e-9);
@@ -317,7 +324,7 @@ private Q_SLOTS:
         QTest::addColumn<ui::KeyPreset>("preset");
         ui::KeyPreset preset = ui::KeyPreset::Fettle;
         const auto row = [&preset](const char* name, Qt::MouseButton button, Qt::KeyboardModifiers keys,
-                            const char* expected) {
+                                   const char* expected) {
             QTest::newRow(name) << button << keys << QString::fromLatin1(expected) << preset;
         };
         row("middle", Qt::MiddleButton, Qt::NoModifier, "orbit");
@@ -594,7 +601,9 @@ private Q_SLOTS:
             r.input.handle(press);
             return r.settings;
         };
-        const auto toolOf = [&](Tool tool, Qt::KeyboardModifiers keys, bool eraser) { return strokeOf(tool, keys, eraser).tool; };
+        const auto toolOf = [&](Tool tool, Qt::KeyboardModifiers keys, bool eraser) {
+            return strokeOf(tool, keys, eraser).tool;
+        };
         QCOMPARE(toolOf(Tool::Pull, {}, false), Tool::Pull);
         QCOMPARE(toolOf(Tool::Pull, {}, true), Tool::Push);
         QCOMPARE(toolOf(Tool::Push, {}, true), Tool::Pull);
@@ -602,7 +611,8 @@ private Q_SLOTS:
         QCOMPARE(toolOf(Tool::Pull, Qt::ShiftModifier, true), Tool::Smooth);
         QCOMPARE(toolOf(Tool::Flatten, {}, true), Tool::Flatten);
         QVERIFY(!strokeOf(Tool::Crease, {}, false).inverted);
-        QVERIFY(strokeOf(Tool::Crease, {}, true).inverted && strokeOf(Tool::Crease, Qt::ControlModifier, false).inverted);
+        QVERIFY(strokeOf(Tool::Crease, {}, true).inverted &&
+                strokeOf(Tool::Crease, Qt::ControlModifier, false).inverted);
         QVERIFY(!strokeOf(Tool::Crease, Qt::ControlModifier, true).inverted); // twice round
         QVERIFY(!strokeOf(Tool::Crease, Qt::ShiftModifier, true).inverted);
     }

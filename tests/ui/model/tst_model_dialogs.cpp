@@ -139,7 +139,8 @@ void TestModelDialogs::remesh_saysWhatWillBe()
     ui::askForRemesh(&asking.window, ball(), asking.answer);
     asking.type("remeshDialog", "longest", 2);
     const QString text = asking.in<QLabel>("remeshDialog", "outcome")->text();
-    QVERIFY2(text.contains(QStringLiteral("1.00")) && text.contains(QStringLiteral("2.00")) && text.contains(QStringLiteral("37,000")),
+    QVERIFY2(text.contains(QStringLiteral("1.00")) && text.contains(QStringLiteral("2.00")) &&
+                 text.contains(QStringLiteral("37,000")),
              qPrintable(text));
     asking.dialog("remeshDialog")->accept();
     QCOMPARE(std::get<RemeshUniformly>(asking.command.value()).detailLength, 2.0);
@@ -157,8 +158,10 @@ void TestModelDialogs::insert_givesThePlace()
 {
     Asking asking;
     std::optional<ui::Insertion> insertion;
-    ui::askForPlace(&asking.window, QStringLiteral("/models/part.stl"), [&insertion](const ui::Insertion& given) { insertion = given; });
-    QVERIFY(asking.dialog("insertDialog")->findChildren<QLabel*>().first()->text().startsWith(QStringLiteral("part.stl")));
+    ui::askForPlace(&asking.window, QStringLiteral("/models/part.stl"),
+                    [&insertion](const ui::Insertion& given) { insertion = given; });
+    QVERIFY(
+        asking.dialog("insertDialog")->findChildren<QLabel*>().first()->text().startsWith(QStringLiteral("part.stl")));
     QVERIFY(!asking.in<QDoubleSpinBox>("insertDialog", "x")->isEnabled());
     asking.in<QRadioButton>("insertDialog", "choice2")->setChecked(true);
     QVERIFY(asking.in<QDoubleSpinBox>("insertDialog", "x")->isEnabled());

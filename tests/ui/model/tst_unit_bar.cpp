@@ -54,8 +54,10 @@ void TestUnitBar::guess_hasItsReasonAndIsTheDefault_data()
     QTest::addColumn<UnitDoubt>("guess");
     QTest::addColumn<QString>("name");
     QTest::addColumn<QStringList>("reason");
-    QTest::newRow("inches") << UnitDoubt::Inches << QStringLiteral("asInches") << QStringList{QStringLiteral("inches?"), QStringLiteral("38.1 mm")};
-    QTest::newRow("metres") << UnitDoubt::Metres << QStringLiteral("asMetres") << QStringList{QStringLiteral("metres?"), QStringLiteral("1,500 mm")};
+    QTest::newRow("inches") << UnitDoubt::Inches << QStringLiteral("asInches")
+                            << QStringList{QStringLiteral("inches?"), QStringLiteral("38.1 mm")};
+    QTest::newRow("metres") << UnitDoubt::Metres << QStringLiteral("asMetres")
+                            << QStringList{QStringLiteral("metres?"), QStringLiteral("1,500 mm")};
 }
 
 void TestUnitBar::guess_hasItsReasonAndIsTheDefault()

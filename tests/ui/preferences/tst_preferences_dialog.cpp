@@ -1,6 +1,6 @@
 #include "ui/actions/actions.h"
-#include "ui/preferences/pressure_curve.h"
 #include "ui/preferences/preferences_dialog.h"
+#include "ui/preferences/pressure_curve.h"
 
 #include "tests/ui/ui_test.h"
 
@@ -24,7 +24,8 @@ private Q_SLOTS:
     {
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const PreferencesDialog dialog({.theme = theme.value, .language = language.value, .hand = {}}, m_actions, nullptr);
+                const PreferencesDialog dialog({.theme = theme.value, .language = language.value, .hand = {}},
+                                               m_actions, nullptr);
                 QCOMPARE(child<QComboBox>(dialog, "theme")->currentData().toInt(), static_cast<int>(theme.value));
                 QCOMPARE(child<QComboBox>(dialog, "language")->currentData().toInt(), static_cast<int>(language.value));
             }
@@ -84,10 +85,12 @@ private Q_SLOTS:
 
     void resettingIsAskedAbout()
     {
-        const Preferences all{.theme = ui::ThemeChoice::Dark, .language = ui::Language::German, .hand = {false, true, false}};
+        const Preferences all{
+            .theme = ui::ThemeChoice::Dark, .language = ui::Language::German, .hand = {false, true, false}};
         PreferencesDialog dialog(all, m_actions, nullptr);
         dialog.show();
-        const QSignalSpy changed(&dialog, &PreferencesDialog::changed), requested(&dialog, &PreferencesDialog::resetRequested);
+        const QSignalSpy changed(&dialog, &PreferencesDialog::changed),
+            requested(&dialog, &PreferencesDialog::resetRequested);
         const auto answer = [&dialog](QMessageBox::ButtonRole role) {
             child<QPushButton>(dialog, "reset")->click();
             auto* question = child<QMessageBox>(dialog, "resetQuestion");
@@ -112,7 +115,8 @@ private Q_SLOTS:
         const auto* pages = child<QTabWidget>(dialog, "pages");
         int controls = 0;
         for (const QWidget* widget : pages->findChildren<QWidget*>()) {
-            const bool isQts = widget->objectName().startsWith(QLatin1StringView("qt_")) || qobject_cast<QTabBar*>(widget->parentWidget());
+            const bool isQts = widget->objectName().startsWith(QLatin1StringView("qt_")) ||
+                               qobject_cast<QTabBar*>(widget->parentWidget());
             if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().isEmpty() || isQts)
                 continue;
             ++controls;

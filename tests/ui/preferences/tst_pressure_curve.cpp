@@ -17,7 +17,8 @@ private Q_SLOTS:
         curve.resize(216, 116); // 200 x 100 within its margin
         for (const double x : {0.25, 0.5, 0.75})
             for (const double y : {0.3, 0.5, 0.7}) {
-                if (const double wanted = std::log(y) / std::log(x); wanted < ui::minPenExponent || wanted > ui::maxPenExponent)
+                if (const double wanted = std::log(y) / std::log(x);
+                    wanted < ui::minPenExponent || wanted > ui::maxPenExponent)
                     continue;
                 const QPoint at(8 + qRound(200 * x), 108 - qRound(100 * y));
                 sendMouse(&curve, QEvent::MouseButtonPress, at, Qt::LeftButton);
@@ -30,7 +31,8 @@ private Q_SLOTS:
         PenCurve curve;
         curve.resize(216, 116);
         QSignalSpy bent(&curve, &PenCurve::bent);
-        for (const QPoint at : {QPoint(0, 0), QPoint(215, 0), QPoint(0, 115), QPoint(215, 115), QPoint(-500, 60), QPoint(100, 900)}) {
+        for (const QPoint at :
+             {QPoint(0, 0), QPoint(215, 0), QPoint(0, 115), QPoint(215, 115), QPoint(-500, 60), QPoint(100, 900)}) {
             sendMouse(&curve, QEvent::MouseMove, at, Qt::LeftButton);
             QVERIFY(curve.exponent() >= ui::minPenExponent && curve.exponent() <= ui::maxPenExponent);
             QCOMPARE(bent.last()[0].toDouble(), curve.exponent());

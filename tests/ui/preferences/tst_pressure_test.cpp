@@ -10,9 +10,11 @@ namespace
 {
 void drawAcross(PenTest& field, double pressure, QPointingDevice::PointerType type = QPointingDevice::PointerType::Pen)
 {
-    const QPointingDevice pen(QStringLiteral("pen"), 1, QInputDevice::DeviceType::Stylus, type, QInputDevice::Capability::Pressure, 1, 1);
+    const QPointingDevice pen(QStringLiteral("pen"), 1, QInputDevice::DeviceType::Stylus, type,
+                              QInputDevice::Capability::Pressure, 1, 1);
     const auto send = [&](QEvent::Type kind, const QPointF& at) {
-        QTabletEvent event(kind, &pen, at, field.mapToGlobal(at), pressure, 0, 0, 0, 0, 0, Qt::NoModifier, Qt::LeftButton, Qt::LeftButton);
+        QTabletEvent event(kind, &pen, at, field.mapToGlobal(at), pressure, 0, 0, 0, 0, 0, Qt::NoModifier,
+                           Qt::LeftButton, Qt::LeftButton);
         QCoreApplication::sendEvent(&field, &event);
         QVERIFY(event.isAccepted());
     };

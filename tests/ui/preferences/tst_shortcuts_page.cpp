@@ -1,7 +1,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/command_list.h"
-#include "ui/widgets/shortcut_edit.h"
 #include "ui/preferences/shortcuts_page.h"
+#include "ui/widgets/shortcut_edit.h"
 
 #include "tests/ui/ui_test.h"
 
@@ -60,7 +60,8 @@ private Q_SLOTS:
     {
         Desk desk;
         for (const ui::ActionInfo& row : ui::actionTable()) {
-            const QString keys = QKeySequence::listToString(ui::presetKeys(KeyPreset::Fettle, QLatin1StringView(row.id)), QKeySequence::NativeText);
+            const QString keys = QKeySequence::listToString(
+                ui::presetKeys(KeyPreset::Fettle, QLatin1StringView(row.id)), QKeySequence::NativeText);
             QCOMPARE(desk.shown(row.id), keys);
         }
     }
@@ -73,7 +74,8 @@ private Q_SLOTS:
         QCOMPARE(desk.key("tool.pull"), QKeySequence(Qt::Key_H));
         QCOMPARE(desk.shown("tool.pull"), QStringLiteral("H"));
         QTest::keyClick(desk.edit("key2"), Qt::Key_4, Qt::KeypadModifier | Qt::ControlModifier);
-        QCOMPARE(KeyMap(desk.told).keys(QStringLiteral("tool.pull")).value(1), QKeySequence(QStringLiteral("Ctrl+Num+4")));
+        QCOMPARE(KeyMap(desk.told).keys(QStringLiteral("tool.pull")).value(1),
+                 QKeySequence(QStringLiteral("Ctrl+Num+4")));
         QTest::keyClick(desk.edit("key1"), Qt::Key_Backspace);
         QCOMPARE(desk.key("tool.pull"), QKeySequence(QStringLiteral("Ctrl+Num+4")));
         QVERIFY(desk.edit("key2")->keySequence().isEmpty());

@@ -18,7 +18,8 @@ using ui::PrintVerdict;
 
 namespace
 {
-QList<ui::PrintFinding> findingsOf(const core::TriangleMesh& mesh, const core::PrintLimits& limits, const QString& printer)
+QList<ui::PrintFinding> findingsOf(const core::TriangleMesh& mesh, const core::PrintLimits& limits,
+                                   const QString& printer)
 {
     const core::PrintMeasures measures = core::measureForPrint(mesh);
     return ui::printFindings(measures.report, core::checkForPrint(measures, limits), limits, printer);
@@ -67,7 +68,8 @@ private Q_SLOTS:
 
     void places_haveWords()
     {
-        for (const ui::PrintFinding& finding : findingsOf(clay::slab(20, 0.5, 4), {.bed = {99, 99, 99}}, QStringLiteral("Printer"))) {
+        for (const ui::PrintFinding& finding :
+             findingsOf(clay::slab(20, 0.5, 4), {.bed = {99, 99, 99}}, QStringLiteral("Printer"))) {
             QCOMPARE(static_cast<std::size_t>(finding.placeTexts.size()), finding.places.size());
             QVERIFY(!finding.text.isEmpty() && !finding.tip.isEmpty());
         }
@@ -94,7 +96,8 @@ private Q_SLOTS:
         QCOMPARE(settings.printers()[0].bed.x, 100.5);
         settings.reset();
         QCOMPARE(settings.printers().size(), 1); // a person made it
-        for (const char* broken : {"", "Name", "Name\t1\t2", "Name\t100\t100\tx", "\t100\t100\t100", "Name\t1\t100\t100", "Name\t1e9\t100\t100", "Name\tnan\t100\t100"})
+        for (const char* broken : {"", "Name", "Name\t1\t2", "Name\t100\t100\tx", "\t100\t100\t100",
+                                   "Name\t1\t100\t100", "Name\t1e9\t100\t100", "Name\tnan\t100\t100"})
             QVERIFY2(ui::printersOf({QString::fromLatin1(broken)}).isEmpty(), broken);
     }
 

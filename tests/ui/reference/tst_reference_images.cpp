@@ -1,9 +1,9 @@
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
-#include "ui/window/main_window.h"
 #include "ui/scene/reference_image.h"
 #include "ui/settings/settings.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -58,7 +58,8 @@ Counts countsOf(const QImage& picture)
             if (isMost(color.blue(), color.green(), color.red()))
                 ++counts.blue, counts.blueX += x;
             if (isMost(color.green(), color.red(), color.blue()))
-                ++counts.green, counts.greenY += y, counts.firstX = std::min(counts.firstX, x), counts.lastX = std::max(counts.lastX, x);
+                ++counts.green, counts.greenY += y, counts.firstX = std::min(counts.firstX, x),
+                                                    counts.lastX = std::max(counts.lastX, x);
         }
     counts.redX /= std::max(counts.red, 1);
     counts.redY /= std::max(counts.red, 1);
@@ -98,7 +99,10 @@ struct Shown
 
     QAction* action(const char* id) { return window.action(QLatin1StringView(id)); }
     void trigger(const char* id) { action(id)->trigger(); }
-    template <class Widget> Widget* child(const char* name) { return window.findChild<Widget*>(QLatin1StringView(name)); }
+    template <class Widget> Widget* child(const char* name)
+    {
+        return window.findChild<Widget*>(QLatin1StringView(name));
+    }
     Counts seen() { return countsOf(window.viewport()->grabFramebuffer()); }
     QString banner() { return child<QLabel>("banner")->text(); }
 
@@ -144,7 +148,8 @@ private Q_SLOTS:
         QVERIFY(front.redX < front.blueX);
         QVERIFY(front.greenY < front.redY);
         const QImage picture = shown.window.viewport()->grabFramebuffer();
-        QVERIFY(countsOf(picture.copy(picture.width() / 2 - 20, picture.height() / 2 - 20, 40, 40)).none()); // there is clay
+        QVERIFY(countsOf(picture.copy(picture.width() / 2 - 20, picture.height() / 2 - 20, 40, 40))
+                    .none()); // there is clay
 
         for (const char* id : {"view.back", "view.left", "view.right", "view.top", "view.bottom"}) {
             shown.trigger(id);
@@ -170,10 +175,12 @@ private Q_SLOTS:
         camera.turnTo(Side::Front);
         camera.frame(box);
         ui::References references;
-        references[static_cast<std::size_t>(Side::Front)] = {ui::readReference(picture()), {.width = 16, .x = 3, .y = 4}};
+        references[static_cast<std::size_t>(Side::Front)] = {ui::readReference(picture()),
+                                                             {.width = 16, .x = 3, .y = 4}};
         const ui::PlacedReference placed = ui::seenReference(references, camera, box);
         for (const double aside : {-1.0, 1.0}) {
-            const auto seen = camera.project(placed.center + aside * placed.halfRight), wanted = camera.project({3 + aside * 8, 4, 25});
+            const auto seen = camera.project(placed.center + aside * placed.halfRight),
+                       wanted = camera.project({3 + aside * 8, 4, 25});
             QVERIFY(std::abs(seen.x() - wanted.x()) < 1e-6 && std::abs(seen.y() - wanted.y()) < 1e-6);
         }
     }
@@ -200,8 +207,10 @@ private Q_SLOTS:
         auto* width = shown.child<QDoubleSpinBox>("reference.width");
         QCOMPARE(std::lround(width->value()), 133L); // 4 : 3, and the ball of 100 mm fits
         width->setValue(120);
-        const double perMm = shown.window.viewport()->camera().pixelsPerMm({0, 0, 0}) * shown.window.devicePixelRatioF();
-        QVERIFY2(std::abs(shown.seen().width() - 120 * perMm) < 4, qPrintable(QString::number(shown.seen().width() / perMm)));
+        const double perMm =
+            shown.window.viewport()->camera().pixelsPerMm({0, 0, 0}) * shown.window.devicePixelRatioF();
+        QVERIFY2(std::abs(shown.seen().width() - 120 * perMm) < 4,
+                 qPrintable(QString::number(shown.seen().width() / perMm)));
 
         const Counts before = shown.seen();
         shown.child<QDoubleSpinBox>("reference.y")->setValue(20);

@@ -17,7 +17,8 @@ namespace
 {
 const QPoint onModel{200, 150}, besideModel{30, 40};
 
-/// A metre of the room is that many mm of the model: people are small beside it, as when it was made large in the headset.
+/// A metre of the room is that many mm of the model: people are small beside it, as when it was made large in the
+/// headset.
 constexpr double metre = 120;
 
 /// A viewport with a ball in it and somebody who answers its questions.

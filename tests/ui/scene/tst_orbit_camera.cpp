@@ -265,7 +265,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Equal and parallel lengths are equal and parallel in the picture, wherever they lie; in perspective they are not.
+    /// Equal and parallel lengths are equal and parallel in the picture, wherever they lie; in perspective they are
+    /// not.
     void parallelsStayParallel_data() { addProjections(); }
     void parallelsStayParallel()
     {
@@ -368,7 +369,8 @@ private Q_SLOTS:
             QVERIFY(camera.viewDirection().dot(normal.normalized()) < -0.9);
             QVERIFY(8 * camera.pixelsPerMm(place) < camera.viewport().y() / 2);
             camera.setPose(OrbitCamera::between(from, to, 0));
-            QVERIFY((camera.target() - from.target).norm() < tolerance && std::abs(camera.distance() - from.distance) < tolerance);
+            QVERIFY((camera.target() - from.target).norm() < tolerance &&
+                    std::abs(camera.distance() - from.distance) < tolerance);
             for (double share = 0; share < 1; share += 0.125) {
                 camera.setPose(OrbitCamera::between(from, to, share));
                 const double before = (camera.target() - place).norm();

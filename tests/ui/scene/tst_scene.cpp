@@ -157,7 +157,8 @@ private Q_SLOTS:
 
     void whereSectorsMeetIsShown_data() { thePlaneOfSymmetryIsShown_data(); }
 
-    /// From above: a line to the front and every quarter turn from there, around the ball; nothing between them and nothing on it.
+    /// From above: a line to the front and every quarter turn from there, around the ball; nothing between them and
+    /// nothing on it.
     void whereSectorsMeetIsShown()
     {
         QFETCH(bool, layered);
@@ -271,7 +272,8 @@ private Q_SLOTS:
         };
         int edges = 0;
         for (const core::Triangle& face : model.mesh.triangles) {
-            const core::Vec3 a = model.mesh.points[face[0]].cast<double>(), b = model.mesh.points[face[1]].cast<double>(),
+            const core::Vec3 a = model.mesh.points[face[0]].cast<double>(),
+                             b = model.mesh.points[face[1]].cast<double>(),
                              c = model.mesh.points[face[2]].cast<double>();
             if ((b - a).cross(c - a).normalized().dot(camera.viewDirection()) > -0.9 || darkerAt(0.5 * (a + b)) < 0)
                 continue;
@@ -282,7 +284,8 @@ private Q_SLOTS:
         QVERIFY(edges > 4);
     }
 
-    /// On every clay, where the footprint's vertices are and nowhere else; what is tinted later takes the place of the earlier.
+    /// On every clay, where the footprint's vertices are and nowhere else; what is tinted later takes the place of the
+    /// earlier.
     void whatTheBrushWouldTakeIsTinted_data()
     {
         QTest::addColumn<bool>("layered");
@@ -317,7 +320,8 @@ private Q_SLOTS:
             const ui::OrbitCamera::Pixel p = camera.project(place);
             const QColor one = a.pixelColor(static_cast<int>(p.x()), static_cast<int>(p.y()));
             const QColor other = b.pixelColor(static_cast<int>(p.x()), static_cast<int>(p.y()));
-            return std::max({std::abs(one.red() - other.red()), std::abs(one.green() - other.green()), std::abs(one.blue() - other.blue())});
+            return std::max({std::abs(one.red() - other.red()), std::abs(one.green() - other.green()),
+                             std::abs(one.blue() - other.blue())});
         };
         for (const auto& row : ui::materials) {
             scene.setLook({.material = row.value}, false);

@@ -1,7 +1,7 @@
 #include "ui/settings/brush_settings.h"
 
-#include "core/sculpt/deform/alpha.h"
 #include "core/geometry/lattice.h"
+#include "core/sculpt/deform/alpha.h"
 
 #include <QSignalSpy>
 #include <QTest>

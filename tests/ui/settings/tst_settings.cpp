@@ -23,7 +23,8 @@ private Q_SLOTS:
     void nothingStoredGivesDefaults()
     {
         const ui::Settings settings;
-        for (const core::Parameter parameter : {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail})
+        for (const core::Parameter parameter :
+             {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail})
             QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
         QCOMPARE(settings.value(core::Parameter::Spacing), ui::handSpacing);
         QVERIFY(settings.radiusShare() > ui::minRadiusShare && settings.radiusShare() < ui::maxRadiusShare);
@@ -54,8 +55,12 @@ private Q_SLOTS:
         QCOMPARE(ui::Settings().preferences(), ui::Preferences());
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const ui::Preferences preferences{
-                    .theme = theme.value, .language = language.value, .textSize = ui::TextSize::Large, .isCalm = true, .hand = {false, true, false, 2.5}, .keepsVersions = true};
+                const ui::Preferences preferences{.theme = theme.value,
+                                                  .language = language.value,
+                                                  .textSize = ui::TextSize::Large,
+                                                  .isCalm = true,
+                                                  .hand = {false, true, false, 2.5},
+                                                  .keepsVersions = true};
                 ui::Settings().setPreferences(preferences);
                 QCOMPARE(ui::Settings().preferences(), preferences);
             }
@@ -65,7 +70,8 @@ private Q_SLOTS:
     {
         QCOMPARE(ui::Settings().exporting(), ui::ExportChoice());
         for (const auto& use : ui::exportUses)
-            for (const quint64 triangles : {quint64(0), quint64(ui::leastExportTriangles), quint64(ui::mostExportTriangles)})
+            for (const quint64 triangles :
+                 {quint64(0), quint64(ui::leastExportTriangles), quint64(ui::mostExportTriangles)})
                 for (const bool slices : {false, true}) {
                     const ui::ExportChoice choice{use.value, triangles, slices};
                     ui::Settings().setExporting(choice);
@@ -81,7 +87,9 @@ private Q_SLOTS:
     void keysComeBack()
     {
         ui::Preferences preferences;
-        preferences.keys = {ui::KeyPreset::Blender, {{QStringLiteral("tool.pull"), QStringLiteral("Q; Ctrl+,")}, {QStringLiteral("tool.push"), {}}}};
+        preferences.keys = {
+            ui::KeyPreset::Blender,
+            {{QStringLiteral("tool.pull"), QStringLiteral("Q; Ctrl+,")}, {QStringLiteral("tool.push"), {}}}};
         ui::Settings().setPreferences(preferences);
         QCOMPARE(ui::Settings().preferences(), preferences);
         preferences.keys.own.remove(QStringLiteral("tool.push"));
@@ -127,7 +135,8 @@ private Q_SLOTS:
         QVERIFY(!ui::Settings().swatches().isEmpty());
         ui::Settings().setSwatches({{1, 2, 3}, {255, 254, 253}});
         QCOMPARE(ui::Settings().swatches(), (QList<core::Rgb>{{1, 2, 3}, {255, 254, 253}}));
-        QSettings().setValue(QStringLiteral("color/swatches"), QStringList{QStringLiteral("loud"), QStringLiteral("#040506")});
+        QSettings().setValue(QStringLiteral("color/swatches"),
+                             QStringList{QStringLiteral("loud"), QStringLiteral("#040506")});
         QCOMPARE(ui::Settings().swatches(), (QList<core::Rgb>{{4, 5, 6}}));
         ui::Settings().setSwatches({});
         QVERIFY(ui::Settings().swatches().isEmpty());
@@ -147,8 +156,11 @@ private Q_SLOTS:
     {
         QFETCH(QVariant, stored);
         QSettings raw;
-        for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry", "view/material",
-                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "preferences/keepsVersions", "preferences/textSize", "preferences/calm", "keys/preset", "view/ground", "view/wireframe"})
+        for (const char* key :
+             {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry",
+              "view/material", "view/background", "preferences/theme", "preferences/language",
+              "preferences/altMovesView", "preferences/keepsVersions", "preferences/textSize", "preferences/calm",
+              "keys/preset", "view/ground", "view/wireframe"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;

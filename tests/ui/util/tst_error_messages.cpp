@@ -114,10 +114,12 @@ private Q_SLOTS:
     {
         const QString radius = ui::Messages::range(core::Parameter::Radius, 0.27951, 50);
         verifySentence(radius);
-        QVERIFY2(radius.contains(QStringLiteral("0.28")) && radius.contains(QStringLiteral("50 mm")), qPrintable(radius));
+        QVERIFY2(radius.contains(QStringLiteral("0.28")) && radius.contains(QStringLiteral("50 mm")),
+                 qPrintable(radius));
         const QString strength = ui::Messages::range(core::Parameter::Strength, 0, 10);
         verifySentence(strength);
-        QVERIFY2(strength.contains(QStringLiteral("10")) && !strength.contains(QStringLiteral("mm")), qPrintable(strength));
+        QVERIFY2(strength.contains(QStringLiteral("10")) && !strength.contains(QStringLiteral("mm")),
+                 qPrintable(strength));
     }
 
     void aRefusalWithoutCountsStillHasAReason()

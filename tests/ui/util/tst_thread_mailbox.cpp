@@ -47,7 +47,8 @@ void TestMailbox::keepsOrderAmongOtherMail()
     QString opened;
     one.post([&] { opened += QLatin1Char('a'); });
     other.post([&] { opened += QLatin1Char('b'); });
-    QMetaObject::invokeMethod(this, [&] { opened += QLatin1Char('c'); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [&] { opened += QLatin1Char('c'); }, Qt::QueuedConnection);
     one.post([&] { opened += QLatin1Char('d'); });
     QVERIFY(opened.isEmpty());
     QTRY_COMPARE(opened, QStringLiteral("abcd"));
@@ -62,7 +63,9 @@ void TestMailbox::losesNothingOfManyPosters()
     for (int p = 0; p < posters; ++p)
         threads.emplace_back([&, p] {
             for (int i = 0; i < letters; ++i)
-                mail.post([&opened, p, pages = std::vector<int>(3, i)] { opened[p].insert(opened[p].end(), pages.begin(), pages.end()); });
+                mail.post([&opened, p, pages = std::vector<int>(3, i)] {
+                    opened[p].insert(opened[p].end(), pages.begin(), pages.end());
+                });
         });
     const auto isComplete = [&] {
         return std::all_of(opened.begin(), opened.end(), [](const auto& each) { return each.size() == 3 * letters; });

@@ -23,15 +23,17 @@ struct Desk
     {
         camera.setViewport(800, 600);
         QObject::connect(&input, &ui::PointerInput::hoverRequested, &input, [this, hasModel] {
-            QMetaObject::invokeMethod(&input, [this, hasModel] {
-                input.setHover(hasModel ? std::optional(core::SurfaceHit{}) : std::nullopt);
-            }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                &input,
+                [this, hasModel] { input.setHover(hasModel ? std::optional(core::SurfaceHit{}) : std::nullopt); },
+                Qt::QueuedConnection);
         });
         QObject::connect(&input, &ui::PointerInput::strokeBegan, &input, [this](const core::StrokeSettings& s) {
             ++begun;
             settings = s;
         });
-        QObject::connect(&input, &ui::PointerInput::strokeSampled, &input, [this](const core::StrokeSample& s) { samples.push_back(s); });
+        QObject::connect(&input, &ui::PointerInput::strokeSampled, &input,
+                         [this](const core::StrokeSample& s) { samples.push_back(s); });
         QObject::connect(&input, &ui::PointerInput::strokeEnded, &input, [this] { ++ended; });
         QObject::connect(&input, &ui::PointerInput::viewChanged, &input, [this] { ++views; });
         hand.setReach({{800, 600}, 40});

@@ -1,9 +1,9 @@
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
+#include <QNativeGestureEvent>
 #include <QPointingDevice>
 #include <QSignalSpy>
-#include <QNativeGestureEvent>
 #include <QTabletEvent>
 #include <QWheelEvent>
 
@@ -380,7 +380,8 @@ private Q_SLOTS:
         QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
         const ui::OrbitCamera& camera = s.viewport.camera();
         const core::Vec3 direction = camera.viewDirection();
-        const core::Vec3 held = s.model.hit(camera.ray({210, 140}))->position; // between the fingers, far before the target
+        const core::Vec3 held =
+            s.model.hit(camera.ray({210, 140}))->position; // between the fingers, far before the target
         const double size = camera.pixelsPerMm(held);
         QTest::touchEvent(&s.viewport, m_finger).press(0, {180, 140});
         QTest::touchEvent(&s.viewport, m_finger).move(0, {180, 140}).press(1, {240, 140});
@@ -410,8 +411,8 @@ private Q_SLOTS:
         const core::Vec3 held = s.model.hit(camera.ray({230, 120}))->position;
         const double size = camera.pixelsPerMm(held);
         const auto send = [&](Qt::NativeGestureType type, double value, QPointF delta) {
-            QNativeGestureEvent event(type, QPointingDevice::primaryPointingDevice(), 2, {230, 120}, {230, 120}, s.viewport.mapToGlobal(QPoint(230, 120)),
-                                      value, delta);
+            QNativeGestureEvent event(type, QPointingDevice::primaryPointingDevice(), 2, {230, 120}, {230, 120},
+                                      s.viewport.mapToGlobal(QPoint(230, 120)), value, delta);
             QCoreApplication::sendEvent(&s.viewport, &event);
         };
         send(Qt::BeginNativeGesture, 0, {});
@@ -473,7 +474,8 @@ private Q_SLOTS:
         const QRect ring = changed(before, s.viewport.grabFramebuffer());
         QVERIFY(ring.isValid());
         const double pixels = 8 * s.viewport.camera().pixelsPerMm(core::Vec3(0, 0, 0)), edge = pixels / 2;
-        QVERIFY(aroundPixel({200, 150}, qRound(1.6 * pixels + edge)).contains(ring)); // the tint ends in the faces at the rim
+        QVERIFY(aroundPixel({200, 150}, qRound(1.6 * pixels + edge))
+                    .contains(ring)); // the tint ends in the faces at the rim
         QVERIFY(ring.width() > pixels);
 
         QEvent left(QEvent::Leave);

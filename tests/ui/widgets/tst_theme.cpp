@@ -46,8 +46,10 @@ public:
     {
         scheme = value;
         QDBusMessage signal = QDBusMessage::createSignal(QStringLiteral("/org/freedesktop/portal/desktop"),
-                                                         QStringLiteral("org.freedesktop.portal.Settings"), QStringLiteral("SettingChanged"));
-        signal << QStringLiteral("org.freedesktop.appearance") << QStringLiteral("color-scheme") << QVariant::fromValue(QDBusVariant(value));
+                                                         QStringLiteral("org.freedesktop.portal.Settings"),
+                                                         QStringLiteral("SettingChanged"));
+        signal << QStringLiteral("org.freedesktop.appearance") << QStringLiteral("color-scheme")
+               << QVariant::fromValue(QDBusVariant(value));
         m_bus.send(signal);
     }
 
@@ -63,7 +65,8 @@ class Bus
 public:
     Bus()
     {
-        m_daemon.start(QStringLiteral("dbus-daemon"), {QStringLiteral("--session"), QStringLiteral("--nofork"), QStringLiteral("--print-address")});
+        m_daemon.start(QStringLiteral("dbus-daemon"),
+                       {QStringLiteral("--session"), QStringLiteral("--nofork"), QStringLiteral("--print-address")});
         if (m_daemon.waitForStarted() && m_daemon.waitForReadyRead())
             m_address = QString::fromLatin1(m_daemon.readLine().trimmed());
         qputenv("DBUS_SESSION_BUS_ADDRESS", m_address.toLatin1());
@@ -163,15 +166,18 @@ private Q_SLOTS:
         QFETCH(bool, isFocused);
         for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
             const ui::Theme theme(choice);
-            const std::unique_ptr<QAbstractButton> box(isRadio ? static_cast<QAbstractButton*>(new QRadioButton) : new QCheckBox);
+            const std::unique_ptr<QAbstractButton> box(isRadio ? static_cast<QAbstractButton*>(new QRadioButton)
+                                                               : new QCheckBox);
             QStyleOptionButton option;
             option.initFrom(box.get());
-            option.state = QStyle::State_Enabled | QStyle::State_Off | (isFocused ? QStyle::State_HasFocus : QStyle::State_None);
+            option.state =
+                QStyle::State_Enabled | QStyle::State_Off | (isFocused ? QStyle::State_HasFocus : QStyle::State_None);
             option.rect = QRect(0, 0, 14, 14);
             QImage image(option.rect.size(), QImage::Format_RGB32);
             image.fill(option.palette.color(QPalette::Window));
             QPainter painter(&image);
-            box->style()->drawPrimitive(isRadio ? QStyle::PE_IndicatorRadioButton : QStyle::PE_IndicatorCheckBox, &option, &painter, box.get());
+            box->style()->drawPrimitive(isRadio ? QStyle::PE_IndicatorRadioButton : QStyle::PE_IndicatorCheckBox,
+                                        &option, &painter, box.get());
             painter.end();
             double most = 0; // of the edge's pixels, along the middle
             for (int x = 0; x < 3; ++x)

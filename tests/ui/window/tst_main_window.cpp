@@ -1,10 +1,10 @@
 #include "ui/actions/actions.h"
-#include "ui/brush/color_wheel.h"
 #include "ui/actions/command_list.h"
+#include "ui/brush/color_wheel.h"
 #include "ui/brush/falloff_curve.h"
-#include "ui/window/main_window.h"
-#include "ui/util/format_filters.h"
 #include "ui/settings/settings.h"
+#include "ui/util/format_filters.h"
+#include "ui/window/main_window.h"
 
 #include "tests/ui/ui_test.h"
 
@@ -22,13 +22,13 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QProgressBar>
-#include <QStatusBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolBar>
@@ -195,8 +195,9 @@ private Q_SLOTS:
         ui::Viewport* view = window.viewport();
         const QSignalSpy strokes(view, &ui::Viewport::strokeBegan), stops(&window, &MainWindow::stopRequested),
             questions(view, &ui::Viewport::hoverRequested);
-        for (const auto& [key, modifiers, parameter] : {std::tuple(Qt::Key_F, Qt::NoModifier, Parameter::Radius),
-                                                        std::tuple(Qt::Key_F, Qt::ShiftModifier, Parameter::Strength)}) {
+        for (const auto& [key, modifiers, parameter] :
+             {std::tuple(Qt::Key_F, Qt::NoModifier, Parameter::Radius),
+              std::tuple(Qt::Key_F, Qt::ShiftModifier, Parameter::Strength)}) {
             const double before = window.brush()->value(parameter);
             const auto asked = questions.size();
             QTest::keyClick(&window, key, modifiers);
@@ -337,7 +338,8 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         for (const char* name : {"toolPalette", "toolOptions"})
             for (QAction* action : child<QToolBar>(window, name)->actions())
-                QVERIFY2(child<QToolBar>(window, name)->widgetForAction(action)->isVisible(), qPrintable(action->objectName()));
+                QVERIFY2(child<QToolBar>(window, name)->widgetForAction(action)->isVisible(),
+                         qPrintable(action->objectName()));
         std::size_t tools = 0;
         for (QAction* action : child<QToolBar>(window, "toolPalette")->actions())
             if (!action->isSeparator()) {
@@ -389,7 +391,8 @@ private Q_SLOTS:
 
         auto* sectors = child<QSpinBox>(window, "radial");
         auto* hint = child<QLabel>(window, "radialHint");
-        QVERIFY(sectors->text() == QStringLiteral("Off") && hint->isHidden() && !act(window, "symmetry.radial")->isChecked());
+        QVERIFY(sectors->text() == QStringLiteral("Off") && hint->isHidden() &&
+                !act(window, "symmetry.radial")->isChecked());
         act(window, "symmetry.radial")->trigger();
         QVERIFY(stroke.radial == 6 && sectors->value() == 6 && !hint->isHidden());
         sectors->setValue(4);
@@ -455,9 +458,10 @@ private Q_SLOTS:
         MainWindow window;
         QSignalSpy asked(&window, &MainWindow::commandRequested);
         window.brush()->set(&core::StrokeSettings::color, core::Rgb{10, 20, 30});
-        const std::pair<const char*, How> actions[] = {{"mask.invert", How::Invert}, {"mask.clear", How::Clear}, {"mask.blur", How::Blur},
-                                                       {"mask.sharpen", How::Sharpen}, {"mask.grow", How::Grow}, {"mask.shrink", How::Shrink},
-                                                       {"mask.cavity", How::Cavity}, {"mask.color", How::Color}, {"mask.part", How::Part}};
+        const std::pair<const char*, How> actions[] = {
+            {"mask.invert", How::Invert},   {"mask.clear", How::Clear}, {"mask.blur", How::Blur},
+            {"mask.sharpen", How::Sharpen}, {"mask.grow", How::Grow},   {"mask.shrink", How::Shrink},
+            {"mask.cavity", How::Cavity},   {"mask.color", How::Color}, {"mask.part", How::Part}};
         for (const auto& [id, how] : actions) {
             act(window, id)->trigger();
             const auto change = std::get<core::MaskOperation>(asked.takeLast()[0].value<core::ModelCommand>());
@@ -478,7 +482,8 @@ private Q_SLOTS:
         QSignalSpy asked(&window, &MainWindow::commandRequested);
         QTest::keyClick(&window, Qt::Key_M, Qt::AltModifier);
         QCOMPARE(asked.count(), 1);
-        QCOMPARE(std::get<core::MaskOperation>(asked[0][0].value<core::ModelCommand>()).how, core::MaskOperation::Kind::Clear);
+        QCOMPARE(std::get<core::MaskOperation>(asked[0][0].value<core::ModelCommand>()).how,
+                 core::MaskOperation::Kind::Clear);
     }
 
     void aColourIsPickedFromTheModel()
@@ -558,7 +563,9 @@ private Q_SLOTS:
             auto* list = box->findChild<QTreeWidget*>();
             box->findChild<QLineEdit*>()->setText(act(window, row.id)->statusTip());
             QStringList found;
-            for (QTreeWidgetItemIterator i(list, QTreeWidgetItemIterator::NotHidden | QTreeWidgetItemIterator::NoChildren); *i; ++i)
+            for (QTreeWidgetItemIterator i(list,
+                                           QTreeWidgetItemIterator::NotHidden | QTreeWidgetItemIterator::NoChildren);
+                 *i; ++i)
                 found << (*i)->text(0);
             QVERIFY2(found.contains(ui::Actions::plain(act(window, row.id)->text())), row.id);
             box->close();
@@ -790,10 +797,12 @@ private Q_SLOTS:
         const auto isAsAtFirst = [](const MainWindow& window) {
             const QDockWidget* brushDock = child<QDockWidget>(window, "brushPanel");
             return window.viewport()->look() == ui::ViewLook() && window.brush()->value(Parameter::Strength) == 1 &&
-                   window.brush()->value(Parameter::Radius) == 10 && !window.brush()->isSteady() && !brushDock->isHidden() &&
-                   act(window, "view.wireframe")->shortcut() == QKeySequence(Qt::Key_W) && !act(window, "view.wireframe")->isChecked() &&
-                   act(window, "material.clay")->isChecked() && child<QSpinBox>(window, "historyCap")->value() == ui::defaultHistoryMegabytes &&
-                   child<QComboBox>(window, "preview.style")->currentIndex() == 0 && child<QDoubleSpinBox>(window, "turnSpeed")->value() == ui::defaultTurn;
+                   window.brush()->value(Parameter::Radius) == 10 && !window.brush()->isSteady() &&
+                   !brushDock->isHidden() && act(window, "view.wireframe")->shortcut() == QKeySequence(Qt::Key_W) &&
+                   !act(window, "view.wireframe")->isChecked() && act(window, "material.clay")->isChecked() &&
+                   child<QSpinBox>(window, "historyCap")->value() == ui::defaultHistoryMegabytes &&
+                   child<QComboBox>(window, "preview.style")->currentIndex() == 0 &&
+                   child<QDoubleSpinBox>(window, "turnSpeed")->value() == ui::defaultTurn;
         };
         {
             MainWindow window;
@@ -838,15 +847,20 @@ private Q_SLOTS:
         QTest::newRow("not ini") << QByteArray("<?xml version=\"1.0\"?><settings/>");
         QTest::newRow("cut off") << QByteArray("[window]\nstate=@ByteArray(\\0\\0\\0\\xff\\0\\0");
         QTest::newRow("zeros") << QByteArray(4096, '\0');
-        QTest::newRow("older") << QByteArray("[brush]\nradius=12\nshape=round\n[keys]\nundo=Ctrl+Z\n[window]\nsize=@Size(640 480)\n");
+        QTest::newRow("older") << QByteArray(
+            "[brush]\nradius=12\nshape=round\n[keys]\nundo=Ctrl+Z\n[window]\nsize=@Size(640 480)\n");
         QByteArray wrong;
-        for (const char* value : {"@Size(1 2)", "@Invalid()", "@Variant(\\0\\0\\0\\x7f\\0\\0\\0\\xfgarbage)", "@ByteArray(\\xff\\xff\\xff\\xff)", "a, b, c", "-1e999", ""}) {
+        for (const char* value : {"@Size(1 2)", "@Invalid()", "@Variant(\\0\\0\\0\\x7f\\0\\0\\0\\xfgarbage)",
+                                  "@ByteArray(\\xff\\xff\\xff\\xff)", "a, b, c", "-1e999", ""}) {
             wrong.clear();
-            for (const char* group : {"window", "history", "files", "hand", "drawing", "turntable", "brush", "preferences", "view", "color", "keys"}) {
+            for (const char* group : {"window", "history", "files", "hand", "drawing", "turntable", "brush",
+                                      "preferences", "view", "color", "keys"}) {
                 wrong += QByteArray("[") + group + "]\n";
-                for (const char* key : {"geometry", "state", "megabytes", "recent", "lastFolder", "steady", "string", "sides", "shaded", "dimensions", "speed",
-                                        "clockwise", "radiusShare", "strength", "falloff", "spacing", "theme", "language", "altMovesView", "material",
-                                        "background", "wireframe", "ground", "swatches", "preset", "own\\tool.pull", "own\\no.such", "own"})
+                for (const char* key :
+                     {"geometry",  "state",   "megabytes",  "recent",   "lastFolder",     "steady",       "string",
+                      "sides",     "shaded",  "dimensions", "speed",    "clockwise",      "radiusShare",  "strength",
+                      "falloff",   "spacing", "theme",      "language", "altMovesView",   "material",     "background",
+                      "wireframe", "ground",  "swatches",   "preset",   "own\\tool.pull", "own\\no.such", "own"})
                     wrong += QByteArray(key) + "=" + value + "\n";
             }
             QTest::newRow(qPrintable(QStringLiteral("every value is %1").arg(QLatin1StringView(value)))) << wrong;
@@ -857,7 +871,8 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, content);
         QFile file(QSettings().fileName());
-        QVERIFY(QDir().mkpath(QFileInfo(file).path()) && file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        QVERIFY(QDir().mkpath(QFileInfo(file).path()) && file.open(QIODevice::WriteOnly) &&
+                file.write(content) == content.size());
         file.close();
         {
             MainWindow window;

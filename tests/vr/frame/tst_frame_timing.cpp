@@ -6,9 +6,9 @@
 #include <chrono>
 #include <thread>
 
+using vr::FramePhase;
 using vr::FrameTiming;
 using vr::FrameTimings;
-using vr::FramePhase;
 
 namespace
 {
@@ -58,7 +58,8 @@ void TestFrameTiming::theLastAreKept()
     QCOMPARE(timings.droppedFrames(), 2 * ((count + 2) / 3));
 }
 
-/// The writer never waits, so what it cannot put in at once it puts in with the next; the one after the reader's end brings all.
+/// The writer never waits, so what it cannot put in at once it puts in with the next; the one after the reader's end
+/// brings all.
 void TestFrameTiming::nothingIsMissedWhileSomebodyReads()
 {
     FrameTimings timings;

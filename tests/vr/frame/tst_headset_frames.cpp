@@ -1,4 +1,5 @@
-// What a frame brings to a client and takes from it. Against the scripted runtime, with Khronos' validation layer between.
+// What a frame brings to a client and takes from it. Against the scripted runtime, with Khronos' validation layer
+// between.
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
 
@@ -15,7 +16,8 @@ namespace
 /// As a picture holds a share of light.
 int encoded(double linear)
 {
-    return static_cast<int>(std::lround(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055)));
+    return static_cast<int>(
+        std::lround(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055)));
 }
 
 bool isClose(const Vec3& a, const Vec3& b)
@@ -162,8 +164,10 @@ void TestHeadsetFrames::eyesAreBesideEachOther()
     for (std::size_t eye = 0; eye < 2; ++eye) {
         const Vec3 place = views[eye].view.inverse().translation().cast<double>();
         QVERIFY(isClose(place, {eye == 0 ? -0.032 : 0.032, 1.7, 0}));
-        const Eigen::Vector4f ahead = views[eye].projection * (views[eye].view * Eigen::Vector3f(0, 1.7F, -2)).homogeneous();
-        QVERIFY(ahead.w() > 0 && std::abs(ahead.x()) < ahead.w() && std::abs(ahead.y()) < ahead.w() && std::abs(ahead.z()) < ahead.w());
+        const Eigen::Vector4f ahead =
+            views[eye].projection * (views[eye].view * Eigen::Vector3f(0, 1.7F, -2)).homogeneous();
+        QVERIFY(ahead.w() > 0 && std::abs(ahead.x()) < ahead.w() && std::abs(ahead.y()) < ahead.w() &&
+                std::abs(ahead.z()) < ahead.w());
     }
     const auto head = visitor.client->last().head;
     QVERIFY(head && isClose(head->position, {0, 1.7, 0}) && isClose(head->forward(), -Vec3::UnitZ()));
@@ -189,7 +193,8 @@ void TestHeadsetFrames::nothingIsDrawnThatIsNotShown()
     leave(visitor);
 }
 
-/// While only the head's place is not seen, the picture goes on from where the runtime takes it to be, or from where it was.
+/// While only the head's place is not seen, the picture goes on from where the runtime takes it to be, or from where it
+/// was.
 void TestHeadsetFrames::lostHeadsShowNothing()
 {
     Visitor visitor(*m_headset);
@@ -224,9 +229,10 @@ void TestHeadsetFrames::wandsAreFeltAndSeen()
 {
     Visitor visitor(*m_headset);
     enter(visitor);
-    m_headset->step("{'left': {'position': [-0.2, 1.1, -0.3], 'trigger': 0.25, 'squeeze': true},"
-                    " 'right': {'position': [0.2, 1, -0.4], 'yaw_pitch_roll': [90, 0, 0], 'trigger': 1, 'pad': [0.5, -0.75],"
-                    "           'pad_touch': true, 'pad_press': true, 'menu': true}}");
+    m_headset->step(
+        "{'left': {'position': [-0.2, 1.1, -0.3], 'trigger': 0.25, 'squeeze': true},"
+        " 'right': {'position': [0.2, 1, -0.4], 'yaw_pitch_roll': [90, 0, 0], 'trigger': 1, 'pad': [0.5, -0.75],"
+        "           'pad_touch': true, 'pad_press': true, 'menu': true}}");
     QVERIFY(m_headset->frames(1));
     const auto& [left, right] = visitor.client->last().wands;
     QVERIFY(left.isTracked && left.isActive && right.isTracked && right.isActive);
@@ -282,7 +288,8 @@ void TestHeadsetFrames::wandsMayChange()
 {
     Visitor visitor(*m_headset);
     enter(visitor);
-    m_headset->step("{'profile': '/interaction_profiles/valve/index_controller', 'left': {'stick': [0.25, 0.5], 'button_b': true}}");
+    m_headset->step("{'profile': '/interaction_profiles/valve/index_controller', 'left': {'stick': [0.25, 0.5], "
+                    "'button_b': true}}");
     QVERIFY(m_headset->frames(4));
     const SeenFrame frame = visitor.client->last();
     QVERIFY(frame.wands[0].isStick && frame.wands[0].menu);
@@ -374,7 +381,8 @@ void TestHeadsetFrames::theRuntimeRecentres()
     int frames = 0;
     for (; frames < 10 && visitor.client->moves == moves; ++frames) {
         QVERIFY(m_headset->frames(1));
-        QVERIFY(isClose(visitor.client->last().head->position, visitor.client->last().roomMoved ? Vec3(1, 1.7, -3) : Vec3(0, 1.7, 0)));
+        QVERIFY(isClose(visitor.client->last().head->position,
+                        visitor.client->last().roomMoved ? Vec3(1, 1.7, -3) : Vec3(0, 1.7, 0)));
     }
     QVERIFY(frames >= 3 && frames < 10);
     QVERIFY(m_headset->frames(3));
@@ -419,8 +427,8 @@ void TestHeadsetFrames::phasesAreMeasured()
     int shown = 0;
     for (const vr::FrameTiming& timing : timings) {
         double work = 0;
-        for (const auto phase : {vr::FramePhase::Input, vr::FramePhase::Client, vr::FramePhase::Images, vr::FramePhase::Draw,
-                                 vr::FramePhase::Submit})
+        for (const auto phase : {vr::FramePhase::Input, vr::FramePhase::Client, vr::FramePhase::Images,
+                                 vr::FramePhase::Draw, vr::FramePhase::Submit})
             work += timing.of(phase);
         QVERIFY(timing.of(vr::FramePhase::Input) > 0 && timing.of(vr::FramePhase::Submit) > 0);
         QVERIFY(work < timing.workMs + 0.5);

@@ -1,5 +1,5 @@
-// Visits to the headset: how they begin, go on, and end, and that another may follow. Against the scripted runtime, with Khronos'
-// validation layer between.
+// Visits to the headset: how they begin, go on, and end, and that another may follow. Against the scripted runtime,
+// with Khronos' validation layer between.
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
 
@@ -192,12 +192,13 @@ void TestHeadsetThread::entersFromTheLastReport()
 {
     Visitor visitor(*m_headset);
     int more = 2;
-    QObject::connect(&visitor.thread, &vr::HeadsetThread::reported, &visitor.thread, [&](const vr::HeadsetReport& report) {
-        if (report.stage == HeadsetStage::Running)
-            visitor.thread.leave();
-        if (report.isEnded() && more-- > 0)
-            QVERIFY(visitor.enter());
-    });
+    QObject::connect(&visitor.thread, &vr::HeadsetThread::reported, &visitor.thread,
+                     [&](const vr::HeadsetReport& report) {
+                         if (report.stage == HeadsetStage::Running)
+                             visitor.thread.leave();
+                         if (report.isEnded() && more-- > 0)
+                             QVERIFY(visitor.enter());
+                     });
     QVERIFY(visitor.enter());
     QTRY_COMPARE_WITH_TIMEOUT(visitor.client->destroys, 3, 60'000);
     QVERIFY(visitor.waitForEnd());
@@ -251,9 +252,12 @@ void TestHeadsetThread::whatIsNotThereIsAnAnswer_data()
 {
     QTest::addColumn<QString>("step");
     QTest::addColumn<QString>("reason");
-    QTest::newRow("no runtime") << "'runtime': false" << "XR_ERROR_RUNTIME_UNAVAILABLE";
-    QTest::newRow("no headset") << "'headset': false" << "XR_ERROR_FORM_FACTOR_UNAVAILABLE";
-    QTest::newRow("no OpenGL") << "'opengl': false" << "OpenGL";
+    QTest::newRow("no runtime") << "'runtime': false"
+                                << "XR_ERROR_RUNTIME_UNAVAILABLE";
+    QTest::newRow("no headset") << "'headset': false"
+                                << "XR_ERROR_FORM_FACTOR_UNAVAILABLE";
+    QTest::newRow("no OpenGL") << "'opengl': false"
+                               << "OpenGL";
 }
 
 /// The validation layer does not come through this: it has an answer of its own.
@@ -285,8 +289,8 @@ void TestHeadsetThread::faults_data()
     QTest::newRow("the runtime dies at once") << "'lose_instance': 0" << HeadsetEnd::RuntimeLost;
     QTest::newRow("the runtime will die") << "'lose_instance': 20" << HeadsetEnd::RuntimeLost;
     QTest::newRow("the runtime ends it") << "'exit': true" << HeadsetEnd::EndedByRuntime;
-    for (const char* call : {"xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrAcquireSwapchainImage", "xrEndFrame",
-                             "xrPollEvent"}) {
+    for (const char* call : {"xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrAcquireSwapchainImage",
+                             "xrEndFrame", "xrPollEvent"}) {
         const auto failing = [call](const char* result) {
             return QStringLiteral("'fail': {'call': '%1', 'result': '%2'}").arg(call, result);
         };
@@ -326,12 +330,14 @@ void TestHeadsetThread::refusals_data()
 void TestHeadsetThread::refusals()
 {
     QFETCH(QString, call);
-    m_headset->step(qPrintable(QStringLiteral("{'fail': {'call': '%1', 'result': 'XR_ERROR_RUNTIME_FAILURE'}}").arg(call)));
+    m_headset->step(
+        qPrintable(QStringLiteral("{'fail': {'call': '%1', 'result': 'XR_ERROR_RUNTIME_FAILURE'}}").arg(call)));
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enter());
     QVERIFY(visitor.waitForEnd());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Failed);
-    QVERIFY2(visitor.reports.last().text.contains(call + ": XR_ERROR_RUNTIME_FAILURE"), qPrintable(visitor.reports.last().text));
+    QVERIFY2(visitor.reports.last().text.contains(call + ": XR_ERROR_RUNTIME_FAILURE"),
+             qPrintable(visitor.reports.last().text));
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
     QVERIFY(visitor.client->context.isNull());
     QCOMPARE(m_headset->calls("xrDestroyInstance"), 1);
@@ -390,12 +396,14 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp_data()
     QTest::addColumn<Moment>("moment");
     QTest::addColumn<QString>("wakes");
     const QString wakes = QStringLiteral("{'freeze': ''}");
-    for (const char* call : {"xrCreateInstance", "xrGetSystem", "xrCreateSession", "xrCreateSwapchain", "xrBeginSession"})
+    for (const char* call :
+         {"xrCreateInstance", "xrGetSystem", "xrCreateSession", "xrCreateSwapchain", "xrBeginSession"})
         QTest::newRow(call) << call << Moment::OnTheWayIn << wakes;
-    for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrWaitSwapchainImage",
-                             "xrEndFrame"})
+    for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews",
+                             "xrWaitSwapchainImage", "xrEndFrame"})
         QTest::newRow(call) << call << Moment::During << wakes;
-    for (const char* call : {"xrRequestExitSession", "xrEndSession", "xrDestroySwapchain", "xrDestroySession", "xrDestroyInstance"})
+    for (const char* call :
+         {"xrRequestExitSession", "xrEndSession", "xrDestroySwapchain", "xrDestroySession", "xrDestroyInstance"})
         QTest::newRow(call) << call << Moment::OnTheWayOut << wakes;
     QTest::newRow("it dies") << "xrWaitFrame" << Moment::During << "{'freeze': '', 'lose_instance': 0}";
 }
@@ -492,10 +500,13 @@ void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo_data()
     QTest::addColumn<QString>("step");
     QTest::newRow("left") << "'watch_drawing': true";
     for (const char* call : {"xrEndFrame", "xrPollEvent"})
-        QTest::newRow(call) << QStringLiteral("'watch_drawing': true, 'fail': {'call': '%1', 'result': 'XR_ERROR_INSTANCE_LOST'}").arg(call);
+        QTest::newRow(call) << QStringLiteral(
+                                   "'watch_drawing': true, 'fail': {'call': '%1', 'result': 'XR_ERROR_INSTANCE_LOST'}")
+                                   .arg(call);
 }
 
-/// A runtime may free them at once: whoever still drew there would end the program. cleanup() looks at what the runtime says.
+/// A runtime may free them at once: whoever still drew there would end the program. cleanup() looks at what the runtime
+/// says.
 void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo()
 {
     QFETCH(QString, step);

@@ -35,7 +35,8 @@ public:
         m_surface.setFormat(format);
         m_surface.create();
         m_context.setFormat(format);
-        m_isUsable = m_context.create() && m_context.makeCurrent(&m_surface) && m_context.format().version() >= qMakePair(3, 3);
+        m_isUsable =
+            m_context.create() && m_context.makeCurrent(&m_surface) && m_context.format().version() >= qMakePair(3, 3);
     }
 
     bool isUsable() const { return m_isUsable; }
@@ -52,7 +53,10 @@ private:
 class TestImage
 {
 public:
-    TestImage(QOpenGLExtraFunctions* gl, QSize size, unsigned int format = GL_SRGB8_ALPHA8) : m_gl(gl), m_size(size), m_format(format)
+    TestImage(QOpenGLExtraFunctions* gl, QSize size, unsigned int format = GL_SRGB8_ALPHA8)
+        : m_gl(gl)
+        , m_size(size)
+        , m_format(format)
     {
         const int w = size.width(), h = size.height();
         m_gl->glGenTextures(1, &m_texture);

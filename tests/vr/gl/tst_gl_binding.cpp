@@ -30,7 +30,8 @@ void TestGlBinding::theCurrentContextIsTold()
     const auto binding = vr::currentGlBinding();
     QVERIFY(binding && binding->next());
     QVERIFY(!usesQtsConnection());
-    QCOMPARE(QString(binding->extension()), QString(glxProblem().isEmpty() ? "XR_KHR_opengl_enable" : "XR_MNDX_egl_enable"));
+    QCOMPARE(QString(binding->extension()),
+             QString(glxProblem().isEmpty() ? "XR_KHR_opengl_enable" : "XR_MNDX_egl_enable"));
     gl.destroy();
     QVERIFY(!vr::currentGlBinding());
 }

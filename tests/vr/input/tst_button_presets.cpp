@@ -1,5 +1,5 @@
-#include "vr/input/wand_mapping.h"
 #include "vr/input/button_presets.h"
+#include "vr/input/wand_mapping.h"
 
 #include <QCoreApplication>
 #include <QTest>
@@ -10,10 +10,10 @@
 #include <set>
 #include <vector>
 
+using vr::ButtonPreset;
 using vr::Gesture;
 using vr::HandMode;
 using vr::HandRole;
-using vr::ButtonPreset;
 using vr::PresetRow;
 using vr::WandFunction;
 
@@ -170,7 +170,9 @@ private Q_SLOTS:
     /// With the tools before it, one hand steps through them and scales the model.
     void oneHandHasTheToolMenuToo()
     {
-        const auto withTools = [](Gesture gesture) { return vr::functionOf(ButtonPreset::OneHand, {dominant, HandMode::ToolMenu, gesture}); };
+        const auto withTools = [](Gesture gesture) {
+            return vr::functionOf(ButtonPreset::OneHand, {dominant, HandMode::ToolMenu, gesture});
+        };
         QCOMPARE(withTools(Gesture::PadLeft), F::PreviousTool);
         QCOMPARE(withTools(Gesture::PadRight), F::NextTool);
         QCOMPARE(withTools(Gesture::SlideUpDown), F::ScaleModel);

@@ -6,8 +6,8 @@
 #include <random>
 
 using core::Vec3;
-using vr::Pose;
 using vr::ModelPlacement;
+using vr::Pose;
 
 namespace
 {
@@ -82,8 +82,8 @@ private Q_SLOTS:
                     placement.turn(0.3);
                     placement.place(looking(eyes, yaw, pitch));
                     const Vec3 ahead = Eigen::AngleAxisd(yaw, Vec3::UnitY()) * -Vec3::UnitZ();
-                    QVERIFY(areClose(placement.middle(),
-                                     eyes + ModelPlacement::comfortableReach * ahead - ModelPlacement::belowEyes * Vec3::UnitY()));
+                    QVERIFY(areClose(placement.middle(), eyes + ModelPlacement::comfortableReach * ahead -
+                                                             ModelPlacement::belowEyes * Vec3::UnitY()));
                     QVERIFY(areClose(placement.directionToRoom(Vec3::UnitY()), Vec3::UnitY()));
                     QVERIFY(areClose(placement.directionToRoom(Vec3::UnitZ()), -ahead));
                     QVERIFY(std::abs(shownSize(placement) - ModelPlacement::comfortableSize) < tolerance);
@@ -106,7 +106,8 @@ private Q_SLOTS:
         }
         for (const core::Box& box : {core::Box(), core::Box(Vec3(1, 2, 3))}) {
             const ModelPlacement placement = placed(box);
-            QVERIFY(placement.metresPerMm() > 0 && std::isfinite(placement.metresPerMm()) && placement.middle().allFinite());
+            QVERIFY(placement.metresPerMm() > 0 && std::isfinite(placement.metresPerMm()) &&
+                    placement.middle().allFinite());
         }
     }
 
@@ -125,7 +126,8 @@ private Q_SLOTS:
             }
             // a similarity: lengths between points scale as lengths do
             const Vec3 &a = somePoints[1], &b = somePoints[2];
-            QVERIFY(std::abs((placement.toRoom(a) - placement.toRoom(b)).norm() - placement.lengthToRoom((a - b).norm())) < tolerance);
+            QVERIFY(std::abs((placement.toRoom(a) - placement.toRoom(b)).norm() -
+                             placement.lengthToRoom((a - b).norm())) < tolerance);
             QVERIFY(std::abs(placement.lengthToModel(placement.lengthToRoom(7)) - 7) < tolerance);
         }
     }
@@ -201,7 +203,7 @@ private Q_SLOTS:
         const Vec3 atA = placement.toModel(hands.a), atB = placement.toModel(hands.b);
         for (int i = 0; i < 200; ++i) {
             const ModelPlacement::Span next{Vec3(0, 1.4, -0.6) + random.point(0.3) - Vec3(0.4, 0, 0),
-                                  Vec3(0.4, 1.4, -0.6) + random.point(0.3)};
+                                            Vec3(0.4, 1.4, -0.6) + random.point(0.3)};
             placement.stretch(hands, next);
             QVERIFY(areClose(placement.toRoom(atA), next.a) && areClose(placement.toRoom(atB), next.b));
             hands = next;
@@ -209,7 +211,8 @@ private Q_SLOTS:
         QVERIFY(shownSize(placement) != ModelPlacement::comfortableSize);
     }
 
-    /// Out of bounds the middle between the hands still holds; hands that come together, or change places, break nothing.
+    /// Out of bounds the middle between the hands still holds; hands that come together, or change places, break
+    /// nothing.
     void stretchingStopsAtTheBounds()
     {
         ModelPlacement placement = placed();

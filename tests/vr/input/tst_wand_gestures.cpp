@@ -477,8 +477,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Whatever comes: what went down goes up before it goes down again, a sector is held from its press on, and nobody slides while
-    /// pressing.
+    /// Whatever comes: what went down goes up before it goes down again, a sector is held from its press on, and nobody
+    /// slides while pressing.
     void atRandomItAllGoesTogether()
     {
         constexpr unsigned seed = 20261122;

@@ -15,15 +15,15 @@
 
 using core::Vec3;
 using Eigen::Vector2d;
+using vr::ButtonPreset;
 using vr::Gesture;
-using vr::WandCommand;
 using vr::HandRole;
-using vr::WandMapping;
 using vr::InputFrame;
 using vr::Pose;
-using vr::ButtonPreset;
 using vr::Side;
+using vr::WandCommand;
 using vr::WandFunction;
+using vr::WandMapping;
 using vr::WandState;
 
 namespace
@@ -632,7 +632,8 @@ void TestWandMapping::theOtherTriggerSmooths()
     QCOMPARE(words(player.step()), QStringList(end));
 }
 
-/// The same as one step from where the hand took hold to where it let go; a hand that is not seen for a while takes hold anew.
+/// The same as one step from where the hand took hold to where it let go; a hand that is not seen for a while takes
+/// hold anew.
 void TestWandMapping::oneHandCarriesTheModel()
 {
     const struct
@@ -713,7 +714,8 @@ void TestWandMapping::twoHandsStretchTheModel()
     QVERIFY((placement.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
 }
 
-/// With that hand: the other may hold it meanwhile. Squeezed before or after, the side button counts again when it was let go.
+/// With that hand: the other may hold it meanwhile. Squeezed before or after, the side button counts again when it was
+/// let go.
 void TestWandMapping::whoSculptsLetsGoOfTheModel()
 {
     Player player({ButtonPreset::Studio, Side::Right});
@@ -937,7 +939,9 @@ void TestWandMapping::atRandomNothingIsLeftOpen()
             }
             apply(command.action, placement);
             const double shown = placement.lengthToRoom(100);
-            QVERIFY2(shown >= vr::ModelPlacement::minSize * (1 - 1e-9) && shown <= vr::ModelPlacement::maxSize * (1 + 1e-9), where);
+            QVERIFY2(shown >= vr::ModelPlacement::minSize * (1 - 1e-9) &&
+                         shown <= vr::ModelPlacement::maxSize * (1 + 1e-9),
+                     where);
             QVERIFY2(std::abs(placement.rotation().norm() - 1) < 1e-12, where);
         }
         const WandState& drawing = frame.wands[indexOf(sculpting)];

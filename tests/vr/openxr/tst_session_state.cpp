@@ -13,15 +13,15 @@ namespace
 {
 /// All that OpenXR knows, and one that it may know some day.
 const XrSessionState states[] = {
-    XR_SESSION_STATE_UNKNOWN,      XR_SESSION_STATE_IDLE,    XR_SESSION_STATE_READY,
-    XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED,
-    XR_SESSION_STATE_STOPPING,     XR_SESSION_STATE_EXITING, XR_SESSION_STATE_LOSS_PENDING,
+    XR_SESSION_STATE_UNKNOWN,          XR_SESSION_STATE_IDLE,    XR_SESSION_STATE_READY,
+    XR_SESSION_STATE_SYNCHRONIZED,     XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED,
+    XR_SESSION_STATE_STOPPING,         XR_SESSION_STATE_EXITING, XR_SESSION_STATE_LOSS_PENDING,
     static_cast<XrSessionState>(1234),
 };
 
 /// In which a session has frames.
-const std::vector<XrSessionState> running{XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE,
-                                          XR_SESSION_STATE_FOCUSED};
+const std::vector<XrSessionState> running{XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
+                                          XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED};
 
 std::vector<SessionStatus> statuses()
 {
@@ -37,14 +37,22 @@ std::vector<SessionStatus> statuses()
 std::vector<XrSessionState> successors(XrSessionState state)
 {
     switch (state) {
-    case XR_SESSION_STATE_UNKNOWN: return {XR_SESSION_STATE_IDLE};
-    case XR_SESSION_STATE_IDLE: return {XR_SESSION_STATE_READY, XR_SESSION_STATE_EXITING};
-    case XR_SESSION_STATE_READY: return {XR_SESSION_STATE_SYNCHRONIZED};
-    case XR_SESSION_STATE_SYNCHRONIZED: return {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_STOPPING};
-    case XR_SESSION_STATE_VISIBLE: return {XR_SESSION_STATE_FOCUSED, XR_SESSION_STATE_SYNCHRONIZED};
-    case XR_SESSION_STATE_FOCUSED: return {XR_SESSION_STATE_VISIBLE};
-    case XR_SESSION_STATE_STOPPING: return {XR_SESSION_STATE_IDLE};
-    default: return {};
+    case XR_SESSION_STATE_UNKNOWN:
+        return {XR_SESSION_STATE_IDLE};
+    case XR_SESSION_STATE_IDLE:
+        return {XR_SESSION_STATE_READY, XR_SESSION_STATE_EXITING};
+    case XR_SESSION_STATE_READY:
+        return {XR_SESSION_STATE_SYNCHRONIZED};
+    case XR_SESSION_STATE_SYNCHRONIZED:
+        return {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_STOPPING};
+    case XR_SESSION_STATE_VISIBLE:
+        return {XR_SESSION_STATE_FOCUSED, XR_SESSION_STATE_SYNCHRONIZED};
+    case XR_SESSION_STATE_FOCUSED:
+        return {XR_SESSION_STATE_VISIBLE};
+    case XR_SESSION_STATE_STOPPING:
+        return {XR_SESSION_STATE_IDLE};
+    default:
+        return {};
     }
 }
 } // namespace
@@ -66,7 +74,8 @@ void TestSessionState::stepsAreAllowedAsThingsStand()
     for (const SessionStatus& status : statuses()) {
         for (const XrSessionState told : states) {
             const SessionStep step = nextStep(status, told);
-            QCOMPARE(step == SessionStep::Begin, told == XR_SESSION_STATE_READY && !status.isRunning && !status.isExiting);
+            QCOMPARE(step == SessionStep::Begin,
+                     told == XR_SESSION_STATE_READY && !status.isRunning && !status.isExiting);
             QCOMPARE(step == SessionStep::End, told == XR_SESSION_STATE_STOPPING && status.isRunning);
             QCOMPARE(step == SessionStep::Lost, told == XR_SESSION_STATE_LOSS_PENDING);
             if (told == XR_SESSION_STATE_EXITING)
@@ -90,8 +99,8 @@ void TestSessionState::whatWasToldIsRemembered()
     }
 }
 
-/// Random lives that a runtime may give a session: it is begun and ended in turns, is run in exactly those states that have frames, and is
-/// left at its end and not before.
+/// Random lives that a runtime may give a session: it is begun and ended in turns, is run in exactly those states that
+/// have frames, and is left at its end and not before.
 void TestSessionState::aLifeAsInTheSpecification()
 {
     std::mt19937 random(6);
@@ -109,11 +118,13 @@ void TestSessionState::aLifeAsInTheSpecification()
     }
 }
 
-/// From everywhere in such a life, once we have asked to leave, the runtime's way out is short, and we do not begin again on it.
+/// From everywhere in such a life, once we have asked to leave, the runtime's way out is short, and we do not begin
+/// again on it.
 void TestSessionState::leavingComesToAnEnd()
 {
-    const std::vector<XrSessionState> wayOut{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING,
-                                             XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING};
+    const std::vector<XrSessionState> wayOut{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED,
+                                             XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_IDLE,
+                                             XR_SESSION_STATE_EXITING};
     for (const XrSessionState from : running) {
         SessionStatus status{from, true, true};
         bool hasLeft = false;
@@ -134,8 +145,8 @@ void TestSessionState::onlyTheFocusedHaveInput()
 {
     for (const SessionStatus& status : statuses()) {
         QCOMPARE(status.hasInput(), status.isRunning && status.state == XR_SESSION_STATE_FOCUSED);
-        QCOMPARE(status.isVisible(),
-                 status.isRunning && (status.state == XR_SESSION_STATE_FOCUSED || status.state == XR_SESSION_STATE_VISIBLE));
+        QCOMPARE(status.isVisible(), status.isRunning && (status.state == XR_SESSION_STATE_FOCUSED ||
+                                                          status.state == XR_SESSION_STATE_VISIBLE));
     }
 }
 

@@ -21,29 +21,32 @@ struct Legal
 const QStringList poses{"/input/grip/pose", "/input/aim/pose", "/output/haptic"};
 
 const QMap<QString, Legal> legalPaths{
-    {"/interaction_profiles/khr/simple_controller", {poses + QStringList{"/input/select/click", "/input/menu/click"}, {}, {}}},
+    {"/interaction_profiles/khr/simple_controller",
+     {poses + QStringList{"/input/select/click", "/input/menu/click"}, {}, {}}},
     {"/interaction_profiles/htc/vive_controller",
-     {poses + QStringList{"/input/system/click", "/input/squeeze/click", "/input/menu/click", "/input/trigger/click", "/input/trigger/value",
-                          "/input/trackpad/x", "/input/trackpad/y", "/input/trackpad/click", "/input/trackpad/touch"},
+     {poses + QStringList{"/input/system/click", "/input/squeeze/click", "/input/menu/click", "/input/trigger/click",
+                          "/input/trigger/value", "/input/trackpad/x", "/input/trackpad/y", "/input/trackpad/click",
+                          "/input/trackpad/touch"},
       {},
       {}}},
     {"/interaction_profiles/microsoft/motion_controller",
-     {poses + QStringList{"/input/menu/click", "/input/squeeze/click", "/input/trigger/value", "/input/thumbstick/x", "/input/thumbstick/y",
-                          "/input/thumbstick/click", "/input/trackpad/x", "/input/trackpad/y", "/input/trackpad/click",
-                          "/input/trackpad/touch"},
+     {poses + QStringList{"/input/menu/click", "/input/squeeze/click", "/input/trigger/value", "/input/thumbstick/x",
+                          "/input/thumbstick/y", "/input/thumbstick/click", "/input/trackpad/x", "/input/trackpad/y",
+                          "/input/trackpad/click", "/input/trackpad/touch"},
       {},
       {}}},
     {"/interaction_profiles/oculus/touch_controller",
      {poses + QStringList{"/input/squeeze/value", "/input/trigger/value", "/input/trigger/touch", "/input/thumbstick/x",
-                          "/input/thumbstick/y", "/input/thumbstick/click", "/input/thumbstick/touch", "/input/thumbrest/touch"},
+                          "/input/thumbstick/y", "/input/thumbstick/click", "/input/thumbstick/touch",
+                          "/input/thumbrest/touch"},
       {"/input/x/click", "/input/x/touch", "/input/y/click", "/input/y/touch", "/input/menu/click"},
       {"/input/a/click", "/input/a/touch", "/input/b/click", "/input/b/touch", "/input/system/click"}}},
     {"/interaction_profiles/valve/index_controller",
-     {poses + QStringList{"/input/system/click", "/input/system/touch", "/input/a/click", "/input/a/touch", "/input/b/click",
-                          "/input/b/touch", "/input/squeeze/value", "/input/squeeze/force", "/input/trigger/click",
-                          "/input/trigger/value", "/input/trigger/touch", "/input/thumbstick/x",
-                          "/input/thumbstick/y", "/input/thumbstick/click", "/input/thumbstick/touch", "/input/trackpad/x",
-                          "/input/trackpad/y", "/input/trackpad/force", "/input/trackpad/touch"},
+     {poses + QStringList{"/input/system/click", "/input/system/touch", "/input/a/click", "/input/a/touch",
+                          "/input/b/click", "/input/b/touch", "/input/squeeze/value", "/input/squeeze/force",
+                          "/input/trigger/click", "/input/trigger/value", "/input/trigger/touch", "/input/thumbstick/x",
+                          "/input/thumbstick/y", "/input/thumbstick/click", "/input/thumbstick/touch",
+                          "/input/trackpad/x", "/input/trackpad/y", "/input/trackpad/force", "/input/trackpad/touch"},
       {},
       {}}},
 };
@@ -151,7 +154,8 @@ void TestXrBindings::names_areLegal()
         const QString name = kind.name;
         QVERIFY(!name.isEmpty() && name.size() < XR_MAX_ACTION_NAME_SIZE);
         for (const QChar letter : name)
-            QVERIFY((letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || QString("-_.").contains(letter));
+            QVERIFY((letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') ||
+                    QString("-_.").contains(letter));
         names << name;
     }
     QCOMPARE(names.size(), qsizetype(vr::controlCount));

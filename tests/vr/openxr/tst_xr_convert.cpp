@@ -68,7 +68,8 @@ void TestXrConvert::projectionFitsTheFieldOfView()
 void TestXrConvert::validAndTracked()
 {
     const XrSpaceLocationFlags valid = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
-    const XrSpaceLocationFlags tracked = valid | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+    const XrSpaceLocationFlags tracked =
+        valid | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
     const auto located = [](XrSpaceLocationFlags flags) {
         return XrSpaceLocation{XR_TYPE_SPACE_LOCATION, nullptr, flags, {{0, 0, 0, 1}, {1, 2, 3}}};
     };
@@ -90,7 +91,8 @@ void TestXrConvert::whatIsNoPose_isNotValid()
     };
     QVERIFY(isKnown({{0.5F, 0.5F, 0.5F, 0.5F}, {1, 2, 3}}));
     QVERIFY(isKnown({{0, 0, 0, 0.995F}, {0, 0, 0}}));
-    for (const XrQuaternionf& rotation : {XrQuaternionf{0, 0, 0, 0}, {nan, 0, 0, 1}, {0, 0, 0, nan}, {endless, 0, 0, 0}})
+    for (const XrQuaternionf& rotation :
+         {XrQuaternionf{0, 0, 0, 0}, {nan, 0, 0, 1}, {0, 0, 0, nan}, {endless, 0, 0, 0}})
         QVERIFY(!isKnown({rotation, {0, 0, 0}}));
     for (const XrVector3f& place : {XrVector3f{nan, 0, 0}, {0, -endless, 0}, {0, 0, nan}})
         QVERIFY(!isKnown({{0, 0, 0, 1}, place}));
@@ -102,7 +104,8 @@ void TestXrConvert::levelBelowHasYawAndPlaceOnly()
     std::mt19937 random(1);
     std::uniform_real_distribution<double> angle(-pi, pi), tilt(-1, 1), place(-3, 3);
     for (int i = 0; i < 200; ++i) {
-        const Pose head{turn(angle(random), Vec3::UnitY()) * turn(tilt(random), Vec3::UnitX()) * turn(tilt(random), Vec3::UnitZ()),
+        const Pose head{turn(angle(random), Vec3::UnitY()) * turn(tilt(random), Vec3::UnitX()) *
+                            turn(tilt(random), Vec3::UnitZ()),
                         {place(random), place(random), place(random)}};
         const Pose level = vr::levelBelow(head);
         QVERIFY((level.rotation * Vec3::UnitY()).isApprox(Vec3::UnitY(), 1e-9));

@@ -31,18 +31,19 @@ private Q_SLOTS:
     void listsMayGrowMeanwhile()
     {
         std::uint32_t offered = 2;
-        const auto items = vr::enumerate("xrEnumerateThings", 0, [&](std::uint32_t capacity, std::uint32_t* count, int* to) {
-            *count = offered;
-            if (capacity == 0)
+        const auto items =
+            vr::enumerate("xrEnumerateThings", 0, [&](std::uint32_t capacity, std::uint32_t* count, int* to) {
+                *count = offered;
+                if (capacity == 0)
+                    return XR_SUCCESS;
+                if (capacity == 2)
+                    offered = *count = 3;
+                if (capacity < *count)
+                    return XR_ERROR_SIZE_INSUFFICIENT;
+                for (std::uint32_t i = 0; i < *count; ++i)
+                    to[i] = static_cast<int>(i) + 1;
                 return XR_SUCCESS;
-            if (capacity == 2)
-                offered = *count = 3;
-            if (capacity < *count)
-                return XR_ERROR_SIZE_INSUFFICIENT;
-            for (std::uint32_t i = 0; i < *count; ++i)
-                to[i] = static_cast<int>(i) + 1;
-            return XR_SUCCESS;
-        });
+            });
         QCOMPARE(items, (std::vector<int>{1, 2, 3}));
     }
 

@@ -15,7 +15,8 @@ class TestXrSwapchain : public QObject
 private Q_SLOTS:
     void srgbIsBest()
     {
-        QCOMPARE(vr::bestFormat(Formats{GL_RGBA8, GL_DEPTH_COMPONENT24, GL_RGBA16F, GL_SRGB8_ALPHA8})->name, GL_SRGB8_ALPHA8);
+        QCOMPARE(vr::bestFormat(Formats{GL_RGBA8, GL_DEPTH_COMPONENT24, GL_RGBA16F, GL_SRGB8_ALPHA8})->name,
+                 GL_SRGB8_ALPHA8);
         QVERIFY(vr::bestFormat(Formats{GL_SRGB8_ALPHA8})->isSrgb);
     }
 

@@ -138,12 +138,19 @@ std::vector<ExamplePanel> filesPanels()
 }
 std::vector<ExamplePanel> lessonPanels()
 {
-    vr::LessonPanel shown{QStringLiteral("First clay: a pear"), QStringLiteral("Pull the neck"),
-                          QStringLiteral("Take Pull, and draw the top of the ball upwards in three strokes."), 0, 5, {}, true};
-    shown.marks = {{QStringLiteral("height: at least 115.0 mm (100.0 mm)"), false}, {QStringLiteral("in one piece (1)"), true}};
+    vr::LessonPanel shown{QStringLiteral("First clay: a pear"),
+                          QStringLiteral("Pull the neck"),
+                          QStringLiteral("Take Pull, and draw the top of the ball upwards in three strokes."),
+                          0,
+                          5,
+                          {},
+                          true};
+    shown.marks = {{QStringLiteral("height: at least 115.0 mm (100.0 mm)"), false},
+                   {QStringLiteral("in one piece (1)"), true}};
     vr::LessonPanel paged = shown;
     paged.title = QStringLiteral("A very long title of a step that somebody wrote without looking at it");
-    paged.text = QString(shown.text + QLatin1Char(' ')).repeated(9) + QStringLiteral("用手柄把泥球的顶部拉起来，分三笔完成。");
+    paged.text =
+        QString(shown.text + QLatin1Char(' ')).repeated(9) + QStringLiteral("用手柄把泥球的顶部拉起来，分三笔完成。");
     paged.step = 4;
     paged.page = 1;
     paged.isPlaying = true;
@@ -183,11 +190,11 @@ std::vector<ExamplePanel> examplePanels()
     for (const auto& more : {colorPanels(), filesPanels()})
         all.insert(all.end(), more.begin(), more.end());
     const vr::HeadsetSettings changed{.wands = {},
-                                    .heightOffset = 0.12,
-                                    .turnRate = 150,
-                                    .showsFloor = false,
-                                    .showsPerformance = true,
-                                    .hapticLevels = {{1, 0.8, 0.5, 0.3, 0.05, 0}}};
+                                      .heightOffset = 0.12,
+                                      .turnRate = 150,
+                                      .showsFloor = false,
+                                      .showsPerformance = true,
+                                      .hapticLevels = {{1, 0.8, 0.5, 0.3, 0.05, 0}}};
     all.push_back({"settings", vr::SettingsPanel()});
     all.push_back({"settings-changed", vr::SettingsPanel::of(changed, vr::SettingsPage::General)});
     all.push_back({"settings-feel", vr::SettingsPanel::of(changed, vr::SettingsPage::Haptics)});

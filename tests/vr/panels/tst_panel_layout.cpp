@@ -12,8 +12,8 @@
 
 using vr::PanelAction;
 using vr::PanelCommand;
-using vr::PanelLayout;
 using vr::PanelItem;
+using vr::PanelLayout;
 
 namespace
 {

@@ -14,8 +14,8 @@
 
 Q_DECLARE_METATYPE(vr::PanelContent)
 
-using vr::PanelLayout;
 using vr::PanelItem;
+using vr::PanelLayout;
 using vr::PanelTouch;
 using vr::PanelTouches;
 
@@ -175,7 +175,8 @@ void TestPanelPainter::aHold_fillsItsRing()
     }
 }
 
-/// A text of any length changes nothing outside its part, and is not cut off by the part's edges: its last row of pixels stays as it is.
+/// A text of any length changes nothing outside its part, and is not cut off by the part's edges: its last row of
+/// pixels stays as it is.
 void TestPanelPainter::texts_keepWithinTheirParts()
 {
     QFETCH(int, index);
@@ -225,7 +226,8 @@ void TestPanelPainter::noTranslation_isCut()
         const PanelLayout layout = vr::layoutOf(example.content);
         const QImage plain = vr::paint(layout);
         for (std::size_t i = 0; i < layout.items.size(); ++i)
-            QVERIFY2(textOf(layout.items[i]).isEmpty() || isWhole(layout, i, plain), qPrintable(textOf(layout.items[i])));
+            QVERIFY2(textOf(layout.items[i]).isEmpty() || isWhole(layout, i, plain),
+                     qPrintable(textOf(layout.items[i])));
     }
 }
 
@@ -240,7 +242,8 @@ void TestPanelPainter::aChosenTool_isNotCut()
         vr::ToolPanel panel;
         panel.tool = static_cast<core::Tool>(tool);
         const PanelLayout layout = panel.layout();
-        const auto item = std::ranges::find_if(layout.items, [&](const PanelItem& p) { return p.action && vr::isSameItem(*p.action, panel.tool); });
+        const auto item = std::ranges::find_if(
+            layout.items, [&](const PanelItem& p) { return p.action && vr::isSameItem(*p.action, panel.tool); });
         QVERIFY(item != layout.items.end());
         const auto index = static_cast<std::size_t>(item - layout.items.begin());
         QVERIFY2(isWhole(layout, index, vr::paint(layout)), qPrintable(textOf(*item)));

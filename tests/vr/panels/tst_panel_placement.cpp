@@ -1,5 +1,5 @@
-#include "vr/panels/panel_manager.h"
 #include "vr/input/model_placement.h"
+#include "vr/panels/panel_manager.h"
 
 #include <QTest>
 

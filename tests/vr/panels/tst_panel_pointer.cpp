@@ -1,7 +1,7 @@
 #include "vr/panels/panel_pointer.h"
 
-#include "vr/panels/panel_content.h"
 #include "vr/input/wand_gestures.h"
+#include "vr/panels/panel_content.h"
 
 #include <QTest>
 
@@ -32,8 +32,8 @@ public:
     {
         const vr::PanelLayout& layout = *m_panels[panel].layout;
         const PanelItem* panelItem = layout.itemFor(item);
-        const QPointF point =
-            panelItem->area.topLeft() + QPointF(share.x() * panelItem->area.width(), share.y() * panelItem->area.height());
+        const QPointF point = panelItem->area.topLeft() +
+                              QPointF(share.x() * panelItem->area.width(), share.y() * panelItem->area.height());
         const Vec3 offset =
             Vec3(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y(), 0) * layout.distance / 1000;
         return to(m_panels[panel].pose.position + offset);

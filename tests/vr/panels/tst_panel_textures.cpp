@@ -3,9 +3,9 @@
 #include <QTest>
 #include <QThread>
 
-using vr::PanelKind;
 using vr::PanelImage;
 using vr::PanelImages;
+using vr::PanelKind;
 using vr::ToolPanel;
 
 namespace

@@ -4,8 +4,8 @@
 
 #include <numeric>
 
-using vr::FrameTiming;
 using vr::FramePhase;
+using vr::FrameTiming;
 using vr::PerformancePanel;
 
 namespace

@@ -62,8 +62,11 @@ private Q_SLOTS:
 
 void TestSettingsPanel::itHoldsTheChoice()
 {
-    const HeadsetSettings choice{
-        .wands = {vr::ButtonPreset::Studio, vr::Side::Left}, .heightOffset = -0.1, .turnRate = 35, .showsFloor = false, .hapticLevels = {}};
+    const HeadsetSettings choice{.wands = {vr::ButtonPreset::Studio, vr::Side::Left},
+                                 .heightOffset = -0.1,
+                                 .turnRate = 35,
+                                 .showsFloor = false,
+                                 .hapticLevels = {}};
     const SettingsPanel panel = SettingsPanel::of(choice, SettingsPage::Haptics);
     QVERIFY(panel.settings == choice && panel.page == SettingsPage::Haptics);
 }
@@ -108,10 +111,19 @@ void TestSettingsPanel::aValue_staysInItsRange()
 
 void TestSettingsPanel::whatIsNoSetting_changesNothing()
 {
-    const PanelAction others[] = {vr::PanelCommand::LeaveVr, core::Tool::Paint,          core::BrushShape::Ray,
-                                  core::Topology::Uniform,   SettingsPage::Haptics,         vr::ShowPanel{},
-                                  vr::ShowPage{2},           vr::ChooseChannel{2},       vr::ChooseColor{{1, 2, 3}},
-                                  vr::ChooseSymmetry{},      vr::ChooseRadial{6},       Slide{PanelSlider::Red, 7}, vr::OpenFile{},
+    const PanelAction others[] = {vr::PanelCommand::LeaveVr,
+                                  core::Tool::Paint,
+                                  core::BrushShape::Ray,
+                                  core::Topology::Uniform,
+                                  SettingsPage::Haptics,
+                                  vr::ShowPanel{},
+                                  vr::ShowPage{2},
+                                  vr::ChooseChannel{2},
+                                  vr::ChooseColor{{1, 2, 3}},
+                                  vr::ChooseSymmetry{},
+                                  vr::ChooseRadial{6},
+                                  Slide{PanelSlider::Red, 7},
+                                  vr::OpenFile{},
                                   vr::ChooseFile{}};
     for (const PanelAction& action : others)
         QVERIFY(after(action) == HeadsetSettings());

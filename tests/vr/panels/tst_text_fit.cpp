@@ -114,7 +114,8 @@ void TestTextFit::itNeverLeavesItsRoom()
         const FittedText fit = fitted(text, width, style);
         QVERIFY(widest(fit) <= width && fit.width == widest(fit));
         QVERIFY(fit.lines.size() <= static_cast<std::size_t>(style.lines));
-        QVERIFY(fit.lines.size() <= 1 || static_cast<double>(fit.lines.size()) * fit.lineSpacing() <= style.maxBlockHeight);
+        QVERIFY(fit.lines.size() <= 1 ||
+                static_cast<double>(fit.lines.size()) * fit.lineSpacing() <= style.maxBlockHeight);
         QVERIFY(fit.font.pixelSize() <= style.height && fit.font.pixelSize() >= style.minHeight);
     }
 }

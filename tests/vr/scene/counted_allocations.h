@@ -4,7 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-/// How often `new` was asked in this program, by any thread. Takes the place of the library's: for one file of a program.
+/// How often `new` was asked in this program, by any thread. Takes the place of the library's: for one file of a
+/// program.
 inline std::atomic<long> allocations = 0;
 
 void* operator new(std::size_t bytes)

@@ -19,7 +19,8 @@ const core::Vec3 brushPlace(0.095, 1.345, -0.635); ///< at the model's surface
 /// Turned about the room's Y, then raised about its own X.
 Eigen::Quaterniond turned(double yaw, double pitch)
 {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(yaw * degree, core::Vec3::UnitY()) * Eigen::AngleAxisd(pitch * degree, core::Vec3::UnitX()));
+    return Eigen::Quaterniond(Eigen::AngleAxisd(yaw * degree, core::Vec3::UnitY()) *
+                              Eigen::AngleAxisd(pitch * degree, core::Vec3::UnitX()));
 }
 
 vr::WandLabel& label(vr::ShownWand& wand, WandSpot spot)
@@ -72,7 +73,8 @@ vr::SceneState scene(const core::Box& box)
     vr::SceneState state;
     state.head = {turned(0, -16), {0, 1.62, 0}};
     const double scale = 0.34 / box.sizes().maxCoeff();
-    state.model = Eigen::Translation3d(0, 1.30, -0.72) * turned(24, 0) * Eigen::UniformScaling(scale) * Eigen::Translation3d(-box.center());
+    state.model = Eigen::Translation3d(0, 1.30, -0.72) * turned(24, 0) * Eigen::UniformScaling(scale) *
+                  Eigen::Translation3d(-box.center());
     state.box = box;
     state.shading.tint = {0.93F, 0.527F, 0.361F};
     state.symmetry = core::Symmetry::X;
@@ -97,8 +99,8 @@ QImage panelPicture()
     painter.drawText(QRect(64, 40, 900, 110), Qt::AlignVCenter, QStringLiteral("Tools"));
     font.setPixelSize(50);
     painter.setFont(font);
-    const QString tools[] = {QStringLiteral("Pull"), QStringLiteral("Push"), QStringLiteral("Flatten"), QStringLiteral("Smooth"), QStringLiteral("Paint"),
-                             QStringLiteral("Files")};
+    const QString tools[] = {QStringLiteral("Pull"),   QStringLiteral("Push"),  QStringLiteral("Flatten"),
+                             QStringLiteral("Smooth"), QStringLiteral("Paint"), QStringLiteral("Files")};
     for (int i = 0; i < 6; ++i) {
         const QRect cell(64 + 304 * (i % 3), 180 + 276 * (i / 3), 288, 260);
         painter.setPen(Qt::NoPen);

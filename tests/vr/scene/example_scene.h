@@ -4,7 +4,8 @@
 
 #include <QImage>
 
-/// A person at work: a model before them, a wand in each hand, whatever a frame can show. For pictures and measurements.
+/// A person at work: a model before them, a wand in each hand, whatever a frame can show. For pictures and
+/// measurements.
 namespace example
 {
 vr::SceneState scene(const core::Box& box);

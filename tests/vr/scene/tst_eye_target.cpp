@@ -1,7 +1,7 @@
 #include "tests/vr/gl/offscreen_gl.h"
 
-#include "vr/scene/eye_target.h"
 #include "vr/gl/gl_program.h"
+#include "vr/scene/eye_target.h"
 
 #include <algorithm>
 #include <set>
@@ -75,7 +75,8 @@ void TestEyeTarget::whatIsDrawn_comesIntoTheImage()
     QVERIFY(m_target.resolve(asked(image)));
     m_gl->glDisable(GL_FRAMEBUFFER_SRGB);
     for (const QPoint at : {QPoint(0, 0), QPoint(96, 60), QPoint(50, 30)})
-        QVERIFY(std::abs(image.readFloats()[static_cast<std::size_t>(at.y() * size.width() + at.x()) * 4] - inMemory) < 0.003F);
+        QVERIFY(std::abs(image.readFloats()[static_cast<std::size_t>(at.y() * size.width() + at.x()) * 4] - inMemory) <
+                0.003F);
 }
 
 /// The same name is given for images of one kind; a runtime may make others at any time.

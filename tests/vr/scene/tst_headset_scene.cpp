@@ -1,13 +1,13 @@
-#include "tests/vr/scene/counted_allocations.h"
-#include "tests/vr/scene/example_scene.h"
-#include "tests/vr/gl/offscreen_gl.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
 #include "tests/ui/sphere_model.h"
+#include "tests/vr/gl/offscreen_gl.h"
+#include "tests/vr/scene/counted_allocations.h"
+#include "tests/vr/scene/example_scene.h"
 
+#include "vr/gl/texture.h"
 #include "vr/scene/label_layout.h"
 #include "vr/scene/light.h"
-#include "vr/gl/texture.h"
 #include "vr/scene/scene.h"
 
 namespace
@@ -26,7 +26,8 @@ int differing(const QImage& a, const QImage& b, int tolerance = 0)
     for (int y = 0; y < a.height(); ++y)
         for (int x = 0; x < a.width(); ++x) {
             const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
-            count += std::abs(qRed(p) - qRed(q)) > tolerance || std::abs(qGreen(p) - qGreen(q)) > tolerance || std::abs(qBlue(p) - qBlue(q)) > tolerance;
+            count += std::abs(qRed(p) - qRed(q)) > tolerance || std::abs(qGreen(p) - qGreen(q)) > tolerance ||
+                     std::abs(qBlue(p) - qBlue(q)) > tolerance;
         }
     return count;
 }
@@ -35,7 +36,8 @@ int differing(const QImage& a, const QImage& b, int tolerance = 0)
 QPointF pixelOf(const core::Vec3& point, const vr::EyeView& eye)
 {
     const Eigen::Vector4f clip = eye.projection * (eye.view * core::Vec3f(point.cast<float>())).homogeneous();
-    return {(1 + clip.x() / clip.w()) / 2 * static_cast<float>(eye.width), (1 - clip.y() / clip.w()) / 2 * static_cast<float>(eye.height)};
+    return {(1 + clip.x() / clip.w()) / 2 * static_cast<float>(eye.width),
+            (1 - clip.y() / clip.w()) / 2 * static_cast<float>(eye.height)};
 }
 
 QColor colorAt(const QImage& picture, const QPointF& at)
@@ -88,7 +90,10 @@ private Q_SLOTS:
     void floor_isSeenBelow();
 
 private:
-    vr::EyeView eye(const vr::Pose& head, const Tangents& tangents = {}) const { return eyeAt(head, tangents, *m_image); }
+    vr::EyeView eye(const vr::Pose& head, const Tangents& tangents = {}) const
+    {
+        return eyeAt(head, tangents, *m_image);
+    }
     QImage picture(const SceneState& state) { return picture(state, eye(state.head)); }
     QImage picture(const SceneState& state, const vr::EyeView& view);
     /// Nothing but a dome; a model of mm, 1 m before the head.
@@ -176,7 +181,8 @@ void TestHeadsetScene::ball_coversThePixelsThatItShould()
     SceneState state = bare();
     state.head.rotation = Eigen::AngleAxisd(0.1, core::Vec3(1, 2, 3).normalized());
     const core::Vec3 center(x, y, z);
-    state.model = Eigen::Translation3d(center) * Eigen::AngleAxisd(0.8, core::Vec3(1, 1, 0).normalized()) * Eigen::UniformScaling(radius / 50);
+    state.model = Eigen::Translation3d(center) * Eigen::AngleAxisd(0.8, core::Vec3(1, 1, 0).normalized()) *
+                  Eigen::UniformScaling(radius / 50);
     const vr::EyeView view = eye(state.head, tangents);
     const QImage without = picture(state, view);
     m_scene.apply(SphereModel(50, 5).whole());
@@ -314,7 +320,8 @@ void TestHeadsetScene::images_ofLightAndOfSrgbShowTheSame()
     const SphereModel model;
     m_scene.apply(model.whole());
     SceneState state = example::scene(model.box());
-    state.panels = {{looking({-0.4, 1.4, -0.6}, {-0.8, 1.2, -1.2}), {0.4, 0.3}, texture(QColor(30, 90, 200, 120)), 0.8F}};
+    state.panels = {
+        {looking({-0.4, 1.4, -0.6}, {-0.8, 1.2, -1.2}), {0.4, 0.3}, texture(QColor(30, 90, 200, 120)), 0.8F}};
     const vr::EyeView view = eye(state.head, leftEye);
     const QImage srgb = picture(state, view);
     TestImage light(m_offscreen->gl(), size, GL_RGBA16F);
@@ -329,7 +336,8 @@ void TestHeadsetScene::images_ofLightAndOfSrgbShowTheSame()
             const QRgb seen = srgb.pixel(x, y);
             const int colors[] = {qRed(seen), qGreen(seen), qBlue(seen)};
             for (int channel = 0; channel < 3; ++channel)
-                most = std::max(most, std::abs(colors[channel] - core::io::srgbFromLinear(static_cast<double>(value[channel]))));
+                most = std::max(
+                    most, std::abs(colors[channel] - core::io::srgbFromLinear(static_cast<double>(value[channel]))));
             QVERIFY(std::abs(value[3] - 1) < 0.01F); // what is seen through leaves the image whole
             QCOMPARE(qAlpha(seen), 255);
         }
@@ -341,7 +349,8 @@ void TestHeadsetScene::clayBehindTheEye_changesNothing()
     SceneState state = bare();
     const QImage without = picture(state);
     m_scene.apply(SphereModel().whole());
-    for (const core::Vec3& at : {core::Vec3(0, 1.6, 2), core::Vec3(9, 1.6, -1), core::Vec3(0, 1.6, -500), core::Vec3(0, 1.6, -0.001)}) {
+    for (const core::Vec3& at :
+         {core::Vec3(0, 1.6, 2), core::Vec3(9, 1.6, -1), core::Vec3(0, 1.6, -500), core::Vec3(0, 1.6, -0.001)}) {
         state.model.translation() = at;
         state.model.linear() = Eigen::Matrix3d::Identity() * (at.z() < -100 ? 1e-3 : 5e-5);
         QCOMPARE(differing(without, picture(state)), 0);
@@ -372,7 +381,9 @@ void TestHeadsetScene::brush_tintsWhatItWouldTake()
     const QImage without = picture(state);
     const core::Vec3 at = state.model * core::Vec3(70, 40, 183), image = state.model * core::Vec3(-70, 40, 183);
     state.brush = vr::BallBrush{at, 0.05, 4};
-    const auto blue = [&](const QImage& seen, const core::Vec3& place) { return colorAt(seen, pixelOf(place, eye(state.head))).blue(); };
+    const auto blue = [&](const QImage& seen, const core::Vec3& place) {
+        return colorAt(seen, pixelOf(place, eye(state.head))).blue();
+    };
     const QImage with = picture(state);
     QVERIFY(blue(with, at) > blue(without, at) + 15);
     QVERIFY(blue(with, image) == blue(without, image));
@@ -412,18 +423,21 @@ void TestHeadsetScene::ray_endsAtItsHit()
     const QImage without = picture(state);
     const core::Vec3 from(0.3, 1.3, -0.3), point = state.model * core::Vec3(0, 0, 200);
     const vr::EyeView view = eye(state.head);
-    const auto changed = [&](const QImage& seen, const core::Vec3& at) { return colorAt(seen, pixelOf(at, view)) != colorAt(without, pixelOf(at, view)); };
+    const auto changed = [&](const QImage& seen, const core::Vec3& at) {
+        return colorAt(seen, pixelOf(at, view)) != colorAt(without, pixelOf(at, view));
+    };
 
     state.brush = vr::RayBrush{{from, point - from}, vr::RayBrush::Hit{point, core::Vec3::UnitZ(), 0.08}};
     const QImage hit = picture(state);
     QVERIFY(changed(hit, from + 0.5 * (point - from)));
     QVERIFY(!changed(hit, from + 1.3 * (point - from)));
-    QVERIFY(changed(hit, point)); // the dot
+    QVERIFY(changed(hit, point));  // the dot
     for (int i = 0; i < 16; ++i) { // the ring, and between it and the dot nothing
         const double turn = 2 * std::numbers::pi * i / 16;
         const core::Vec3 out(std::cos(turn), std::sin(turn), 0);
         QVERIFY(changed(hit, point + 0.079 * out));
-        QVERIFY(i == 11 || i == 12 || i == 13 || i == 14 || !changed(hit, point + 0.05 * out)); // where the ray comes in
+        QVERIFY(i == 11 || i == 12 || i == 13 || i == 14 ||
+                !changed(hit, point + 0.05 * out)); // where the ray comes in
     }
     state.symmetry = core::Symmetry::Z; // the image is on the far side: hidden, but for a hint
     QVERIFY(differing(hit, picture(state)) > 0);
@@ -471,16 +485,24 @@ void TestHeadsetScene::panels_areBlendedByTheirAlpha()
     {
         QColor color;
         float opacity;
-    } cases[] = {{QColor(200, 120, 40), 1}, {QColor(200, 120, 40, 128), 1}, {QColor(240, 240, 240), 0.25F}, {QColor(10, 200, 90, 64), 0.5F}, {QColor(200, 10, 10), 0}};
+    } cases[] = {{QColor(200, 120, 40), 1},
+                 {QColor(200, 120, 40, 128), 1},
+                 {QColor(240, 240, 240), 0.25F},
+                 {QColor(10, 200, 90, 64), 0.5F},
+                 {QColor(200, 10, 10), 0}};
     for (const auto& c : cases) {
         const QImage with = shown(c.color, c.opacity);
         const double alpha = c.color.alphaF() * static_cast<double>(c.opacity);
         const QColor seen = colorAt(with, middle), behind = colorAt(without, middle);
-        QVERIFY(std::abs(seen.red() - core::io::srgbFromLinear(alpha * light(c.color.red()) + (1 - alpha) * light(behind.red()))) <= 3);
-        QVERIFY(std::abs(seen.green() - core::io::srgbFromLinear(alpha * light(c.color.green()) + (1 - alpha) * light(behind.green()))) <= 3);
+        QVERIFY(std::abs(seen.red() - core::io::srgbFromLinear(alpha * light(c.color.red()) +
+                                                               (1 - alpha) * light(behind.red()))) <= 3);
+        QVERIFY(std::abs(seen.green() - core::io::srgbFromLinear(alpha * light(c.color.green()) +
+                                                                 (1 - alpha) * light(behind.green()))) <= 3);
         // And nothing beside it.
-        QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0.22, 0, 0), view)), colorAt(without, pixelOf(at + core::Vec3(0.22, 0, 0), view)));
-        QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0, 0.17, 0), view)), colorAt(without, pixelOf(at + core::Vec3(0, 0.17, 0), view)));
+        QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0.22, 0, 0), view)),
+                 colorAt(without, pixelOf(at + core::Vec3(0.22, 0, 0), view)));
+        QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0, 0.17, 0), view)),
+                 colorAt(without, pixelOf(at + core::Vec3(0, 0.17, 0), view)));
     }
 }
 
@@ -512,7 +534,10 @@ void TestHeadsetScene::panels_hideWhatIsBehindThem()
 void TestHeadsetScene::panels_turnTheirBack()
 {
     SceneState state = bare();
-    state.panels = {{{Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, core::Vec3::UnitY())), {0, 1.6, -1}}, {0.5, 0.5}, texture(QColor(255, 255, 255)), 1}};
+    state.panels = {{{Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, core::Vec3::UnitY())), {0, 1.6, -1}},
+                     {0.5, 0.5},
+                     texture(QColor(255, 255, 255)),
+                     1}};
     QVERIFY(colorAt(picture(state), QPointF(size.width() / 2, size.height() / 2)).lightness() < 60);
 }
 
@@ -536,7 +561,9 @@ void TestHeadsetScene::wandParts_lightUp_data()
 {
     QTest::addColumn<int>("part");
     QTest::addColumn<int>("spot");
-    const auto row = [](const char* name, WandPart part, WandSpot spot) { QTest::newRow(name) << static_cast<int>(part) << static_cast<int>(spot); };
+    const auto row = [](const char* name, WandPart part, WandSpot spot) {
+        QTest::newRow(name) << static_cast<int>(part) << static_cast<int>(spot);
+    };
     row("pad up", WandPart::PadUp, WandSpot::PadUp);
     row("pad down", WandPart::PadDown, WandSpot::PadDown);
     row("pad left", WandPart::PadLeft, WandSpot::PadLeft);
@@ -552,7 +579,8 @@ void TestHeadsetScene::wandParts_lightUp()
     SceneState state = bare();
     vr::ShownWand& wand = state.wands[0];
     wand.isShown = true;
-    wand.grip = {Eigen::Quaterniond(Eigen::AngleAxisd(1.4, core::Vec3::UnitX())), {0, 1.6, -0.16}}; // its pad to the face
+    wand.grip = {Eigen::Quaterniond(Eigen::AngleAxisd(1.4, core::Vec3::UnitX())),
+                 {0, 1.6, -0.16}}; // its pad to the face
     const QImage before = picture(state);
     wand.isLit[static_cast<std::size_t>(part)] = true;
     const QImage after = picture(state);

@@ -1,6 +1,6 @@
 // The same clay, drawn for the desktop and for an eye of the headset that looks from the same place.
-#include "tests/vr/gl/offscreen_gl.h"
 #include "tests/ui/sphere_model.h"
+#include "tests/vr/gl/offscreen_gl.h"
 
 #include "ui/scene/mesh_renderer.h"
 #include "vr/scene/scene.h"
@@ -29,7 +29,8 @@ Difference difference(const QImage& a, const QImage& b, const QImage& mask)
                 continue;
             const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
             ++result.compared;
-            result.most = std::max({result.most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+            result.most = std::max({result.most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                                    std::abs(qBlue(p) - qBlue(q))});
         }
     return result;
 }
@@ -73,7 +74,8 @@ void TestHeadsetShading::initTestCase()
     m_offscreen = std::make_unique<OffscreenGl>();
     if (!m_offscreen->isUsable())
         QSKIP("no OpenGL 3.3 here");
-    QVERIFY(m_painter.create(QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(QOpenGLContext::currentContext())));
+    QVERIFY(m_painter.create(
+        QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(QOpenGLContext::currentContext())));
     QVERIFY(m_scene.create(m_offscreen->gl()));
     core::MeshPatch patch = m_model.whole();
     for (std::size_t i = 0; i < patch.vertices.size(); ++i) // painted on one side
@@ -108,13 +110,15 @@ QImage TestHeadsetShading::desktop(const ui::MeshView& picture)
 vr::SceneState TestHeadsetShading::state(const core::Shading& shading) const
 {
     vr::SceneState state;
-    state.model = Eigen::Translation3d(0.4, 1.2, -0.7) * Eigen::AngleAxisd(1.1, core::Vec3::UnitY()) * Eigen::UniformScaling(0.0037);
+    state.model = Eigen::Translation3d(0.4, 1.2, -0.7) * Eigen::AngleAxisd(1.1, core::Vec3::UnitY()) *
+                  Eigen::UniformScaling(0.0037);
     state.box = m_model.box();
     state.shading = shading;
     state.hasFloor = false;
     const Eigen::Matrix4d fromEye = m_camera.viewMatrix().inverse();
     const Eigen::Matrix3d turn = state.model.linear() / std::cbrt(state.model.linear().determinant());
-    state.head = {Eigen::Quaterniond(Eigen::Matrix3d(turn * fromEye.topLeftCorner<3, 3>())), state.model * core::Vec3(fromEye.col(3).head<3>())};
+    state.head = {Eigen::Quaterniond(Eigen::Matrix3d(turn * fromEye.topLeftCorner<3, 3>())),
+                  state.model * core::Vec3(fromEye.col(3).head<3>())};
     return state;
 }
 
@@ -178,14 +182,16 @@ void TestHeadsetShading::headsTurn_changesNoShade()
     const auto seen = [&](const QImage& picture, const vr::EyeView& view, const core::Vec3& point) {
         const core::Vec3f eyeSpace = view.view * (shown.model * point).cast<float>();
         const Eigen::Vector4f clip = view.projection * eyeSpace.homogeneous();
-        return qGray(picture.pixel(static_cast<int>((1 + clip.x() / clip.w()) / 2 * static_cast<float>(size.width())),
-                                   static_cast<int>((1 - clip.y() / clip.w()) / 2 * static_cast<float>(size.height()))));
+        return qGray(
+            picture.pixel(static_cast<int>((1 + clip.x() / clip.w()) / 2 * static_cast<float>(size.width())),
+                          static_cast<int>((1 - clip.y() / clip.w()) / 2 * static_cast<float>(size.height()))));
     };
     const core::Vec3 back = shown.model.linear().transpose() * (straight.position - shown.model.translation());
     int compared = 0, darkest = 255, lightest = 0;
     for (const core::Vec3f& vertex : m_model.mesh.points) {
         const core::Vec3 point = vertex.cast<double>();
-        if (point.normalized().dot(back.normalized()) < 0.6 || std::abs(point.x() - 20) < 6) // near the rim, or where the paint ends
+        if (point.normalized().dot(back.normalized()) < 0.6 ||
+            std::abs(point.x() - 20) < 6) // near the rim, or where the paint ends
             continue;
         ++compared;
         const int gray = seen(before, ahead, point);

@@ -83,7 +83,8 @@ void TestLabelLayout::labels_areReadableAtAnyDistance()
         const Case made = randomCase(random);
         for (const auto& place : vr::labelPlaces(made.grip, made.head, made.aspects))
             if (place)
-                QVERIFY(2 * std::atan(place->halfY.norm() / (made.head.position - made.grip * vr::placeOf(vr::WandSpot::PadMiddle)).norm()) >
+                QVERIFY(2 * std::atan(place->halfY.norm() /
+                                      (made.head.position - made.grip * vr::placeOf(vr::WandSpot::PadMiddle)).norm()) >
                         2.3 * degree);
     }
 }
@@ -92,7 +93,8 @@ void TestLabelLayout::labels_areReadableAtAnyDistance()
 void TestLabelLayout::axes_areFiniteAnywhere()
 {
     const Eigen::Quaterniond up(Eigen::AngleAxisd(std::numbers::pi / 2, core::Vec3::UnitX()));
-    for (const core::Vec3& from : {core::Vec3(0, 0, 0), core::Vec3(0, 1, 0), core::Vec3(0, 0, -2), core::Vec3(3, 1, 2)}) {
+    for (const core::Vec3& from :
+         {core::Vec3(0, 0, 0), core::Vec3(0, 1, 0), core::Vec3(0, 0, -2), core::Vec3(3, 1, 2)}) {
         for (const Eigen::Quaterniond& rotation : {Eigen::Quaterniond::Identity(), up}) {
             const Eigen::Matrix3d axes = vr::axesFacing({rotation, core::Vec3::Zero()}, from);
             QVERIFY((axes.transpose() * axes).isIdentity(1e-12));

@@ -39,7 +39,8 @@ struct MemoryBuffer
         sent.bytes += vr::bytesOf(patch);
     }
 
-    template <class Value> static void put(const std::vector<core::SlotSpan>& spans, const std::vector<Value>& from, std::vector<Value>& to)
+    template <class Value>
+    static void put(const std::vector<core::SlotSpan>& spans, const std::vector<Value>& from, std::vector<Value>& to)
     {
         auto next = from.begin();
         for (const core::SlotSpan& span : spans) {
@@ -109,14 +110,16 @@ MeshPatch patch(StrokeFuzzer& random, Slot vertices, Slot faces, bool whole)
 MeshPatch wholePatch(StrokeFuzzer& random)
 {
     const Slot size = random.below(3) == 0 ? 0 : random.below(2) == 0 ? 1000 : 150'000;
-    return patch(random, size + static_cast<Slot>(random.below(5000)), 2 * size + static_cast<Slot>(random.below(5000)), true);
+    return patch(random, size + static_cast<Slot>(random.below(5000)), 2 * size + static_cast<Slot>(random.below(5000)),
+                 true);
 }
 
 /// The mesh has grown, or become smaller.
 MeshPatch nextPatch(StrokeFuzzer& random, const MemoryBuffer& mesh)
 {
     const auto changed = [&](std::size_t slots) {
-        return static_cast<Slot>(std::max<long>(0, static_cast<long>(slots) + static_cast<long>(random.below(200)) - 80));
+        return static_cast<Slot>(
+            std::max<long>(0, static_cast<long>(slots) + static_cast<long>(random.below(200)) - 80));
     };
     const Slot vertices = changed(mesh.vertices.size()), faces = changed(mesh.faces.size());
     MeshPatch made = patch(random, vertices, faces, false);

@@ -1,15 +1,15 @@
 #include "vr/scene/wand_labels.h"
 
-#include "tests/vr/scene/counted_allocations.h"
 #include "tests/vr/input/hand_motion.h"
+#include "tests/vr/scene/counted_allocations.h"
 
 #include <QTest>
 
 #include <numbers>
 
+using vr::ButtonPreset;
 using vr::Gesture;
 using vr::HandRole;
-using vr::ButtonPreset;
 using vr::Side;
 using vr::WandSpot;
 
@@ -17,7 +17,8 @@ namespace
 {
 constexpr Side sides[] = {Side::Left, Side::Right};
 constexpr double degree = std::numbers::pi / 180;
-constexpr double appears = vr::labelFadeIn + 0.3, goes = vr::labelFadeOut + 0.3; ///< with a frame to spare, even at 5 a second
+/// With a frame to spare, even at 5 a second.
+constexpr double appears = vr::labelFadeIn + 0.3, goes = vr::labelFadeOut + 0.3;
 const Eigen::Vector2d padLeft(-0.8, 0), padTop(0, 0.8), padMiddle(0, 0);
 
 /// A head that looks ahead, wands low before it, far from where it looks, and time that passes in frames.
@@ -44,7 +45,8 @@ public:
     void look(Side side, double degrees)
     {
         const core::Vec3 to = wand(side).grip * vr::placeOf(WandSpot::PadMiddle) - m_head.position;
-        m_head.rotation = Eigen::AngleAxisd(degrees * degree, to.unitOrthogonal()) * Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), to);
+        m_head.rotation = Eigen::AngleAxisd(degrees * degree, to.unitOrthogonal()) *
+                          Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), to);
     }
     void lookAhead() { m_head.rotation = Eigen::Quaterniond::Identity(); }
 
@@ -194,10 +196,11 @@ void TestWandLabels::labels_stayUntilTheyAreUsed()
         WandSpot spot;
         vr::WandState wand;
     };
-    const Use uses[] = {{Side::Left, WandSpot::PadLeft, pressing(padLeft)}, {Side::Right, WandSpot::PadLeft, pressing(padLeft)},
-                        {Side::Right, WandSpot::PadUp, pressing(padTop)},   {Side::Left, WandSpot::Side, squeezing()},
-                        {Side::Right, WandSpot::Trigger, pulling(1)},       {Side::Right, WandSpot::Menu, pressingMenu()},
-                        {Side::Left, WandSpot::Menu, pressingMenu()}};
+    const Use uses[] = {
+        {Side::Left, WandSpot::PadLeft, pressing(padLeft)}, {Side::Right, WandSpot::PadLeft, pressing(padLeft)},
+        {Side::Right, WandSpot::PadUp, pressing(padTop)},   {Side::Left, WandSpot::Side, squeezing()},
+        {Side::Right, WandSpot::Trigger, pulling(1)},       {Side::Right, WandSpot::Menu, pressingMenu()},
+        {Side::Left, WandSpot::Menu, pressingMenu()}};
     for (const Use& use : uses) {
         Player player({}, rate);
         player.play(30);
@@ -207,7 +210,8 @@ void TestWandLabels::labels_stayUntilTheyAreUsed()
         for (const Side side : sides)
             for (std::size_t spot = 0; spot < vr::wandSpotCount; ++spot)
                 if (!player.text(side, WandSpot(spot)).isEmpty())
-                    QCOMPARE(player.opacity(side, WandSpot(spot)), side == use.side && WandSpot(spot) == use.spot ? 0.0F : 1.0F);
+                    QCOMPARE(player.opacity(side, WandSpot(spot)),
+                             side == use.side && WandSpot(spot) == use.spot ? 0.0F : 1.0F);
     }
 }
 
@@ -421,7 +425,8 @@ void TestWandLabels::fades_areTheSameAtAnyRate()
             player.play(2);
             player.set(Side::Right, pressing(padLeft));
             player.play(after);
-            const double wanted = 1 - after / vr::labelFadeOut, slack = 1 / rate / vr::labelFadeOut + 0.05; // a press is told from a slide
+            const double wanted = 1 - after / vr::labelFadeOut,
+                         slack = 1 / rate / vr::labelFadeOut + 0.05; // a press is told from a slide
             QVERIFY(std::abs(player.opacity(Side::Right, WandSpot::PadLeft) - wanted) < slack);
         }
     }
@@ -432,7 +437,8 @@ void TestWandLabels::steps_allocateNothing()
     vr::WandMapping hands;
     vr::WandLabels labels;
     vr::InputFrame frame{.wands = {restingWand(), restingWand()}};
-    const std::vector<vr::WandCommand> commands{{Side::Right, Gesture::PadLeft, vr::Undo{}}, {Side::Left, Gesture::Menu, vr::OpenToolMenu{}}};
+    const std::vector<vr::WandCommand> commands{{Side::Right, Gesture::PadLeft, vr::Undo{}},
+                                                {Side::Left, Gesture::Menu, vr::OpenToolMenu{}}};
     labels.step(frame, {}, hands, commands);
     const long before = allocations;
     for (int i = 1; i < 200; ++i) {

@@ -64,7 +64,9 @@ void TestWandModel::parts_areSolids()
     QVERIFY(report.printReady());
     QCOMPARE(report.components, std::size_t(static_cast<WandPart>(part) == WandPart::Side ? 2 : 1));
     for (const core::Triangle& face : arrays.faces) {
-        const auto at = [&](int corner) { return core::Vec3f(arrays.vertices[face[static_cast<std::size_t>(corner)]].position); };
+        const auto at = [&](int corner) {
+            return core::Vec3f(arrays.vertices[face[static_cast<std::size_t>(corner)]].position);
+        };
         const core::Vec3f outward = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
         for (const core::Slot corner : face) {
             const auto& normal = arrays.vertices[corner].normal;
@@ -129,7 +131,8 @@ void TestWandModel::buttons_standOutOfTheBody()
         for (const core::Triangle& face : body.triangles) {
             const auto from = [&](std::size_t i) { return core::Vec3(body.points[face[i]].cast<double>() - place); };
             const core::Vec3 a = from(0), b = from(1), c = from(2);
-            turns += 2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm());
+            turns += 2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                           b.dot(c) * a.norm() + c.dot(a) * b.norm());
         }
         QVERIFY(std::abs(turns) < 0.1);
     }
@@ -141,7 +144,8 @@ void TestWandModel::pad_isWhereThumbsAre()
     for (const WandPart part : {WandPart::PadUp, WandPart::PadDown, WandPart::PadLeft, WandPart::PadRight})
         pad.extend(boxOf(part));
     QVERIFY((vr::placeOnPad({1, 0}) - core::Vec3(pad.max().x(), pad.max().y(), pad.center().z())).norm() < 0.001);
-    QVERIFY((vr::placeOnPad({0, 1}) - core::Vec3(0, pad.max().y(), pad.min().z())).norm() < 0.001); // away from the hand
+    QVERIFY((vr::placeOnPad({0, 1}) - core::Vec3(0, pad.max().y(), pad.min().z())).norm() <
+            0.001); // away from the hand
     QVERIFY(boxOf(WandPart::PadLeft).max().x() < 0 && boxOf(WandPart::PadRight).min().x() > 0);
     QVERIFY(boxOf(WandPart::PadUp).max().z() < boxOf(WandPart::PadDown).min().z());
 }

@@ -156,7 +156,8 @@ private Q_SLOTS:
             QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).tool, tool);
             QCOMPARE(vr::strokeSettings(brush, {true}, somePlacement()).tool, Tool::Smooth);
             QVERIFY(!vr::strokeSettings(brush, {}, somePlacement()).inverted);
-            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).spacing, core::isDragTool(tool) ? 0 : vr::wandSpacing);
+            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).spacing,
+                     core::isDragTool(tool) ? 0 : vr::wandSpacing);
             QCOMPARE(vr::strokeSettings(brush, {true}, somePlacement()).spacing, vr::wandSpacing);
             brush.isInverse = true;
             const Tool inverse = tool == Tool::Pull ? Tool::Push : tool == Tool::Push ? Tool::Pull : tool;

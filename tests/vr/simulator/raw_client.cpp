@@ -40,7 +40,8 @@ XrResult askRequirements(XrInstance instance, XrSystemId system)
 {
     PFN_xrGetOpenGLGraphicsRequirementsKHR ask = nullptr;
     auto* function = reinterpret_cast<PFN_xrVoidFunction*>(&ask);
-    if (const XrResult result = xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR", function); XR_FAILED(result))
+    if (const XrResult result = xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR", function);
+        XR_FAILED(result))
         return result;
     XrGraphicsRequirementsOpenGLKHR requirements{};
     requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;
@@ -111,14 +112,24 @@ XrResult RawClient::createSwapchains()
     std::uint32_t count = 0;
     XrViewConfigurationView sizes[2]{{XR_TYPE_VIEW_CONFIGURATION_VIEW, nullptr, 0, 0, 0, 0, 0, 0},
                                      {XR_TYPE_VIEW_CONFIGURATION_VIEW, nullptr, 0, 0, 0, 0, 0, 0}};
-    if (const XrResult result = xrEnumerateViewConfigurationViews(instance, system, views, 2, &count, sizes); XR_FAILED(result))
+    if (const XrResult result = xrEnumerateViewConfigurationViews(instance, system, views, 2, &count, sizes);
+        XR_FAILED(result))
         return result;
     eyes.assign(count, {});
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t width = sizes[i].recommendedImageRectWidth, height = sizes[i].recommendedImageRectHeight;
         eyes[i].size = {static_cast<int>(width), static_cast<int>(height)};
-        const XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO, nullptr, 0, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT,
-                                         GL_SRGB8_ALPHA8, 1, width, height, 1, 1, 1};
+        const XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO,
+                                         nullptr,
+                                         0,
+                                         XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT,
+                                         GL_SRGB8_ALPHA8,
+                                         1,
+                                         width,
+                                         height,
+                                         1,
+                                         1,
+                                         1};
         if (const XrResult result = createSwapchain(info, eyes[i]); XR_FAILED(result))
             return result;
     }
@@ -127,7 +138,8 @@ XrResult RawClient::createSwapchains()
 
 XrResult RawClient::createSpaces()
 {
-    XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, noPose};
+    XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL,
+                                    noPose};
     if (const XrResult result = xrCreateReferenceSpace(session, &info, &local); XR_FAILED(result))
         return result;
     info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_VIEW;
@@ -193,11 +205,12 @@ XrResult RawClient::submit()
     std::vector<XrCompositionLayerProjectionView> projected;
     if (frameState.shouldRender == XR_TRUE)
         putProjection(projected);
-    const XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, 0, local,
+    const XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION,         nullptr,         0, local,
                                              static_cast<std::uint32_t>(projected.size()), projected.data()};
     const auto* layers = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer);
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, frameState.predictedDisplayTime, XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
-                              projected.empty() ? 0U : 1U, &layers};
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,          nullptr,
+                              frameState.predictedDisplayTime, XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
+                              projected.empty() ? 0U : 1U,     &layers};
     return xrEndFrame(session, &info);
 }
 
@@ -217,7 +230,10 @@ void RawClient::putProjection(std::vector<XrCompositionLayerProjectionView>& pro
         xrWaitSwapchainImage(eyes[i].swapchain, &wait);
         draw(eyes[i], image, i == 0);
         xrReleaseSwapchainImage(eyes[i].swapchain, nullptr);
-        projected.push_back({XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW, nullptr, located[i].pose, located[i].fov,
+        projected.push_back({XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW,
+                             nullptr,
+                             located[i].pose,
+                             located[i].fov,
                              {eyes[i].swapchain, {{0, 0}, eyes[i].size}, 0}});
     }
 }

@@ -10,8 +10,8 @@
 
 #define QSUCCEEDS(EXPRESSION) QCOMPARE(EXPRESSION, XR_SUCCESS)
 
-/// The least that an OpenXR client can be: it does as the specification says and leaves what is wrong to be done to the test.
-/// What a test wants to see is public. Everything is on one thread.
+/// The least that an OpenXR client can be: it does as the specification says and leaves what is wrong to be done to the
+/// test. What a test wants to see is public. Everything is on one thread.
 class RawClient
 {
 public:
@@ -47,7 +47,8 @@ public:
     /// Asks to leave, and follows until the session may be destroyed.
     XrResult leave();
 
-    /// For the next frames: what the eyes see, the left one's lower half red and its upper half blue, the right one all green.
+    /// For the next frames: what the eyes see, the left one's lower half red and its upper half blue, the right one all
+    /// green.
     void draw(const Eye& eye, std::uint32_t image, bool isLeft);
     void putProjection(std::vector<XrCompositionLayerProjectionView>& views);
 

@@ -9,8 +9,9 @@
 inline constexpr const char* viveProfile = "/interaction_profiles/htc/vive_controller";
 
 /// All that a space's location can say.
-inline constexpr XrSpaceLocationFlags locatedWholly = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT
-                                                        | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
+inline constexpr XrSpaceLocationFlags locatedWholly =
+    XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT |
+    XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
 
 /// A client with one action set.
 class RawPlayer : public RawClient
@@ -57,8 +58,9 @@ public:
             for (const char* hand : {"/user/hand/left", "/user/hand/right"})
                 bindings.push_back({to, path((std::string(hand) + input).c_str())});
         }
-        const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, path(profile),
-                                                        static_cast<std::uint32_t>(bindings.size()), bindings.data()};
+        const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
+                                                        path(profile), static_cast<std::uint32_t>(bindings.size()),
+                                                        bindings.data()};
         return xrSuggestInteractionProfileBindings(instance, &info);
     }
 
@@ -86,20 +88,24 @@ public:
 
     XrActionStateBoolean boolean(XrAction of, XrPath hand = XR_NULL_PATH)
     {
-        return state(xrGetActionStateBoolean, XrActionStateBoolean{XR_TYPE_ACTION_STATE_BOOLEAN, nullptr, 2, 2, 2, 2}, of, hand);
+        return state(xrGetActionStateBoolean, XrActionStateBoolean{XR_TYPE_ACTION_STATE_BOOLEAN, nullptr, 2, 2, 2, 2},
+                     of, hand);
     }
     XrActionStateFloat number(XrAction of, XrPath hand = XR_NULL_PATH)
     {
-        return state(xrGetActionStateFloat, XrActionStateFloat{XR_TYPE_ACTION_STATE_FLOAT, nullptr, -9, 2, 2, 2}, of, hand);
+        return state(xrGetActionStateFloat, XrActionStateFloat{XR_TYPE_ACTION_STATE_FLOAT, nullptr, -9, 2, 2, 2}, of,
+                     hand);
     }
     XrActionStateVector2f vector(XrAction of, XrPath hand = XR_NULL_PATH)
     {
-        return state(xrGetActionStateVector2f, XrActionStateVector2f{XR_TYPE_ACTION_STATE_VECTOR2F, nullptr, {-9, -9}, 2, 2, 2}, of, hand);
+        return state(xrGetActionStateVector2f,
+                     XrActionStateVector2f{XR_TYPE_ACTION_STATE_VECTOR2F, nullptr, {-9, -9}, 2, 2, 2}, of, hand);
     }
 
     XrSpace handSpace(XrAction of, XrPath hand)
     {
-        const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, of, hand, {{0, 0, 0, 1}, {0, 0, 0}}};
+        const XrActionSpaceCreateInfo info{
+            XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, of, hand, {{0, 0, 0, 1}, {0, 0, 0}}};
         XrSpace made = XR_NULL_HANDLE;
         xrCreateActionSpace(session, &info, &made);
         return made;
@@ -107,7 +113,8 @@ public:
 
     XrSpace reference(XrReferenceSpaceType type)
     {
-        const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, {{0, 0, 0, 1}, {0, 0, 0}}};
+        const XrReferenceSpaceCreateInfo info{
+            XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, {{0, 0, 0, 1}, {0, 0, 0}}};
         XrSpace made = XR_NULL_HANDLE;
         xrCreateReferenceSpace(session, &info, &made);
         return made;

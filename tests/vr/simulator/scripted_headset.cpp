@@ -142,12 +142,16 @@ QString ScriptedHeadset::complaints() const
 
 QImage ScriptedHeadset::picture(int session, int frame, const char* eye) const
 {
-    return QImage(m_folder.filePath(QStringLiteral("session%1_frame%2_%3.png").arg(session).arg(frame, 4, 10, QChar('0')).arg(eye)));
+    return QImage(m_folder.filePath(
+        QStringLiteral("session%1_frame%2_%3.png").arg(session).arg(frame, 4, 10, QChar('0')).arg(eye)));
 }
 
-Visitor::Visitor(ScriptedHeadset& headset, std::chrono::milliseconds exitTimeout) : thread(exitTimeout), m_headset(headset)
+Visitor::Visitor(ScriptedHeadset& headset, std::chrono::milliseconds exitTimeout)
+    : thread(exitTimeout)
+    , m_headset(headset)
 {
-    QObject::connect(&thread, &vr::HeadsetThread::reported, &thread, [this](const vr::HeadsetReport& report) { reports << report; });
+    QObject::connect(&thread, &vr::HeadsetThread::reported, &thread,
+                     [this](const vr::HeadsetReport& report) { reports << report; });
 }
 
 Visitor::~Visitor()
@@ -179,6 +183,8 @@ bool Visitor::waitForEnd()
 
 bool Visitor::waitFor(vr::HeadsetStage stage)
 {
-    const auto isOver = [&] { return !reports.isEmpty() && (reports.last().stage == stage || reports.last().isEnded()); };
+    const auto isOver = [&] {
+        return !reports.isEmpty() && (reports.last().stage == stage || reports.last().isEnded());
+    };
     return QTest::qWaitFor(isOver, longest) && reports.last().stage == stage;
 }

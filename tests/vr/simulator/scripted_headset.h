@@ -58,7 +58,8 @@ private:
     vr::DrawCallTimer m_clock;
 };
 
-/// The scripted runtime behind Khronos' validation layer, with a folder for what they write. Words are written with ' in place of ".
+/// The scripted runtime behind Khronos' validation layer, with a folder for what they write. Words are written with '
+/// in place of ".
 class ScriptedHeadset
 {
 public:
@@ -87,7 +88,8 @@ private:
 class Visitor
 {
 public:
-    explicit Visitor(ScriptedHeadset& headset, std::chrono::milliseconds exitTimeout = vr::RuntimeThread::responseTimeout);
+    explicit Visitor(ScriptedHeadset& headset,
+                     std::chrono::milliseconds exitTimeout = vr::RuntimeThread::responseTimeout);
     ~Visitor(); ///< the runtime then gives frames freely and answers, so that a test that has failed comes to an end
 
     bool enter();

@@ -5,16 +5,16 @@
 #include <QJsonObject>
 #include <QStringList>
 
-/// The OpenXR runtime of vr/simulator, in the process of the test: the loader takes it from now on, and the test steers it.
-/// The words are in vr/simulator/control_api.h; a word that is not understood ends the test. Any thread.
+/// The OpenXR runtime of vr/simulator, in the process of the test: the loader takes it from now on, and the test steers
+/// it. The words are in vr/simulator/control_api.h; a word that is not understood ends the test. Any thread.
 class ScriptedRuntime
 {
 public:
     /// Begins anew; no instance may exist. Log and pictures go where FETTLE_XR_LOG and FETTLE_XR_FRAMES say.
     explicit ScriptedRuntime(const QByteArray& script = "{}");
 
-    /// The loader takes it from now on, here and in processes that are started from here. It does what FETTLE_XR_SCRIPT says, unless
-    /// one was loaded.
+    /// The loader takes it from now on, here and in processes that are started from here. It does what FETTLE_XR_SCRIPT
+    /// says, unless one was loaded.
     static void choose();
     /// What is wrong with a script; empty: it is in force.
     static QString load(const QByteArray& script);

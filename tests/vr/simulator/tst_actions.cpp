@@ -47,8 +47,11 @@ void TestActions::readsInputs()
     const XrAction menu = player.action("menu", XR_ACTION_TYPE_BOOLEAN_INPUT);
     const XrAction touch = player.action("touch", XR_ACTION_TYPE_BOOLEAN_INPUT);
     const XrAction side = player.action("side", XR_ACTION_TYPE_BOOLEAN_INPUT);
-    QSUCCEEDS(player.bind(viveProfile, {{trigger, "/input/trigger/value"}, {pad, "/input/trackpad"}, {menu, "/input/menu/click"},
-                                 {touch, "/input/trackpad/touch"}, {side, "/input/squeeze/click"}}));
+    QSUCCEEDS(player.bind(viveProfile, {{trigger, "/input/trigger/value"},
+                                        {pad, "/input/trackpad"},
+                                        {menu, "/input/menu/click"},
+                                        {touch, "/input/trackpad/touch"},
+                                        {side, "/input/squeeze/click"}}));
     QSUCCEEDS(player.attach());
     QSUCCEEDS(player.framesUntil(XR_SESSION_STATE_FOCUSED));
     for (int frame = 3; frame <= 10; ++frame) {
@@ -69,15 +72,19 @@ void TestActions::readsInputs()
 
 void TestActions::convertsInputs()
 {
-    ScriptedRuntime runtime(fastWith(R"({"frame": 4, "right": {"trigger": 0.6, "menu": true}}, {"frame": 6, "right": {"trigger": 0.9}})"));
+    ScriptedRuntime runtime(
+        fastWith(R"({"frame": 4, "right": {"trigger": 0.6, "menu": true}}, {"frame": 6, "right": {"trigger": 0.9}})"));
     RawPlayer player;
     const XrAction pressed = player.action("pressed", XR_ACTION_TYPE_BOOLEAN_INPUT);
     const XrAction amount = player.action("amount", XR_ACTION_TYPE_FLOAT_INPUT);
     const XrAction clicked = player.action("clicked", XR_ACTION_TYPE_BOOLEAN_INPUT);
     const XrAction never = player.action("never", XR_ACTION_TYPE_VECTOR2F_INPUT);
     const XrAction parent = player.action("parent", XR_ACTION_TYPE_BOOLEAN_INPUT);
-    QSUCCEEDS(player.bind(viveProfile, {{pressed, "/input/trigger/value"}, {amount, "/input/menu"}, {clicked, "/input/trigger/click"},
-                                 {never, "/input/trigger"}, {parent, "/input/trigger"}}));
+    QSUCCEEDS(player.bind(viveProfile, {{pressed, "/input/trigger/value"},
+                                        {amount, "/input/menu"},
+                                        {clicked, "/input/trigger/click"},
+                                        {never, "/input/trigger"},
+                                        {parent, "/input/trigger"}}));
     QCOMPARE(runtime.clientWarnings().size(), 2); // the vector, of each hand
     QSUCCEEDS(player.attach());
     QSUCCEEDS(player.framesUntil(XR_SESSION_STATE_FOCUSED));
@@ -107,7 +114,8 @@ void TestActions::tellsChanges()
         const XrActionStateFloat state = player.number(trigger, player.hands[1]);
         changes << (state.changedSinceLastSync == XR_TRUE);
         changedAt = frame == 5 ? player.frameState.predictedDisplayTime : changedAt;
-        QCOMPARE(player.number(trigger, player.hands[1]).changedSinceLastSync, state.changedSinceLastSync); // reading changes nothing
+        QCOMPARE(player.number(trigger, player.hands[1]).changedSinceLastSync,
+                 state.changedSinceLastSync); // reading changes nothing
         if (frame >= 5)
             QCOMPARE(state.lastChangeTime, changedAt);
     }
@@ -142,7 +150,8 @@ void TestActions::switchesAWandOff()
 {
     ScriptedRuntime runtime(fastWith({}));
     RawPlayer player;
-    const XrAction trigger = player.action("trigger", XR_ACTION_TYPE_FLOAT_INPUT), grip = player.action("grip", XR_ACTION_TYPE_POSE_INPUT);
+    const XrAction trigger = player.action("trigger", XR_ACTION_TYPE_FLOAT_INPUT),
+                   grip = player.action("grip", XR_ACTION_TYPE_POSE_INPUT);
     QSUCCEEDS(player.bind(viveProfile, {{trigger, "/input/trigger/value"}, {grip, "/input/grip/pose"}}));
     QSUCCEEDS(player.attach());
     const XrSpace left = player.handSpace(grip, player.hands[0]);
@@ -189,7 +198,8 @@ void TestActions::changesTheProfile()
 
 void TestActions::knowsOnlySuggestedProfiles()
 {
-    ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [16, 16], "profile": "/interaction_profiles/valve/index_controller"}})");
+    ScriptedRuntime runtime(
+        R"({"start": {"pace": "fast", "size": [16, 16], "profile": "/interaction_profiles/valve/index_controller"}})");
     RawPlayer player;
     const XrAction trigger = player.action("trigger", XR_ACTION_TYPE_FLOAT_INPUT);
     QSUCCEEDS(player.bind(viveProfile, {{trigger, "/input/trigger/value"}}));
@@ -243,7 +253,8 @@ void TestActions::namesSources()
     XrPath sources[2]{};
     QSUCCEEDS(xrEnumerateBoundSourcesForAction(player.session, &asked, 2, &count, sources));
     const auto name = [&](XrInputSourceLocalizedNameFlags parts) {
-        const XrInputSourceLocalizedNameGetInfo info{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, sources[1], parts};
+        const XrInputSourceLocalizedNameGetInfo info{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, sources[1],
+                                                     parts};
         char text[64]{};
         std::uint32_t length = 0;
         xrGetInputSourceLocalizedName(player.session, &info, 64, &length, text);
@@ -313,7 +324,8 @@ void TestActions::refusesBadBindings()
     ScriptedRuntime runtime(fastWith({}));
     RawPlayer player;
     const XrAction press = player.action("press", XR_ACTION_TYPE_BOOLEAN_INPUT);
-    QCOMPARE(player.bind("/interaction_profiles/" + profile, {{press, input}}), isRight ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED);
+    QCOMPARE(player.bind("/interaction_profiles/" + profile, {{press, input}}),
+             isRight ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED);
     QCOMPARE(runtime.clientErrors().isEmpty(), isRight);
 }
 
@@ -337,7 +349,8 @@ void TestActions::refusesWrongUse()
     XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, nullptr, 0, {}};
     QCOMPARE(xrLocateSpace(player.view, player.local, 0, &location), XR_ERROR_TIME_INVALID);
     const XrPosef tooLong{{0, 0, 0, 2}, {0, 0, 0}};
-    XrReferenceSpaceCreateInfo crooked{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, tooLong};
+    XrReferenceSpaceCreateInfo crooked{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL,
+                                       tooLong};
     XrSpace space = XR_NULL_HANDLE;
     QCOMPARE(xrCreateReferenceSpace(player.session, &crooked, &space), XR_ERROR_POSE_INVALID);
     QCOMPARE(runtime.clientErrors().size(), 9);

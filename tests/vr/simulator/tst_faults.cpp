@@ -50,7 +50,8 @@ void TestFaults::losesAndRegainsFocus()
     client.states.clear();
     for (int i = 0; i < 40; ++i)
         QSUCCEEDS(client.frame());
-    const std::vector expected{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED};
+    const std::vector expected{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE,
+                               XR_SESSION_STATE_FOCUSED};
     QVERIFY(client.states == expected);
 }
 
@@ -78,7 +79,8 @@ void TestFaults::isAskedToStop()
 
 void TestFaults::losesTheSession()
 {
-    ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [{"frame": 10, "lose_session": 5}]})");
+    ScriptedRuntime runtime(
+        R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [{"frame": 10, "lose_session": 5}]})");
     RawClient client;
     QSUCCEEDS(client.createInstance());
     QSUCCEEDS(client.prepare());

@@ -1,4 +1,5 @@
-// The tool that other tests lean on: it keeps the specification's rules, does what its script says, and sees what a client does wrong.
+// The tool that other tests lean on: it keeps the specification's rules, does what its script says, and sees what a
+// client does wrong.
 #include "tests/vr/simulator/raw_client.h"
 #include "tests/vr/simulator/scripted_runtime.h"
 #include "tests/vr/vr_test.h"
@@ -92,8 +93,8 @@ void TestRuntime::livesThroughASession()
     QVERIFY(client.frameState.shouldRender);
     QCOMPARE(client.frameState.predictedDisplayTime, before + client.frameState.predictedDisplayPeriod);
     QSUCCEEDS(client.leave());
-    const std::vector expected{XR_SESSION_STATE_IDLE,     XR_SESSION_STATE_READY,    XR_SESSION_STATE_SYNCHRONIZED,
-                               XR_SESSION_STATE_VISIBLE,  XR_SESSION_STATE_FOCUSED,  XR_SESSION_STATE_VISIBLE,
+    const std::vector expected{XR_SESSION_STATE_IDLE,         XR_SESSION_STATE_READY,    XR_SESSION_STATE_SYNCHRONIZED,
+                               XR_SESSION_STATE_VISIBLE,      XR_SESSION_STATE_FOCUSED,  XR_SESSION_STATE_VISIBLE,
                                XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_IDLE,
                                XR_SESSION_STATE_EXITING};
     QVERIFY(client.states == expected);
@@ -111,7 +112,8 @@ void TestRuntime::keepsPictures()
     QSUCCEEDS(client.enter());
     while (client.frameState.predictedDisplayTime < 2'000'000'000)
         QSUCCEEDS(client.frame());
-    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList({"session0_frame0004_left.png", "session0_frame0004_right.png"}));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
+             QStringList({"session0_frame0004_left.png", "session0_frame0004_right.png"}));
     const QImage left(folder.filePath("session0_frame0004_left.png"));
     const QImage right(folder.filePath("session0_frame0004_right.png"));
     QCOMPARE(left.size(), QSize(64, 48));
@@ -150,7 +152,8 @@ void TestRuntime::liveTime_isTheClocks()
     constexpr int frames = 8;
     constexpr auto slowness = std::chrono::milliseconds(30);
     for (const bool isLive : {false, true}) {
-        ScriptedRuntime runtime(isLive ? R"({"start": {"pace": "live", "hz": 100}})" : R"({"start": {"pace": "real", "hz": 100}})");
+        ScriptedRuntime runtime(isLive ? R"({"start": {"pace": "live", "hz": 100}})"
+                                       : R"({"start": {"pace": "real", "hz": 100}})");
         RawClient client;
         QSUCCEEDS(client.enter());
         const XrTime first = client.frameState.predictedDisplayTime;
@@ -160,7 +163,8 @@ void TestRuntime::liveTime_isTheClocks()
         constexpr XrTime period = 10'000'000;
         QCOMPARE(passed % period, 0);
         if (isLive)
-            QVERIFY2(passed >= (frames - 1) * std::chrono::nanoseconds(slowness).count() - period, qPrintable(QString::number(passed)));
+            QVERIFY2(passed >= (frames - 1) * std::chrono::nanoseconds(slowness).count() - period,
+                     qPrintable(QString::number(passed)));
         else
             QCOMPARE(passed, frames * period);
     }
@@ -177,7 +181,8 @@ void TestRuntime::keepsQuads()
     QSUCCEEDS(client.enter());
     RawClient::Eye panel;
     panel.size = {8, 4};
-    const XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO, nullptr, 0, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, linear, 1, 8, 4, 1, 2, 1};
+    const XrSwapchainCreateInfo info{
+        XR_TYPE_SWAPCHAIN_CREATE_INFO, nullptr, 0, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, linear, 1, 8, 4, 1, 2, 1};
     QSUCCEEDS(client.createSwapchain(info, panel));
     std::uint32_t image = 0;
     QSUCCEEDS(xrAcquireSwapchainImage(panel.swapchain, nullptr, &image));
@@ -185,21 +190,30 @@ void TestRuntime::keepsQuads()
     QSUCCEEDS(xrWaitSwapchainImage(panel.swapchain, &wait));
     const std::vector<unsigned char> grey(8 * 4 * 4, 55); // of red, green, blue and alpha
     client.gl.functions()->glBindTexture(texture2DArray, panel.images[image]);
-    client.gl.extraFunctions()->glTexSubImage3D(texture2DArray, 0, 0, 0, 1, 8, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE, grey.data());
+    client.gl.extraFunctions()->glTexSubImage3D(texture2DArray, 0, 0, 0, 1, 8, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                                                grey.data());
     QSUCCEEDS(xrReleaseSwapchainImage(panel.swapchain, nullptr));
     XrCompositionLayerQuad quads[2]{};
     for (XrCompositionLayerQuad& quad : quads)
-        quad = {XR_TYPE_COMPOSITION_LAYER_QUAD, nullptr, 0, client.local, XR_EYE_VISIBILITY_BOTH,
-                {panel.swapchain, {{2, 0}, {6, 4}}, 1}, {{0, 0, 0, 1}, {0, 0, -1}}, {0.5F, 0.3F}};
+        quad = {XR_TYPE_COMPOSITION_LAYER_QUAD,
+                nullptr,
+                0,
+                client.local,
+                XR_EYE_VISIBILITY_BOTH,
+                {panel.swapchain, {{2, 0}, {6, 4}}, 1},
+                {{0, 0, 0, 1}, {0, 0, -1}},
+                {0.5F, 0.3F}};
     quads[0].layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     const XrCompositionLayerBaseHeader* layers[]{reinterpret_cast<XrCompositionLayerBaseHeader*>(&quads[0]),
                                                  reinterpret_cast<XrCompositionLayerBaseHeader*>(&quads[1])};
     runtime.set(R"({"keep": true})");
     QSUCCEEDS(xrWaitFrame(client.session, nullptr, &client.frameState));
     QSUCCEEDS(xrBeginFrame(client.session, nullptr));
-    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, client.frameState.predictedDisplayTime, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 2, layers};
+    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, client.frameState.predictedDisplayTime,
+                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 2,       layers};
     QSUCCEEDS(xrEndFrame(client.session, &end));
-    const QImage through(folder.filePath("session0_frame0003_quad0.png")), covering(folder.filePath("session0_frame0003_quad1.png"));
+    const QImage through(folder.filePath("session0_frame0003_quad0.png")),
+        covering(folder.filePath("session0_frame0003_quad1.png"));
     QCOMPARE(through.size(), QSize(6, 4));
     QCOMPARE(through.pixel(3, 2), qRgba(128, 128, 128, 55)); // 55 of 255 is half as bright to the eye
     QCOMPARE(covering.pixel(3, 2), qRgba(128, 128, 128, 255));
@@ -355,7 +369,8 @@ void TestRuntime::refusesWrongOrder()
 
 void TestRuntime::refusesBadLayers_data()
 {
-    using Spoil = std::function<void(XrFrameEndInfo&, XrCompositionLayerProjection&, XrCompositionLayerProjectionView&)>;
+    using Spoil =
+        std::function<void(XrFrameEndInfo&, XrCompositionLayerProjection&, XrCompositionLayerProjectionView&)>;
     using End = XrFrameEndInfo;
     using Layer = XrCompositionLayerProjection;
     using View = XrCompositionLayerProjectionView;
@@ -364,23 +379,42 @@ void TestRuntime::refusesBadLayers_data()
     const auto row = [](const char* name, const Spoil& spoil, XrResult result) {
         QTest::newRow(name) << spoil << static_cast<int>(result);
     };
-    row("nothing is wrong", [](End&, Layer&, View&) {}, XR_SUCCESS);
-    row("time", [](End& end, Layer&, View&) { end.displayTime = 0; }, XR_ERROR_TIME_INVALID);
-    row("blend mode", [](End& end, Layer&, View&) { end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE; },
+    row(
+        "nothing is wrong", [](End&, Layer&, View&) {}, XR_SUCCESS);
+    row(
+        "time", [](End& end, Layer&, View&) { end.displayTime = 0; }, XR_ERROR_TIME_INVALID);
+    row(
+        "blend mode", [](End& end, Layer&, View&) { end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE; },
         XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
-    row("too many layers", [](End& end, Layer&, View&) { end.layerCount = 1000; }, XR_ERROR_LAYER_LIMIT_EXCEEDED);
-    row("unknown layer", [](End&, Layer& layer, View&) { layer.type = XR_TYPE_COMPOSITION_LAYER_CUBE_KHR; }, XR_ERROR_LAYER_INVALID);
-    row("no space", [](End&, Layer& layer, View&) { layer.space = XR_NULL_HANDLE; }, XR_ERROR_HANDLE_INVALID);
-    row("one view", [](End&, Layer& layer, View&) { layer.viewCount = 1; }, XR_ERROR_VALIDATION_FAILURE);
-    row("no rotation", [](End&, Layer&, View& view) { view.pose.orientation = {0, 0, 0, 0}; }, XR_ERROR_POSE_INVALID);
-    row("wide view", [](End&, Layer&, View& view) { view.fov.angleUp = 1.6F; }, XR_ERROR_VALIDATION_FAILURE);
-    row("wide rectangle", [](End&, Layer&, View& view) { view.subImage.imageRect.extent.width += 1; }, XR_ERROR_SWAPCHAIN_RECT_INVALID);
-    row("array layer", [](End&, Layer&, View& view) { view.subImage.imageArrayIndex = 1; }, XR_ERROR_VALIDATION_FAILURE);
+    row(
+        "too many layers", [](End& end, Layer&, View&) { end.layerCount = 1000; }, XR_ERROR_LAYER_LIMIT_EXCEEDED);
+    row(
+        "unknown layer", [](End&, Layer& layer, View&) { layer.type = XR_TYPE_COMPOSITION_LAYER_CUBE_KHR; },
+        XR_ERROR_LAYER_INVALID);
+    row(
+        "no space", [](End&, Layer& layer, View&) { layer.space = XR_NULL_HANDLE; }, XR_ERROR_HANDLE_INVALID);
+    row(
+        "one view", [](End&, Layer& layer, View&) { layer.viewCount = 1; }, XR_ERROR_VALIDATION_FAILURE);
+    row(
+        "no rotation",
+        [](End&, Layer&, View& view) {
+            view.pose.orientation = {0, 0, 0, 0};
+        },
+        XR_ERROR_POSE_INVALID);
+    row(
+        "wide view", [](End&, Layer&, View& view) { view.fov.angleUp = 1.6F; }, XR_ERROR_VALIDATION_FAILURE);
+    row(
+        "wide rectangle", [](End&, Layer&, View& view) { view.subImage.imageRect.extent.width += 1; },
+        XR_ERROR_SWAPCHAIN_RECT_INVALID);
+    row(
+        "array layer", [](End&, Layer&, View& view) { view.subImage.imageArrayIndex = 1; },
+        XR_ERROR_VALIDATION_FAILURE);
 }
 
 void TestRuntime::refusesBadLayers()
 {
-    using Spoil = std::function<void(XrFrameEndInfo&, XrCompositionLayerProjection&, XrCompositionLayerProjectionView&)>;
+    using Spoil =
+        std::function<void(XrFrameEndInfo&, XrCompositionLayerProjection&, XrCompositionLayerProjectionView&)>;
     QFETCH(Spoil, spoil);
     QFETCH(int, result);
     ScriptedRuntime runtime(fast);
@@ -392,7 +426,8 @@ void TestRuntime::refusesBadLayers()
     client.putProjection(views);
     XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, 0, client.local, 2, views.data()};
     const auto* layers = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer);
-    XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, client.frameState.predictedDisplayTime, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 1, &layers};
+    XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, client.frameState.predictedDisplayTime,
+                       XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 1,       &layers};
     spoil(end, layer, views[1]);
     QCOMPARE(static_cast<int>(xrEndFrame(client.session, &end)), result);
     QCOMPARE(runtime.clientErrors().isEmpty(), result == XR_SUCCESS);

@@ -51,7 +51,8 @@ void TestSpaces::movesTheHead()
     QVERIFY(qAbs(head.pose.orientation.y - qSin(qDegreesToRadians(done / 2))) < 1e-5);
     QVERIFY(qAbs(velocity.linearVelocity.x - 0.9F) < 1e-4F);
     QVERIFY(qAbs(velocity.angularVelocity.y - qDegreesToRadians(90.F)) < 1e-3F);
-    QCOMPARE(velocity.velocityFlags, XrSpaceVelocityFlags(XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT));
+    QCOMPARE(velocity.velocityFlags,
+             XrSpaceVelocityFlags(XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT));
     // What stands still moves past who moves, and the other way round.
     player.locate(stage, player.view, &velocity);
     QVERIFY(qAbs(velocity.angularVelocity.y + qDegreesToRadians(90.F)) < 1e-3F);
@@ -64,7 +65,8 @@ void TestSpaces::placesTheEyes()
         "head": {"position": [1, 1.6, 2], "yaw_pitch_roll": [90, 0, 0]}})"));
     RawPlayer player;
     QSUCCEEDS(player.frame());
-    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, player.views, player.frameState.predictedDisplayTime, player.local};
+    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, player.views, player.frameState.predictedDisplayTime,
+                                player.local};
     XrViewState state{XR_TYPE_VIEW_STATE, nullptr, 0};
     XrView views[2]{{XR_TYPE_VIEW, nullptr, {}, {}}, {XR_TYPE_VIEW, nullptr, {}, {}}};
     std::uint32_t count = 0;
@@ -79,11 +81,13 @@ void TestSpaces::placesTheEyes()
 
 void TestSpaces::movesAWand()
 {
-    ScriptedRuntime runtime(fastWith(R"({"frame": 0, "left": {"position": [-0.1, 1, -0.5]}, "right": {"position": [0.1, 1, -0.5]}},
+    ScriptedRuntime runtime(
+        fastWith(R"({"frame": 0, "left": {"position": [-0.1, 1, -0.5]}, "right": {"position": [0.1, 1, -0.5]}},
         {"frame": 0, "aim": {"position": [0, 0, -0.1], "yaw_pitch_roll": [0, -45, 0]}},
         {"frame": 5, "right": {"position": [0.3, 1, -0.5], "yaw_pitch_roll": [90, 0, 0]}})"));
     RawPlayer player;
-    const XrAction grip = player.action("grip", XR_ACTION_TYPE_POSE_INPUT), aim = player.action("aim", XR_ACTION_TYPE_POSE_INPUT);
+    const XrAction grip = player.action("grip", XR_ACTION_TYPE_POSE_INPUT),
+                   aim = player.action("aim", XR_ACTION_TYPE_POSE_INPUT);
     QSUCCEEDS(player.bind(viveProfile, {{grip, "/input/grip/pose"}, {aim, "/input/aim/pose"}}));
     QSUCCEEDS(player.attach());
     const XrSpace stage = player.reference(XR_REFERENCE_SPACE_TYPE_STAGE);
@@ -118,10 +122,12 @@ void TestSpaces::losesTracking()
     QCOMPARE(player.locate(left, player.local).locationFlags, locatedWholly);
     for (int i = 0; i < 3; ++i)
         QSUCCEEDS(player.play());
-    QCOMPARE(player.locate(left, player.local).locationFlags, locatedWholly & ~XrSpaceLocationFlags(XR_SPACE_LOCATION_POSITION_TRACKED_BIT));
+    QCOMPARE(player.locate(left, player.local).locationFlags,
+             locatedWholly & ~XrSpaceLocationFlags(XR_SPACE_LOCATION_POSITION_TRACKED_BIT));
     QCOMPARE(player.locate(player.view, player.local).locationFlags, XrSpaceLocationFlags(0));
     QCOMPARE(player.locate(left, player.view).locationFlags, XrSpaceLocationFlags(0));
-    QCOMPARE(runtime.report()["last_frame"].toObject()["layers"].toArray().size(), 0); // the client cannot draw without a head
+    QCOMPARE(runtime.report()["last_frame"].toObject()["layers"].toArray().size(),
+             0); // the client cannot draw without a head
     runtime.set(R"({"left": {"tracked": "no_position"}})");
     const XrSpaceLocation turned = player.locate(left, player.local);
     QCOMPARE(turned.locationFlags, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT);
@@ -161,13 +167,15 @@ void TestSpaces::hasNoStage()
     QSUCCEEDS(xrEnumerateReferenceSpaces(player.session, 3, &count, types));
     QCOMPARE(count, 2U);
     XrExtent2Df bounds{1, 1};
-    QCOMPARE(xrGetReferenceSpaceBoundsRect(player.session, XR_REFERENCE_SPACE_TYPE_STAGE, &bounds), XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
+    QCOMPARE(xrGetReferenceSpaceBoundsRect(player.session, XR_REFERENCE_SPACE_TYPE_STAGE, &bounds),
+             XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
     runtime.set(R"({"stage": true, "bounds": [4, 3]})");
     QSUCCEEDS(xrGetReferenceSpaceBoundsRect(player.session, XR_REFERENCE_SPACE_TYPE_STAGE, &bounds));
     QCOMPARE(bounds.width, 4.F);
     QCOMPARE(bounds.height, 3.F);
     runtime.set(R"({"bounds": null})");
-    QCOMPARE(xrGetReferenceSpaceBoundsRect(player.session, XR_REFERENCE_SPACE_TYPE_STAGE, &bounds), XR_SPACE_BOUNDS_UNAVAILABLE);
+    QCOMPARE(xrGetReferenceSpaceBoundsRect(player.session, XR_REFERENCE_SPACE_TYPE_STAGE, &bounds),
+             XR_SPACE_BOUNDS_UNAVAILABLE);
 }
 
 VR_TEST_MAIN(TestSpaces)
