@@ -16,7 +16,8 @@ namespace core
 ///      "title":{"en":"First clay","de":"Der erste Ton"},"summary":{"en":"..."},
 ///      "start":"ball",
 ///      "steps":[
-///        {"title":{"en":"Pull"},"text":{"en":"..."},"picture":"pull.png","tools":["pull","smooth"],"strokes":"pull.json",
+///        {"title":{"en":"Pull"},"text":{"en":"..."},"picture":"pull.png","tools":["pull","smooth"],
+///         "strokes":"pull.json",
 ///         "checkpoint":{"genus":1,"height_mm":{"least":60},"print_ready":true,"target":{"tolerance_mm":4}}}]}
 ///
 /// Required: format, version, title, start, steps, and in a step title and text. Texts are words by language; where a

@@ -121,7 +121,8 @@ const QStringList largeFolders{"core/io/mesh", "vr/simulator"};
 
 const QRegularExpression includeLine(R"(^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"])");
 const QRegularExpression platformHeader(
-    R"(^(GL/(glx|wgl)\w*\.h|(X11|xcb|EGL|sys|linux|mach|wayland-\w+)/.*|(windows|unistd|fcntl|dlfcn|poll|pthread|pwd|sched|spawn|termios|io|direct|process|malloc)\.h)$)",
+    R"(^(GL/(glx|wgl)\w*\.h|(X11|xcb|EGL|sys|linux|mach|wayland-\w+)/.*|(windows|unistd|fcntl|dlfcn|poll|)"
+    R"(pthread|pwd|sched|spawn|termios|io|direct|process|malloc)\.h)$)",
     QRegularExpression::CaseInsensitiveOption);
 const QRegularExpression platformFile(R"(_(glx|wgl|egl|x11|linux|posix|windows|macos)\.(cpp|h|mm)$)");
 

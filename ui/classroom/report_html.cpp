@@ -17,16 +17,20 @@ constexpr int shownSide = 80; ///< CSS pixels
 // The light and dark greens and reds are the Model panel's.
 constexpr char pageStyle[] = R"(
 :root { color-scheme: light dark; }
-:root { --ink: #1c1c1e; --faint: #5c5c63; --paper: #fff; --line: #d5d5da; --shade: #f3f3f6; --link: #0b57b8; --good: #1e7a3a; --bad: #b3261e; }
+:root { --ink: #1c1c1e; --faint: #5c5c63; --paper: #fff; --line: #d5d5da; --shade: #f3f3f6; --link: #0b57b8;
+  --good: #1e7a3a; --bad: #b3261e; }
 @media (prefers-color-scheme: dark) {
-  :root { --ink: #ececf0; --faint: #a9a9b3; --paper: #1f1f23; --line: #3d3d45; --shade: #2a2a30; --link: #8ab8ff; --good: #66cc88; --bad: #f28b82; }
+  :root { --ink: #ececf0; --faint: #a9a9b3; --paper: #1f1f23; --line: #3d3d45; --shade: #2a2a30; --link: #8ab8ff;
+    --good: #66cc88; --bad: #f28b82; }
 }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 2rem 1.5rem; max-width: 76rem; color: var(--ink); background: var(--paper); font: 15px/1.4 system-ui, "Noto Sans", sans-serif; }
+body { margin: 0 auto; padding: 2rem 1.5rem; max-width: 76rem; color: var(--ink); background: var(--paper);
+  font: 15px/1.4 system-ui, "Noto Sans", sans-serif; }
 h1 { margin: 0; font-size: 1.5rem; overflow-wrap: anywhere; }
 p { margin: .25rem 0 1.5rem; color: var(--faint); }
 table { width: 100%; border-collapse: collapse; }
-thead > tr > * { position: sticky; top: 0; background: var(--paper); box-shadow: inset 0 -2px var(--line); vertical-align: bottom; white-space: nowrap; }
+thead > tr > * { position: sticky; top: 0; background: var(--paper); box-shadow: inset 0 -2px var(--line);
+  vertical-align: bottom; white-space: nowrap; }
 th, td { padding: .4rem .5rem; text-align: left; vertical-align: middle; }
 tbody tr { border-bottom: 1px solid var(--line); }
 tbody tr:hover { background: var(--shade); }
@@ -37,7 +41,8 @@ img { display: block; }
 a { color: var(--link); text-decoration: none; }
 a:hover { text-decoration: underline; }
 b { white-space: nowrap; font-weight: 600; }
-small { display: block; min-width: 11rem; max-width: 22rem; color: var(--faint); font-size: .8rem; overflow-wrap: anywhere; }
+small { display: block; min-width: 11rem; max-width: 22rem; color: var(--faint); font-size: .8rem;
+  overflow-wrap: anywhere; }
 .ready b { color: var(--good); }
 .not b { color: var(--bad); }
 button { padding: 0; border: 0; background: none; color: inherit; font: inherit; cursor: pointer; }
@@ -45,7 +50,8 @@ button:hover, button:focus-visible { text-decoration: underline; }
 [aria-sort=ascending] button::before { content: "▴ "; }
 [aria-sort=descending] button::before { content: "▾ "; }
 @media print {
-  :root { --ink: #000; --faint: #444; --paper: #fff; --line: #aaa; --shade: #fff; --link: #000; --good: #1e7a3a; --bad: #b3261e; }
+  :root { --ink: #000; --faint: #444; --paper: #fff; --line: #aaa; --shade: #fff; --link: #000; --good: #1e7a3a;
+    --bad: #b3261e; }
   @page { margin: 12mm; }
   body { padding: 0; max-width: none; font-size: 9.5pt; }
   thead > tr > * { position: static; }

@@ -24,11 +24,14 @@ constexpr std::string_view contentTypes = R"(<?xml version="1.0" encoding="UTF-8
 )";
 constexpr std::string_view relationships = R"(<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
-<Relationship Target="/3D/3dmodel.model" Id="model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+<Relationship Target="/3D/3dmodel.model" Id="model" )"
+                                           R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 </Relationships>
 )";
 constexpr std::string_view modelStart = R"(<?xml version="1.0" encoding="UTF-8"?>
-<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">
+<model unit="millimeter" xml:lang="en-US" )"
+                                        R"(xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" )"
+                                        R"(xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">
 <metadata name="Application">Fettle</metadata>
 <resources>
 )";

@@ -41,7 +41,8 @@ QByteArray gltf(const QByteArray& uri, int bytes = 72, const QByteArray& more = 
 {
     return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[0.001,0.001,0.001]}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},{"bufferView":1,"componentType":5123,
+"count":12,"type":"SCALAR"}],
 "bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],"buffers":[{"uri":")" +
            uri + R"(","byteLength":)" + QByteArray::number(bytes) + "}]" + more + "}";
 }

@@ -255,12 +255,16 @@ std::string smallGlb()
     const std::string points = bytesOf({0, 0, 0, 9, 1, 0, 0, 9, 7, 7, 7, 9, 0, 1, 0, 9});
     const std::string third = bytesOf({1, 1, 0});
     return glbOf(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
-"nodes":[{"children":[1,2],"scale":[0.001,0.001,0.001]},{"mesh":0,"translation":[0,0,5]},{"mesh":1,"matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],
-"meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"mode":5}]},{"primitives":[{"attributes":{"POSITION":0},"mode":6},{"attributes":{"POSITION":0},"mode":1}]}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":2}}},
+"nodes":[{"children":[1,2],"scale":[0.001,0.001,0.001]},{"mesh":0,"translation":[0,0,5]},{"mesh":1,"matrix":[-1,0,0,0,
+0,1,0,0,0,0,1,0,0,0,0,1]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"mode":5}]},
+{"primitives":[{"attributes":{"POSITION":0},"mode":6},{"attributes":{"POSITION":0},"mode":1}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,
+"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":2}}},
 {"bufferView":1,"byteOffset":1,"componentType":5121,"count":4,"type":"SCALAR"},
 {"bufferView":3,"componentType":5121,"normalized":true,"count":4,"type":"VEC3"}],
-"bufferViews":[{"buffer":0,"byteLength":64,"byteStride":16},{"buffer":0,"byteOffset":64,"byteLength":8},{"buffer":0,"byteOffset":72,"byteLength":12},{"buffer":0,"byteOffset":84,"byteLength":12}],
+"bufferViews":[{"buffer":0,"byteLength":64,"byteStride":16},{"buffer":0,"byteOffset":64,"byteLength":8},{"buffer":0,
+"byteOffset":72,"byteLength":12},{"buffer":0,"byteOffset":84,"byteLength":12}],
 "buffers":[{"byteLength":96}]})",
                  points + std::string("\2\0\1\3\2\0\0\0", 8) + third +
                      std::string("\377\0\0\0\377\0\0\0\377\0\0\0", 12));
@@ -592,7 +596,8 @@ void TestMeshIo::glb_isReadInMillimetres()
     QVERIFY(sameBits(core::readMesh(file("a.glb")), shapes::cube(40)));
     const std::string metres = glbOf(
         R"({"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"byteLength":36}],"buffers":[{"byteLength":36}]})",
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"byteLength":36}],
+"buffers":[{"byteLength":36}]})",
         bytesOf({0, 0, 0, 1, 0, 0, 0, 0.5F, 0}));
     const TriangleMesh mesh = parsed("a.glb", metres);
     QVERIFY(sameBits(mesh.points[1], {1000, 0, 0}));

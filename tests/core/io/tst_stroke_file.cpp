@@ -145,12 +145,12 @@ void TestStrokeFile::defaults_areTheDesigns()
 void TestStrokeFile::values_arriveWhereTheyBelong()
 {
     const Stroke stroke =
-        strokesOf(
-            file(
-                R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"uniform",
-           "detail_length":0.125,"fusion":true,"symmetry":"z","radial":6,"spacing":0.25,"place":"ray","add":true,"invert":true,
-           "color":[200,120,80])",
-                R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0,"up":[0,2,-1])"))
+        strokesOf(file(
+                      R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,
+           "topology":"uniform","detail_length":0.125,"fusion":true,"symmetry":"z","radial":6,"spacing":0.25,
+           "place":"ray","add":true,"invert":true,"color":[200,120,80])",
+                      R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],
+           "radius":4,"strength":0,"up":[0,2,-1])"))
             .at(0);
     QVERIFY(stroke.settings.tool == Tool::Smooth && stroke.settings.place == Placement::Ray);
     QCOMPARE(stroke.settings.radius, 2.5);

@@ -27,9 +27,13 @@ using Parts = std::map<std::string, std::string>;
 constexpr unsigned seed = 20261122;
 
 const std::string relationships =
-    R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/a.model" Id="x" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+    R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship )"
+    R"(Target="/3D/a.model" Id="x" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>)"
+    R"(</Relationships>)";
 const std::string modelHead =
-    R"(xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02" xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p")";
+    R"(xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" )"
+    R"(xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02" )"
+    R"(xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p")";
 
 /// A right-angled tetrahedron; `more` goes into each of its triangles.
 std::string mesh(const std::string& more = {})
@@ -168,10 +172,12 @@ void TestThreeMf::units_becomeMillimetres()
 void TestThreeMf::components_areTransformed()
 {
     // a tetrahedron at its place and one 10 away, both turned by a quarter about z (x becomes y), all doubled
-    const std::string parts =
-        R"(<components><component objectid="1"/><component objectid="1" transform="1 0 0 0 1 0 0 0 1 10 0 0"/></components>)";
-    const TriangleMesh read =
-        this->read(model(object(1, mesh()) + object(2, parts), item(2, R"(transform="0 2 0 -2 0 0  0 0 2	5 0 0 ")")));
+    const std::string parts = R"(<components><component objectid="1"/>)"
+                              R"(<component objectid="1" transform="1 0 0 0 1 0 0 0 1 10 0 0"/></components>)";
+    const std::string turned = item(2, R"(transform="0 2 0 -2 0 0  0 0 2)"
+                                       "\t"
+                                       R"(5 0 0 ")");
+    const TriangleMesh read = this->read(model(object(1, mesh()) + object(2, parts), turned));
     QCOMPARE(read.triangles.size(), std::size_t(8));
     QCOMPARE(volume(read), 16.0);
     QVERIFY(read.points[1] == Vec3f(5, 2, 0));

@@ -25,7 +25,8 @@ namespace
 {
 const std::string png = "\x89PNG\r\n\x1a\n...";
 const std::string strokes =
-    R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":9,"samples":[{"position":[0,50,0]}]}]})";
+    R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":9,
+        "samples":[{"position":[0,50,0]}]}]})";
 
 Json text(const char* words)
 {
@@ -257,7 +258,8 @@ private Q_SLOTS:
         QCOMPARE(error.path, std::filesystem::path("a.zip"));
         Content content = contentOf(full());
         content["strokes/two.json"] =
-            R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":-9,"samples":[{"position":[0,50,0]}]}]})";
+            R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":-9,
+                "samples":[{"position":[0,50,0]}]}]})";
         const LessonError inStrokes = errorOf(content).value();
         QCOMPARE(inStrokes.kind, Kind::Strokes);
         QCOMPARE(inStrokes.file, std::string("strokes/two.json"));

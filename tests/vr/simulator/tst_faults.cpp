@@ -44,7 +44,8 @@ private Q_SLOTS:
 void TestFaults::losesAndRegainsFocus()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [
-        {"frame": 10, "focus": false}, {"frame": 20, "visible": false}, {"frame": 30, "visible": true, "focus": true}]})");
+        {"frame": 10, "focus": false}, {"frame": 20, "visible": false},
+        {"frame": 30, "visible": true, "focus": true}]})");
     RawClient client;
     QSUCCEEDS(client.enter());
     client.states.clear();
