@@ -6,9 +6,10 @@
 #include "core/mesh/surgery.h"
 #include "core/util/slot_map.h"
 
-// clang-format off: EigenVectorT.hh needs vector_traits declared before it
-#include <OpenMesh/Core/Geometry/EigenVectorT.hh>
+// EigenVectorT.hh needs vector_traits declared before it.
+// clang-format off
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Geometry/EigenVectorT.hh>
 // clang-format on
 
 #include <cassert>
