@@ -57,7 +57,7 @@ QString reportSummary(const ClassReport& report);
 /// means something in a URL as %XX. Asks the disk about links among the folders.
 QString reportLink(const std::filesystem::path& report, const std::filesystem::path& model);
 
-/// In the format that the file's ending says, one of reportEndings() (ui/model_formats.h): the page of a browser, alone
-/// in its file, or A4 for a printer. Does not commit. Throws core::FileError. Any thread; a few ms a row.
+/// In the format that the file's ending says, one of reportEndings() (ui/util/format_filters.h): the page of a browser,
+/// alone in its file, or A4 for a printer. Does not commit. Throws core::FileError. Any thread; a few ms a row.
 void writeReport(core::AtomicFile& file, const ClassReport& report);
 } // namespace ui
