@@ -12,29 +12,29 @@ namespace
 {
 std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
 {
-    struct Key
+    struct MortonKey
     {
         std::uint64_t code = 0;
         Slot vertex = 0;
     };
-    std::vector<Key> keys(mesh.points.size());
+    std::vector<MortonKey> keys(mesh.points.size());
     for (Slot v = 0; v < keys.size(); ++v)
         keys[v] = {mortonCodeOf(lattice.toLattice(mesh.points[v])), v};
-    radixSort(keys, &Key::code);
-    const auto pointOf = [&](const Key& key) {
+    radixSort(keys, &MortonKey::code);
+    const auto pointOf = [&](const MortonKey& key) {
         const LatticePoint p = lattice.toLattice(mesh.points[key.vertex]);
         return std::array{p.x(), p.y(), p.z()};
     };
     for (auto begin = keys.begin();
          begin != keys.end();) { // between equal codes the point decides: two vertices never share one
-        const auto end = std::find_if(begin, keys.end(), [&](const Key& key) { return key.code != begin->code; });
+        const auto end = std::find_if(begin, keys.end(), [&](const MortonKey& key) { return key.code != begin->code; });
         if (end - begin > 1)
             std::ranges::sort(begin, end, {}, pointOf);
         begin = end;
     }
     std::vector<Slot> order;
     order.reserve(keys.size());
-    for (const Key& key : keys)
+    for (const MortonKey& key : keys)
         order.push_back(key.vertex);
     return order;
 }

@@ -6,7 +6,7 @@ namespace vr
 {
 namespace
 {
-constexpr double colorWidth = 760, colorNameWidth = 136, valueWidth = 96, swatchHeight = 84, ownSwatchWidth = 220;
+constexpr double colorWidth = 760, colorNameWidth = 136, colorValueWidth = 96, swatchHeight = 84, ownSwatchWidth = 220;
 constexpr double colorDistance = 0.5; ///< metres, as with the tools
 constexpr int swatchColumns = 6;
 constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
@@ -34,7 +34,7 @@ PanelLayout ColorPanel::layout() const
         const bool isChosen = channel == static_cast<int>(i);
         const QRectF row = builder.nextRow(theme::row);
         const int value = color.*channels[i];
-        const std::vector<QRectF> places = cells(row, {colorNameWidth, 0, valueWidth});
+        const std::vector<QRectF> places = cells(row, {colorNameWidth, 0, colorValueWidth});
         builder.add(places[0],
                     {{.text = nameOf(static_cast<int>(i)), .isChosen = isChosen}, ChooseChannel{static_cast<int>(i)}});
         builder.add(
