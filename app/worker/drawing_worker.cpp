@@ -16,9 +16,7 @@ namespace app
 {
 namespace
 {
-using namespace std::chrono_literals;
-
-constexpr auto rest = 250ms; ///< without a change: the fine drawing is made
+constexpr auto rest = std::chrono::milliseconds(250); ///< without a change: the fine drawing is made
 constexpr std::size_t maxEdges = 300'000, mostInterimEdges = 40'000;
 constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640; ///< along the longest side
 

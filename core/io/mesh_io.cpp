@@ -23,8 +23,6 @@ namespace core
 {
 namespace
 {
-using namespace io;
-
 constexpr std::array<std::string_view, 7> endings{"stl", "obj", "ply", "off", "glb", "3mf", "gltf"};
 constexpr std::size_t written = 6;
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
@@ -102,9 +100,9 @@ void refuseSize(const std::filesystem::path& path, std::uint64_t size)
     }
 }
 
-void refuseOtherContent(const FileBytes& start, std::uint64_t size, MeshFormat format)
+void refuseOtherContent(const io::FileBytes& start, std::uint64_t size, MeshFormat format)
 {
-    const std::string_view detected = detectFormat(start.bytes, size);
+    const std::string_view detected = io::detectFormat(start.bytes, size);
     if (detected == endings[static_cast<std::size_t>(format)] || (format == MeshFormat::ThreeMf && detected == "zip"))
         return;
     const bool undecided = detected.empty() || detected == "text";
@@ -113,29 +111,29 @@ void refuseOtherContent(const FileBytes& start, std::uint64_t size, MeshFormat f
                          : format == MeshFormat::Stl  ? detected.empty()
                                                       : false;
     if (!couldBe)
-        throw errorAtByte(FileErrorKind::NotWhatItsEndingSays, start, start.bytes.data(), detected);
+        throw io::errorAtByte(FileErrorKind::NotWhatItsEndingSays, start, start.bytes.data(), detected);
 }
 
-void refuseStlSize(const FileBytes& start, std::uint64_t size)
+void refuseStlSize(const io::FileBytes& start, std::uint64_t size)
 {
-    if (isBinaryStl(start.bytes, size) || isTextStl(start.bytes))
+    if (io::isBinaryStl(start.bytes, size) || io::isTextStl(start.bytes))
         return;
-    if (size < stlHeaderSize)
-        throw errorAtByte(FileErrorKind::CutOff, start, start.bytes.data() + size);
-    const std::uint64_t announced = announcedStlTriangles(start.bytes);
-    const std::uint64_t room = (size - stlHeaderSize) / stlTriangleSize;
+    if (size < io::stlHeaderSize)
+        throw io::errorAtByte(FileErrorKind::CutOff, start, start.bytes.data() + size);
+    const std::uint64_t announced = io::announcedStlTriangles(start.bytes);
+    const std::uint64_t room = (size - io::stlHeaderSize) / io::stlTriangleSize;
     if (announced == room)
         return;
     const bool cut = announced > room;
     FileError error(cut ? FileErrorKind::CutOff : FileErrorKind::CountMismatch, start.path);
-    error.place = {FilePlace::Unit::Byte, cut ? size : stlHeaderSize - 4};
-    error.expected = cut ? stlHeaderSize + stlTriangleSize * announced : announced;
+    error.place = {FilePlace::Unit::Byte, cut ? size : io::stlHeaderSize - 4};
+    error.expected = cut ? io::stlHeaderSize + io::stlTriangleSize * announced : announced;
     error.found = cut ? size : room;
     throw error;
 }
 
 /// The whole file, on all cores.
-LargeBuffer<char> allOf(const InputFile& input, const std::filesystem::path& path, std::uint64_t size,
+LargeBuffer<char> allOf(const io::InputFile& input, const std::filesystem::path& path, std::uint64_t size,
                         const std::stop_token& stop)
 {
     constexpr std::size_t atOnce = 1 << 22;
@@ -144,28 +142,28 @@ LargeBuffer<char> allOf(const InputFile& input, const std::filesystem::path& pat
         if (stop.stop_requested())
             throw ReadingCancelled();
         if (const std::size_t got = input.read(begin, bytes.part(begin, end)); got < end - begin)
-            throw errorAtByte(FileErrorKind::CutOff, {path, {bytes.data(), size}},
-                              bytes.data() + begin + got); // it became shorter just now
+            throw io::errorAtByte(FileErrorKind::CutOff, {path, {bytes.data(), size}},
+                                  bytes.data() + begin + got); // it became shorter just now
     });
     return bytes;
 }
 
-ReadResult parse(const FileBytes& file, MeshFormat format)
+ReadResult parse(const io::FileBytes& file, MeshFormat format)
 {
     switch (format) {
     case MeshFormat::Stl:
-        return {readStl(file), {}};
+        return {io::readStl(file), {}};
     case MeshFormat::Obj:
-        return readObj(file);
+        return io::readObj(file);
     case MeshFormat::Ply:
-        return {readPly(file), {}};
+        return {io::readPly(file), {}};
     case MeshFormat::Off:
-        return {readOff(file), {}};
+        return {io::readOff(file), {}};
     case MeshFormat::Glb:
     case MeshFormat::Gltf:
-        return readGltf(file, format == MeshFormat::Glb);
+        return io::readGltf(file, format == MeshFormat::Glb);
     case MeshFormat::ThreeMf:
-        return readThreeMf(file);
+        return io::readThreeMf(file);
     }
     return {};
 }
@@ -193,7 +191,7 @@ void toZUp(std::vector<Vec3f>& points)
         p = Vec3f(p.x() + 0.0f, negated(p.z()), p.y() + 0.0f);
 }
 
-void refuseStart(const FileBytes& start, std::uint64_t size, MeshFormat format)
+void refuseStart(const io::FileBytes& start, std::uint64_t size, MeshFormat format)
 {
     refuseOtherContent(start, size, format);
     if (format == MeshFormat::Stl)
@@ -201,10 +199,10 @@ void refuseStart(const FileBytes& start, std::uint64_t size, MeshFormat format)
 }
 
 /// What was parsed as a document has it.
-void settle(ReadResult& result, const FileBytes& file, MeshFormat format, UpAxis up)
+void settle(ReadResult& result, const io::FileBytes& file, MeshFormat format, UpAxis up)
 {
     if (format != MeshFormat::Stl) // its reader has done so
-        weld(result.mesh, file.stop);
+        io::weld(result.mesh, file.stop);
     if (result.mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, file.path);
     if (up == UpAxis::Z)
@@ -215,7 +213,7 @@ ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, c
 {
     refuseSize(path, size);
     ReadResult result = externalReader().read(path, options.stop);
-    weld(result.mesh, options.stop);
+    io::weld(result.mesh, options.stop);
     if (result.mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, path);
     if (options.up == UpAxis::Z)
@@ -272,8 +270,8 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
         return readExternal(path, size, options);
     const MeshFormat format = requireFormat(path);
     refuseSize(path, size);
-    const InputFile input(path);
-    std::array<char, startSize> start;
+    const io::InputFile input(path);
+    std::array<char, io::startSize> start;
     refuseStart({path, {start.data(), input.read(0, start)}}, size, format);
     ReadResult result;
     {
@@ -293,8 +291,8 @@ TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes
 {
     const MeshFormat format = requireFormat(name);
     refuseSize(name, bytes.size());
-    const FileBytes file{name, bytes, {}, true};
-    refuseStart({name, bytes.substr(0, startSize)}, bytes.size(), format);
+    const io::FileBytes file{name, bytes, {}, true};
+    refuseStart({name, bytes.substr(0, io::startSize)}, bytes.size(), format);
     ReadResult result = parse(file, format);
     settle(result, file, format, usualUp(format));
     return std::move(result.mesh);
@@ -307,11 +305,11 @@ DocumentMetadata readMetadata(const std::filesystem::path& path)
         return {};
     std::ifstream stream(path, std::ios::binary);
     if (format == MeshFormat::Glb)
-        return readGlbMetadata(stream);
-    std::array<char, startSize> start;
+        return io::readGlbMetadata(stream);
+    std::array<char, io::startSize> start;
     stream.read(start.data(), start.size());
     DocumentMetadata metadata;
-    metadata.palette = paletteIn({start.data(), static_cast<std::size_t>(stream.gcount())});
+    metadata.palette = io::paletteIn({start.data(), static_cast<std::size_t>(stream.gcount())});
     return metadata;
 }
 
@@ -330,22 +328,22 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
     AtomicFile out(path);
     switch (format) {
     case MeshFormat::Stl:
-        writeStl(out, mesh, options.ascii);
+        io::writeStl(out, mesh, options.ascii);
         break;
     case MeshFormat::Obj:
-        writeObj(out, mesh, options.metadata.palette);
+        io::writeObj(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Ply:
-        writePly(out, mesh, options);
+        io::writePly(out, mesh, options);
         break;
     case MeshFormat::Off:
-        writeOff(out, mesh, options.metadata.palette);
+        io::writeOff(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Glb:
-        writeGlb(out, mesh, options.metadata);
+        io::writeGlb(out, mesh, options.metadata);
         break;
     case MeshFormat::ThreeMf:
-        writeThreeMf(out, mesh, options.metadata.palette);
+        io::writeThreeMf(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Gltf:
         break; // refused above

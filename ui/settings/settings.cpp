@@ -10,8 +10,6 @@ namespace ui
 {
 namespace
 {
-using namespace stored;
-
 constexpr qsizetype mostRecentFiles = 10;
 
 const QString geometryKey = QStringLiteral("window/geometry");
@@ -87,15 +85,15 @@ FilesChoice Settings::files() const
 {
     const QString folder = m_settings.value(shownFolderKey).toString();
     const bool isThere = !folder.isEmpty() && QDir(folder).exists();
-    return {isThere ? folder : lastFolder(), choice(m_settings, fileOrderKey, fileOrders, FileOrder::Name),
-            yesNo(m_settings, filesDescendingKey, false),
-            static_cast<int>(number(m_settings, filePictureKey, minPicture, maxPicture, defaultPicture))};
+    return {isThere ? folder : lastFolder(), stored::choice(m_settings, fileOrderKey, fileOrders, FileOrder::Name),
+            stored::yesNo(m_settings, filesDescendingKey, false),
+            static_cast<int>(stored::number(m_settings, filePictureKey, minPicture, maxPicture, defaultPicture))};
 }
 
 void Settings::setFiles(const FilesChoice& choice)
 {
     m_settings.setValue(shownFolderKey, choice.folder);
-    m_settings.setValue(fileOrderKey, wordFor(choice.order, fileOrders));
+    m_settings.setValue(fileOrderKey, stored::wordFor(choice.order, fileOrders));
     m_settings.setValue(filesDescendingKey, choice.descending);
     m_settings.setValue(filePictureKey, choice.picture);
 }
@@ -103,7 +101,7 @@ void Settings::setFiles(const FilesChoice& choice)
 int Settings::historyMegabytes() const
 {
     return static_cast<int>(
-        number(m_settings, historyKey, minHistoryMegabytes, maxHistoryMegabytes, defaultHistoryMegabytes));
+        stored::number(m_settings, historyKey, minHistoryMegabytes, maxHistoryMegabytes, defaultHistoryMegabytes));
 }
 
 void Settings::setHistoryMegabytes(int megabytes)
@@ -113,14 +111,14 @@ void Settings::setHistoryMegabytes(int megabytes)
 
 ExportChoice Settings::exporting() const
 {
-    const double most = number(m_settings, exportTrianglesKey, leastExportTriangles, mostExportTriangles, 0);
-    return {choice(m_settings, exportUseKey, exportUses, ExportUse::Print), static_cast<quint64>(most),
-            yesNo(m_settings, exportSlicesKey, false)};
+    const double most = stored::number(m_settings, exportTrianglesKey, leastExportTriangles, mostExportTriangles, 0);
+    return {stored::choice(m_settings, exportUseKey, exportUses, ExportUse::Print), static_cast<quint64>(most),
+            stored::yesNo(m_settings, exportSlicesKey, false)};
 }
 
 void Settings::setExporting(const ExportChoice& choice)
 {
-    m_settings.setValue(exportUseKey, wordFor(choice.use, exportUses));
+    m_settings.setValue(exportUseKey, stored::wordFor(choice.use, exportUses));
     m_settings.setValue(exportTrianglesKey, choice.mostTriangles);
     m_settings.setValue(exportSlicesKey, choice.slices);
 }
@@ -129,9 +127,9 @@ PrintChoice Settings::print() const
 {
     const PrintChoice usual;
     return {m_settings.value(printerKey).toString(),
-            number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, usual.wall),
-            number(m_settings, printOverhangKey, 0, 90, usual.overhang),
-            static_cast<int>(number(m_settings, printPictureKey, 0, 2, usual.picture))};
+            stored::number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, usual.wall),
+            stored::number(m_settings, printOverhangKey, 0, 90, usual.overhang),
+            static_cast<int>(stored::number(m_settings, printPictureKey, 0, 2, usual.picture))};
 }
 
 void Settings::setPrint(const PrintChoice& choice)
@@ -156,8 +154,8 @@ void Settings::setPrinters(const QList<Printer>& printers)
 void Settings::reset()
 {
     for (const QString& key : m_settings.allKeys())
-        if (key != recentKey && key != folderKey && key != swatchesKey && key != printersKey && key != alphaFilesKey &&
-            key != modelFilesKey && !key.startsWith(referenceKeys))
+        if (key != recentKey && key != folderKey && key != stored::swatchesKey && key != printersKey &&
+            key != stored::alphaFilesKey && key != stored::modelFilesKey && !key.startsWith(stored::referenceKeys))
             m_settings.remove(key);
     for (const auto& takeUp : m_onReset)
         takeUp();
@@ -170,7 +168,7 @@ void Settings::onReset(std::function<void()> takeUp)
 
 bool Settings::showsStartPage() const
 {
-    return yesNo(m_settings, startPageKey, true);
+    return stored::yesNo(m_settings, startPageKey, true);
 }
 
 void Settings::setShowsStartPage(bool shows)

@@ -8,8 +8,6 @@ namespace ui
 {
 namespace
 {
-using namespace stored;
-
 constexpr double defaultRadiusShare = 0.1;
 
 const QString alphaKey = QStringLiteral("brush/alpha");
@@ -54,7 +52,7 @@ const HabitSwitch habitSwitches[] = {
 double Settings::value(core::Parameter parameter) const
 {
     const core::ParameterInfo& row = core::info(parameter);
-    return number(m_settings, keyOf(parameter), row.min, row.max, defaultOf(parameter));
+    return stored::number(m_settings, keyOf(parameter), row.min, row.max, defaultOf(parameter));
 }
 
 void Settings::setValue(core::Parameter parameter, double value)
@@ -64,7 +62,7 @@ void Settings::setValue(core::Parameter parameter, double value)
 
 double Settings::radiusShare() const
 {
-    return number(m_settings, radiusShareKey, minRadiusShare, maxRadiusShare, defaultRadiusShare);
+    return stored::number(m_settings, radiusShareKey, minRadiusShare, maxRadiusShare, defaultRadiusShare);
 }
 
 void Settings::setRadiusShare(double share)
@@ -75,16 +73,16 @@ void Settings::setRadiusShare(double share)
 Preferences Settings::preferences() const
 {
     Preferences preferences;
-    preferences.theme = choice(m_settings, themeKey, themeChoices, preferences.theme);
-    preferences.language = choice(m_settings, languageKey, languages, preferences.language);
-    preferences.textSize = choice(m_settings, textSizeKey, textSizes, preferences.textSize);
-    preferences.isCalm = yesNo(m_settings, calmKey, preferences.isCalm);
+    preferences.theme = stored::choice(m_settings, themeKey, themeChoices, preferences.theme);
+    preferences.language = stored::choice(m_settings, languageKey, languages, preferences.language);
+    preferences.textSize = stored::choice(m_settings, textSizeKey, textSizes, preferences.textSize);
+    preferences.isCalm = stored::yesNo(m_settings, calmKey, preferences.isCalm);
     for (const HabitSwitch& row : habitSwitches)
-        preferences.hand.*row.what = yesNo(m_settings, row.key, preferences.hand.*row.what);
+        preferences.hand.*row.what = stored::yesNo(m_settings, row.key, preferences.hand.*row.what);
     preferences.hand.penExponent =
-        number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
-    preferences.keepsVersions = yesNo(m_settings, keepsVersionsKey, preferences.keepsVersions);
-    preferences.keys.preset = choice(m_settings, keyPresetKey, keyPresets, preferences.keys.preset);
+        stored::number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
+    preferences.keepsVersions = stored::yesNo(m_settings, keepsVersionsKey, preferences.keepsVersions);
+    preferences.keys.preset = stored::choice(m_settings, keyPresetKey, keyPresets, preferences.keys.preset);
     for (const QString& key : m_settings.allKeys())
         if (key.startsWith(ownKeys))
             preferences.keys.own.insert(key.mid(ownKeys.size()), m_settings.value(key).toString());
@@ -93,15 +91,15 @@ Preferences Settings::preferences() const
 
 void Settings::setPreferences(const Preferences& preferences)
 {
-    m_settings.setValue(themeKey, wordFor(preferences.theme, themeChoices));
-    m_settings.setValue(languageKey, wordFor(preferences.language, languages));
-    m_settings.setValue(textSizeKey, wordFor(preferences.textSize, textSizes));
+    m_settings.setValue(themeKey, stored::wordFor(preferences.theme, themeChoices));
+    m_settings.setValue(languageKey, stored::wordFor(preferences.language, languages));
+    m_settings.setValue(textSizeKey, stored::wordFor(preferences.textSize, textSizes));
     m_settings.setValue(calmKey, preferences.isCalm);
     for (const HabitSwitch& row : habitSwitches)
         m_settings.setValue(row.key, preferences.hand.*row.what);
     m_settings.setValue(penKey, preferences.hand.penExponent);
     m_settings.setValue(keepsVersionsKey, preferences.keepsVersions);
-    m_settings.setValue(keyPresetKey, wordFor(preferences.keys.preset, keyPresets));
+    m_settings.setValue(keyPresetKey, stored::wordFor(preferences.keys.preset, keyPresets));
     m_settings.remove(ownKeys.chopped(1));
     for (auto own = preferences.keys.own.cbegin(); own != preferences.keys.own.cend(); ++own)
         m_settings.setValue(ownKeys + own.key(), own.value());
@@ -109,9 +107,9 @@ void Settings::setPreferences(const Preferences& preferences)
 
 StoredShapes Settings::shapes() const
 {
-    return {m_settings.value(alphaKey).toString(), yesNo(m_settings, alphaFollowsKey, false),
-            m_settings.value(modelKey).toString(), m_settings.value(alphaFilesKey).toStringList(),
-            m_settings.value(modelFilesKey).toStringList()};
+    return {m_settings.value(alphaKey).toString(), stored::yesNo(m_settings, alphaFollowsKey, false),
+            m_settings.value(modelKey).toString(), m_settings.value(stored::alphaFilesKey).toStringList(),
+            m_settings.value(stored::modelFilesKey).toStringList()};
 }
 
 void Settings::setShapes(const StoredShapes& shapes)
@@ -119,8 +117,8 @@ void Settings::setShapes(const StoredShapes& shapes)
     m_settings.setValue(alphaKey, shapes.alpha);
     m_settings.setValue(alphaFollowsKey, shapes.alphaFollows);
     m_settings.setValue(modelKey, shapes.model);
-    m_settings.setValue(alphaFilesKey, shapes.alphas);
-    m_settings.setValue(modelFilesKey, shapes.models);
+    m_settings.setValue(stored::alphaFilesKey, shapes.alphas);
+    m_settings.setValue(stored::modelFilesKey, shapes.models);
 }
 
 bool Settings::isSteady() const
@@ -135,7 +133,7 @@ void Settings::setSteady(bool steady)
 
 double Settings::stringLength() const
 {
-    return number(m_settings, stringKey, minString, maxString, defaultString);
+    return stored::number(m_settings, stringKey, minString, maxString, defaultString);
 }
 
 void Settings::setStringLength(double pixels)
@@ -145,7 +143,7 @@ void Settings::setStringLength(double pixels)
 
 double Settings::turnSpeed() const
 {
-    return number(m_settings, turnSpeedKey, minTurn, maxTurn, defaultTurn);
+    return stored::number(m_settings, turnSpeedKey, minTurn, maxTurn, defaultTurn);
 }
 
 void Settings::setTurnSpeed(double speed)

@@ -9,8 +9,6 @@ namespace ui
 {
 namespace
 {
-using namespace stored;
-
 const QString drawnSidesKey = QStringLiteral("drawing/sides");
 const QString drawnShadedKey = QStringLiteral("drawing/shaded");
 const QString drawnDimensionsKey = QStringLiteral("drawing/dimensions");
@@ -38,24 +36,24 @@ const LookSwitch lookSwitches[] = {{QStringLiteral("view/wireframe"), &ViewLook:
 ViewLook Settings::look() const
 {
     ViewLook look;
-    look.material = choice(m_settings, materialKey, materials, look.material);
-    look.background = choice(m_settings, backgroundKey, backgrounds, look.background);
+    look.material = stored::choice(m_settings, materialKey, materials, look.material);
+    look.background = stored::choice(m_settings, backgroundKey, backgrounds, look.background);
     for (const LookSwitch& row : lookSwitches)
-        look.*row.what = yesNo(m_settings, row.key, look.*row.what);
+        look.*row.what = stored::yesNo(m_settings, row.key, look.*row.what);
     return look;
 }
 
 void Settings::setLook(const ViewLook& look)
 {
-    m_settings.setValue(materialKey, wordFor(look.material, materials));
-    m_settings.setValue(backgroundKey, wordFor(look.background, backgrounds));
+    m_settings.setValue(materialKey, stored::wordFor(look.material, materials));
+    m_settings.setValue(backgroundKey, stored::wordFor(look.background, backgrounds));
     for (const LookSwitch& row : lookSwitches)
         m_settings.setValue(row.key, look.*row.what);
 }
 
 DrawingChoice Settings::drawing() const
 {
-    const double sides = number(m_settings, drawnSidesKey, 0, static_cast<int>(DrawnSides::Top), 0);
+    const double sides = stored::number(m_settings, drawnSidesKey, 0, static_cast<int>(DrawnSides::Top), 0);
     return {static_cast<DrawnSides>(static_cast<int>(sides)), m_settings.value(drawnShadedKey, false).toBool(),
             m_settings.value(drawnDimensionsKey, true).toBool()};
 }
@@ -69,10 +67,10 @@ void Settings::setDrawing(const DrawingChoice& choice)
 
 QList<core::Rgb> Settings::swatches() const
 {
-    if (!m_settings.contains(swatchesKey))
+    if (!m_settings.contains(stored::swatchesKey))
         return firstSwatches;
     QList<core::Rgb> swatches;
-    for (const QString& name : m_settings.value(swatchesKey).toStringList())
+    for (const QString& name : m_settings.value(stored::swatchesKey).toStringList())
         if (const QColor color(name); color.isValid())
             swatches << toRgb(color);
     return swatches;
@@ -83,27 +81,27 @@ void Settings::setSwatches(const QList<core::Rgb>& swatches)
     QStringList names;
     for (const core::Rgb& color : swatches)
         names << toQt(color).name();
-    m_settings.setValue(swatchesKey, names);
+    m_settings.setValue(stored::swatchesKey, names);
 }
 
 StoredReference Settings::reference(ViewSide side) const
 {
-    const QString key = referenceKeys + wordFor(side, viewSides) + u'/';
+    const QString key = stored::referenceKeys + stored::wordFor(side, viewSides) + u'/';
     const ReferencePlacement usual;
     StoredReference stored;
     stored.path = m_settings.value(key + QStringLiteral("path")).toString();
     stored.placement = {
-        number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, usual.width),
-        number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, usual.x),
-        number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, usual.y),
-        number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, usual.opacity),
-        yesNo(m_settings, key + QStringLiteral("inFront"), usual.inFront)};
+        stored::number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, usual.width),
+        stored::number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, usual.x),
+        stored::number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, usual.y),
+        stored::number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, usual.opacity),
+        stored::yesNo(m_settings, key + QStringLiteral("inFront"), usual.inFront)};
     return stored;
 }
 
 void Settings::setReference(ViewSide side, const StoredReference& reference)
 {
-    const QString key = referenceKeys + wordFor(side, viewSides);
+    const QString key = stored::referenceKeys + stored::wordFor(side, viewSides);
     m_settings.remove(key);
     if (reference.path.isEmpty())
         return;
@@ -117,7 +115,7 @@ void Settings::setReference(ViewSide side, const StoredReference& reference)
 
 bool Settings::showsReferences() const
 {
-    return yesNo(m_settings, showsReferencesKey, true);
+    return stored::yesNo(m_settings, showsReferencesKey, true);
 }
 
 void Settings::setShowsReferences(bool shows)

@@ -8,13 +8,11 @@ namespace vr
 {
 namespace
 {
-using namespace std::chrono_literals;
-
-constexpr auto idleTime = 50ms;
+constexpr auto idleTime = std::chrono::milliseconds(50);
 /// A session state is reported only if it lasts at least this long; shorter ones are transitions.
-constexpr auto transitionTime = 500ms;
+constexpr auto transitionTime = std::chrono::milliseconds(500);
 /// The time that the runtime has to end the session after it was asked to.
-constexpr auto exitTimeout = 3s;
+constexpr auto exitTimeout = std::chrono::seconds(3);
 } // namespace
 
 void StopSource::requestStop()

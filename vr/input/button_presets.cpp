@@ -8,88 +8,94 @@ namespace vr
 {
 namespace
 {
-using enum HandRole;
-using enum HandMode;
-using enum Gesture;
-using F = WandFunction;
+/// A class, because using enum at namespace scope reaches the next files of a unity build.
+struct Rows
+{
+    using enum HandRole;
+    using enum HandMode;
+    using enum Gesture;
+    using F = WandFunction;
 
-// clang-format off
-constexpr PresetRow paper[] = {
-    {Support, Plain,    PadLeft,   F::TurnClockwise,     QT_TRANSLATE_NOOP("vr::Presets", "Turn clockwise")},
-    {Support, Plain,    PadRight,  F::TurnAnticlockwise, QT_TRANSLATE_NOOP("vr::Presets", "Turn anticlockwise")},
-    {Support, Plain,    PadTop,    F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
-    {Support, Plain,    PadBottom, F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
-    {Support, Any,      Slide,     F::ScaleModel,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: scale")},
-    {Support, Any,      Menu,      F::ToggleToolMenu,    QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
-    {Support, ToolMenu, PadLeft,   F::PreviousTool,      QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
-    {Support, ToolMenu, PadRight,  F::NextTool,          QT_TRANSLATE_NOOP("vr::Presets", "Next tool")},
-    {Support, Any,      Trigger,   F::MoveModel,         QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
-    {Support, Any,      SqueezeHold, F::SaveModel,         QT_TRANSLATE_NOOP("vr::Presets", "Hold: save")},
+    // clang-format off
+    static constexpr PresetRow paper[] = {
+        {Support, Plain,    PadLeft,   F::TurnClockwise,     QT_TRANSLATE_NOOP("vr::Presets", "Turn clockwise")},
+        {Support, Plain,    PadRight,  F::TurnAnticlockwise, QT_TRANSLATE_NOOP("vr::Presets", "Turn anticlockwise")},
+        {Support, Plain,    PadTop,    F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
+        {Support, Plain,    PadBottom, F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
+        {Support, Any,      Slide,     F::ScaleModel,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: scale")},
+        {Support, Any,      Menu,      F::ToggleToolMenu,    QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
+        {Support, ToolMenu, PadLeft,   F::PreviousTool,      QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
+        {Support, ToolMenu, PadRight,  F::NextTool,          QT_TRANSLATE_NOOP("vr::Presets", "Next tool")},
+        {Support, Any,      Trigger,   F::MoveModel,         QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
+        {Support, Any,      SqueezeHold, F::SaveModel,         QT_TRANSLATE_NOOP("vr::Presets", "Hold: save")},
 
-    {Sculpting, Plain,      PadTop,      F::ToggleBrushShape, QT_TRANSLATE_NOOP("vr::Presets", "Sphere or ray")},
-    {Sculpting, Plain,      PadBottom,   F::ToggleSymmetry,   QT_TRANSLATE_NOOP("vr::Presets", "Symmetry")},
-    {Sculpting, Plain,      PadLeft,     F::Undo,             QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
-    {Sculpting, Plain,      PadRight,    F::Redo,             QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
-    {Sculpting, Plain,      Slide,       F::SetRadius,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: radius")},
-    {Sculpting, Any,        Menu,        F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Colour")},
-    {Sculpting, ColorPanel, PadLeft,     F::PreviousChannel,  QT_TRANSLATE_NOOP("vr::Presets", "Previous channel")},
-    {Sculpting, ColorPanel, PadRight,    F::NextChannel,      QT_TRANSLATE_NOOP("vr::Presets", "Next channel")},
-    {Sculpting, ColorPanel, SlideUpDown, F::SetChannel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: value")},
-    {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
-    {Sculpting, Any,        SqueezeHold, F::RestoreModel,     QT_TRANSLATE_NOOP("vr::Presets", "Hold: restore")},
+        {Sculpting, Plain,      PadTop,      F::ToggleBrushShape, QT_TRANSLATE_NOOP("vr::Presets", "Sphere or ray")},
+        {Sculpting, Plain,      PadBottom,   F::ToggleSymmetry,   QT_TRANSLATE_NOOP("vr::Presets", "Symmetry")},
+        {Sculpting, Plain,      PadLeft,     F::Undo,             QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
+        {Sculpting, Plain,      PadRight,    F::Redo,             QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
+        {Sculpting, Plain,      Slide,       F::SetRadius,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: radius")},
+        {Sculpting, Any,        Menu,        F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Colour")},
+        {Sculpting, ColorPanel, PadLeft,     F::PreviousChannel,  QT_TRANSLATE_NOOP("vr::Presets", "Previous channel")},
+        {Sculpting, ColorPanel, PadRight,    F::NextChannel,      QT_TRANSLATE_NOOP("vr::Presets", "Next channel")},
+        {Sculpting, ColorPanel, SlideUpDown, F::SetChannel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: value")},
+        {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
+        {Sculpting, Any,        SqueezeHold, F::RestoreModel,     QT_TRANSLATE_NOOP("vr::Presets", "Hold: restore")},
+    };
+
+    /// Saving and restoring are on panels.
+    static constexpr PresetRow studio[] = {
+        {Support, Any, PadLeft,   F::Undo,           QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
+        {Support, Any, PadRight,  F::Redo,           QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
+        {Support, Any, PadTop,    F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
+        {Support, Any, PadBottom, F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
+        {Support, Any, Menu,      F::ToggleToolMenu, QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
+        {Support, Any, Trigger,   F::Smooth,         QT_TRANSLATE_NOOP("vr::Presets", "Smooth")},
+        {Support, Any, Squeeze,   F::MoveModel,      QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
+
+        {Sculpting, Plain,      PadTop,      F::ToggleBrushShape, QT_TRANSLATE_NOOP("vr::Presets", "Sphere or ray")},
+        {Sculpting, Plain,      PadBottom,   F::ToggleSymmetry,   QT_TRANSLATE_NOOP("vr::Presets", "Symmetry")},
+        {Sculpting, Plain,      PadLeft,     F::PreviousTool,     QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
+        {Sculpting, Plain,      PadRight,    F::NextTool,         QT_TRANSLATE_NOOP("vr::Presets", "Next tool")},
+        {Sculpting, Plain,      SlideUpDown, F::SetRadius,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: radius")},
+        {Sculpting, Any,        MenuTap,     F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Colour")},
+        {Sculpting, Any,        MenuHold,    F::ToggleInverse,    QT_TRANSLATE_NOOP("vr::Presets", "Hold: invert")},
+        {Sculpting, ColorPanel, PadLeft,     F::PreviousChannel,  QT_TRANSLATE_NOOP("vr::Presets", "Previous channel")},
+        {Sculpting, ColorPanel, PadRight,    F::NextChannel,      QT_TRANSLATE_NOOP("vr::Presets", "Next channel")},
+        {Sculpting, ColorPanel, SlideUpDown, F::SetChannel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: value")},
+        {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
+        {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
+    };
+    /// Saving, restoring and the rest are on panels.
+    static constexpr PresetRow oneHand[] = {
+        {Sculpting, Plain,      PadLeft,     F::Undo,             QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
+        {Sculpting, ToolMenu,   PadLeft,     F::PreviousTool,     QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
+        {Sculpting, Plain,      PadRight,    F::Redo,             QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
+        {Sculpting, ToolMenu,   PadRight,    F::NextTool,         QT_TRANSLATE_NOOP("vr::Presets", "Next tool")},
+        {Sculpting, Plain,      PadTop,      F::ToggleInverse,    QT_TRANSLATE_NOOP("vr::Presets", "Invert")},
+        {Sculpting, Plain,      PadBottom,   F::ToggleSymmetry,   QT_TRANSLATE_NOOP("vr::Presets", "Symmetry")},
+        {Sculpting, Plain,      SlideUpDown, F::SetRadius,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: radius")},
+        {Sculpting, ToolMenu,   SlideUpDown, F::ScaleModel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: scale")},
+        {Sculpting, Any,        MenuTap,     F::ToggleToolMenu,   QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
+        {Sculpting, Any,        MenuHold,    F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Hold: colour")},
+        {Sculpting, ColorPanel, PadLeft,     F::PreviousChannel,  QT_TRANSLATE_NOOP("vr::Presets", "Previous channel")},
+        {Sculpting, ColorPanel, PadRight,    F::NextChannel,      QT_TRANSLATE_NOOP("vr::Presets", "Next channel")},
+        {Sculpting, ColorPanel, SlideUpDown, F::SetChannel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: value")},
+        {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
+        {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
+    };
+    // clang-format on
 };
-
-/// Saving and restoring are on panels.
-constexpr PresetRow studio[] = {
-    {Support, Any, PadLeft,   F::Undo,           QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
-    {Support, Any, PadRight,  F::Redo,           QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
-    {Support, Any, PadTop,    F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
-    {Support, Any, PadBottom, F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
-    {Support, Any, Menu,      F::ToggleToolMenu, QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
-    {Support, Any, Trigger,   F::Smooth,         QT_TRANSLATE_NOOP("vr::Presets", "Smooth")},
-    {Support, Any, Squeeze,   F::MoveModel,      QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
-
-    {Sculpting, Plain,      PadTop,      F::ToggleBrushShape, QT_TRANSLATE_NOOP("vr::Presets", "Sphere or ray")},
-    {Sculpting, Plain,      PadBottom,   F::ToggleSymmetry,   QT_TRANSLATE_NOOP("vr::Presets", "Symmetry")},
-    {Sculpting, Plain,      PadLeft,     F::PreviousTool,     QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
-    {Sculpting, Plain,      PadRight,    F::NextTool,         QT_TRANSLATE_NOOP("vr::Presets", "Next tool")},
-    {Sculpting, Plain,      SlideUpDown, F::SetRadius,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: radius")},
-    {Sculpting, Any,        MenuTap,     F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Colour")},
-    {Sculpting, Any,        MenuHold,    F::ToggleInverse,    QT_TRANSLATE_NOOP("vr::Presets", "Hold: invert")},
-    {Sculpting, ColorPanel, PadLeft,     F::PreviousChannel,  QT_TRANSLATE_NOOP("vr::Presets", "Previous channel")},
-    {Sculpting, ColorPanel, PadRight,    F::NextChannel,      QT_TRANSLATE_NOOP("vr::Presets", "Next channel")},
-    {Sculpting, ColorPanel, SlideUpDown, F::SetChannel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: value")},
-    {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
-    {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
-};
-/// Saving, restoring and the rest are on panels.
-constexpr PresetRow oneHand[] = {
-    {Sculpting, Plain,      PadLeft,     F::Undo,             QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
-    {Sculpting, ToolMenu,   PadLeft,     F::PreviousTool,     QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
-    {Sculpting, Plain,      PadRight,    F::Redo,             QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
-    {Sculpting, ToolMenu,   PadRight,    F::NextTool,         QT_TRANSLATE_NOOP("vr::Presets", "Next tool")},
-    {Sculpting, Plain,      PadTop,      F::ToggleInverse,    QT_TRANSLATE_NOOP("vr::Presets", "Invert")},
-    {Sculpting, Plain,      PadBottom,   F::ToggleSymmetry,   QT_TRANSLATE_NOOP("vr::Presets", "Symmetry")},
-    {Sculpting, Plain,      SlideUpDown, F::SetRadius,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: radius")},
-    {Sculpting, ToolMenu,   SlideUpDown, F::ScaleModel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: scale")},
-    {Sculpting, Any,        MenuTap,     F::ToggleToolMenu,   QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
-    {Sculpting, Any,        MenuHold,    F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Hold: colour")},
-    {Sculpting, ColorPanel, PadLeft,     F::PreviousChannel,  QT_TRANSLATE_NOOP("vr::Presets", "Previous channel")},
-    {Sculpting, ColorPanel, PadRight,    F::NextChannel,      QT_TRANSLATE_NOOP("vr::Presets", "Next channel")},
-    {Sculpting, ColorPanel, SlideUpDown, F::SetChannel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: value")},
-    {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
-    {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
-};
-// clang-format on
 
 constexpr bool answers(const PresetRow& row, const WandControl& control)
 {
-    return row.hand == control.hand && row.gesture == control.gesture && (row.mode == Any || row.mode == control.mode);
+    return row.hand == control.hand && row.gesture == control.gesture &&
+           (row.mode == HandMode::Any || row.mode == control.mode);
 }
 
 /// Whether one move of the hand can be both.
 constexpr bool overlap(Gesture a, Gesture b)
 {
+    using enum Gesture;
     const auto are = [&](Gesture first, Gesture second) {
         return (a == first && b == second) || (a == second && b == first);
     };
@@ -101,31 +107,32 @@ constexpr bool isClear(std::span<const PresetRow> table)
 {
     for (std::size_t i = 0; i < table.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const bool sameMode = table[i].mode == table[j].mode || table[i].mode == Any || table[j].mode == Any;
+            const bool sameMode =
+                table[i].mode == table[j].mode || table[i].mode == HandMode::Any || table[j].mode == HandMode::Any;
             if (table[i].hand == table[j].hand && sameMode && overlap(table[i].gesture, table[j].gesture))
                 return false;
         }
     return true;
 }
-static_assert(isClear(paper) && isClear(studio) && isClear(oneHand));
+static_assert(isClear(Rows::paper) && isClear(Rows::studio) && isClear(Rows::oneHand));
 } // namespace
 
 std::span<const PresetRow> presetRows(ButtonPreset preset)
 {
     switch (preset) {
     case ButtonPreset::Paper:
-        return paper;
+        return Rows::paper;
     case ButtonPreset::Studio:
-        return studio;
+        return Rows::studio;
     case ButtonPreset::OneHand:
-        return oneHand;
+        return Rows::oneHand;
     }
     return {};
 }
 
 std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control)
 {
-    assert(control.mode != Any);
+    assert(control.mode != HandMode::Any);
     for (const PresetRow& row : presetRows(preset))
         if (answers(row, control))
             return row.function;

@@ -17,33 +17,34 @@ struct Component
 
 namespace
 {
-using enum Source::Kind;
+using Kind = Source::Kind;
 constexpr double clickOfTrigger = 0.8;
 constexpr double touchOfTrigger = 0.01;
 constexpr double never = 2; ///< the system button is the runtime's own: it may be bound, and is never pressed
 
-constexpr Component gripPose{"/input/grip/pose", Grip};
-constexpr Component aimPose{"/input/aim/pose", Aim};
-constexpr Component haptic{"/output/haptic", Haptic};
-constexpr Component menuClick{"/input/menu/click", Boolean, Input::Menu};
-constexpr Component squeezeClick{"/input/squeeze/click", Boolean, Input::Squeeze};
-constexpr Component squeezeValue{"/input/squeeze/value", Float, Input::Squeeze};
-constexpr Component triggerValue{"/input/trigger/value", Float, Input::Trigger};
-constexpr Component triggerClick{"/input/trigger/click", Boolean, Input::Trigger, Where::Both, clickOfTrigger};
-constexpr Component triggerTouch{"/input/trigger/touch", Boolean, Input::Trigger, Where::Both, touchOfTrigger};
-constexpr Component padX{"/input/trackpad/x", Float, Input::PadX};
-constexpr Component padY{"/input/trackpad/y", Float, Input::PadY};
-constexpr Component padClick{"/input/trackpad/click", Boolean, Input::PadPress};
-constexpr Component padTouch{"/input/trackpad/touch", Boolean, Input::PadTouch};
-constexpr Component padForce{"/input/trackpad/force", Float, Input::PadPress};
-constexpr Component stickX{"/input/thumbstick/x", Float, Input::StickX};
-constexpr Component stickY{"/input/thumbstick/y", Float, Input::StickY};
-constexpr Component stickClick{"/input/thumbstick/click", Boolean, Input::StickPress};
-constexpr Component stickTouch{"/input/thumbstick/touch", Boolean, Input::StickPress};
+constexpr Component gripPose{"/input/grip/pose", Kind::Grip};
+constexpr Component aimPose{"/input/aim/pose", Kind::Aim};
+constexpr Component haptic{"/output/haptic", Kind::Haptic};
+constexpr Component menuClick{"/input/menu/click", Kind::Boolean, Input::Menu};
+constexpr Component squeezeClick{"/input/squeeze/click", Kind::Boolean, Input::Squeeze};
+constexpr Component squeezeValue{"/input/squeeze/value", Kind::Float, Input::Squeeze};
+constexpr Component triggerValue{"/input/trigger/value", Kind::Float, Input::Trigger};
+constexpr Component triggerClick{"/input/trigger/click", Kind::Boolean, Input::Trigger, Where::Both, clickOfTrigger};
+constexpr Component triggerTouch{"/input/trigger/touch", Kind::Boolean, Input::Trigger, Where::Both, touchOfTrigger};
+constexpr Component padX{"/input/trackpad/x", Kind::Float, Input::PadX};
+constexpr Component padY{"/input/trackpad/y", Kind::Float, Input::PadY};
+constexpr Component padClick{"/input/trackpad/click", Kind::Boolean, Input::PadPress};
+constexpr Component padTouch{"/input/trackpad/touch", Kind::Boolean, Input::PadTouch};
+constexpr Component padForce{"/input/trackpad/force", Kind::Float, Input::PadPress};
+constexpr Component stickX{"/input/thumbstick/x", Kind::Float, Input::StickX};
+constexpr Component stickY{"/input/thumbstick/y", Kind::Float, Input::StickY};
+constexpr Component stickClick{"/input/thumbstick/click", Kind::Boolean, Input::StickPress};
+constexpr Component stickTouch{"/input/thumbstick/touch", Kind::Boolean, Input::StickPress};
 
-constexpr Component simple[] = {{"/input/select/click", Boolean, Input::Trigger}, menuClick, gripPose, aimPose, haptic};
+constexpr Component simple[] = {
+    {"/input/select/click", Kind::Boolean, Input::Trigger}, menuClick, gripPose, aimPose, haptic};
 
-constexpr Component vive[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
+constexpr Component vive[] = {{"/input/system/click", Kind::Boolean, Input::Menu, Where::Both, never},
                               squeezeClick,
                               menuClick,
                               triggerClick,
@@ -56,14 +57,14 @@ constexpr Component vive[] = {{"/input/system/click", Boolean, Input::Menu, Wher
                               aimPose,
                               haptic};
 
-constexpr Component index[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
-                               {"/input/system/touch", Boolean, Input::Menu, Where::Both, never},
-                               {"/input/a/click", Boolean, Input::ButtonA},
-                               {"/input/a/touch", Boolean, Input::ButtonA},
-                               {"/input/b/click", Boolean, Input::ButtonB},
-                               {"/input/b/touch", Boolean, Input::ButtonB},
+constexpr Component index[] = {{"/input/system/click", Kind::Boolean, Input::Menu, Where::Both, never},
+                               {"/input/system/touch", Kind::Boolean, Input::Menu, Where::Both, never},
+                               {"/input/a/click", Kind::Boolean, Input::ButtonA},
+                               {"/input/a/touch", Kind::Boolean, Input::ButtonA},
+                               {"/input/b/click", Kind::Boolean, Input::ButtonB},
+                               {"/input/b/touch", Kind::Boolean, Input::ButtonB},
                                squeezeValue,
-                               {"/input/squeeze/force", Float, Input::Squeeze},
+                               {"/input/squeeze/force", Kind::Float, Input::Squeeze},
                                triggerClick,
                                triggerValue,
                                triggerTouch,
@@ -79,17 +80,17 @@ constexpr Component index[] = {{"/input/system/click", Boolean, Input::Menu, Whe
                                aimPose,
                                haptic};
 
-constexpr Component touch[] = {{"/input/x/click", Boolean, Input::ButtonA, Where::Left},
-                               {"/input/x/touch", Boolean, Input::ButtonA, Where::Left},
-                               {"/input/y/click", Boolean, Input::ButtonB, Where::Left},
-                               {"/input/y/touch", Boolean, Input::ButtonB, Where::Left},
-                               {"/input/menu/click", Boolean, Input::Menu, Where::Left},
-                               {"/input/a/click", Boolean, Input::ButtonA, Where::Right},
-                               {"/input/a/touch", Boolean, Input::ButtonA, Where::Right},
-                               {"/input/b/click", Boolean, Input::ButtonB, Where::Right},
-                               {"/input/b/touch", Boolean, Input::ButtonB, Where::Right},
-                               {"/input/system/click", Boolean, Input::Menu, Where::Right, never},
-                               {"/input/thumbrest/touch", Boolean, Input::PadTouch},
+constexpr Component touch[] = {{"/input/x/click", Kind::Boolean, Input::ButtonA, Where::Left},
+                               {"/input/x/touch", Kind::Boolean, Input::ButtonA, Where::Left},
+                               {"/input/y/click", Kind::Boolean, Input::ButtonB, Where::Left},
+                               {"/input/y/touch", Kind::Boolean, Input::ButtonB, Where::Left},
+                               {"/input/menu/click", Kind::Boolean, Input::Menu, Where::Left},
+                               {"/input/a/click", Kind::Boolean, Input::ButtonA, Where::Right},
+                               {"/input/a/touch", Kind::Boolean, Input::ButtonA, Where::Right},
+                               {"/input/b/click", Kind::Boolean, Input::ButtonB, Where::Right},
+                               {"/input/b/touch", Kind::Boolean, Input::ButtonB, Where::Right},
+                               {"/input/system/click", Kind::Boolean, Input::Menu, Where::Right, never},
+                               {"/input/thumbrest/touch", Kind::Boolean, Input::PadTouch},
                                squeezeValue,
                                triggerValue,
                                triggerTouch,
@@ -105,10 +106,10 @@ constexpr Component motion[] = {menuClick, squeezeClick, triggerValue, stickX,  
                                 padY,      padClick,     padTouch,     gripPose, aimPose, haptic};
 
 constexpr Component daydream[] = {
-    {"/input/select/click", Boolean, Input::Trigger}, padX, padY, padClick, padTouch, gripPose, aimPose};
+    {"/input/select/click", Kind::Boolean, Input::Trigger}, padX, padY, padClick, padTouch, gripPose, aimPose};
 
-constexpr Component go[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
-                            {"/input/back/click", Boolean, Input::Menu},
+constexpr Component go[] = {{"/input/system/click", Kind::Boolean, Input::Menu, Where::Both, never},
+                            {"/input/back/click", Kind::Boolean, Input::Menu},
                             triggerClick,
                             padX,
                             padY,
@@ -223,11 +224,11 @@ bool suits(Source::Kind kind, XrActionType type)
     switch (type) {
     case XR_ACTION_TYPE_BOOLEAN_INPUT:
     case XR_ACTION_TYPE_FLOAT_INPUT:
-        return kind == Boolean || kind == Float;
+        return kind == Kind::Boolean || kind == Kind::Float;
     case XR_ACTION_TYPE_POSE_INPUT:
-        return kind == Grip || kind == Aim;
+        return kind == Kind::Grip || kind == Kind::Aim;
     case XR_ACTION_TYPE_VIBRATION_OUTPUT:
-        return kind == Haptic;
+        return kind == Kind::Haptic;
     default:
         return false;
     }
@@ -244,7 +245,7 @@ std::optional<Source> vectorAt(const Profile& profile, const HandPath& at)
     const Component* y = childOf(profile, at, {"/y"});
     if (!x || !y)
         return {};
-    return Source{wholePath(at, at.rest), at.hand, Vector, x->input, y->input};
+    return Source{wholePath(at, at.rest), at.hand, Kind::Vector, x->input, y->input};
 }
 } // namespace
 

@@ -15,25 +15,24 @@ struct Magic
     std::string_view start, name;
 };
 
-using namespace std::string_view_literals;
 constexpr std::array magics{
-    Magic{"ply\n"sv, "ply"},
-    Magic{"ply\r"sv, "ply"},
-    Magic{"glTF"sv, "glb"},
-    Magic{"PK\3\4"sv, "zip"},
-    Magic{"\x89PNG"sv, "png"},
-    Magic{"\xff\xd8\xff"sv, "jpg"},
-    Magic{"GIF8"sv, "gif"},
-    Magic{"%PDF"sv, "pdf"},
-    Magic{"\x1f\x8b"sv, "gz"},
+    Magic{"ply\n", "ply"},
+    Magic{"ply\r", "ply"},
+    Magic{"glTF", "glb"},
+    Magic{"PK\3\4", "zip"},
+    Magic{"\x89PNG", "png"},
+    Magic{"\xff\xd8\xff", "jpg"},
+    Magic{"GIF8", "gif"},
+    Magic{"%PDF", "pdf"},
+    Magic{"\x1f\x8b", "gz"},
     Magic{"\x7f"
-          "ELF"sv,
+          "ELF",
           "program"},
-    Magic{"Kaydara FBX"sv, "fbx"},
-    Magic{"<?xml"sv, "xml"},
-    Magic{"BLENDER"sv, "blend"},
-    Magic{"<!DOCTYPE"sv, "html"},
-    Magic{"<html"sv, "html"},
+    Magic{"Kaydara FBX", "fbx"},
+    Magic{"<?xml", "xml"},
+    Magic{"BLENDER", "blend"},
+    Magic{"<!DOCTYPE", "html"},
+    Magic{"<html", "html"},
 };
 
 bool isText(std::string_view start)
@@ -73,8 +72,7 @@ std::string_view withoutComments(std::string_view text)
 
 bool isObj(std::string_view start)
 {
-    constexpr std::array words{"v "sv, "vn "sv, "vt "sv,     "f "sv,      "g "sv,
-                               "o "sv, "s "sv,  "mtllib "sv, "usemtl "sv, "v\t"sv};
+    constexpr std::array words{"v ", "vn ", "vt ", "f ", "g ", "o ", "s ", "mtllib ", "usemtl ", "v\t"};
     const std::string_view text = withoutComments(start);
     return std::any_of(words.begin(), words.end(), [text](std::string_view w) { return text.starts_with(w); });
 }
