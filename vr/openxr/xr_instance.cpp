@@ -9,6 +9,9 @@ namespace
 /// The loader has room for one instance.
 std::mutex onlyInstance;
 
+/// The version that this client is written and tested for. The headers' own may be 1.1, which a runtime of 1.0 refuses.
+constexpr XrVersion requestedVersion = XR_MAKE_VERSION(1, 0, 20);
+
 /// We draw with OpenGL; under EGL that needs the second, too.
 constexpr const char* openGlExtension = "XR_KHR_opengl_enable";
 constexpr const char* wantedExtensions[] = {openGlExtension, "XR_MNDX_egl_enable"};
@@ -39,7 +42,7 @@ InstanceHandle makeInstance(const std::vector<const char*>& extensions)
     info.type = XR_TYPE_INSTANCE_CREATE_INFO;
     std::strncpy(info.applicationInfo.applicationName, "Fettle", XR_MAX_APPLICATION_NAME_SIZE - 1);
     info.applicationInfo.applicationVersion = 1;
-    info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
+    info.applicationInfo.apiVersion = requestedVersion;
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.enabledExtensionNames = extensions.data();
     XrInstance made = XR_NULL_HANDLE;

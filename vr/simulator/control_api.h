@@ -47,6 +47,7 @@ const char* fettle_xr_do(const char* step);
 /// stopped. Returns how many ended, which is less if that takes longer than it may.
 int fettle_xr_frames(int count, int milliseconds);
 /// {"state", "is_running", "is_frozen": the client is in the call that does not return, "sessions", "frames_ended",
+/// "api_minor": of OpenXR 1, as the client asked for it; null without an instance,
 /// "client_errors": [text], "client_warnings": [text], "haptics": [...], "calls": {name: count}, "last_frame":
 /// {"layers": [...], ...}}
 const char* fettle_xr_report();

@@ -215,7 +215,8 @@ bool isCompatible(const LoaderInfo* loader, const RuntimeRequest* request)
     return loader && request && loader->type == LoaderStructure::LoaderInfo &&
            request->type == LoaderStructure::RuntimeRequest && loader->size == sizeof(LoaderInfo) &&
            request->size == sizeof(RuntimeRequest) && loader->minInterfaceVersion <= loaderInterfaceVersion &&
-           loader->maxInterfaceVersion >= loaderInterfaceVersion && loader->minApiVersion <= XR_CURRENT_API_VERSION;
+           loader->maxInterfaceVersion >= loaderInterfaceVersion && loader->minApiVersion <= implementedVersion &&
+           loader->maxApiVersion >= XR_MAKE_VERSION(1, 0, 0);
 }
 } // namespace
 } // namespace simulator
@@ -235,7 +236,7 @@ xrNegotiateLoaderRuntimeInterface(const simulator::LoaderInfo* loader, simulator
         return XR_ERROR_INITIALIZATION_FAILED;
     }
     request->interfaceVersion = loaderInterfaceVersion;
-    request->apiVersion = XR_CURRENT_API_VERSION;
+    request->apiVersion = implementedVersion;
     request->getInstanceProcAddr = &getInstanceProcAddr;
     return XR_SUCCESS;
 }

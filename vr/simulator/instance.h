@@ -44,6 +44,7 @@ class Instance : public Object
 public:
     Paths paths;
     Events events;
+    XrVersion apiVersion = 0; ///< the client asked for it
     bool takesOpenGl = false; ///< the client enabled the extension
     bool requirementsAsked = false;
     std::optional<std::int64_t> lostAt;                 ///< frame of the session

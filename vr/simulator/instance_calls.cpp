@@ -68,12 +68,13 @@ XrResult createInstance(Call& call, const XrInstanceCreateInfo* info, XrInstance
     require(runtime.world.hasRuntime, XR_ERROR_RUNTIME_UNAVAILABLE, "so the script says");
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
     require(info->applicationInfo.applicationName[0] != 0, XR_ERROR_NAME_INVALID, "the application has no name");
-    require(XR_VERSION_MAJOR(info->applicationInfo.apiVersion) == XR_VERSION_MAJOR(XR_CURRENT_API_VERSION) &&
-                info->applicationInfo.apiVersion <= XR_MAKE_VERSION(1, 0, 0xFFFFFFFF),
-            XR_ERROR_API_VERSION_UNSUPPORTED, "not 1.0");
+    const XrVersion version = info->applicationInfo.apiVersion;
+    require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) == 0, XR_ERROR_API_VERSION_UNSUPPORTED,
+            "not 1.0");
     checkExtensions(*info, runtime.world);
     require(!runtime.instance, XR_ERROR_LIMIT_REACHED, "one instance at a time");
     runtime.instance = std::make_shared<Instance>();
+    runtime.instance->apiVersion = version;
     runtime.instance->takesOpenGl = info->enabledExtensionCount > 0;
     *instance = runtime.handles.add<XrInstance>(runtime.instance, nullptr);
     return XR_SUCCESS;

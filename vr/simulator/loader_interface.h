@@ -11,6 +11,8 @@ namespace simulator
 {
 enum class LoaderStructure : std::int32_t { LoaderInfo = 1, RuntimeRequest = 3 };
 inline constexpr std::uint32_t loaderInterfaceVersion = 1;
+/// The version of OpenXR that the simulator implements, whatever the headers' own is.
+inline constexpr XrVersion implementedVersion = XR_MAKE_VERSION(1, 0, 20);
 
 struct LoaderInfo
 {

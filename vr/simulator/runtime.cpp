@@ -121,6 +121,7 @@ nlohmann::json Runtime::report() const
     report["state"] = session ? nameOf(session->state()) : "";
     report["is_running"] = session && session->isRunning();
     report["is_frozen"] = isClientFrozen;
+    report["api_minor"] = instance ? nlohmann::json(XR_VERSION_MINOR(instance->apiVersion)) : nlohmann::json();
     report["sessions"] = sessionsMade;
     report["frames_ended"] = framesEnded;
     return report;

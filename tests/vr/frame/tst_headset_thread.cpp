@@ -89,6 +89,7 @@ private Q_SLOTS:
     void cleanup();
 
     void entersAndLeaves();
+    void asksForOpenXr10();
     void entersAgainAndAgain();
     void entersFromTheLastReport();
     void leavesWhenItGoes();
@@ -162,6 +163,15 @@ void TestHeadsetThread::entersAndLeaves()
     QCOMPARE(visitor.thread.timings().frames(), quint64(visitor.client->frames));
     QCOMPARE(m_headset->report()["sessions"].toInt(), 1);
     QCOMPARE(m_headset->report()["is_running"].toBool(), false);
+}
+
+/// Runtimes of OpenXR 1.0 are still common, and refuse a client of 1.1.
+void TestHeadsetThread::asksForOpenXr10()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QCOMPARE(m_headset->report()["api_minor"].toInt(-1), 0);
+    QVERIFY(visitor.leave());
 }
 
 /// Threads, files and contexts end with each visit.

@@ -75,7 +75,7 @@ XrResult RawClient::createInstance(std::vector<const char*> extensions)
     XrInstanceCreateInfo info{};
     info.type = XR_TYPE_INSTANCE_CREATE_INFO;
     std::strncpy(info.applicationInfo.applicationName, "Raw client", XR_MAX_APPLICATION_NAME_SIZE - 1);
-    info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
+    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.enabledExtensionNames = extensions.data();
     if (const XrResult result = xrCreateInstance(&info, &instance); XR_FAILED(result))
