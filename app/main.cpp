@@ -217,6 +217,7 @@ int runWindow(int argc, char* argv[])
         std::fputs(noDisplay, stderr);
         return app::BadInput;
     }
+    app::surviveBrokenPipes();
     if (hasWord(argc, argv, app::simulatorWord))
         preferX11();
     ui::prepareGraphics();

@@ -34,8 +34,17 @@ std::optional<pid_t> start(const std::vector<std::string>& command, int output)
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+    // An ignored signal stays ignored in a child, and SIGPIPE is how a child notices that nobody reads it any more.
+    sigset_t byDefault;
+    sigemptyset(&byDefault);
+    sigaddset(&byDefault, SIGPIPE);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setsigdefault(&attributes, &byDefault);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
-    const int problem = posix_spawn(&child, arguments.front(), &files, nullptr, arguments.data(), environ);
+    const int problem = posix_spawn(&child, arguments.front(), &files, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     return problem == 0 ? std::optional(child) : std::nullopt;
 }

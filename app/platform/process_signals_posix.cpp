@@ -8,4 +8,9 @@ void surviveFileSizeLimit()
 {
     std::signal(SIGXFSZ, SIG_IGN);
 }
+
+void surviveBrokenPipes()
+{
+    std::signal(SIGPIPE, SIG_IGN);
+}
 } // namespace app

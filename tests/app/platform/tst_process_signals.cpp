@@ -1,0 +1,116 @@
+// Signals that the window survives, and that the programs it starts do not inherit.
+#include "app/platform/child_process.h"
+#include "app/platform/process_signals.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cerrno>
+#include <csignal>
+#include <unistd.h>
+
+namespace
+{
+constexpr int longEnough = 60'000; ///< milliseconds, on a busy machine
+
+/// Whether a process ignores SIGPIPE, by the text of its /proc/PID/status.
+bool ignoresBrokenPipes(const QByteArray& status)
+{
+    const qsizetype at = status.indexOf("SigIgn:");
+    const quint64 mask = at < 0 ? 0 : status.mid(at + 7, 17).trimmed().toULongLong(nullptr, 16);
+    return (mask & (quint64(1) << (SIGPIPE - 1))) != 0;
+}
+
+QByteArray contents(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QByteArray byProcess()
+{
+    QProcess cat;
+    cat.start(QStringLiteral("cat"), {QStringLiteral("/proc/self/status")});
+    cat.waitForFinished(longEnough);
+    return cat.readAllStandardOutput();
+}
+
+QByteArray byDetachedProcess()
+{
+    const QTemporaryDir folder;
+    const QString answer = folder.filePath(QStringLiteral("answer"));
+    QProcess::startDetached(QStringLiteral("sh"),
+                            {QStringLiteral("-c"), QStringLiteral("cat /proc/self/status >part; mv part answer")},
+                            folder.path());
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(answer), longEnough); }();
+    return contents(answer);
+}
+
+QByteArray byOwnChild()
+{
+    return QByteArray::fromStdString(
+        app::runChild({{"/bin/cat", "/proc/self/status"}, std::chrono::seconds(60), 1 << 20}).bytes);
+}
+} // namespace
+
+class TestProcessSignals : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { app::surviveBrokenPipes(); }
+    void brokenPipe_isAnError();
+    void children_doNotIgnoreBrokenPipes_data();
+    void children_doNotIgnoreBrokenPipes();
+    void window_survivesABrokenPipe();
+};
+
+void TestProcessSignals::brokenPipe_isAnError()
+{
+    int ends[2] = {};
+    QCOMPARE(pipe(ends), 0);
+    close(ends[0]);
+    QCOMPARE(write(ends[1], "x", 1), ssize_t(-1));
+    QCOMPARE(errno, EPIPE);
+    close(ends[1]);
+}
+
+void TestProcessSignals::children_doNotIgnoreBrokenPipes_data()
+{
+    QTest::addColumn<QByteArray>("status");
+    QTest::newRow("QProcess") << byProcess();
+    QTest::newRow("QProcess, detached") << byDetachedProcess();
+    QTest::newRow("runChild") << byOwnChild();
+}
+
+void TestProcessSignals::children_doNotIgnoreBrokenPipes()
+{
+    QFETCH(QByteArray, status);
+    QVERIFY(ignoresBrokenPipes(contents(QStringLiteral("/proc/self/status"))));
+    QVERIFY(status.contains("SigIgn:"));
+    QVERIFY(!ignoresBrokenPipes(status));
+}
+
+/// As when the client library of an OpenXR runtime writes to its service that has just died.
+void TestProcessSignals::window_survivesABrokenPipe()
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DBUS_SESSION_BUS_ADDRESS"),
+                       QStringLiteral("disabled:")); // libdbus would ignore the signal, too
+    QProcess fettle;
+    fettle.setProcessEnvironment(environment);
+    fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    fettle.start(QStringLiteral(FETTLE_PROGRAM), QStringList());
+    QVERIFY(fettle.waitForStarted(longEnough));
+    QTRY_VERIFY_WITH_TIMEOUT(ignoresBrokenPipes(contents(QStringLiteral("/proc/%1/status").arg(fettle.processId()))),
+                             longEnough);
+    QCOMPARE(kill(static_cast<pid_t>(fettle.processId()), SIGPIPE), 0);
+    QVERIFY(!fettle.waitForFinished(500));
+    fettle.kill();
+    QVERIFY(fettle.waitForFinished(longEnough));
+}
+
+QTEST_GUILESS_MAIN(TestProcessSignals)
+#include "tst_process_signals.moc"
