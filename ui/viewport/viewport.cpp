@@ -38,7 +38,6 @@ void prepareGraphics()
 {
     qputenv("QT3D_RENDERER", "opengl");
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -111,6 +110,8 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     : QOpenGLWidget(parent)
     , m_state(std::make_unique<State>(brush))
 {
+    // Curves need every mouse move. Not earlier: Qt's X11 platform switches compression on while QApplication is made.
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     setMouseTracking(true);
     setTabletTracking(true);
     setAttribute(Qt::WA_AcceptTouchEvents);

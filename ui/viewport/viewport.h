@@ -21,8 +21,8 @@
 
 namespace ui
 {
-/// To be called once, before QApplication is made: surface format, shared contexts, Qt3D's renderer, no compressed
-/// mouse moves. Without it the viewport shows a sentence in place of the clay.
+/// To be called once, before QApplication is made: surface format, shared contexts, Qt3D's renderer.
+/// Without it the viewport shows a sentence in place of the clay.
 void prepareGraphics();
 
 /// What the viewport measured. Times in milliseconds.
@@ -50,7 +50,8 @@ class Viewport : public QOpenGLWidget
     Q_OBJECT
 
 public:
-    /// Neither pointer is owned; `brush` must outlive the viewport.
+    /// Neither pointer is owned; `brush` must outlive the viewport. Switches off the compression of mouse moves in the
+    /// whole program.
     explicit Viewport(BrushSettings* brush, QWidget* parent = nullptr);
     ~Viewport() override;
 

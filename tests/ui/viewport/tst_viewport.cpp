@@ -1,10 +1,12 @@
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
+#include <QCursor>
 #include <QNativeGestureEvent>
 #include <QPointingDevice>
 #include <QSignalSpy>
 #include <QTabletEvent>
+#include <QThread>
 #include <QWheelEvent>
 
 #include <chrono>
@@ -30,6 +32,22 @@ void turnWheel(ui::Viewport& viewport, QPoint at, int notches)
                       Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&viewport, &event);
 }
+
+/// Counts the mouse moves that an object receives.
+class MoveCounter : public QObject
+{
+public:
+    explicit MoveCounter(QObject* receiver) { receiver->installEventFilter(this); }
+
+    int moves = 0;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        moves += event->type() == QEvent::MouseMove ? 1 : 0;
+        return false;
+    }
+};
 
 /// A viewport with a ball in it and somebody who answers its questions.
 struct Stage
@@ -203,6 +221,24 @@ private Q_SLOTS:
             QVERIFY(s.model.hit({sample.position, sample.direction}));
             QCOMPARE(sample.pressure, 1.0);
         }
+    }
+
+    /// While a slow frame is drawn moves wait, and a curve is made of all of them.
+    void everyMouseMoveArrives()
+    {
+        if (QGuiApplication::platformName() != "xcb")
+            QSKIP("only Qt's X11 platform compresses mouse moves, and moves of the real pointer are needed");
+        Stage s;
+        const QPoint from = s.viewport.mapToGlobal(QPoint(50, 150));
+        QCursor::setPos(from);
+        QTRY_VERIFY(s.viewport.underMouse());
+        QTest::qWait(100); // what else enters with the pointer
+        MoveCounter counter(&s.viewport);
+        constexpr int moves = 40;
+        for (int i = 1; i <= moves; ++i)
+            QCursor::setPos(from + QPoint(5 * i, 0));
+        QThread::msleep(300);
+        QTRY_COMPARE(counter.moves, moves);
     }
 
     void aDragBesideTheModelTurnsTheView()
