@@ -126,6 +126,20 @@ const QRegularExpression platformHeader(
     QRegularExpression::CaseInsensitiveOption);
 const QRegularExpression platformFile(R"(_(glx|wgl|egl|x11|linux|posix|windows|macos)\.(cpp|h|mm)$)");
 
+/// A line that no source of the program may hold, and why.
+struct LineRule
+{
+    QRegularExpression line;
+    const char* reason;
+};
+const LineRule lineRules[] = {
+    // Namespaces are not indented.
+    {QRegularExpression(R"(^using[ \t]+(enum|namespace)\b)"),
+     "at namespace scope it reaches the next files of a unity build"},
+    {QRegularExpression(R"(\bXR_CURRENT_API_VERSION\b)"),
+     "it is the version of the headers, and runtimes of OpenXR 1.0 refuse 1.1"},
+};
+
 struct Include
 {
     QString header;
@@ -226,6 +240,19 @@ QStringList faults(const QString& path, const QString& text)
     return found;
 }
 
+QStringList brokenLineRules(const QString& path, const QString& text)
+{
+    QStringList found;
+    int number = 0;
+    for (const QString& line : text.split('\n')) {
+        ++number;
+        for (const LineRule& rule : lineRules)
+            if (rule.line.match(line).hasMatch())
+                found << QString("%1:%2: %3: %4").arg(path).arg(number).arg(line, QString(rule.reason));
+    }
+    return found;
+}
+
 QString contents(const QString& path)
 {
     QFile file(path);
@@ -307,6 +334,25 @@ const Example goodIncludes[] = {
     {"text that names an include", "core/mesh/a.cpp", "// see #include <QString>"},
 };
 
+/// A line to test the rules of lines with.
+struct LineExample
+{
+    const char* name;
+    const char* line;
+    int broken; ///< rules
+};
+
+const LineExample lineExamples[] = {
+    {"using enum at namespace scope", "using enum HandMode;", 1},
+    {"using namespace at namespace scope", "using  namespace std::chrono_literals;", 1},
+    {"using enum in a function", "    using enum HandMode;", 0},
+    {"using namespace in a function", "    using namespace std::chrono;", 0},
+    {"type alias", "using Clock = std::chrono::steady_clock;", 0},
+    {"text that names a directive", "// using enum is for functions", 0},
+    {"version of the OpenXR headers", "    info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;", 1},
+    {"version of OpenXR", "    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 20);", 0},
+};
+
 void addExamples(const Example* first, const Example* last)
 {
     QTest::addColumn<QString>("path");
@@ -330,6 +376,9 @@ private Q_SLOTS:
     void folders_areSmall();
     void includes_followTheTable_data();
     void includes_followTheTable();
+    void lineRules_findWhatTheyForbid_data();
+    void lineRules_findWhatTheyForbid();
+    void lines_keepTheRules();
     void sources_areNamedInCMake_data();
     void sources_areNamedInCMake();
     void resources_areNamedInCMake();
@@ -422,6 +471,34 @@ void TestSourceLayout::includes_followTheTable()
     QStringList found;
     for (const QString& file : files)
         found << faults(file, contents(FETTLE_SOURCE_DIR "/" + file));
+    QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
+}
+
+void TestSourceLayout::lineRules_findWhatTheyForbid_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<int>("broken");
+    for (const LineExample& example : lineExamples)
+        QTest::newRow(example.name) << QString(example.line) << example.broken;
+}
+
+void TestSourceLayout::lineRules_findWhatTheyForbid()
+{
+    QFETCH(QString, line);
+    QFETCH(int, broken);
+    const QStringList found = brokenLineRules("vr/input/a.cpp", "#pragma once\n" + line + "\n");
+    QCOMPARE(found.size(), broken);
+    for (const QString& sentence : found)
+        QVERIFY(sentence.startsWith("vr/input/a.cpp:2: "));
+}
+
+void TestSourceLayout::lines_keepTheRules()
+{
+    QStringList found;
+    for (const QString& library : libraries) {
+        for (const QString& file : sources(library))
+            found << brokenLineRules(file, contents(FETTLE_SOURCE_DIR "/" + file));
+    }
     QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
 }
 

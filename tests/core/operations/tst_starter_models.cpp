@@ -100,4 +100,4 @@ void TestStarterModels::edgesAreOfOneKind()
 }
 
 QTEST_APPLESS_MAIN(TestStarterModels)
-#include "tst_primitives.moc"
+#include "tst_starter_models.moc"

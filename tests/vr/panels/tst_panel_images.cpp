@@ -110,4 +110,4 @@ void TestPanelImages::itMayEndAnyTime()
 }
 
 QTEST_MAIN(TestPanelImages)
-#include "tst_panel_textures.moc"
+#include "tst_panel_images.moc"
