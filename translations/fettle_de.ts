@@ -3370,7 +3370,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::CommandBox</name>
+    <name>ui::CommandPalette</name>
     <message>
         <source>Commands and Keys</source>
         <translation>Befehle und Tasten</translation>
@@ -3521,7 +3521,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::FactsBar</name>
+    <name>ui::InfoBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>
         <translation>
@@ -3730,7 +3730,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::FilesPanel</name>
+    <name>ui::FileBrowser</name>
     <message>
         <source>Models in this folder</source>
         <translation>Modelle in diesem Ordner</translation>
@@ -3863,7 +3863,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::HandActions</name>
+    <name>ui::InputActions</name>
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>Klicken Sie dahin, wo die Kugel sein soll. Esc legt sie weg.</translation>
@@ -3960,14 +3960,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::KeyEdit</name>
+    <name>ui::ShortcutEdit</name>
     <message>
         <source>no key</source>
         <translation>keine Taste</translation>
     </message>
 </context>
 <context>
-    <name>ui::KeysPage</name>
+    <name>ui::ShortcutsPage</name>
     <message>
         <source>Fettle</source>
         <translation>Fettle</translation>
@@ -4485,7 +4485,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::Measures</name>
+    <name>ui::NumberFormat</name>
     <message>
         <source>%1 mm³</source>
         <translation>%1 mm³</translation>
@@ -4508,7 +4508,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::MendingDialogs</name>
+    <name>ui::RepairDialogs</name>
     <message>
         <source>Mend the Model</source>
         <translation>Modell reparieren</translation>
@@ -4547,7 +4547,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::MendingWords</name>
+    <name>ui::RepairMessages</name>
     <message>
         <source>The model lay far from the origin and was moved there.</source>
         <translation>Das Modell lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
@@ -4650,7 +4650,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::Messages</name>
+    <name>ui::ErrorMessages</name>
     <message>
         <source>%1 cannot be used.</source>
         <translation>%1 ist nicht verwendbar.</translation>
@@ -5241,7 +5241,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::ModelFormats</name>
+    <name>ui::FormatFilters</name>
     <message>
         <source>%1 and others</source>
         <translation>%1 und andere</translation>
@@ -5360,7 +5360,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::NamePanel</name>
+    <name>ui::PupilNamePanel</name>
     <message>
         <source>&amp;Begin</source>
         <translation>&amp;Anfangen</translation>
@@ -5409,7 +5409,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::PenCurve</name>
+    <name>ui::PressureCurve</name>
     <message>
         <source>Pressure curve</source>
         <translation>Druckkurve</translation>
@@ -5420,7 +5420,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::PenTest</name>
+    <name>ui::PressureTest</name>
     <message>
         <source>Pen test</source>
         <translation>Stifttest</translation>
@@ -6425,7 +6425,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::StrokeBar</name>
+    <name>ui::StrokeEditBar</name>
     <message>
         <source>Edit Last Stroke</source>
         <translation>Letzten Strich ändern</translation>

@@ -89,7 +89,7 @@
     </message>
 </context>
 <context>
-    <name>ui::FactsBar</name>
+    <name>ui::InfoBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>
         <translation>
@@ -119,7 +119,7 @@
     </message>
 </context>
 <context>
-    <name>ui::FilesPanel</name>
+    <name>ui::FileBrowser</name>
     <message numerus="yes">
         <source>%Ln models</source>
         <translation>
@@ -146,7 +146,7 @@
     </message>
 </context>
 <context>
-    <name>ui::Messages</name>
+    <name>ui::ErrorMessages</name>
     <message numerus="yes">
         <source>%n objects are one model now</source>
         <translation>

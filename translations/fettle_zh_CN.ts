@@ -3361,7 +3361,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::CommandBox</name>
+    <name>ui::CommandPalette</name>
     <message>
         <source>Commands and Keys</source>
         <translation>命令与快捷键</translation>
@@ -3512,7 +3512,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::FactsBar</name>
+    <name>ui::InfoBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>
         <translation>
@@ -3718,7 +3718,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::FilesPanel</name>
+    <name>ui::FileBrowser</name>
     <message>
         <source>Models in this folder</source>
         <translation>此文件夹中的模型</translation>
@@ -3850,7 +3850,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::HandActions</name>
+    <name>ui::InputActions</name>
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>请单击要放置球的位置。按 Esc 取消。</translation>
@@ -3945,14 +3945,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::KeyEdit</name>
+    <name>ui::ShortcutEdit</name>
     <message>
         <source>no key</source>
         <translation>无</translation>
     </message>
 </context>
 <context>
-    <name>ui::KeysPage</name>
+    <name>ui::ShortcutsPage</name>
     <message>
         <source>Fettle</source>
         <translation>Fettle</translation>
@@ -4470,7 +4470,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::Measures</name>
+    <name>ui::NumberFormat</name>
     <message>
         <source>%1 mm³</source>
         <translation>%1 mm³</translation>
@@ -4493,7 +4493,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::MendingDialogs</name>
+    <name>ui::RepairDialogs</name>
     <message>
         <source>Mend the Model</source>
         <translation>修复模型</translation>
@@ -4532,7 +4532,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::MendingWords</name>
+    <name>ui::RepairMessages</name>
     <message>
         <source>The model lay far from the origin and was moved there.</source>
         <translation>模型离原点很远，已移到原点。</translation>
@@ -4635,7 +4635,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::Messages</name>
+    <name>ui::ErrorMessages</name>
     <message>
         <source>%1 cannot be used.</source>
         <translation>无法使用 %1。</translation>
@@ -5225,7 +5225,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::ModelFormats</name>
+    <name>ui::FormatFilters</name>
     <message>
         <source>%1 and others</source>
         <translation>%1 等</translation>
@@ -5344,7 +5344,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::NamePanel</name>
+    <name>ui::PupilNamePanel</name>
     <message>
         <source>&amp;Begin</source>
         <translation>开始(&amp;B)</translation>
@@ -5393,7 +5393,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::PenCurve</name>
+    <name>ui::PressureCurve</name>
     <message>
         <source>Pressure curve</source>
         <translation>压感曲线</translation>
@@ -5404,7 +5404,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::PenTest</name>
+    <name>ui::PressureTest</name>
     <message>
         <source>Pen test</source>
         <translation>压感笔测试</translation>
@@ -6406,7 +6406,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
-    <name>ui::StrokeBar</name>
+    <name>ui::StrokeEditBar</name>
     <message>
         <source>Edit Last Stroke</source>
         <translation>修改最后一笔</translation>

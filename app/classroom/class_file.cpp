@@ -103,7 +103,7 @@ public:
             read.starters << core::starters[i];
         for (const qsizetype i : choices("tools", toolWords()))
             read.tools << static_cast<core::Tool>(i);
-        read.turnMinutes = minutes("turn_minutes", read.turnMinutes, ui::mostTurnMinutes);
+        read.turnMinutes = minutes("turn_minutes", read.turnMinutes, ui::maxTurnMinutes);
         const int most = read.turnMinutes;
         read.warningMinutes = minutes("warning_minutes", std::min(read.warningMinutes, most), most);
         read.fullScreen = choice("full_screen", {QStringLiteral("yes"), QStringLiteral("no")}) == 0;
@@ -244,7 +244,7 @@ QString ClassFile::write(const QString& path, const ui::Classroom& classroom)
         file.write(textOf(classroom).toUtf8().toStdString());
         file.commit();
     } catch (const core::FileError& error) {
-        return ui::Messages::sentence(error);
+        return ui::ErrorMessages::sentence(error);
     }
     return {};
 }

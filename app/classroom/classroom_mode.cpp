@@ -64,9 +64,9 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     , m_places(std::move(places))
     , m_nowMs(std::move(nowMs))
     , m_bar(new ui::ClassBar(m_classroom.title, program.window))
-    , m_panel(new ui::NamePanel(m_classroom.starters, program.window->commands(), program.window->centralWidget()))
-    , m_gate(new ui::PinGate([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
-                             program.window))
+    , m_panel(new ui::PupilNamePanel(m_classroom.starters, program.window->commands(), program.window->centralWidget()))
+    , m_gate(new ui::PinPrompt([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
+                               program.window))
 {
     program.window->setClassroom(m_classroom);
     program.window->installEventFilter(this);
@@ -82,7 +82,7 @@ void ClassroomMode::connectAll()
     connect(m_bar, &ui::ClassBar::nextRequested, this, &ClassroomMode::next);
     connect(m_bar, &ui::ClassBar::resumeRequested, this, &ClassroomMode::resume);
     connect(m_bar, &ui::ClassBar::leaveRequested, this, &ClassroomMode::leave);
-    connect(m_panel, &ui::NamePanel::begun, this, &ClassroomMode::prepare);
+    connect(m_panel, &ui::PupilNamePanel::begun, this, &ClassroomMode::prepare);
     connect(m_program.shelf, &JournalShelf::offered, this, &ClassroomMode::takeOffer);
     connect(document, &Document::stepped, this, &ClassroomMode::noteStep);
     connect(document, &Document::busy, m_bar, [this] { m_bar->setBusy(true); });
@@ -308,7 +308,7 @@ void ClassroomMode::deliver()
         [this](const Delivery& delivery) {
             if (m_ended)
                 m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
-            m_bar->setWaiting(
+            m_bar->setUndelivered(
                 delivery.waiting,
                 tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_places.waiting)));
             const bool isNews = std::exchange(m_waiting, delivery.waiting) != delivery.waiting;

@@ -16,8 +16,8 @@
 namespace ui
 {
 class MainWindow;
-class NamePanel;
-class PinGate;
+class PupilNamePanel;
+class PinPrompt;
 } // namespace ui
 
 namespace app
@@ -109,8 +109,8 @@ private:
     ClassPlaces m_places;
     std::function<qint64()> m_nowMs;
     ui::ClassBar* m_bar;
-    ui::NamePanel* m_panel;
-    ui::PinGate* m_gate;
+    ui::PupilNamePanel* m_panel;
+    ui::PinPrompt* m_gate;
     Stage m_stage = Stage::Recovering;
     Stage m_before = Stage::Recovering; ///< of Keeping
     RecoveryOffer m_offer;
@@ -125,6 +125,6 @@ private:
     bool m_isOpened = false;      ///< it is there, and that goes on next
     int m_waiting = 0;            ///< works that could not be delivered
     QTimer m_clock, m_deliverAgain;
-    ui::SideThread m_aside; ///< last
+    ui::BackgroundThread m_aside; ///< last
 };
 } // namespace app

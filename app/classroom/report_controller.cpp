@@ -22,7 +22,7 @@ ReportOutcome outcomeOf(const ReportOrder& order, const core::JobControl& contro
         ReportMaker::run(order, control);
         return {{}, true};
     } catch (const core::FileError& error) {
-        return {ui::Messages::sentence(error), false};
+        return {ui::ErrorMessages::sentence(error), false};
     } catch (const core::ReadingCancelled&) {
         return {};
     }
@@ -34,7 +34,7 @@ ReportDesk::ReportDesk(LongWork* work, QObject* parent) : QObject(parent), m_wor
 void ReportDesk::write(const QString& folder, const QString& path)
 {
     if (!ui::reportEndings().contains(QFileInfo(path).suffix().toLower()))
-        return Q_EMIT refused(ui::Messages::notAReport(path));
+        return Q_EMIT refused(ui::ErrorMessages::notAReport(path));
     if (m_work->isBusy()) // it began while the dialogs were open
         return Q_EMIT noticed(tr("The class report has to wait until this is done; ask for it again then."));
     const core::JobControl control =

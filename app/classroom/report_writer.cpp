@@ -20,7 +20,7 @@ QString folderName(const std::filesystem::path& folder)
 {
     std::error_code problem;
     const std::filesystem::path whole = std::filesystem::canonical(folder, problem);
-    return ui::shownName(whole.has_filename() ? whole.filename() : folder);
+    return ui::displayName(whole.has_filename() ? whole.filename() : folder);
 }
 } // namespace
 
@@ -47,10 +47,10 @@ ui::ReportRow ReportMaker::rowOf(const std::filesystem::path& file, double unit,
         lookAt(row, unit, control);
     } catch (core::FileError& error) {
         error.path = error.path.filename();
-        row.problem = ui::Messages::sentence(error);
+        row.problem = ui::ErrorMessages::sentence(error);
     } catch (const std::bad_alloc&) {
         row.report.reset();
-        row.problem = tr("%1: there is not enough memory for this model.").arg(ui::shownName(file.filename()));
+        row.problem = tr("%1: there is not enough memory for this model.").arg(ui::displayName(file.filename()));
     }
     return row;
 }
@@ -59,7 +59,7 @@ void ReportMaker::lookAt(ui::ReportRow& row, double unit, const core::JobControl
 {
     core::TriangleMesh mesh = core::readMesh(row.file, {.stop = control.stop});
     if (unit != 1 && !core::scaleMesh(mesh, unit)) {
-        row.problem = ui::Messages::tooLarge(ui::shownName(row.file.filename()));
+        row.problem = ui::ErrorMessages::tooLarge(ui::displayName(row.file.filename()));
         return;
     }
     const std::optional<core::ModelThumbnail> picture = core::drawThumbnail(mesh, picturePixels, control.stop);

@@ -159,7 +159,7 @@ KeptWork keepIn(const QString& root, const QString& name, const TurnWork& work)
     try {
         return {makeFolder(root, name, [&work](const QString& folder) { writeWork(folder, work); }), {}};
     } catch (const core::FileError& error) {
-        return {{}, ui::Messages::sentence(error)};
+        return {{}, ui::ErrorMessages::sentence(error)};
     } catch (const std::bad_alloc&) {
         return {{}, ClassArchive::tr("%1: there is not enough memory to write this model.").arg(root)};
     }
@@ -239,7 +239,7 @@ Delivery ClassArchive::deliver() const
         } catch (const core::FileError& error) {
             ++delivery.waiting;
             if (delivery.problem.isEmpty())
-                delivery.problem = ui::Messages::sentence(error);
+                delivery.problem = ui::ErrorMessages::sentence(error);
         }
     }
     return delivery;

@@ -179,10 +179,10 @@ QString page(const QString& file, const Json& json, const core::MeshReport& repo
     QString text;
     for (const auto& [key, value] : json.items())
         text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(word(value));
-    text +=
-        report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file) : ui::Messages::refusal(file, report);
+    text += report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file)
+                                : ui::ErrorMessages::refusal(file, report);
     if (report.volume)
-        if (const QString doubt = ui::Messages::unitDoubt(*report.volume); !doubt.isEmpty())
+        if (const QString doubt = ui::ErrorMessages::unitDoubt(*report.volume); !doubt.isEmpty())
             text += QLatin1Char('\n') + doubt;
     return text + QLatin1Char('\n');
 }
@@ -239,7 +239,7 @@ Checked check(const CheckOptions& options, const std::filesystem::path& file)
 {
     core::TriangleMesh mesh = core::readMesh(file);
     if (options.unit != 1)
-        CommandUnit::scale(ui::shownName(file), mesh, options.unit);
+        CommandUnit::scale(ui::displayName(file), mesh, options.unit);
     Checked checked{{}, {}, core::readMetadata(file).work};
     if (options.print) {
         const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
@@ -320,7 +320,7 @@ int nameColumns(const QList<std::filesystem::path>& files)
     constexpr int least = 32, most = 64;
     int columns = least;
     for (const std::filesystem::path& file : files)
-        columns = std::max(columns, columnsOf(ui::shownName(file)));
+        columns = std::max(columns, columnsOf(ui::displayName(file)));
     return std::min(columns, most);
 }
 
@@ -354,7 +354,7 @@ ExitStatus checkCommand(const QStringList& arguments)
     ExitStatus status = options->models.status;
     bool isFirst = true;
     for (const std::filesystem::path& path : options->models.files) {
-        const QString file = ui::shownName(path);
+        const QString file = ui::displayName(path);
         try {
             const Checked checked = check(*options, path);
             const Json json = jsonOf(*options, file, checked);
@@ -364,7 +364,7 @@ ExitStatus checkCommand(const QStringList& arguments)
                 printReport(*options, file, json, std::exchange(isFirst, false));
             status = std::max(status, checked.report.printReady() ? Done : AnswerIsNo);
         } catch (const core::FileError& error) {
-            CommandLine::printError(ui::Messages::sentence(error));
+            CommandLine::printError(ui::ErrorMessages::sentence(error));
             if (options->table && !options->json)
                 printReport(*options, file, unknown(*options, file), std::exchange(isFirst, false));
             status = BadInput;

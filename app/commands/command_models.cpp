@@ -31,7 +31,7 @@ CommandModels commandModels(const QString& command, const QStringList& arguments
         try {
             models.files << ui::modelsIn(toPath(name));
         } catch (const core::FileError& error) {
-            CommandLine::printError(ui::Messages::sentence(error));
+            CommandLine::printError(ui::ErrorMessages::sentence(error));
             models.status = BadInput;
         }
     }

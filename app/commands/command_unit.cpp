@@ -28,6 +28,6 @@ QString CommandUnit::words()
 void CommandUnit::scale(const QString& file, core::TriangleMesh& mesh, double factor)
 {
     if (!core::scaleMesh(mesh, factor))
-        CommandLine::fail(ui::Messages::tooLarge(file));
+        CommandLine::fail(ui::ErrorMessages::tooLarge(file));
 }
 } // namespace app

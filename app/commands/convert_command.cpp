@@ -124,8 +124,8 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
 {
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.printReady())
-        throw CommandFailure{ui::Messages::refusal(file, report) + u' ' + ConvertWords::tr("--legalise may mend it."),
-                             AnswerIsNo};
+        throw CommandFailure{
+            ui::ErrorMessages::refusal(file, report) + u' ' + ConvertWords::tr("--legalise may mend it."), AnswerIsNo};
 }
 
 /// What was done is the answer. A model that is in order stays as it is.
@@ -135,10 +135,10 @@ void makeSound(const QString& file, core::TriangleMesh& mesh, const core::Repair
         return;
     core::RepairResult legalised = core::repairMesh(mesh, options);
     if (!legalised.mesh)
-        throw CommandFailure{ui::MendingWords::refusal(file, legalised), AnswerIsNo};
+        throw CommandFailure{ui::RepairMessages::refusal(file, legalised), AnswerIsNo};
     mesh = std::move(*legalised.mesh);
-    QStringList steps = ui::MendingWords::steps(legalised.report);
-    steps << ui::MendingWords::distance(legalised.report);
+    QStringList steps = ui::RepairMessages::steps(legalised.report);
+    steps << ui::RepairMessages::distance(legalised.report);
     CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
 }
 
@@ -157,7 +157,7 @@ core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMe
 {
     core::BuildResult built = core::buildMesh(mesh);
     if (!built.mesh)
-        throw CommandFailure{ui::Messages::tooFine(options.in, built.unsnappable), AnswerIsNo};
+        throw CommandFailure{ui::ErrorMessages::tooFine(options.in, built.unsnappable), AnswerIsNo};
     core::TriangleMesh few = core::decimate(std::move(*built.mesh), options.triangles).mesh;
     for (core::Vec3f& point : few.points) // a model far from the origin was moved there
         point = (point.cast<double>() - built.moved).cast<float>();
@@ -186,10 +186,10 @@ ExitStatus convertCommand(const QStringList& arguments)
         if (options->triangles > 0 && mesh.triangles.size() > options->triangles)
             mesh = reduced(*options, mesh);
         core::writeMesh(toPath(options->out), mesh);
-        if (const QString left = ui::Messages::remarks(options->in, remarks); !left.isEmpty())
+        if (const QString left = ui::ErrorMessages::remarks(options->in, remarks); !left.isEmpty())
             CommandLine::printError(left);
     } catch (const core::FileError& error) {
-        CommandLine::fail(ui::Messages::sentence(error));
+        CommandLine::fail(ui::ErrorMessages::sentence(error));
     }
     return Done;
 }

@@ -206,7 +206,7 @@ ExitStatus lessonCommand(const QStringList& arguments)
     } catch (const core::LessonError& error) {
         CommandLine::fail(LessonWords::sentence(error));
     } catch (const core::FileError& error) {
-        CommandLine::fail(ui::Messages::sentence(error));
+        CommandLine::fail(ui::ErrorMessages::sentence(error));
     }
 }
 } // namespace app

@@ -309,7 +309,7 @@ ExitStatus replayCommand(const QStringList& arguments)
     try {
         run(*options, entries);
     } catch (const core::FileError& error) {
-        CommandLine::fail(ui::Messages::sentence(error));
+        CommandLine::fail(ui::ErrorMessages::sentence(error));
     }
     return Done;
 }

@@ -36,7 +36,7 @@ std::optional<ReportOrder> parseReportOrder(const QStringList& arguments)
                                           static_cast<int>(parser.positionalArguments().size())));
     const QString out = CommandLine::output(parser, name);
     if (!ui::reportEndings().contains(QFileInfo(out).suffix().toLower()))
-        CommandLine::fail(ui::Messages::notAReport(out));
+        CommandLine::fail(ui::ErrorMessages::notAReport(out));
     ReportOrder order{toPath(parser.positionalArguments().constFirst()), toPath(out)};
     if (parser.isSet(unit))
         order.unit = CommandUnit::named(name, parser.value(unit));
@@ -52,7 +52,7 @@ ExitStatus reportCommand(const QStringList& arguments)
     try {
         ReportMaker::run(*order);
     } catch (const core::FileError& error) {
-        CommandLine::fail(ui::Messages::sentence(error));
+        CommandLine::fail(ui::ErrorMessages::sentence(error));
     }
     return Done;
 }

@@ -48,7 +48,7 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     SheetOptions options;
     options.out = CommandLine::output(parser, name);
     if (QFileInfo(options.out).suffix().toLower() != QLatin1String("pdf"))
-        CommandLine::fail(ui::Messages::notABook(options.out));
+        CommandLine::fail(ui::ErrorMessages::notABook(options.out));
     if (parser.isSet(unit))
         options.unit = CommandUnit::named(name, parser.value(unit));
     options.shaded = parser.isSet(shaded);
@@ -60,16 +60,16 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
 /// Throws CommandFailure for a surface that has no inside: its drawing would lack lines, and its volume mean nothing.
 DrawingSheet sheetOf(const SheetOptions& options, const std::filesystem::path& file)
 {
-    const QString name = ui::shownName(file);
+    const QString name = ui::displayName(file);
     core::TriangleMesh mesh = core::readMesh(file);
     if (options.unit != 1)
         CommandUnit::scale(name, mesh, options.unit);
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.closed || !report.oriented)
         CommandLine::fail(SheetWords::tr("%1 has no sheet, because its surface does not enclose anything (%2).")
-                              .arg(name, ui::Messages::faults(report)));
+                              .arg(name, ui::ErrorMessages::faults(report)));
     auto drawing = core::drawLines(core::drawArraysOf(mesh), ui::sheetDetail(options.shaded), {});
-    return {ui::shownName(file.filename()), QDate::currentDate(), *std::move(drawing), options.shaded};
+    return {ui::displayName(file.filename()), QDate::currentDate(), *std::move(drawing), options.shaded};
 }
 
 /// Standard error says which have none.
@@ -84,7 +84,7 @@ ExitStatus addSheets(ui::SheetBook& book, const SheetOptions& options)
         try {
             book.add(sheetOf(options, file));
         } catch (const core::FileError& error) {
-            leaveOut(ui::Messages::sentence(error));
+            leaveOut(ui::ErrorMessages::sentence(error));
         } catch (const CommandFailure& failure) {
             leaveOut(failure.sentence);
         }
@@ -107,7 +107,7 @@ ExitStatus sheetCommand(const QStringList& arguments)
         book.commit();
         return status;
     } catch (const core::FileError& error) {
-        CommandLine::fail(ui::Messages::sentence(error));
+        CommandLine::fail(ui::ErrorMessages::sentence(error));
     }
 }
 } // namespace app

@@ -69,7 +69,7 @@ void Document::apply(const core::ModelCommand& command)
         request([this, command] { startChange(command, {}); });
 }
 
-void Document::insert(const ui::Insertion& insertion)
+void Document::insert(const ui::InsertRequest& insertion)
 {
     if (!m_work.isBusy())
         request([this, insertion] { startChange(core::Insert{{}, insertion.place, insertion.centre}, insertion); });
@@ -82,7 +82,7 @@ void Document::stop()
 }
 
 /// Until it is finished, strokes are refused and undo waits: the mesh stays the one that was copied.
-void Document::startChange(core::ModelCommand command, const ui::Insertion& insertion)
+void Document::startChange(core::ModelCommand command, const ui::InsertRequest& insertion)
 {
     if (m_work.isBusy())
         return;
@@ -104,7 +104,7 @@ void Document::startChange(core::ModelCommand command, const ui::Insertion& inse
     });
 }
 
-void Document::finishChange(const core::ModelCommand& command, const ui::Insertion& insertion, ModelOutcome outcome)
+void Document::finishChange(const core::ModelCommand& command, const ui::InsertRequest& insertion, ModelOutcome outcome)
 {
     if (m_work.wasStopped() || !outcome.change.changes)
         return endChange(command, insertion, outcome);
@@ -143,7 +143,8 @@ void Document::takeConfirmation()
     tell();
 }
 
-void Document::endChange(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome)
+void Document::endChange(const core::ModelCommand& command, const ui::InsertRequest& insertion,
+                         const ModelOutcome& outcome)
 {
     m_isChanging = false;
     m_worker->release();
@@ -154,10 +155,10 @@ void Document::endChange(const core::ModelCommand& command, const ui::Insertion&
     runRequests();
 }
 
-void Document::tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion,
+void Document::tellOutcome(const core::ModelCommand& command, const ui::InsertRequest& insertion,
                            const ModelOutcome& outcome)
 {
-    if (std::holds_alternative<core::Insert>(command) && outcome.isMendable && !insertion.mend)
+    if (std::holds_alternative<core::Insert>(command) && outcome.isMendable && !insertion.repair)
         return Q_EMIT insertionMendable(insertion, outcome.problem);
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
@@ -285,11 +286,11 @@ void Document::takeReport(const StrokeReport& report)
         }
         const bool isSeen = report.shortfall == core::Shortfall::Blocked && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
-            Q_EMIT noticed(ui::Messages::shortfall(report.shortfall));
+            Q_EMIT noticed(ui::ErrorMessages::shortfall(report.shortfall));
         else if (report.asymmetric)
-            Q_EMIT noticed(ui::Messages::asymmetric());
+            Q_EMIT noticed(ui::ErrorMessages::asymmetric());
         else if (report.sequential)
-            Q_EMIT noticed(ui::Messages::apart());
+            Q_EMIT noticed(ui::ErrorMessages::sequentialSectors());
         takeFacts(report.facts);
         describeToJournal();
     }
@@ -312,7 +313,7 @@ void Document::takeFacts(const MeshFacts& facts)
     m_facts.box = facts.box;
     m_facts.area = facts.area;
     m_facts.uniformDetail = facts.uniformDetail;
-    m_facts.leastDetail = facts.leastDetail;
+    m_facts.minDetail = facts.minDetail;
     m_facts.size = facts.box.isEmpty() ? core::Vec3::Zero() : core::Vec3(facts.box.sizes());
     if (!m_isInstalling)
         Q_EMIT factsChanged(m_facts);

@@ -68,7 +68,7 @@ public:
     const QString& path() const { return m_facts.path; } ///< empty: it comes from no file
     /// Who had it made knows it by that; null: a file's, or a starter.
     const std::shared_ptr<const void>& mark() const { return m_mark; }
-    const ui::ModelFacts& facts() const { return m_facts; }
+    const ui::ModelInfo& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
     /// What takes long and is not of the document may go on there, too: busy(), progressed() and idle() tell of it, and
@@ -175,7 +175,7 @@ public Q_SLOTS:
     /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
     /// A Reset needs no start.
     void apply(const core::ModelCommand& command);
-    void insert(const ui::Insertion& insertion);
+    void insert(const ui::InsertRequest& insertion);
     /// Ends the opening or the change of the whole model that is going on; everything stays as it is.
     void stop();
 
@@ -190,8 +190,8 @@ public Q_SLOTS:
     void goTo(int index);
 
 Q_SIGNALS:
-    void opened(const ui::ModelFacts& facts);
-    void factsChanged(const ui::ModelFacts& facts);
+    void opened(const ui::ModelInfo& facts);
+    void factsChanged(const ui::ModelInfo& facts);
     void modifiedChanged(bool modified);
     void historyChanged();
     /// A step was done by hand, which is the last of the history now; undo and redo are none.
@@ -205,8 +205,8 @@ Q_SIGNALS:
     void mendable(const QString& path, const QString& problem);
     /// Of the model that comes: what was done to it, step by step.
     void mended(const QString& name, const QStringList& steps);
-    /// The same of a model that was to be inserted, and insert() with Insertion::mend.
-    void insertionMendable(const ui::Insertion& insertion, const QString& problem);
+    /// The same of a model that was to be inserted, and insert() with InsertRequest::repair.
+    void insertionMendable(const ui::InsertRequest& insertion, const QString& problem);
     void insertedMended(const QString& name, const QStringList& steps);
     void noticed(const QString& sentence);
     void busy(const QString& what);
@@ -244,12 +244,13 @@ private:
     core::JournalHistory historyNow() const;
     std::optional<std::vector<core::FileEntry>> deedsNow() const;
     void describeToJournal();
-    void startChange(core::ModelCommand command, const ui::Insertion& insertion);
-    void finishChange(const core::ModelCommand& command, const ui::Insertion& insertion, ModelOutcome outcome);
-    void endChange(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome);
+    void startChange(core::ModelCommand command, const ui::InsertRequest& insertion);
+    void finishChange(const core::ModelCommand& command, const ui::InsertRequest& insertion, ModelOutcome outcome);
+    void endChange(const core::ModelCommand& command, const ui::InsertRequest& insertion, const ModelOutcome& outcome);
     void whenRecorded(std::function<void()> tell);
     void takeConfirmation();
-    void tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome);
+    void tellOutcome(const core::ModelCommand& command, const ui::InsertRequest& insertion,
+                     const ModelOutcome& outcome);
     using Write = std::function<SavedFile(const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata)>;
     core::DocumentMetadata notesNow() const;
     void saveBy(const QString& name, const Write& write);
@@ -280,7 +281,7 @@ private:
     SculptWorker* m_worker;
     HistoryStore m_history;
     QUndoStack m_stack;
-    ui::ModelFacts m_facts;
+    ui::ModelInfo m_facts;
     std::shared_ptr<const core::Snapshot> m_start; ///< what Reset goes back to
     std::shared_ptr<const void> m_mark;
     MayDiscard m_mayDiscard;

@@ -205,7 +205,7 @@ core::DocumentMetadata Document::notesNow() const
 
 void Document::save(const QString& path)
 {
-    const int kept = ui::Settings().preferences().keepsVersions ? ui::keptVersions : 0;
+    const int kept = ui::Settings().preferences().keepsBackups ? ui::backupCount : 0;
     saveBy(QFileInfo(path).fileName(),
            [path, kept](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
                return ModelSaving::save(path, mesh, metadata, kept);

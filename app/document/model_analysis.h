@@ -23,6 +23,6 @@ private:
     void look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
     void take(const core::MeshReport& report, const std::stop_token& stop);
 
-    ui::SideThread m_aside; ///< last
+    ui::BackgroundThread m_aside; ///< last
 };
 } // namespace app

@@ -54,6 +54,6 @@ private:
     Wishes m_wishes;
     std::shared_ptr<const Measured> m_measured; ///< null: of no model, or of one that has changed
     std::stop_source m_wish;                    ///< of the latest wishes
-    ui::SideThread m_aside;                     ///< last
+    ui::BackgroundThread m_aside;               ///< last
 };
 } // namespace app

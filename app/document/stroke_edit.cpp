@@ -40,15 +40,15 @@ void StrokeEdit::begin()
     m_present = core::brushOf(stroke->report.stroke()->settings);
     m_index = stroke->index + 1;
     m_isClosing = false;
-    m_bar = new ui::StrokeBar(m_present, m_document->facts(), offeredTools(), m_window);
-    connect(m_bar, &ui::StrokeBar::changed, this, &StrokeEdit::want);
-    connect(m_bar, &ui::StrokeBar::kept, this, &StrokeEdit::keep);
-    connect(m_bar, &ui::StrokeBar::cancelled, this, &StrokeEdit::cancel);
+    m_bar = new ui::StrokeEditBar(m_present, m_document->facts(), offeredTools(), m_window);
+    connect(m_bar, &ui::StrokeEditBar::changed, this, &StrokeEdit::want);
+    connect(m_bar, &ui::StrokeEditBar::accepted, this, &StrokeEdit::keep);
+    connect(m_bar, &ui::StrokeEditBar::cancelled, this, &StrokeEdit::cancel);
 }
 
-QList<ui::OfferedTool> StrokeEdit::offeredTools() const
+QList<ui::ToolOption> StrokeEdit::offeredTools() const
 {
-    QList<ui::OfferedTool> tools;
+    QList<ui::ToolOption> tools;
     for (const std::string_view name : core::toolNames()) {
         const core::Tool tool = core::toolNamed(name).value_or(m_present.tool);
         if (tool != m_present.tool && !m_window->brush()->isOffered(tool))
@@ -142,7 +142,7 @@ void StrokeEdit::end()
     m_stroke.reset();
     m_wanted.reset();
     if (m_bar)
-        m_bar->leave();
+        m_bar->dismiss();
     m_bar = nullptr;
 }
 } // namespace app

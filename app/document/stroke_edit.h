@@ -28,7 +28,7 @@ public:
 
 private:
     void begin();
-    QList<ui::OfferedTool> offeredTools() const;
+    QList<ui::ToolOption> offeredTools() const;
     void want(const core::BrushChange& brush);
     void keep();
     void cancel();
@@ -40,7 +40,7 @@ private:
     void end();
 
     QPointer<ui::MainWindow> m_window;
-    QPointer<ui::StrokeBar> m_bar;
+    QPointer<ui::StrokeEditBar> m_bar;
     Document* m_document;
     std::optional<Document::LastStroke> m_stroke; ///< as it was; nothing: none is edited
     std::optional<core::BrushChange> m_wanted;    ///< still to be done

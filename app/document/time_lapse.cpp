@@ -113,7 +113,7 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& pa
                 past.mesh->swap(*change);
         }
     } catch (const core::FileError& error) {
-        return without(ui::Messages::sentence(error));
+        return without(ui::ErrorMessages::sentence(error));
     } catch (const std::bad_alloc&) {
         return without(noMemory);
     }

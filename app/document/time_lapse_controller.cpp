@@ -19,7 +19,7 @@ namespace app
 namespace
 {
 /// All that the window shows of the model is in the picture.
-core::ThumbnailView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseChoice& choice)
+core::ThumbnailView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseSettings& choice)
 {
     core::ThumbnailView view;
     view.axes << camera.right().transpose(), camera.up().transpose(), -camera.viewDirection().transpose();
@@ -44,13 +44,13 @@ TimeLapseDesk::TimeLapseDesk(ui::MainWindow& window, Document& document)
 void TimeLapseDesk::ask()
 {
     const int steps = m_document->undoStack().index() - m_document->history().firstIndex();
-    ui::askForTimeLapse(m_window, steps, [this](const ui::TimeLapseChoice& choice) {
+    ui::askForTimeLapse(m_window, steps, [this](const ui::TimeLapseSettings& choice) {
         ui::askForFolder(m_window, ui::Settings().lastFolder(),
                          [this, choice](const QString& folder) { write(choice, folder); });
     });
 }
 
-void TimeLapseDesk::write(const ui::TimeLapseChoice& choice, const QString& folder)
+void TimeLapseDesk::write(const ui::TimeLapseSettings& choice, const QString& folder)
 {
     if (!m_window)
         return;

@@ -8,7 +8,7 @@
 namespace ui
 {
 class MainWindow;
-struct TimeLapseChoice;
+struct TimeLapseSettings;
 } // namespace ui
 
 namespace app
@@ -27,7 +27,7 @@ public:
 
 private:
     void ask();
-    void write(const ui::TimeLapseChoice& choice, const QString& folder);
+    void write(const ui::TimeLapseSettings& choice, const QString& folder);
     void finish(const QString& folder, const TimeLapseOutcome& outcome);
 
     QPointer<ui::MainWindow> m_window;

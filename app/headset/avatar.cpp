@@ -28,7 +28,7 @@ const std::shared_ptr<const core::DrawArrays>& wholeWand()
 }
 } // namespace
 
-ui::Wearer wearerOf(const vr::AvatarState& presence)
+ui::HeadsetAvatar wearerOf(const vr::AvatarState& presence)
 {
     const Eigen::Affine3d toModel = presence.model.inverse();
     const double metre = toModel.linear().col(0).norm();
@@ -36,14 +36,14 @@ ui::Wearer wearerOf(const vr::AvatarState& presence)
         return Eigen::Translation3d(toModel * pose.position) *
                Eigen::Isometry3d(Eigen::Quaterniond(toModel.linear() / metre) * pose.rotation);
     };
-    ui::Wearer wearer;
+    ui::HeadsetAvatar wearer;
     wearer.metre = metre;
     wearer.radius = presence.radius * metre;
     if (presence.head)
         wearer.head = inModel(*presence.head);
     for (std::size_t i = 0; i < vr::sideCount; ++i)
         if (presence.hands[i])
-            wearer.hands[i] = ui::Ghost{wholeWand(), inModel(*presence.hands[i])};
+            wearer.hands[i] = ui::GhostMesh{wholeWand(), inModel(*presence.hands[i])};
     if (presence.brush)
         wearer.brush = core::Sphere{toModel * presence.brush->center, presence.brush->radius * metre};
     return wearer;

@@ -6,5 +6,5 @@
 namespace app
 {
 /// Who is in the headset, as those at the window see them: room space becomes the document's. Gui thread.
-ui::Wearer wearerOf(const vr::AvatarState& presence);
+ui::HeadsetAvatar wearerOf(const vr::AvatarState& presence);
 } // namespace app

@@ -45,7 +45,7 @@ void wireVisits(ui::MainWindow& window, Headset* headset)
     });
     QObject::connect(headset, &Headset::seen, window.viewport(),
                      [&window](const std::optional<vr::AvatarState>& presence) {
-                         window.viewport()->showWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+                         window.viewport()->showAvatar(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
                      });
 }
 
@@ -56,7 +56,7 @@ void wirePartner(ui::MainWindow& window, Headset* headset)
     QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, headset, &Headset::setTakenOver);
     auto* bar = window.findChild<ui::PartnerBar*>();
     QObject::connect(headset, &Headset::seen, bar, [bar](const std::optional<vr::AvatarState>& presence) {
-        bar->setWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+        bar->setAvatar(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
     });
 }
 

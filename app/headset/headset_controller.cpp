@@ -67,7 +67,7 @@ void HeadsetDesk::hear()
         lookForFiles();
     });
     connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetDesk::takeBrush);
-    connect(m_window->viewport(), &ui::Viewport::lookChanged, this, &HeadsetDesk::tellSoon);
+    connect(m_window->viewport(), &ui::Viewport::appearanceChanged, this, &HeadsetDesk::tellSoon);
     connect(m_colors, &ui::ColorPanel::swatchesChanged, this, &HeadsetDesk::tellSoon);
     connect(&m_files, &HeadsetFiles::changed, this, &HeadsetDesk::tellSoon);
 }
@@ -153,9 +153,9 @@ void HeadsetDesk::tell()
     const ui::Viewport& viewport = *m_window->viewport();
     news.box = m_document->facts().box;
     news.shading = viewport.shading();
-    news.isFlat = viewport.look().flat;
+    news.isFlat = viewport.appearance().flat;
     news.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
-    news.reducesMotion = viewport.isCalm();
+    news.reducesMotion = viewport.reducesMotion();
     news.canUndo = m_document->canUndo();
     news.canRedo = m_document->canRedo();
     m_undoText = m_document->undoText();

@@ -25,7 +25,7 @@ constexpr std::chrono::milliseconds choiceSettles(500); ///< a slider is told wh
 constexpr double sameShare = 1e-9;
 static_assert(static_cast<int>(vr::LessonRequest::Next) == static_cast<int>(ui::LessonButton::Next));
 
-vr::LessonPanel lessonOf(const ui::LessonShown& shown)
+vr::LessonPanel lessonOf(const ui::LessonPanelState& shown)
 {
     vr::LessonPanel panel{shown.page.lesson,  shown.page.title, shown.page.text, shown.page.step, shown.page.steps, {},
                           shown.page.isShown, shown.isPlaying};

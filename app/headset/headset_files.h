@@ -49,6 +49,6 @@ private:
     QTimer m_listSoon;
     std::unique_ptr<ui::ThumbnailMaker> m_maker;
     std::stop_source m_listing;
-    ui::SideThread m_disk; ///< last
+    ui::BackgroundThread m_disk; ///< last
 };
 } // namespace app

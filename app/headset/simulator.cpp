@@ -31,7 +31,7 @@ QByteArray text(const QJsonObject& object)
 QJsonObject script()
 {
     const auto degrees = [](double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; };
-    const double side = degrees(ui::SimulatedPerson::sideTangent), up = degrees(ui::SimulatedPerson::upTangent);
+    const double side = degrees(ui::SimulatorControls::sideTangent), up = degrees(ui::SimulatorControls::upTangent);
     const QJsonObject aim{{QStringLiteral("position"), QJsonArray{0, 0, 0}},
                           {QStringLiteral("rotation"), QJsonArray{0, 0, 0, 1}}};
     return {{QStringLiteral("start"), QJsonObject{{QStringLiteral("pace"), QStringLiteral("live")},

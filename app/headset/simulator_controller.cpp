@@ -96,27 +96,27 @@ void SimulatorDesk::takePicture()
 
 void SimulatorDesk::noteButtons()
 {
-    const ui::SimulatedPerson& person = m_window->view()->person();
-    m_waiting.push_back({person.buttons(SimulatedHand::Left), person.buttons(SimulatedHand::Right)});
+    const ui::SimulatorControls& controls = m_window->view()->controls();
+    m_waiting.push_back({controls.buttons(SimulatedHand::Left), controls.buttons(SimulatedHand::Right)});
 }
 
 /// Head and wands are as they are now. Buttons go one change after the other, each for a frame at least: a click may be
 /// quicker than a frame that is drawn in software.
 void SimulatorDesk::move()
 {
-    const ui::SimulatedPerson& person = m_window->view()->person();
+    const ui::SimulatorControls& controls = m_window->view()->controls();
     if (!m_waiting.empty() && m_picturesSince >= picturesApart) {
         m_told = m_waiting.front();
         m_waiting.pop_front();
         m_picturesSince = 0;
     }
-    QJsonObject step{{QStringLiteral("over"), 1}, {QStringLiteral("head"), poseOf(person.head())}};
+    QJsonObject step{{QStringLiteral("over"), 1}, {QStringLiteral("head"), poseOf(controls.head())}};
     for (const SimulatedHand hand : {SimulatedHand::Left, SimulatedHand::Right}) {
-        const Isometry3d grip = person.tip(hand) * Eigen::Translation3d(0, 0, vr::tipReach);
+        const Isometry3d grip = controls.tip(hand) * Eigen::Translation3d(0, 0, vr::tipReach);
         QJsonObject wand = poseOf(grip);
         ui::SimulatedButtons buttons = m_told[indexOf(hand)];
         if (buttons.touchesPad && !buttons.pressesPad)
-            buttons.pad = person.buttons(hand).pad; // a thumb that slides
+            buttons.pad = controls.buttons(hand).pad; // a thumb that slides
         add(wand, buttons);
         step[hand == SimulatedHand::Left ? QStringLiteral("left") : QStringLiteral("right")] = wand;
     }

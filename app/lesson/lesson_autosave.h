@@ -44,6 +44,6 @@ private:
     std::shared_ptr<Place> m_place; ///< of our own; null: nothing is kept
     std::uint64_t m_revision = 0;   ///< that is kept
     QTimer m_clock;
-    ui::SideThread m_aside; ///< last
+    ui::BackgroundThread m_aside; ///< last
 };
 } // namespace app

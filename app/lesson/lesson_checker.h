@@ -44,6 +44,6 @@ private:
 
     std::mutex m_mutex; ///< of the next one, which the mesh thread reads
     Place m_place;
-    ui::SideThread m_aside; ///< last
+    ui::BackgroundThread m_aside; ///< last
 };
 } // namespace app

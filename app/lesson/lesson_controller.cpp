@@ -66,14 +66,14 @@ LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker&
     offerAtStart(lessons);
     connect(&m_timer, &QTimer::timeout, this, &LessonDesk::tick);
     connect(m_panel, &LessonPanel::lessonChosen, this, &LessonDesk::read);
-    connect(m_panel, &LessonPanel::fileWanted, this,
+    connect(m_panel, &LessonPanel::fileRequested, this,
             [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
-    connect(m_panel, &LessonPanel::stepWanted, this, &LessonDesk::goTo);
-    connect(m_panel, &LessonPanel::playWanted, this, &LessonDesk::playOrPause);
-    connect(m_panel, &LessonPanel::oneWanted, this, &LessonDesk::playOne);
-    connect(m_panel, &LessonPanel::tryWanted, this, &LessonDesk::tryIt);
-    connect(m_panel, &LessonPanel::left, this, &LessonDesk::leave);
-    connect(m_panel, &LessonPanel::differenceWanted, this, &LessonDesk::shade);
+    connect(m_panel, &LessonPanel::stepRequested, this, &LessonDesk::goTo);
+    connect(m_panel, &LessonPanel::playRequested, this, &LessonDesk::playOrPause);
+    connect(m_panel, &LessonPanel::singleStrokeRequested, this, &LessonDesk::playOne);
+    connect(m_panel, &LessonPanel::tryRequested, this, &LessonDesk::tryIt);
+    connect(m_panel, &LessonPanel::closed, this, &LessonDesk::leave);
+    connect(m_panel, &LessonPanel::differenceRequested, this, &LessonDesk::shade);
     connect(m_panel, &LessonPanel::speedChosen, this, [this](double speed) {
         m_speed = speed;
         if (m_player)

@@ -70,6 +70,6 @@ private:
     QTimer m_timer;
     QElapsedTimer m_sinceTick;
     std::shared_ptr<const core::Footprint> m_shades;
-    ui::SideThread m_aside; ///< last
+    ui::BackgroundThread m_aside; ///< last
 };
 } // namespace app

@@ -106,13 +106,13 @@ void LessonEditorDesk::connectAll()
     using ui::LessonEditor;
     connect(m_panel, &LessonEditor::startChosen, this, &LessonEditorDesk::start);
     connect(m_panel, &LessonEditor::lessonChosen, this, &LessonEditorDesk::read);
-    connect(m_panel, &LessonEditor::fileWanted, this,
+    connect(m_panel, &LessonEditor::fileRequested, this,
             [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
     connect(m_panel, &LessonEditor::aboutToChange, this, &LessonEditorDesk::stopRecording);
-    connect(m_panel, &LessonEditor::recordWanted, this, &LessonEditorDesk::record);
-    connect(m_panel, &LessonEditor::factsWanted, this, &LessonEditorDesk::takeFacts);
-    connect(m_panel, &LessonEditor::saveWanted, this, &LessonEditorDesk::save);
-    connect(m_panel, &LessonEditor::closeWanted, this, [this] { askThen([this] { leave(); }); });
+    connect(m_panel, &LessonEditor::recordRequested, this, &LessonEditorDesk::record);
+    connect(m_panel, &LessonEditor::factsRequested, this, &LessonEditorDesk::takeFacts);
+    connect(m_panel, &LessonEditor::saveRequested, this, &LessonEditorDesk::save);
+    connect(m_panel, &LessonEditor::closeRequested, this, [this] { askThen([this] { leave(); }); });
     connect(m_document, &Document::opened, this, &LessonEditorDesk::begin);
     connect(m_document, &Document::stepped, this, [this] { m_isOurs = m_isOurs && m_recorder.isOn(); });
     connect(&m_recorder, &LessonRecorder::recorded, this, [this] {
@@ -150,7 +150,7 @@ void LessonEditorDesk::startFromModel()
             if (bytes->size() > core::LessonLimits::maxBytes)
                 *problem = tr("The model is too large for a lesson.");
         } catch (const core::FileError& error) {
-            *problem = ui::Messages::sentence(error);
+            *problem = ui::ErrorMessages::sentence(error);
         }
         return false;
     };

@@ -68,6 +68,6 @@ private:
     std::shared_ptr<const core::Lesson> m_coming; ///< at whose end recording begins once its model is there; null: none
     bool m_isOurs = false;                        ///< what was done to the document is all in the lesson
     std::unique_ptr<LessonKeeper> m_keeper;       ///< null: nothing is kept
-    ui::SideThread m_aside;                       ///< last
+    ui::BackgroundThread m_aside;                 ///< last
 };
 } // namespace app

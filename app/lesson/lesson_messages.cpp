@@ -111,8 +111,8 @@ QString LessonWords::files(const core::LessonError& error)
         return tr("this is no PNG or JPEG picture");
     case Kind::Unsound:
         return error.report.printReady()
-                   ? ui::Messages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
-                   : ui::Messages::refusal(QString::fromStdString(error.file), error.report);
+                   ? ui::ErrorMessages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
+                   : ui::ErrorMessages::refusal(QString::fromStdString(error.file), error.report);
     case Kind::Strokes:
         return error.strokes ? StrokeWords::reason(*error.strokes) : QString();
     case Kind::NamesFiles:

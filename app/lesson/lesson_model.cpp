@@ -62,7 +62,7 @@ LoadedModel LessonModel::load(const core::JobControl& control) const
     } catch (const core::LessonError& error) {
         loaded.problem = sentenceOf(error);
     } catch (const core::FileError& error) {
-        loaded.problem = ui::Messages::sentence(error);
+        loaded.problem = ui::ErrorMessages::sentence(error);
     }
     return loaded;
 }
@@ -96,7 +96,7 @@ ReadLesson tryToReadLesson(const QString& pathOrName)
     } catch (const core::LessonError& error) {
         return {{}, sentenceOf(error)};
     } catch (const core::FileError& error) {
-        return {{}, ui::Messages::sentence(error)};
+        return {{}, ui::ErrorMessages::sentence(error)};
     }
 }
 } // namespace app

@@ -129,7 +129,7 @@ TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::fil
         if (!tried.problem.endsWith(QLatin1Char('.')))
             tried.problem += QLatin1Char('.');
     } catch (const core::FileError& error) {
-        tried.problem = ui::Messages::sentence(error);
+        tried.problem = ui::ErrorMessages::sentence(error);
     }
     return tried;
 }
@@ -142,7 +142,7 @@ QString LessonSaving::write(const core::Lesson& lesson, const std::filesystem::p
         if (error.systemError == EEXIST)
             return tr("%1 is there already; a lesson's folder gets a name of its own.")
                 .arg(QDir::toNativeSeparators(QString::fromStdU16String(path.u16string())));
-        return ui::Messages::sentence(error);
+        return ui::ErrorMessages::sentence(error);
     }
     return {};
 }

@@ -140,7 +140,7 @@ QString ModelWords::refusal(const core::ModelChange& change, const QString& inse
     case core::ModelRefusal::TooLarge:
         return tr("The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.");
     case core::ModelRefusal::Unsound:
-        return ui::Messages::refusal(inserted, change.report);
+        return ui::ErrorMessages::refusal(inserted, change.report);
     case core::ModelRefusal::Inside:
         return tr("%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a "
                   "void.")

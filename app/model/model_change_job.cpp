@@ -29,7 +29,7 @@ std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
 }
 
 ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
-                             const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control)
+                             const ui::InsertRequest& insertion, const Tell& tell, const core::JobControl& control)
 {
     ModelOutcome outcome;
     core::JobControl trial = control;
@@ -37,7 +37,7 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
         if (!copy)
             throw std::bad_alloc();
         if (auto* insert = std::get_if<core::Insert>(&command)) {
-            const double share = insertion.mend ? afterTrialMending : afterTrialReading;
+            const double share = insertion.repair ? afterTrialMending : afterTrialReading;
             read(outcome, *insert, insertion, tell, control.part(0, share));
             trial = control.part(share, 1);
         }
@@ -53,7 +53,7 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
         outcome.isMendable = outcome.change.refusal == core::ModelRefusal::Unsound;
     } catch (const core::ReadingCancelled&) {
     } catch (const core::FileError& error) {
-        outcome.problem = ui::Messages::sentence(error);
+        outcome.problem = ui::ErrorMessages::sentence(error);
     } catch (const std::bad_alloc&) {
         outcome.problem = tr("There is not enough memory for that; the model stays as it is.");
     }
@@ -61,28 +61,28 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
 }
 
 /// Mended or not, it comes as its file has it: a model that lay far from the origin goes back there.
-void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell,
-                      const core::JobControl& control)
+void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion,
+                      const Tell& tell, const core::JobControl& control)
 {
     auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = control.stop});
     const QString name = QFileInfo(insertion.path).fileName();
-    outcome.notice = ui::Messages::remarks(name, remarks);
+    outcome.notice = ui::ErrorMessages::remarks(name, remarks);
     if (!core::scaleMesh(mesh, insertion.unit)) {
-        outcome.problem = ui::Messages::tooLarge(insertion.path);
+        outcome.problem = ui::ErrorMessages::tooLarge(insertion.path);
         return;
     }
-    if (insertion.mend) {
-        const auto doing = [&](core::RepairStep step) { tell(ui::MendingWords::doing(name, step)); };
-        core::RepairResult legalised = core::repairMesh(mesh, *insertion.mend, control, doing);
+    if (insertion.repair) {
+        const auto doing = [&](core::RepairStep step) { tell(ui::RepairMessages::progress(name, step)); };
+        core::RepairResult legalised = core::repairMesh(mesh, *insertion.repair, control, doing);
         if (!legalised.mesh && !control.isCancelled())
-            outcome.problem = ui::MendingWords::refusal(insertion.path, legalised);
+            outcome.problem = ui::RepairMessages::refusal(insertion.path, legalised);
         if (!legalised.mesh)
             return;
         mesh = std::move(*legalised.mesh);
         for (core::Vec3f& p : mesh.points)
             p = (p.cast<double>() - legalised.report.moved).cast<float>();
         legalised.report.moved.setZero();
-        outcome.mended = ui::MendingWords::steps(legalised.report) << ui::MendingWords::distance(legalised.report);
+        outcome.mended = ui::RepairMessages::steps(legalised.report) << ui::RepairMessages::distance(legalised.report);
         tell(ModelWords::doing(command));
     }
     command.model = std::move(mesh);

@@ -17,7 +17,7 @@ struct ModelOutcome
 {
     core::ModelChange change;
     QString problem;         ///< it was not done: one sentence
-    bool isMendable = false; ///< then: the model to be inserted is not in order; ui::Insertion::mend may help
+    bool isMendable = false; ///< then: the model to be inserted is not in order; ui::InsertRequest::repair may help
     QString notice;          ///< what the person should know of an inserted model; may be empty
     QStringList mended;      ///< what was done to it; empty: nothing
 };
@@ -34,10 +34,10 @@ public:
     using Tell = std::function<void(const QString& what)>;
     /// Uses the copy up. What is to be inserted is read first.
     static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
-                            const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control);
+                            const ui::InsertRequest& insertion, const Tell& tell, const core::JobControl& control);
 
 private:
-    static void read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell,
+    static void read(ModelOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion, const Tell& tell,
                      const core::JobControl& control);
 };
 } // namespace app

@@ -74,10 +74,10 @@ ExportOutcome ModelExport::judge(const ExportOrder& order, const core::TriangleM
                         .arg(QDir::toNativeSeparators(order.path)),
                     {}};
         if (!verdict.report.printReady())
-            return {ui::Messages::refusal(order.path, verdict.report), {}};
+            return {ui::ErrorMessages::refusal(order.path, verdict.report), {}};
         return {{}, word(order, verdict.report, !mesh.colors.empty() && !ModelLoader::holdsColors(order.path))};
     } catch (const core::FileError& error) {
-        return {ui::Messages::sentence(error), {}};
+        return {ui::ErrorMessages::sentence(error), {}};
     }
 }
 
@@ -92,7 +92,7 @@ QString ModelExport::word(const ExportOrder& order, const core::MeshReport& repo
         line += u' ' + tr("Its format does not hold the colours; GLB and 3MF do.");
     if (order.mostTriangles > 0 && report.faces > order.mostTriangles)
         line += u' ' + tr("With fewer triangles its handles and parts could not all stay.");
-    const QString doubt = ui::Messages::unitDoubt(report.volume.value_or(0));
+    const QString doubt = ui::ErrorMessages::unitDoubt(report.volume.value_or(0));
     return doubt.isEmpty() ? line : line + u' ' + doubt;
 }
 } // namespace app

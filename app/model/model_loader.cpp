@@ -55,15 +55,15 @@ bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core
 {
     core::RepairStepCallback doing;
     if (tell)
-        doing = [&](core::RepairStep step) { tell(ui::MendingWords::doing(loaded.name, step)); };
+        doing = [&](core::RepairStep step) { tell(ui::RepairMessages::progress(loaded.name, step)); };
     core::RepairResult legalised = core::repairMesh(mesh, options, control, doing);
     if (!legalised.mesh) {
         if (!control.isCancelled())
-            loaded.problem = ui::MendingWords::refusal(loaded.path, legalised);
+            loaded.problem = ui::RepairMessages::refusal(loaded.path, legalised);
         return false;
     }
     mesh = std::move(*legalised.mesh);
-    loaded.mended = ui::MendingWords::steps(legalised.report) << ui::MendingWords::distance(legalised.report);
+    loaded.mended = ui::RepairMessages::steps(legalised.report) << ui::RepairMessages::distance(legalised.report);
     loaded.path.clear();
     return true;
 }
@@ -88,13 +88,13 @@ LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core:
         control.reportProgress(afterReading);
         take(loaded, mesh, control.part(afterReading, 1));
         if (loaded.sculptor)
-            loaded.notice = QStringList({ui::Messages::remarks(loaded.name, remarks), loaded.notice})
+            loaded.notice = QStringList({ui::ErrorMessages::remarks(loaded.name, remarks), loaded.notice})
                                 .join(QLatin1Char(' '))
                                 .trimmed();
     } catch (const core::ReadingCancelled&) {
         return {};
     } catch (const core::FileError& error) {
-        loaded.problem = ui::Messages::sentence(error);
+        loaded.problem = ui::ErrorMessages::sentence(error);
     } catch (const std::bad_alloc&) {
         loaded.problem = tr("%1: there is not enough memory for this model.").arg(path);
     }
@@ -108,9 +108,9 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
     if (control.isCancelled())
         return;
     if (!result.mesh && !result.report.printReady())
-        loaded.problem = ui::Messages::refusal(loaded.path, result.report);
+        loaded.problem = ui::ErrorMessages::refusal(loaded.path, result.report);
     else if (!result.mesh)
-        loaded.problem = ui::Messages::tooFine(loaded.path, result.unsnappable);
+        loaded.problem = ui::ErrorMessages::tooFine(loaded.path, result.unsnappable);
     else if (inPlace && !result.moved.isZero(0))
         loaded.problem =
             tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
@@ -122,7 +122,7 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
         loaded.unitGuess = core::guessedUnit(*result.report.volume, result.report.size.maxCoeff());
 }
 
-QString ModelLoader::insertedUnitNotice(const ui::Insertion& insertion, double volume)
+QString ModelLoader::insertedUnitNotice(const ui::InsertRequest& insertion, double volume)
 {
     if (insertion.unit != 1 || holdsUnit(insertion.path) || core::unitDoubtOf(volume) == core::UnitDoubt::None)
         return {};
@@ -198,7 +198,7 @@ QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, c
         core::writeMesh(toPath(path), mesh, {.metadata = metadata});
         before.commit();
     } catch (const core::FileError& error) {
-        return ui::Messages::sentence(error);
+        return ui::ErrorMessages::sentence(error);
     } catch (const std::bad_alloc&) {
         return tr("%1: there is not enough memory to write this model.").arg(path);
     }

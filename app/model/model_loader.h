@@ -22,7 +22,7 @@ struct RecoveredDocument;
 } // namespace core
 namespace ui
 {
-struct Insertion;
+struct InsertRequest;
 }
 
 namespace app
@@ -77,7 +77,7 @@ public:
     static bool holdsColors(const QString& path);
     static bool holdsUnit(const QString& path);
     /// Of a model that was inserted: empty, or why it may have been meant larger.
-    static QString insertedUnitNotice(const ui::Insertion& insertion, double volume);
+    static QString insertedUnitNotice(const ui::InsertRequest& insertion, double volume);
 
 private:
     static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);

@@ -175,7 +175,7 @@ void JournalShelf::tellFailure(const core::FileError& error)
 {
     if (!std::exchange(m_isFailing, true))
         Q_EMIT told(tr("Should the program end unexpectedly, changes since the last save would be lost: %1")
-                        .arg(ui::Messages::sentence(error)));
+                        .arg(ui::ErrorMessages::sentence(error)));
     m_again.start(m_wait);
     m_wait = std::min(2 * m_wait, longestWait);
 }

@@ -113,7 +113,7 @@ private:
     std::chrono::milliseconds m_patience, m_wait;
     QTimer m_again;
     bool m_isFailing = false, m_hasBeenLate = false;
-    ui::Mailbox m_mail;
-    ui::SideThread m_aside; ///< last
+    ui::ThreadMailbox m_mail;
+    ui::BackgroundThread m_aside; ///< last
 };
 } // namespace app

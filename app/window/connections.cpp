@@ -47,33 +47,33 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&window, &MainWindow::saveRequested, &document, &Document::save);
     QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
     QObject::connect(&window, &MainWindow::modelRenamed, &document, &Document::setPath);
-    QObject::connect(&window, &MainWindow::modelFileGone, &document, &Document::loseFile);
+    QObject::connect(&window, &MainWindow::modelFileDeleted, &document, &Document::loseFile);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
-    QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateFacts);
+    QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateModelInfo);
     QObject::connect(&document, &Document::modifiedChanged, &window, &MainWindow::setModified);
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
     QObject::connect(&document, &Document::mendable, &window,
                      [&window, &document](const QString& path, const QString& problem) {
-                         ui::askToMend(&window, ui::MendFor::Opening, problem,
-                                       [&document, path](const core::RepairOptions& options) {
-                                           document.openMended(path, options);
-                                       });
+                         ui::askToRepair(&window, ui::RepairUse::Opening, problem,
+                                         [&document, path](const core::RepairOptions& options) {
+                                             document.openMended(path, options);
+                                         });
                      });
     QObject::connect(&document, &Document::mended, &window, [&window](const QString& name, const QStringList& steps) {
-        ui::showMended(&window, ui::MendFor::Opening, name, steps);
+        ui::showRepaired(&window, ui::RepairUse::Opening, name, steps);
     });
     QObject::connect(&document, &Document::insertionMendable, &window,
-                     [&window, &document](ui::Insertion insertion, const QString& problem) {
-                         ui::askToMend(&window, ui::MendFor::Insertion, problem,
-                                       [&document, insertion](const core::RepairOptions& options) mutable {
-                                           insertion.mend = options;
-                                           document.insert(insertion);
-                                       });
+                     [&window, &document](ui::InsertRequest insertion, const QString& problem) {
+                         ui::askToRepair(&window, ui::RepairUse::Insertion, problem,
+                                         [&document, insertion](const core::RepairOptions& options) mutable {
+                                             insertion.repair = options;
+                                             document.insert(insertion);
+                                         });
                      });
     QObject::connect(&document, &Document::insertedMended, &window,
                      [&window](const QString& name, const QStringList& steps) {
-                         ui::showMended(&window, ui::MendFor::Insertion, name, steps);
+                         ui::showRepaired(&window, ui::RepairUse::Insertion, name, steps);
                      });
     QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
     QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
@@ -86,9 +86,9 @@ void wireDocument(ui::MainWindow& window, Document& document)
                      [&window, &document] { window.showSaved(document.facts()); });
     QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
     QObject::connect(&window, &MainWindow::brushModelRequested, &document, &Document::keepAsBrush);
-    QObject::connect(&document, &Document::keptAsBrush, &window, &MainWindow::takeBrushModel);
+    QObject::connect(&document, &Document::keptAsBrush, &window, &MainWindow::setBrushModel);
     document.setMayDiscard([&window](const std::function<void()>& goOn) { return window.askToDiscard(goOn); });
-    window.setMayClose([&window, &document] { return document.mayDiscard([&window] { window.close(); }); });
+    window.setCanClose([&window, &document] { return document.mayDiscard([&window] { window.close(); }); });
 }
 
 /// The doubt lasts until the model is another one, by whatever means.
@@ -97,10 +97,10 @@ void wireUnits(ui::MainWindow& window, Document& document)
     using ui::UnitBar;
     const auto leave = [&window] {
         for (UnitBar* bar : window.findChildren<UnitBar*>())
-            bar->leave();
+            bar->dismiss();
     };
     QObject::connect(&document.undoStack(), &QUndoStack::indexChanged, &window, leave);
-    QObject::connect(&document, &Document::opened, &window, [&window, &document, leave](const ui::ModelFacts& facts) {
+    QObject::connect(&document, &Document::opened, &window, [&window, &document, leave](const ui::ModelInfo& facts) {
         leave();
         if (facts.unitGuess == core::UnitDoubt::None)
             return;
@@ -123,7 +123,7 @@ void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
     Viewport& viewport = *window.viewport();
     QObject::connect(&window, &MainWindow::openRequested, &document, [&viewport, &document](const QString& path) {
         viewport.finish();
-        if (!viewport.pressWaits())
+        if (!viewport.isPressPending())
             return document.open(path);
         const auto open = [&document, path] { document.open(path); };
         const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
@@ -132,11 +132,11 @@ void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
     window.setIsSettled([&viewport, &document, headset] {
         viewport.finish();
         headset->leave();
-        return !viewport.pressWaits() && !headset->isIn() && document.isSettled();
+        return !viewport.isPressPending() && !headset->isIn() && document.isSettled();
     });
-    QObject::connect(headset, &Headset::reported, &window, &MainWindow::settle, Qt::QueuedConnection);
-    QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::settle, Qt::QueuedConnection);
-    QObject::connect(&document, &Document::historyChanged, &window, &MainWindow::settle, Qt::QueuedConnection);
+    QObject::connect(headset, &Headset::reported, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
+    QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
+    QObject::connect(&document, &Document::historyChanged, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
 }
 
 void wireHistory(ui::MainWindow& window, Document& document)
@@ -167,7 +167,7 @@ void wireHistoryPanel(ui::MainWindow& window, Document& document)
     };
     setCap(panel->cap());
     QObject::connect(panel, &HistoryPanel::jumpRequested, &document, &Document::goTo);
-    QObject::connect(panel, &HistoryPanel::stateWanted, new HistoryScrubber(&document), &HistoryScrubber::want);
+    QObject::connect(panel, &HistoryPanel::stateRequested, new HistoryScrubber(&document), &HistoryScrubber::want);
     QObject::connect(panel, &HistoryPanel::capChanged, panel, setCap);
     QObject::connect(panel, &HistoryPanel::shown, panel, show);
     QObject::connect(&document, &Document::historyChanged, panel, show);
@@ -181,7 +181,7 @@ void wirePalette(ui::MainWindow& window, Document& document)
     auto* panel = window.findChild<ColorPanel*>();
     const auto keep = [panel, &document] { document.setPalette({panel->swatches().begin(), panel->swatches().end()}); };
     QObject::connect(panel, &ColorPanel::swatchesChanged, &document, keep);
-    QObject::connect(&document, &Document::opened, panel, [panel, keep](const ui::ModelFacts& facts) {
+    QObject::connect(&document, &Document::opened, panel, [panel, keep](const ui::ModelInfo& facts) {
         if (facts.metadata.palette.empty())
             keep();
         else
@@ -194,7 +194,7 @@ void wireNotes(ui::MainWindow& window, Document& document)
 {
     document.setCompleteNotes([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
     QObject::connect(&document, &Document::opened, &window,
-                     [&window](const ui::ModelFacts& facts) { ui::takeNotes(window, facts.metadata); });
+                     [&window](const ui::ModelInfo& facts) { ui::applyMetadata(window, facts.metadata); });
 }
 
 void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
@@ -216,7 +216,7 @@ void wirePrintPanel(ui::MainWindow& window, Document& document, SculptWorker& wo
     auto* inquiry = new PrintInquiry(&document, &worker);
     const auto wish = [panel, inquiry] { inquiry->setWishes({panel->limits(), panel->picture()}); };
     wish();
-    QObject::connect(panel, &PrintPanel::wishesChanged, inquiry, wish);
+    QObject::connect(panel, &PrintPanel::optionsChanged, inquiry, wish);
     QObject::connect(panel, &PrintPanel::checkRequested, inquiry, &PrintInquiry::askAgain);
     QObject::connect(panel, &PrintPanel::stopRequested, inquiry, &PrintInquiry::stop);
     QObject::connect(panel, &PrintPanel::watched, inquiry, [viewport, inquiry, wish](bool isWatched) {
@@ -230,7 +230,7 @@ void wirePrintPanel(ui::MainWindow& window, Document& document, SculptWorker& wo
     QObject::connect(inquiry, &PrintInquiry::outdated, panel, [panel, viewport] {
         panel->setStale();
         viewport->setShades(nullptr);
-        viewport->forgetMark();
+        viewport->clearMark();
     });
     QObject::connect(inquiry, &PrintInquiry::answered, panel,
                      [panel, viewport](const core::MeshReport& mesh, const core::PrintReport& print,
@@ -266,7 +266,7 @@ void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
 {
     auto* drawings = new DrawingWorker(&worker, &window);
     auto* panel = window.findChild<ui::PreviewPanel*>();
-    QObject::connect(panel, &ui::PreviewPanel::wanted, drawings, &DrawingWorker::watch);
+    QObject::connect(panel, &ui::PreviewPanel::drawingRequested, drawings, &DrawingWorker::watch);
     QObject::connect(panel, &ui::PreviewPanel::exportRequested, drawings, &DrawingWorker::exportTo);
     QObject::connect(drawings, &DrawingWorker::drawn, panel, &ui::PreviewPanel::setDrawing);
     QObject::connect(drawings, &DrawingWorker::refused, &window, &ui::MainWindow::showProblem);

@@ -46,7 +46,7 @@ Q_SIGNALS:
 private:
     bool m_isBusy = false;
     std::stop_source m_stop; ///< of what goes on
-    ui::Mailbox m_mail;
-    ui::SideThread m_aside; ///< last
+    ui::ThreadMailbox m_mail;
+    ui::BackgroundThread m_aside; ///< last
 };
 } // namespace app

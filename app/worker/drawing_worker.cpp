@@ -78,7 +78,7 @@ void DrawingWorker::watch(bool isSeen, bool shaded)
 void DrawingWorker::exportTo(const QString& path, const QString& modelName, bool shaded)
 {
     if (!ui::drawingEndings().contains(QFileInfo(path).suffix().toLower())) {
-        Q_EMIT refused(ui::Messages::notADrawing(path));
+        Q_EMIT refused(ui::ErrorMessages::notADrawing(path));
         return;
     }
     m_worker->post([desk = m_desk, order = Order{path, modelName, shaded, {}}](const core::Sculptor& sculptor) mutable {
@@ -198,7 +198,7 @@ void DrawingWorker::write(const Order& order)
         m_mail.post(
             [this, path = order.path] { Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(path))); });
     } catch (const core::FileError& error) {
-        m_mail.post([this, sentence = ui::Messages::sentence(error)] { Q_EMIT refused(sentence); });
+        m_mail.post([this, sentence = ui::ErrorMessages::sentence(error)] { Q_EMIT refused(sentence); });
     }
 }
 } // namespace app

@@ -83,7 +83,7 @@ private:
     void write(const Order& order);
 
     SculptWorker* m_worker;
-    ui::Mailbox m_mail;
+    ui::ThreadMailbox m_mail;
     std::shared_ptr<Desk> m_desk = std::make_shared<Desk>();
 
     // The drawing thread's own.

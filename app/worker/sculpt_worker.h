@@ -29,7 +29,7 @@ struct MeshFacts
     core::Box box;            ///< mm; right after a stroke it may still be larger than the mesh
     double area = 0;          ///< mm^2; of the mesh some time ago, as the box
     double uniformDetail = 0; ///< mm
-    double leastDetail = 0;   ///< mm; the finest d_detail that the lattice holds
+    double minDetail = 0;     ///< mm; the finest d_detail that the lattice holds
 };
 
 /// A stroke that has ended, in the order of the strokes' beginnings.
@@ -173,7 +173,7 @@ private:
     void measureLatency(std::int64_t sampledNs);
     MeshFacts facts() const;
 
-    ui::Mailbox m_mail;
+    ui::ThreadMailbox m_mail;
     JobQueue m_queue;
     std::atomic<quint64> m_strokesBegun = 0;
     mutable std::mutex m_mutex; ///< guards the next three

@@ -28,7 +28,7 @@ namespace
 {
 /// A run whose mesh has grown past this ends: more would only take longer. So does one that has pushed nearly all of it
 /// away.
-constexpr Slot maxFaces = 10'000, leastFaces = 64;
+constexpr Slot maxFaces = 10'000, minFaces = 64;
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 /// One step in so many is a command to the whole model; one in so many takes back the step before.
 constexpr std::uint64_t stepsPerCommand = 40, stepsPerUndo = 8;
@@ -105,14 +105,14 @@ std::optional<FuzzStart> FuzzRun::grown() const
     FuzzStart end = {m_start.shape.starts_with("grown ") ? m_start.shape : "grown " + m_start.shape,
                      mesh_asserts::surfaceOf(mesh), m_start.plane};
     const bool fits = core::Lattice::forExtent(largestCoordinate(end.mesh)).exponent() >= mesh.lattice().exponent();
-    return fits && mesh.live().faces >= leastFaces && mesh.live().faces < maxFaces / 2 ? std::optional(end)
-                                                                                       : std::nullopt;
+    return fits && mesh.live().faces >= minFaces && mesh.live().faces < maxFaces / 2 ? std::optional(end)
+                                                                                     : std::nullopt;
 }
 
 bool FuzzRun::mayGoOn() const
 {
     const Slot faces = m_sculptor.mesh().live().faces;
-    return ok() && faces >= leastFaces && faces < maxFaces;
+    return ok() && faces >= minFaces && faces < maxFaces;
 }
 
 void FuzzRun::go(std::uint64_t dabs, AtEnd atEnd)

@@ -78,15 +78,15 @@ QString Actions::plain(QString text)
     return text.remove(menuOnly);
 }
 
-void Actions::setKeys(const KeyChoice& choice)
+void Actions::setKeys(const ShortcutSettings& shortcuts)
 {
-    m_choice = choice;
-    m_keys = KeyMap(choice);
+    m_shortcuts = shortcuts;
+    m_keys = ShortcutMap(shortcuts);
     for (const ActionInfo& row : actionTable()) {
         QAction* action = get(QLatin1StringView(row.id));
         action->setShortcuts(m_keys.keys(action->objectName()));
         action->setStatusTip(
-            tr(row.tip).replace(QLatin1StringView("%1"), modifierName(heldKeys(choice.preset).invert)));
+            tr(row.tip).replace(QLatin1StringView("%1"), modifierName(mouseModifiers(shortcuts.preset).invert)));
         action->setToolTip(toolTip(*action));
     }
 }
@@ -97,9 +97,9 @@ QString Actions::modifierName(Qt::KeyboardModifier modifier)
     return withLetter.section(u'+', 0, 0);
 }
 
-QString Actions::heldWords(KeyPreset preset)
+QString Actions::modifierHelp(ShortcutPreset preset)
 {
-    const HeldKeys held = heldKeys(preset);
+    const MouseModifiers held = mouseModifiers(preset);
     const QString brush = tr("Held on the model, %1 inverts the tool, and %2 smooths.")
                               .arg(modifierName(held.invert), modifierName(Qt::ShiftModifier));
     return held.rightOrbits ? brush + u' ' + tr("The right button turns the view.") : brush;

@@ -67,8 +67,8 @@ public:
     void rename(const QString& id, const QString& text);
 
     /// From now on these are the keys, in menus and tool tips too.
-    void setKeys(const KeyChoice& choice);
-    const KeyChoice& keys() const { return m_choice; }
+    void setKeys(const ShortcutSettings& shortcuts);
+    const ShortcutSettings& keys() const { return m_shortcuts; }
 
     QString menuTitle(MenuId menu) const;
     /// A text of a menu without what only a menu shows.
@@ -76,7 +76,7 @@ public:
     /// "Ctrl", as the keyboards of the language have it.
     static QString modifierName(Qt::KeyboardModifier modifier);
     /// What keys do that are held while the mouse works.
-    static QString heldWords(KeyPreset preset);
+    static QString modifierHelp(ShortcutPreset preset);
     void fill(QMenu* menu, MenuId which) const;
     void fill(QToolBar* bar, Bar which) const;
 
@@ -87,7 +87,7 @@ private:
     QAction* make(const ActionInfo& row, QWidget* window);
 
     QHash<QString, QAction*> m_actions;
-    KeyChoice m_choice;
-    KeyMap m_keys;
+    ShortcutSettings m_shortcuts;
+    ShortcutMap m_keys;
 };
 } // namespace ui

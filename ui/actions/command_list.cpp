@@ -14,7 +14,7 @@ namespace
 {
 constexpr int actionRole = Qt::UserRole;
 
-bool holds(const QTreeWidgetItem* item, const QStringList& words)
+bool containsAll(const QTreeWidgetItem* item, const QStringList& words)
 {
     QStringList texts{item->parent()->text(CommandList::Name)};
     for (const int column : {CommandList::Name, CommandList::Key, CommandList::Tip})
@@ -93,7 +93,7 @@ void CommandList::filter(const QString& words)
         bool any = false;
         for (int i = 0; i < menu->childCount(); ++i) {
             QTreeWidgetItem* item = menu->child(i);
-            const bool found = holds(item, parts);
+            const bool found = containsAll(item, parts);
             item->setHidden(!found);
             any = any || found;
             const bool isBetter = !currentItem() || rank(item, words) < rank(currentItem(), words);

@@ -20,7 +20,7 @@ constexpr QSize usualSize{820, 480};
 constexpr int largestWidth = 1200; ///< fits a small screen
 } // namespace
 
-CommandBox::CommandBox(const Actions& actions, QWidget* parent)
+CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
     : QDialog(parent)
     , m_words(new QLineEdit)
     , m_list(new CommandList(actions))
@@ -41,18 +41,18 @@ CommandBox::CommandBox(const Actions& actions, QWidget* parent)
     column->setSpacing(gap);
     column->addWidget(m_words);
     column->addWidget(m_list);
-    auto* held = new QLabel(Actions::heldWords(actions.keys().preset));
-    held->setWordWrap(true);
-    column->addWidget(held);
+    auto* modifierHelp = new QLabel(Actions::modifierHelp(actions.keys().preset));
+    modifierHelp->setWordWrap(true);
+    column->addWidget(modifierHelp);
     resize(std::clamp(m_list->wholeWidth() + 2 * gap, usualSize.width(), largestWidth), usualSize.height());
 
     connect(m_words, &QLineEdit::textChanged, m_list, &CommandList::filter);
-    connect(m_list, &QTreeWidget::itemActivated, this, &CommandBox::go);
+    connect(m_list, &QTreeWidget::itemActivated, this, &CommandPalette::run);
     m_words->setFocus();
 }
 
 /// The box goes first: what is done may open another.
-void CommandBox::go()
+void CommandPalette::run()
 {
     const QTreeWidgetItem* item = m_list->currentItem();
     if (!item || item->isDisabled() || !CommandList::actionOf(item))
@@ -62,7 +62,7 @@ void CommandBox::go()
     action->trigger();
 }
 
-void CommandBox::step(int by)
+void CommandPalette::step(int by)
 {
     QTreeWidgetItem* item = m_list->currentItem();
     do {
@@ -75,7 +75,7 @@ void CommandBox::step(int by)
         m_list->setCurrentItem(item);
 }
 
-bool CommandBox::eventFilter(QObject* watched, QEvent* event)
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() != QEvent::KeyPress)
         return QDialog::eventFilter(watched, event);
@@ -88,7 +88,7 @@ bool CommandBox::eventFilter(QObject* watched, QEvent* event)
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        go();
+        run();
         return true;
     default:
         return QDialog::eventFilter(watched, event);

@@ -10,45 +10,45 @@ namespace ui
 namespace
 {
 /// Where a preset departs from the action table.
-struct Departure
+struct PresetOverride
 {
-    KeyPreset preset;
+    ShortcutPreset preset;
     const char* id;
     const char* keys;
 };
 
 // clang-format off
-constexpr Departure departures[] = {
-    {KeyPreset::Blender, "tool.pull", "V; 1"},
-    {KeyPreset::Blender, "tool.inflate", "I; 9"},
-    {KeyPreset::Blender, "tool.clay", "C; 7"},
-    {KeyPreset::Blender, "tool.flatten", "Shift+T; 3"},
-    {KeyPreset::Blender, "tool.smooth", "S; 4"},
-    {KeyPreset::Blender, "tool.crease", "Shift+C; 8"},
-    {KeyPreset::Blender, "tool.grab", "G; 6"},
-    {KeyPreset::Blender, "brush.add", "Shift+A"},
-    {KeyPreset::Blender, "brush.color", "N"},
-    {KeyPreset::Blender, "color.pick", "Shift+X"},
-    {KeyPreset::Blender, "color.swap", "Shift+N"},
-    {KeyPreset::Blender, "model.remesh", "Ctrl+R"},
-    {KeyPreset::Blender, "view.frame", "Home; Num+."},
-    {KeyPreset::Blender, "view.wireframe", "Shift+Z"},
-    {KeyPreset::Blender, "view.ground", "Ctrl+G"},
-    {KeyPreset::Blender, "help.keys", "F3; F1"},
+constexpr PresetOverride presetOverrides[] = {
+    {ShortcutPreset::Blender, "tool.pull", "V; 1"},
+    {ShortcutPreset::Blender, "tool.inflate", "I; 9"},
+    {ShortcutPreset::Blender, "tool.clay", "C; 7"},
+    {ShortcutPreset::Blender, "tool.flatten", "Shift+T; 3"},
+    {ShortcutPreset::Blender, "tool.smooth", "S; 4"},
+    {ShortcutPreset::Blender, "tool.crease", "Shift+C; 8"},
+    {ShortcutPreset::Blender, "tool.grab", "G; 6"},
+    {ShortcutPreset::Blender, "brush.add", "Shift+A"},
+    {ShortcutPreset::Blender, "brush.color", "N"},
+    {ShortcutPreset::Blender, "color.pick", "Shift+X"},
+    {ShortcutPreset::Blender, "color.swap", "Shift+N"},
+    {ShortcutPreset::Blender, "model.remesh", "Ctrl+R"},
+    {ShortcutPreset::Blender, "view.frame", "Home; Num+."},
+    {ShortcutPreset::Blender, "view.wireframe", "Shift+Z"},
+    {ShortcutPreset::Blender, "view.ground", "Ctrl+G"},
+    {ShortcutPreset::Blender, "help.keys", "F3; F1"},
 
-    {KeyPreset::ZBrush, "tool.layer", "Shift+L"},
-    {KeyPreset::ZBrush, "tool.pinch", "I"},
-    {KeyPreset::ZBrush, "brush.radius", "S"},
-    {KeyPreset::ZBrush, "brush.strength", "U"},
-    {KeyPreset::ZBrush, "brush.steady", "L"},
-    {KeyPreset::ZBrush, "topology.uniform", "Shift+U"},
-    {KeyPreset::ZBrush, "brush.color", "Shift+C"},
-    {KeyPreset::ZBrush, "color.pick", "C"},
-    {KeyPreset::ZBrush, "color.swap", "V"},
-    {KeyPreset::ZBrush, "view.frame", "F; Home"},
-    {KeyPreset::ZBrush, "view.wireframe", "Shift+F"},
-    {KeyPreset::ZBrush, "view.orthographic", "P; Num+5"},
-    {KeyPreset::ZBrush, "view.ground", "Shift+P"},
+    {ShortcutPreset::ZBrush, "tool.layer", "Shift+L"},
+    {ShortcutPreset::ZBrush, "tool.pinch", "I"},
+    {ShortcutPreset::ZBrush, "brush.radius", "S"},
+    {ShortcutPreset::ZBrush, "brush.strength", "U"},
+    {ShortcutPreset::ZBrush, "brush.steady", "L"},
+    {ShortcutPreset::ZBrush, "topology.uniform", "Shift+U"},
+    {ShortcutPreset::ZBrush, "brush.color", "Shift+C"},
+    {ShortcutPreset::ZBrush, "color.pick", "C"},
+    {ShortcutPreset::ZBrush, "color.swap", "V"},
+    {ShortcutPreset::ZBrush, "view.frame", "F; Home"},
+    {ShortcutPreset::ZBrush, "view.wireframe", "Shift+F"},
+    {ShortcutPreset::ZBrush, "view.orthographic", "P; Num+5"},
+    {ShortcutPreset::ZBrush, "view.ground", "Shift+P"},
 };
 // clang-format on
 
@@ -57,11 +57,11 @@ Keys listed(const char* keys)
     return *keys ? QKeySequence::listFromString(QLatin1StringView(keys)) : Keys();
 }
 
-Keys presetKeys(KeyPreset preset, const ActionInfo& row)
+Keys presetKeys(ShortcutPreset preset, const ActionInfo& row)
 {
-    for (const Departure& departure : departures)
-        if (departure.preset == preset && qstrcmp(departure.id, row.id) == 0)
-            return listed(departure.keys);
+    for (const PresetOverride& entry : presetOverrides)
+        if (entry.preset == preset && qstrcmp(entry.id, row.id) == 0)
+            return listed(entry.keys);
     return listed(row.keys);
 }
 
@@ -71,19 +71,19 @@ std::optional<Keys> read(const QString& text, const QString& id)
     if (text.isEmpty())
         return Keys();
     const Keys keys = QKeySequence::listFromString(text);
-    if (keys.size() > mostKeys ||
-        std::ranges::any_of(keys, [&](const QKeySequence& key) { return problemOf(key, id) != KeyProblem::None; }))
+    if (keys.size() > maxKeys ||
+        std::ranges::any_of(keys, [&](const QKeySequence& key) { return problemOf(key, id) != ShortcutProblem::None; }))
         return {};
     return keys;
 }
 } // namespace
 
-KeyProblem problemOf(const QKeySequence& sequence, const QString& id)
+ShortcutProblem problemOf(const QKeySequence& sequence, const QString& id)
 {
-    if (presetKeys(KeyPreset::Fettle, id).contains(sequence))
-        return KeyProblem::None;
+    if (presetKeys(ShortcutPreset::Fettle, id).contains(sequence))
+        return ShortcutProblem::None;
     if (sequence.count() != 1)
-        return KeyProblem::Held;
+        return ShortcutProblem::Modifier;
     const Qt::Key key = sequence[0].key();
     const Qt::KeyboardModifiers held = sequence[0].keyboardModifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
     switch (key) {
@@ -98,13 +98,13 @@ KeyProblem problemOf(const QKeySequence& sequence, const QString& id)
     case Qt::Key_CapsLock:
     case Qt::Key_NumLock:
     case Qt::Key_ScrollLock:
-        return KeyProblem::Held;
+        return ShortcutProblem::Modifier;
     case Qt::Key_Escape:
     case Qt::Key_Tab:
     case Qt::Key_Backtab:
     case Qt::Key_Menu:
     case Qt::Key_F10:
-        return KeyProblem::Widgets;
+        return ShortcutProblem::Widgets;
     case Qt::Key_Return:
     case Qt::Key_Enter:
     case Qt::Key_Space:
@@ -120,11 +120,11 @@ KeyProblem problemOf(const QKeySequence& sequence, const QString& id)
     case Qt::Key_Plus:
     case Qt::Key_Minus:
     case Qt::Key_0:
-        return held & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier) ? KeyProblem::None
-                                                                                 : KeyProblem::Widgets;
+        return held & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier) ? ShortcutProblem::None
+                                                                                 : ShortcutProblem::Widgets;
     default:
         const bool isLetter = QChar::isLetter(static_cast<char32_t>(key));
-        return held == Qt::AltModifier && isLetter ? KeyProblem::Menus : KeyProblem::None;
+        return held == Qt::AltModifier && isLetter ? ShortcutProblem::Menus : ShortcutProblem::None;
     }
 }
 
@@ -133,28 +133,28 @@ bool isFixed(const QString& id)
     return id == QLatin1StringView("edit.stop");
 }
 
-Keys presetKeys(KeyPreset preset, const QString& id)
+Keys presetKeys(ShortcutPreset preset, const QString& id)
 {
     const auto row = std::ranges::find_if(actionTable(),
                                           [&](const ActionInfo& action) { return id == QLatin1StringView(action.id); });
     return row != actionTable().end() ? presetKeys(preset, *row) : Keys();
 }
 
-KeyMap::KeyMap(const KeyChoice& choice)
+ShortcutMap::ShortcutMap(const ShortcutSettings& shortcuts)
 {
     const auto own = [&](const QString& id) {
-        const auto found = choice.own.constFind(id);
-        return found != choice.own.constEnd() && !isFixed(id) ? read(*found, id) : std::nullopt;
+        const auto found = shortcuts.custom.constFind(id);
+        return found != shortcuts.custom.constEnd() && !isFixed(id) ? read(*found, id) : std::nullopt;
     };
     for (const ActionInfo& row : actionTable())
         if (const std::optional<Keys> keys = own(QLatin1StringView(row.id)))
-            give(QLatin1StringView(row.id), *keys);
+            assign(QLatin1StringView(row.id), *keys);
     for (const ActionInfo& row : actionTable())
         if (!own(QLatin1StringView(row.id)))
-            give(QLatin1StringView(row.id), presetKeys(choice.preset, row));
+            assign(QLatin1StringView(row.id), presetKeys(shortcuts.preset, row));
 }
 
-void KeyMap::give(const QString& id, const Keys& keys)
+void ShortcutMap::assign(const QString& id, const Keys& keys)
 {
     for (const QKeySequence& key : keys) {
         if (m_owners.contains(key))
@@ -164,12 +164,12 @@ void KeyMap::give(const QString& id, const Keys& keys)
     }
 }
 
-KeyChoice withKeys(KeyChoice choice, const QString& id, const Keys& keys)
+ShortcutSettings withKeys(ShortcutSettings shortcuts, const QString& id, const Keys& keys)
 {
-    if (keys == presetKeys(choice.preset, id))
-        choice.own.remove(id);
+    if (keys == presetKeys(shortcuts.preset, id))
+        shortcuts.custom.remove(id);
     else
-        choice.own.insert(id, QKeySequence::listToString(keys));
-    return choice;
+        shortcuts.custom.insert(id, QKeySequence::listToString(keys));
+    return shortcuts;
 }
 } // namespace ui

@@ -72,11 +72,11 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
 {
     const QString name = QLatin1StringView(core::info(parameter).key.data(), core::info(parameter).key.size());
     m_slider->setObjectName(name + QStringLiteral(".slider"));
-    m_slider->setAccessibleName(Messages::name(parameter));
+    m_slider->setAccessibleName(ErrorMessages::name(parameter));
     m_slider->setRange(0, sliderSteps);
     m_slider->setMinimumWidth(80);
     m_box->setObjectName(name + QStringLiteral(".box"));
-    m_box->setAccessibleName(Messages::name(parameter));
+    m_box->setAccessibleName(ErrorMessages::name(parameter));
     m_box->setKeyboardTracking(false);
     m_box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     if (core::info(parameter).unit == core::Unit::Millimetres)
@@ -86,7 +86,7 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap);
     if (label == Label::Before) {
-        auto* text = new QLabel(Messages::name(parameter));
+        auto* text = new QLabel(ErrorMessages::name(parameter));
         text->setBuddy(m_box);
         row->addWidget(text);
     }

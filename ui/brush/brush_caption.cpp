@@ -14,11 +14,11 @@ namespace ui
 {
 namespace
 {
-constexpr double captionSize = 5.5;  ///< of the window's text: letters of 16 minutes of arc from 3 m
-constexpr double leastCaption = 1.6; ///< the same
+constexpr double captionSize = 5.5; ///< of the window's text: letters of 16 minutes of arc from 3 m
+constexpr double minCaption = 1.6;  ///< the same
 constexpr double shrinksBy = 0.97;
-constexpr double mostOfWindow = 0.08; ///< of its height
-constexpr double captionGap = 0.55;   ///< between words, of the letters' height
+constexpr double maxOfWindow = 0.08; ///< of its height
+constexpr double captionGap = 0.55;  ///< between words, of the letters' height
 
 QFont sizedFont(const QFont& usual, double factor)
 {
@@ -30,7 +30,7 @@ QFont sizedFont(const QFont& usual, double factor)
 /// Where each part of the line is, from left to right.
 struct CaptionLine
 {
-    CaptionLine(const CaptionWords& words, const QFont& font)
+    CaptionLine(const CaptionText& words, const QFont& font)
     {
         const QFontMetrics metrics(font);
         const int height = metrics.height(), space = static_cast<int>(captionGap * metrics.capHeight());
@@ -63,18 +63,18 @@ BrushCaption::BrushCaption(QWidget* parent) : QWidget(parent)
     fit();
 }
 
-void BrushCaption::setWords(const CaptionWords& words)
+void BrushCaption::setText(const CaptionText& words)
 {
-    if (m_words == words)
+    if (m_text == words)
         return;
-    m_words = words;
+    m_text = words;
     setAccessibleName(QStringList({words.tool, words.radius, words.time}).join(QStringLiteral(", ")));
     fit();
 }
 
 QSize BrushCaption::sizeHint() const
 {
-    return {CaptionLine(m_words, sizedFont(font(), leastCaption)).width, QFontMetrics(m_font).height()};
+    return {CaptionLine(m_text, sizedFont(font(), minCaption)).width, QFontMetrics(m_font).height()};
 }
 
 void BrushCaption::resizeEvent(QResizeEvent* event)
@@ -107,15 +107,15 @@ void BrushCaption::changeEvent(QEvent* event)
 
 void BrushCaption::fit()
 {
-    const double mostHeight = isWindow() ? QWIDGETSIZE_MAX : mostOfWindow * window()->height();
+    const double maxHeight = isWindow() ? QWIDGETSIZE_MAX : maxOfWindow * window()->height();
     const auto fits = [&](double factor) {
         const QFont font = sizedFont(this->font(), factor);
-        return CaptionLine(m_words, font).width <= width() && QFontMetrics(font).height() <= mostHeight;
+        return CaptionLine(m_text, font).width <= width() && QFontMetrics(font).height() <= maxHeight;
     };
     double factor = captionSize;
-    while (factor > leastCaption && !fits(factor))
+    while (factor > minCaption && !fits(factor))
         factor *= shrinksBy;
-    m_font = sizedFont(font(), std::max(factor, leastCaption));
+    m_font = sizedFont(font(), std::max(factor, minCaption));
     if (const int height = QFontMetrics(m_font).height(); minimumHeight() != height)
         setFixedHeight(height);
     update();
@@ -125,17 +125,17 @@ void BrushCaption::fit()
 void BrushCaption::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    const CaptionLine line(m_words, m_font);
+    const CaptionLine line(m_text, m_font);
     const int inset = QFontMetrics(m_font).descent() / 2;
     const auto drawing = [inset](const QRect& place) { return place.adjusted(inset, inset, -inset, -inset); };
     painter.setFont(m_font);
     painter.setPen(palette().color(QPalette::WindowText));
-    m_words.icon.paint(&painter, drawing(line.icon));
-    painter.drawText(line.tool, Qt::AlignCenter | Qt::TextSingleLine, m_words.tool);
-    painter.drawText(line.radius, Qt::AlignCenter | Qt::TextSingleLine, m_words.radius);
-    if (m_words.time.isEmpty())
+    m_text.icon.paint(&painter, drawing(line.icon));
+    painter.drawText(line.tool, Qt::AlignCenter | Qt::TextSingleLine, m_text.tool);
+    painter.drawText(line.radius, Qt::AlignCenter | Qt::TextSingleLine, m_text.radius);
+    if (m_text.time.isEmpty())
         return;
-    if (m_words.isNearEnd) {
+    if (m_text.isNearEnd) {
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(Qt::NoPen);
         painter.setBrush(palette().color(QPalette::WindowText));
@@ -143,6 +143,6 @@ void BrushCaption::paintEvent(QPaintEvent*)
         painter.setPen(palette().color(QPalette::Window));
     }
     themedIcon(QStringLiteral("clock")).paint(&painter, drawing(line.clock));
-    painter.drawText(line.time, Qt::AlignCenter | Qt::TextSingleLine, m_words.time);
+    painter.drawText(line.time, Qt::AlignCenter | Qt::TextSingleLine, m_text.time);
 }
 } // namespace ui

@@ -6,7 +6,7 @@
 namespace ui
 {
 /// What somebody who stands across the room reads of the brush.
-struct CaptionWords
+struct CaptionText
 {
     QIcon icon;           ///< the tool's
     QString tool, radius; ///< the latter with its unit
@@ -14,7 +14,7 @@ struct CaptionWords
     bool isNearEnd = false;
 
     /// The icon goes with the tool.
-    bool operator==(const CaptionWords& other) const
+    bool operator==(const CaptionText& other) const
     {
         return tool == other.tool && radius == other.radius && time == other.time && isNearEnd == other.isNearEnd;
     }
@@ -30,8 +30,8 @@ class BrushCaption : public QWidget
 public:
     explicit BrushCaption(QWidget* parent = nullptr);
 
-    void setWords(const CaptionWords& words);
-    const CaptionWords& words() const { return m_words; }
+    void setText(const CaptionText& words);
+    const CaptionText& text() const { return m_text; }
 
     QSize sizeHint() const override;
 
@@ -45,7 +45,7 @@ protected:
 private:
     void fit();
 
-    CaptionWords m_words;
+    CaptionText m_text;
     QFont m_font; ///< that fits
 };
 } // namespace ui

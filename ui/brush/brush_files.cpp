@@ -65,7 +65,7 @@ QString faultOf(const QString& path, const core::BrushModel::Made& made)
     case Fault::None:
         break;
     case Fault::Unsound:
-        return Messages::noBrush(path, made.report);
+        return ErrorMessages::brushRefusal(path, made.report);
     case Fault::TooFlat:
         return BrushFiles::tr("%1 is too flat for a brush's shape.").arg(path);
     case Fault::TooSmall:
@@ -126,7 +126,7 @@ BrushFile<core::BrushModel> readBrushModel(const QString& path)
     try {
         return brushModelOf(core::readMesh(std::filesystem::path(path.toStdU16String())), path);
     } catch (const core::FileError& error) {
-        return refused<core::BrushModel>(Messages::sentence(error));
+        return refused<core::BrushModel>(ErrorMessages::sentence(error));
     } catch (const std::bad_alloc&) {
         return refused<core::BrushModel>(BrushFiles::tr("%1: there is not enough memory for this model.").arg(path));
     }

@@ -63,7 +63,7 @@ public:
     {
         auto* control = new ParameterControl(m_brush, parameter, ParameterControl::Label::Without);
         QObject::connect(control, &ParameterControl::entered, dock, entered);
-        m_form->addRow(Messages::name(parameter), control);
+        m_form->addRow(ErrorMessages::name(parameter), control);
     }
 
     template <class T>
@@ -120,17 +120,17 @@ public:
         length->setObjectName(QStringLiteral("stringLength"));
         length->setAccessibleName(BrushPanels::tr("Length of the string"));
         length->setToolTip(tip);
-        length->setRange(static_cast<int>(minString), static_cast<int>(maxString));
+        length->setRange(static_cast<int>(minStabilizerLength), static_cast<int>(maxStabilizerLength));
         length->setSuffix(BrushPanels::tr(" px"));
         length->setKeyboardTracking(false);
         const auto show = [=, brush = m_brush] {
             check->setChecked(brush->isSteady());
             length->setEnabled(brush->isSteady());
             const QSignalBlocker quiet(length);
-            length->setValue(static_cast<int>(std::lround(brush->stringLength())));
+            length->setValue(static_cast<int>(std::lround(brush->stabilizerLength())));
         };
         QObject::connect(check, &QCheckBox::clicked, m_brush, &BrushSettings::setSteady);
-        QObject::connect(length, &QSpinBox::valueChanged, m_brush, &BrushSettings::setStringLength);
+        QObject::connect(length, &QSpinBox::valueChanged, m_brush, &BrushSettings::setStabilizerLength);
         QObject::connect(length, &QSpinBox::editingFinished, dock, [=] {
             if (length->hasFocus())
                 entered();
@@ -222,10 +222,11 @@ QDockWidget* symmetryPanel(BrushSettings* brush, const std::function<void()>& en
 }
 } // namespace
 
-void addBrushPanels(const BrushPanelPlace& place, BrushSettings* brush, BrushShapes* shapes)
+void addBrushPanels(const BrushPanelContext& context, BrushSettings* brush, BrushShapes* shapes)
 {
-    addSideDock(place.window, place.toggles, brushPanel(brush, shapes, place.entered));
-    addSideDock(place.window, place.toggles, topologyPanel(brush, place.entered));
-    addSideDock(place.window, place.toggles, symmetryPanel(brush, place.entered), QStringLiteral("topologyPanel"));
+    addSideDock(context.window, context.toggles, brushPanel(brush, shapes, context.entered));
+    addSideDock(context.window, context.toggles, topologyPanel(brush, context.entered));
+    addSideDock(context.window, context.toggles, symmetryPanel(brush, context.entered),
+                QStringLiteral("topologyPanel"));
 }
 } // namespace ui

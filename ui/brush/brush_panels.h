@@ -10,7 +10,7 @@ namespace ui
 class BrushSettings;
 class BrushShapes;
 
-struct BrushPanelPlace
+struct BrushPanelContext
 {
     QMainWindow* window;
     QMenu* toggles;
@@ -19,5 +19,5 @@ struct BrushPanelPlace
 
 /// Brush, topology and symmetry as docks at the window's right, each with an entry in `toggles` that shows and hides
 /// it. Brush and shapes must outlive the window's children. Gui thread.
-void addBrushPanels(const BrushPanelPlace& place, BrushSettings* brush, BrushShapes* shapes);
+void addBrushPanels(const BrushPanelContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

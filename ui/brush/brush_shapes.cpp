@@ -7,13 +7,13 @@ namespace ui
 {
 namespace
 {
-constexpr int mostRecent = 6;
+constexpr int maxRecent = 6;
 
 void putFirst(QStringList& files, const QString& path)
 {
     files.removeAll(path);
     files.prepend(path);
-    files.resize(std::min<qsizetype>(files.size(), mostRecent));
+    files.resize(std::min<qsizetype>(files.size(), maxRecent));
 }
 
 template <class What> QString sourceOf(const std::shared_ptr<const What>& shape)
@@ -40,11 +40,11 @@ void BrushShapes::restore()
     m_brush->set(&core::StrokeSettings::alphaFollows, wanted.alphaFollows);
     m_alpha.isRestoring = m_model.isRestoring = true; // neither goes while the other is taken
     if (const auto builtIn = core::builtInAlpha(wanted.alpha.toStdString()))
-        take(m_alpha, builtIn);
+        setShape(m_alpha, builtIn);
     else
-        choose(m_alpha, wanted.alpha, Asked::ByRestoring);
-    choose(m_model, wanted.model, Asked::ByRestoring);
-    connect(m_brush, &BrushSettings::changed, this, &BrushShapes::keep,
+        choose(m_alpha, wanted.alpha, Origin::Restore);
+    choose(m_model, wanted.model, Origin::Restore);
+    connect(m_brush, &BrushSettings::changed, this, &BrushShapes::save,
             Qt::UniqueConnection); // not before: what is stored would be lost
     Q_EMIT changed();
 }
@@ -64,63 +64,63 @@ std::shared_ptr<const core::Alpha> BrushShapes::alpha(const QString& source) con
 void BrushShapes::chooseAlpha(const QString& source)
 {
     if (const auto builtIn = core::builtInAlpha(source.toStdString()))
-        take(m_alpha, builtIn);
+        setShape(m_alpha, builtIn);
     else
-        choose(m_alpha, source, Asked::ByHand);
+        choose(m_alpha, source, Origin::User);
 }
 
 void BrushShapes::chooseModel(const QString& path)
 {
-    choose(m_model, path, Asked::ByHand);
+    choose(m_model, path, Origin::User);
 }
 
-template <class What> void BrushShapes::choose(Choice<What>& choice, const QString& path, Asked asked)
+template <class What> void BrushShapes::choose(ShapeSlot<What>& slot, const QString& path, Origin origin)
 {
     if (path.isEmpty())
-        return take(choice, std::shared_ptr<const What>());
-    choice.isRestoring = asked == Asked::ByRestoring;
-    const int question = ++choice.question;
-    m_aside.run([path, read = choice.read] { return read(path); },
-                [this, &choice, path, asked, question](const BrushFile<What>& file) {
-                    if (question != choice.question)
-                        return;
-                    if (!file.what)
-                        return refuse(choice, path, asked, file.problem);
-                    putFirst(m_stored.*choice.files, path);
-                    remember(path, file.what);
-                    take(choice, file.what);
-                });
+        return setShape(slot, std::shared_ptr<const What>());
+    slot.isRestoring = origin == Origin::Restore;
+    const int request = ++slot.request;
+    m_background.run([path, read = slot.read] { return read(path); },
+                     [this, &slot, path, origin, request](const BrushFile<What>& file) {
+                         if (request != slot.request)
+                             return;
+                         if (!file.what)
+                             return refuse(slot, path, origin, file.problem);
+                         putFirst(m_stored.*slot.files, path);
+                         remember(path, file.what);
+                         setShape(slot, file.what);
+                     });
 }
 
-template <class What> void BrushShapes::take(Choice<What>& choice, const std::shared_ptr<const What>& what)
+template <class What> void BrushShapes::setShape(ShapeSlot<What>& slot, const std::shared_ptr<const What>& what)
 {
-    ++choice.question;
-    choice.isRestoring = false;
-    m_brush->set(choice.inBrush, what);
-    keep();
+    ++slot.request;
+    slot.isRestoring = false;
+    m_brush->set(slot.inBrush, what);
+    save();
     Q_EMIT changed();
 }
 
 /// What a hand chose and was refused is not offered again; a stored file may only be away.
 template <class What>
-void BrushShapes::refuse(Choice<What>& choice, const QString& path, Asked asked, const QString& problem)
+void BrushShapes::refuse(ShapeSlot<What>& slot, const QString& path, Origin origin, const QString& problem)
 {
-    choice.isRestoring = false;
-    if (asked == Asked::ByHand) {
-        (m_stored.*choice.files).removeAll(path);
+    slot.isRestoring = false;
+    if (origin == Origin::User) {
+        (m_stored.*slot.files).removeAll(path);
         m_read.remove(path);
     }
-    keep();
-    Q_EMIT refused(asked == Asked::ByHand ? problem : goneWord(static_cast<What*>(nullptr)).arg(problem));
+    save();
+    Q_EMIT refused(origin == Origin::User ? problem : missingFileMessage(static_cast<What*>(nullptr)).arg(problem));
     Q_EMIT changed();
 }
 
-QString BrushShapes::goneWord(const core::Alpha*) const
+QString BrushShapes::missingFileMessage(const core::Alpha*) const
 {
     return tr("The brush is without its alpha: %1", "a sentence that says why");
 }
 
-QString BrushShapes::goneWord(const core::BrushModel*) const
+QString BrushShapes::missingFileMessage(const core::BrushModel*) const
 {
     return tr("Stamp has a ball again: %1", "a sentence that says why");
 }
@@ -135,20 +135,20 @@ void BrushShapes::remember(const QString& path, const std::shared_ptr<const core
 
 /// While the stored file is being read the brush has none yet, and what is stored stays; whoever gives it one meanwhile
 /// has chosen later.
-template <class What> void BrushShapes::note(Choice<What>& choice)
+template <class What> void BrushShapes::store(ShapeSlot<What>& slot)
 {
-    const std::shared_ptr<const What>& shape = m_brush->stroke().*choice.inBrush;
-    if (choice.isRestoring && !shape)
+    const std::shared_ptr<const What>& shape = m_brush->stroke().*slot.inBrush;
+    if (slot.isRestoring && !shape)
         return;
-    if (std::exchange(choice.isRestoring, false))
-        ++choice.question;
-    m_stored.*choice.chosen = sourceOf(shape);
+    if (std::exchange(slot.isRestoring, false))
+        ++slot.request;
+    m_stored.*slot.chosen = sourceOf(shape);
 }
 
-void BrushShapes::keep()
+void BrushShapes::save()
 {
-    note(m_alpha);
-    note(m_model);
+    store(m_alpha);
+    store(m_model);
     m_stored.alphaFollows = m_brush->stroke().alphaFollows;
     if (m_stored != m_settings->shapes())
         m_settings->setShapes(m_stored);

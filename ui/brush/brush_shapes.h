@@ -28,8 +28,8 @@ public:
     void chooseAlpha(const QString& source);
     /// A path; empty: a ball.
     void chooseModel(const QString& path);
-    /// The document's model as it is now: ownModelWanted().
-    void chooseOwnModel() { Q_EMIT ownModelWanted(); }
+    /// The document's model as it is now: ownModelRequested().
+    void chooseOwnModel() { Q_EMIT ownModelRequested(); }
 
     /// Whether other files may be chosen than those that were before, or the document's model; at first they may.
     bool mayLoad() const { return m_mayLoad; }
@@ -43,40 +43,42 @@ public:
 Q_SIGNALS:
     /// Another choice, or other files.
     void changed();
-    void ownModelWanted();
+    void ownModelRequested();
     /// In one sentence why a file is not taken; the brush is what it was.
     void refused(const QString& sentence);
 
 private:
-    enum class Asked { ByHand, ByRestoring };
+    enum class Origin { User, Restore };
     /// Of one kind of shape: where it stands in the brush and in the settings.
-    template <class What> struct Choice
+    template <class What> struct ShapeSlot
     {
         std::shared_ptr<const What> core::StrokeSettings::*inBrush;
         QString StoredShapes::*chosen;
         QStringList StoredShapes::*files;
         BrushFile<What> (*read)(const QString& path);
-        int question = 0;         ///< what was read for an earlier one is too late
+        int request = 0;          ///< what was read for an earlier one is too late
         bool isRestoring = false; ///< the stored file is being read
     };
-    template <class What> void choose(Choice<What>& choice, const QString& path, Asked asked);
-    template <class What> void take(Choice<What>& choice, const std::shared_ptr<const What>& what);
-    template <class What> void refuse(Choice<What>& choice, const QString& path, Asked asked, const QString& problem);
-    template <class What> void note(Choice<What>& choice);
-    QString goneWord(const core::Alpha*) const;
-    QString goneWord(const core::BrushModel*) const;
+    template <class What> void choose(ShapeSlot<What>& slot, const QString& path, Origin origin);
+    template <class What> void setShape(ShapeSlot<What>& slot, const std::shared_ptr<const What>& what);
+    template <class What>
+    void refuse(ShapeSlot<What>& slot, const QString& path, Origin origin, const QString& problem);
+    template <class What> void store(ShapeSlot<What>& slot);
+    QString missingFileMessage(const core::Alpha*) const;
+    QString missingFileMessage(const core::BrushModel*) const;
     void remember(const QString& path, const std::shared_ptr<const core::Alpha>& alpha);
     void remember(const QString&, const std::shared_ptr<const core::BrushModel>&) {}
-    void keep();
+    void save();
 
     BrushSettings* m_brush;
     Settings* m_settings;
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
-    Choice<core::Alpha> m_alpha{&core::StrokeSettings::alpha, &StoredShapes::alpha, &StoredShapes::alphas, readAlpha};
-    Choice<core::BrushModel> m_model{&core::StrokeSettings::model, &StoredShapes::model, &StoredShapes::models,
-                                     readBrushModel};
+    ShapeSlot<core::Alpha> m_alpha{&core::StrokeSettings::alpha, &StoredShapes::alpha, &StoredShapes::alphas,
+                                   readAlpha};
+    ShapeSlot<core::BrushModel> m_model{&core::StrokeSettings::model, &StoredShapes::model, &StoredShapes::models,
+                                        readBrushModel};
     bool m_mayLoad = true;
-    SideThread m_aside; ///< last
+    BackgroundThread m_background; ///< last
 };
 } // namespace ui

@@ -220,16 +220,16 @@ QPixmap ColorPanel::pairPicture() const
     return picture;
 }
 
-void addColorPanel(const ColorPanelPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions,
+void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice)
 {
     auto* panel = new ColorPanel(brush, settings, actions);
     auto* dock = new QDockWidget(ColorPanel::tr("Colour"));
     dock->setObjectName(QStringLiteral("colorPanel"));
     dock->setWidget(panel);
-    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
 
-    Viewport* viewport = place.viewport;
+    Viewport* viewport = context.viewport;
     QAction* picking = actions.get(QStringLiteral("color.pick"));
     QObject::connect(panel, &ColorPanel::entered, viewport, qOverload<>(&QWidget::setFocus));
     QObject::connect(panel, &ColorPanel::refused, dock, notice);

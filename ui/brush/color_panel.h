@@ -77,7 +77,7 @@ private:
     ColorSwatches* m_swatches;
 };
 
-struct ColorPanelPlace
+struct ColorPanelContext
 {
     QMainWindow* window;
     QMenu* toggles;
@@ -86,6 +86,6 @@ struct ColorPanelPlace
 
 /// As a dock behind the brush's, with its entry among the toggles; brush.color raises it, color.pick and color.swap
 /// work. `notice` says a small word.
-void addColorPanel(const ColorPanelPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions,
+void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice);
 } // namespace ui

@@ -16,7 +16,7 @@ namespace ui
 {
 namespace
 {
-constexpr int side = 20, inARow = 9, between = 4;
+constexpr int side = 20, perRow = 9, between = 4;
 
 /// A line of the text's colour round it: it is seen where it has the window's colour.
 QIcon patch(const core::Rgb& color, const QPalette& palette)
@@ -37,7 +37,7 @@ ColorSwatches::ColorSwatches(QWidget* parent) : QWidget(parent), m_grid(new QGri
     setObjectName(QStringLiteral("swatches"));
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setSpacing(between);
-    m_grid->setColumnStretch(inARow, 1);
+    m_grid->setColumnStretch(perRow, 1);
     setMinimumHeight(2 * side + between);
     build();
 }
@@ -45,7 +45,7 @@ ColorSwatches::ColorSwatches(QWidget* parent) : QWidget(parent), m_grid(new QGri
 void ColorSwatches::setColors(QList<core::Rgb> colors)
 {
     m_colors = std::move(colors);
-    m_colors.resize(std::min<qsizetype>(m_colors.size(), most));
+    m_colors.resize(std::min<qsizetype>(m_colors.size(), maxSwatches));
     build();
 }
 
@@ -53,7 +53,7 @@ void ColorSwatches::add(const core::Rgb& color)
 {
     if (m_colors.contains(color))
         return;
-    if (m_colors.size() == most)
+    if (m_colors.size() == maxSwatches)
         m_colors.removeFirst();
     m_colors << color;
     build();
@@ -86,7 +86,7 @@ void ColorSwatches::build()
     }
     int at = 0;
     const auto place = [&](QWidget* widget) {
-        m_grid->addWidget(widget, at / inARow, at % inARow, Qt::AlignTop | Qt::AlignLeft);
+        m_grid->addWidget(widget, at / perRow, at % perRow, Qt::AlignTop | Qt::AlignLeft);
         ++at;
     };
     for (const core::Rgb& color : std::as_const(m_colors))

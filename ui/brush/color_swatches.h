@@ -15,7 +15,7 @@ class ColorSwatches : public QWidget
     Q_OBJECT
 
 public:
-    static constexpr int most = 17; ///< with the button two rows
+    static constexpr int maxSwatches = 17; ///< with the button two rows
 
     explicit ColorSwatches(QWidget* parent = nullptr);
 

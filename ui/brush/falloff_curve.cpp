@@ -9,13 +9,13 @@ namespace ui
 {
 namespace
 {
-const int mostFalloff = static_cast<int>(core::info(core::Parameter::Falloff).max);
+const int maxFalloff = static_cast<int>(core::info(core::Parameter::Falloff).max);
 } // namespace
 
 FalloffCurve::FalloffCurve(BrushSettings* brush, QWidget* parent) : CurveWidget(parent), m_brush(brush)
 {
     setObjectName(QStringLiteral("falloffCurve"));
-    setAccessibleName(Messages::name(core::Parameter::Falloff));
+    setAccessibleName(ErrorMessages::name(core::Parameter::Falloff));
     setToolTip(tr("How the brush fades from its centre to its rim. Drag to bend it."));
     connect(brush, &BrushSettings::changed, this, qOverload<>(&QWidget::update));
 }
@@ -23,7 +23,7 @@ FalloffCurve::FalloffCurve(BrushSettings* brush, QWidget* parent) : CurveWidget(
 void FalloffCurve::bendTo(double x, double y)
 {
     int nearest = 0;
-    for (int n = core::minFalloff; n <= mostFalloff; ++n) {
+    for (int n = core::minFalloff; n <= maxFalloff; ++n) {
         if (std::abs(core::falloff(x, n) - y) < std::abs(core::falloff(x, nearest) - y))
             nearest = n;
     }
@@ -34,8 +34,8 @@ void FalloffCurve::bendTo(double x, double y)
 void FalloffCurve::step(int by)
 {
     int n = falloff() + by;
-    while (n > 0 && n < mostFalloff && !core::isFalloff(n))
+    while (n > 0 && n < maxFalloff && !core::isFalloff(n))
         n += by;
-    m_brush->setValue(core::Parameter::Falloff, std::clamp(n, 0, mostFalloff));
+    m_brush->setValue(core::Parameter::Falloff, std::clamp(n, 0, maxFalloff));
 }
 } // namespace ui

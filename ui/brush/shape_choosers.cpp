@@ -25,9 +25,9 @@ struct ShapeChoosers
 
 constexpr int picturePixels = 22;
 /// What the last entry holds: no source and no path is that.
-const QString loadWord = QStringLiteral("\n");
+const QString loadEntry = QStringLiteral("\n");
 /// Of the entry before it.
-const QString ownWord = QStringLiteral("\nown");
+const QString ownModelEntry = QStringLiteral("\nown");
 
 QString nameOf(std::string_view builtIn)
 {
@@ -100,7 +100,7 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
         addFiles(box, shapes->alphas(), alphaOf(*brush),
                  [shapes](const QString& file) { return pictureOf(shapes->alpha(file)); });
         if (shapes->mayLoad())
-            box->addItem(ShapeChoosers::tr("Load Image…"), loadWord);
+            box->addItem(ShapeChoosers::tr("Load Image…"), loadEntry);
         box->setCurrentIndex(box->findData(alphaOf(*brush)));
     };
     const auto show = [=] {
@@ -111,7 +111,7 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
     QObject::connect(box, &QComboBox::activated, shapes, [=] {
         const QString source = box->currentData().toString();
         show(); // until it was read
-        if (source != loadWord)
+        if (source != loadEntry)
             return shapes->chooseAlpha(source);
         askForAlpha(box->window(), Settings().lastFolder(), alphaEndings(),
                     [shapes](const QString& path) { shapes->chooseAlpha(path); });
@@ -133,10 +133,10 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
         box->addItem(ShapeChoosers::tr("Ball"), QString());
         addFiles(box, shapes->models(), modelOf(*brush), [](const QString&) { return QIcon(); });
         if (shapes->mayLoad()) {
-            box->addItem(ShapeChoosers::tr("This Model"), ownWord);
+            box->addItem(ShapeChoosers::tr("This Model"), ownModelEntry);
             box->setItemData(box->count() - 1, ShapeChoosers::tr("The model that you sculpt, as it is now."),
                              Qt::ToolTipRole);
-            box->addItem(ShapeChoosers::tr("Load Model…"), loadWord);
+            box->addItem(ShapeChoosers::tr("Load Model…"), loadEntry);
         }
         box->setCurrentIndex(box->findData(modelOf(*brush)));
     };
@@ -147,9 +147,9 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
     QObject::connect(box, &QComboBox::activated, shapes, [=] {
         const QString path = box->currentData().toString();
         show();
-        if (path == ownWord)
+        if (path == ownModelEntry)
             return shapes->chooseOwnModel();
-        if (path != loadWord)
+        if (path != loadEntry)
             return shapes->chooseModel(path);
         askForModel(box->window(), ModelUse::Brush, Settings().lastFolder(),
                     [shapes](const QString& chosen) { shapes->chooseModel(chosen); });

@@ -14,15 +14,15 @@
 
 namespace ui
 {
-StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools,
-                     QMainWindow* window)
-    : OfferBar("strokeBar", tr("Edit Last Stroke"), window)
+StrokeEditBar::StrokeEditBar(const core::BrushChange& brush, const ModelInfo& modelInfo, const QList<ToolOption>& tools,
+                             QMainWindow* window)
+    : MessageBar("strokeBar", tr("Edit Last Stroke"), window)
     , m_first(brush)
-    , m_told(brush)
+    , m_lastEmitted(brush)
     , m_tools(new QComboBox)
     , m_hint(new QLabel)
 {
-    m_brush.fitTo(facts, brush.radius / facts.size.maxCoeff());
+    m_brush.fitTo(modelInfo, brush.radius / modelInfo.size.maxCoeff());
     m_brush.setTool(brush.tool);
     m_brush.setValue(core::Parameter::Strength, brush.strength);
     m_shownFirst = core::brushOf(m_brush.stroke());
@@ -42,31 +42,31 @@ StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, co
     keep->setDefault(true);
     QPushButton* cancel =
         addButton("cancelStroke", tr("&Cancel"), tr("Gives the stroke back as it was, and hides this bar."));
-    const auto leaveWith = [this](void (StrokeBar::*what)()) {
+    const auto dismissWith = [this](void (StrokeEditBar::*what)()) {
         Q_EMIT(this->*what)();
-        leave();
+        dismiss();
     };
-    connect(keep, &QPushButton::clicked, this, [leaveWith] { leaveWith(&StrokeBar::kept); });
-    connect(cancel, &QPushButton::clicked, this, [leaveWith] { leaveWith(&StrokeBar::cancelled); });
+    connect(keep, &QPushButton::clicked, this, [dismissWith] { dismissWith(&StrokeEditBar::accepted); });
+    connect(cancel, &QPushButton::clicked, this, [dismissWith] { dismissWith(&StrokeEditBar::cancelled); });
     connect(numbers, &BrushBar::entered, keep, [keep] { keep->setFocus(); });
-    connect(&m_brush, &BrushSettings::changed, this, &StrokeBar::tell);
+    connect(&m_brush, &BrushSettings::changed, this, &StrokeEditBar::emitChanged);
     m_tools->setFocus();
 }
 
-void StrokeBar::setHint(const QString& sentence)
+void StrokeEditBar::setHint(const QString& sentence)
 {
     m_hint->setText(sentence);
 }
 
-void StrokeBar::keyPressEvent(QKeyEvent* event)
+void StrokeEditBar::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_Escape)
-        return OfferBar::keyPressEvent(event);
+        return MessageBar::keyPressEvent(event);
     Q_EMIT cancelled();
-    leave();
+    dismiss();
 }
 
-void StrokeBar::addTools(const QList<OfferedTool>& tools)
+void StrokeEditBar::addTools(const QList<ToolOption>& tools)
 {
     m_tools->setObjectName(QStringLiteral("strokeTool"));
     m_tools->setAccessibleName(tr("Tool of the last stroke"));
@@ -80,14 +80,14 @@ void StrokeBar::addTools(const QList<OfferedTool>& tools)
 }
 
 /// What a hand has not touched is what it was, though a control may not be able to show that.
-void StrokeBar::tell()
+void StrokeEditBar::emitChanged()
 {
     core::BrushChange brush = core::brushOf(m_brush.stroke());
     if (brush.radius == m_shownFirst.radius)
         brush.radius = m_first.radius;
     if (brush.strength == m_shownFirst.strength)
         brush.strength = m_first.strength;
-    if (std::exchange(m_told, brush) != brush)
+    if (std::exchange(m_lastEmitted, brush) != brush)
         Q_EMIT changed(brush);
 }
 } // namespace ui

@@ -13,40 +13,40 @@ class QComboBox;
 namespace ui
 {
 /// A tool that the bar offers, with the action that shows its name and icon.
-struct OfferedTool
+struct ToolOption
 {
     core::Tool tool;
     const QAction* action;
 };
 
 /// A bar that changes tool, radius and strength of the last stroke after the fact. Esc in it cancels. Gui thread.
-class StrokeBar : public OfferBar
+class StrokeEditBar : public MessageBar
 {
     Q_OBJECT
 
 public:
-    /// `facts`: of the model, for the radius's range. `tools`: in the order of the list; the stroke's own tool among
-    /// them.
-    StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools,
-              QMainWindow* window);
+    /// `modelInfo`: of the model, for the radius's range. `tools`: in the order of the list; the stroke's own tool
+    /// among them.
+    StrokeEditBar(const core::BrushChange& brush, const ModelInfo& modelInfo, const QList<ToolOption>& tools,
+                  QMainWindow* window);
 
     /// What is to be said of the stroke as it is; empty: nothing.
     void setHint(const QString& sentence);
 
 Q_SIGNALS:
     void changed(const core::BrushChange& brush);
-    void kept();
+    void accepted();
     void cancelled();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void addTools(const QList<OfferedTool>& tools);
-    void tell();
+    void addTools(const QList<ToolOption>& tools);
+    void emitChanged();
 
     BrushSettings m_brush; ///< as the controls show it
-    core::BrushChange m_first, m_shownFirst, m_told;
+    core::BrushChange m_first, m_shownFirst, m_lastEmitted;
     QComboBox* m_tools;
     QLabel* m_hint;
 };

@@ -13,7 +13,7 @@ namespace ui
 namespace
 {
 constexpr int clockSize = 18; ///< pixels
-constexpr int mostNameWidth = 240;
+constexpr int maxNameWidth = 240;
 
 void setBold(QWidget* widget, bool isBold)
 {
@@ -35,7 +35,7 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     auto* middle = new QWidget;
     middle->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(middle);
-    m_waiting = addLabel("classWaiting");
+    m_undelivered = addLabel("classWaiting");
     m_clock = addLabel("classClock");
     m_time = addLabel("classTime");
     m_resume = addButton("classResume", {},
@@ -52,7 +52,7 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     setPupil({});
     setTime({});
     setResumable({});
-    setWaiting(0, {});
+    setUndelivered(0, {});
     const auto bars = window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly);
     window->insertToolBar(bars.constFirst(), this);
     window->insertToolBarBreak(bars.constFirst());
@@ -85,7 +85,7 @@ QPushButton* ClassBar::addButton(const char* name, const QString& text, const QS
 void ClassBar::setPupil(const std::optional<QString>& pupil)
 {
     m_isTurn = pupil.has_value();
-    m_pupil->setText(fontMetrics().elidedText(pupil.value_or(QString()), Qt::ElideRight, mostNameWidth));
+    m_pupil->setText(fontMetrics().elidedText(pupil.value_or(QString()), Qt::ElideRight, maxNameWidth));
     m_pupil->setToolTip(pupil.value_or(QString()));
     enable();
 }
@@ -110,15 +110,15 @@ void ClassBar::setResumable(const std::optional<QString>& pupil)
     if (pupil)
         m_resume->setText(tr("&Resume %1's Turn")
                               .arg(fontMetrics()
-                                       .elidedText(*pupil, Qt::ElideRight, mostNameWidth)
+                                       .elidedText(*pupil, Qt::ElideRight, maxNameWidth)
                                        .replace(u'&', QStringLiteral("&&"))));
     m_resumeCell->setVisible(pupil.has_value());
 }
 
-void ClassBar::setWaiting(int works, const QString& tip)
+void ClassBar::setUndelivered(int works, const QString& tip)
 {
-    m_waiting->setText(works == 0 ? QString() : tr("%n works wait on this computer", nullptr, works));
-    m_waiting->setToolTip(tip);
+    m_undelivered->setText(works == 0 ? QString() : tr("%n works wait on this computer", nullptr, works));
+    m_undelivered->setToolTip(tip);
 }
 
 void ClassBar::setBusy(bool isBusy)

@@ -33,15 +33,15 @@ class ClassBar : public QToolBar
 public:
     ClassBar(const QString& title, QMainWindow* window);
 
-    /// Nothing: it is nobody's turn, and Next Pupil rests.
+    /// Nothing: it is nobody's turn, and Next Pupil is disabled.
     void setPupil(const std::optional<QString>& pupil);
     /// Nothing: the turn has no end.
     void setTime(const std::optional<TurnTime>& time);
     /// Whose turn was ended by the last press and may go on; nothing: nobody's.
     void setResumable(const std::optional<QString>& pupil);
-    /// So many works lie on this computer and not in the class's folder; `tip`: where, and why.
-    void setWaiting(int works, const QString& tip);
-    /// A work is being kept: all buttons rest.
+    /// Shows how many works are on this computer and not yet in the class's folder; `tip`: where, and why.
+    void setUndelivered(int works, const QString& tip);
+    /// A work is being saved: all buttons are disabled.
     void setBusy(bool isBusy);
 
 Q_SIGNALS:
@@ -56,7 +56,7 @@ private:
     QPushButton* addButton(const char* name, const QString& text, const QString& tip);
     void enable();
 
-    QLabel *m_pupil, *m_clock, *m_time, *m_waiting;
+    QLabel *m_pupil, *m_clock, *m_time, *m_undelivered;
     QPushButton *m_resume, *m_next, *m_leave;
     QAction* m_resumeCell = nullptr;
     bool m_isBusy = false, m_isTurn = false;

@@ -20,7 +20,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-struct ReportWords
+struct ReportText
 {
     Q_DECLARE_TR_FUNCTIONS(ui::ClassReport)
 };
@@ -32,25 +32,25 @@ ReportVerdict verdictOf(const ReportRow& row)
     return row.report->printReady() ? ReportVerdict::Ready : ReportVerdict::NotReady;
 }
 
-QString wordOf(ReportVerdict verdict)
+QString verdictText(ReportVerdict verdict)
 {
     switch (verdict) {
     case ReportVerdict::Ready:
-        return ReportWords::tr("Print-ready");
+        return ReportText::tr("Print-ready");
     case ReportVerdict::NotReady:
-        return ReportWords::tr("Not print-ready");
+        return ReportText::tr("Not print-ready");
     case ReportVerdict::Unreadable:
-        return ReportWords::tr("Cannot be read");
+        return ReportText::tr("Cannot be read");
     }
     return {};
 }
 
-QString noteOf(const ReportRow& row)
+QString remarkOf(const ReportRow& row)
 {
     if (!row.report)
         return row.problem;
-    const QString doubt = row.report->volume ? Messages::unitDoubt(*row.report->volume) : QString();
-    return row.report->printReady() ? doubt : Messages::faults(*row.report);
+    const QString doubt = row.report->volume ? ErrorMessages::unitDoubt(*row.report->volume) : QString();
+    return row.report->printReady() ? doubt : ErrorMessages::faults(*row.report);
 }
 
 /// On one line, whatever a file's name holds.
@@ -81,12 +81,12 @@ fs::path folderOf(const fs::path& file)
 
 ReportCells cellsOf(const ReportRow& row)
 {
-    ReportCells cells{plain(shownName(row.file.filename())),
+    ReportCells cells{plain(displayName(row.file.filename())),
                       {},
                       {},
                       verdictOf(row),
-                      wordOf(verdictOf(row)),
-                      plain(noteOf(row)),
+                      verdictText(verdictOf(row)),
+                      plain(remarkOf(row)),
                       {},
                       {}};
     if (row.report) {
@@ -104,13 +104,13 @@ ReportCells cellsOf(const ReportRow& row)
 
 QStringList reportHeads()
 {
-    return {ReportWords::tr("Model"),       ReportWords::tr("Size, mm"), ReportWords::tr("Volume"),
-            ReportWords::tr("Print-ready"), ReportWords::tr("Time"),     ReportWords::tr("Strokes")};
+    return {ReportText::tr("Model"),       ReportText::tr("Size, mm"), ReportText::tr("Volume"),
+            ReportText::tr("Print-ready"), ReportText::tr("Time"),     ReportText::tr("Strokes")};
 }
 
 QString reportTitle(const ClassReport& report)
 {
-    return ReportWords::tr("Class report: %1").arg(plain(report.folder));
+    return ReportText::tr("Class report: %1").arg(plain(report.folder));
 }
 
 QString reportSummary(const ClassReport& report)
@@ -118,7 +118,7 @@ QString reportSummary(const ClassReport& report)
     const auto count = [&report](ReportVerdict verdict) {
         return number(static_cast<std::uint64_t>(std::ranges::count(report.rows, verdict, verdictOf)));
     };
-    return ReportWords::tr("%1 · models: %2 · print-ready: %3 · not print-ready: %4 · cannot be read: %5")
+    return ReportText::tr("%1 · models: %2 · print-ready: %3 · not print-ready: %4 · cannot be read: %5")
         .arg(QLocale().toString(report.date, QLocale::LongFormat),
              number(static_cast<std::uint64_t>(report.rows.size())), count(ReportVerdict::Ready),
              count(ReportVerdict::NotReady), count(ReportVerdict::Unreadable));
@@ -135,7 +135,7 @@ QString reportLink(const fs::path& report, const fs::path& model)
 
 void writeReport(core::AtomicFile& file, const ClassReport& report)
 {
-    const QString ending = shownName(file.path().extension()).mid(1).toLower();
+    const QString ending = displayName(file.path().extension()).mid(1).toLower();
     const auto format = std::ranges::find(reportFormats, ending, &ReportFormat::ending);
     Q_ASSERT(format != std::end(reportFormats));
     const QByteArray bytes = format->write(report, file.path());

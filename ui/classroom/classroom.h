@@ -10,8 +10,8 @@
 
 namespace ui
 {
-inline constexpr int mostTurnMinutes = 240;
-inline constexpr int leastPinLength = 4, mostPinLength = 32; ///< characters
+inline constexpr int maxTurnMinutes = 240;
+inline constexpr int minPinLength = 4, maxPinLength = 32; ///< characters
 
 /// What a teacher has chosen for a class.
 struct Classroom

@@ -52,7 +52,7 @@ public:
         m_word = dialogText({}, textWidth);
         m_word->setObjectName(QStringLiteral("classroomWord"));
         column->addWidget(m_word);
-        addAnswers(this, tr("&Save…"));
+        addDialogButtons(this, tr("&Save…"));
         m_title->setFocus();
     }
 
@@ -122,7 +122,7 @@ private:
         const Classroom usual;
         const auto minutes = [this](const char* name, int value, const QString& none, const QString& tip) {
             auto* count = named(new QSpinBox, name, tip);
-            count->setRange(0, mostTurnMinutes);
+            count->setRange(0, maxTurnMinutes);
             count->setValue(value);
             count->setSuffix(tr(" min"));
             count->setSpecialValueText(none);
@@ -151,7 +151,7 @@ private:
         m_again = named(new QLineEdit, "classPinAgain", tip);
         for (QLineEdit* field : {m_pin, m_again}) {
             field->setEchoMode(QLineEdit::Password);
-            field->setMaxLength(mostPinLength);
+            field->setMaxLength(maxPinLength);
         }
         form->addRow(tr("&PIN:"), m_pin);
         form->addRow(tr("PIN once &more:"), m_again);
@@ -188,8 +188,8 @@ private:
             return tr("Choose at least one model to begin with.");
         if (draft.classroom.tools.isEmpty())
             return tr("Choose at least one tool.");
-        if (draft.pin.size() < leastPinLength)
-            return tr("The PIN needs at least %n characters.", nullptr, leastPinLength);
+        if (draft.pin.size() < minPinLength)
+            return tr("The PIN needs at least %n characters.", nullptr, minPinLength);
         if (draft.pin != m_again->text())
             return tr("The two PINs are not the same.");
         return {};
@@ -205,13 +205,13 @@ private:
 } // namespace
 
 void askForClassroom(QWidget* parent, const Actions& actions, const QString& folder,
-                     const std::function<void(const ClassroomDraft&)>& answer)
+                     const std::function<void(const ClassroomDraft&)>& callback)
 {
     auto* dialog = new ClassroomDialog(parent, actions, folder);
-    QObject::connect(dialog, &QDialog::accepted, parent, [dialog, parent, folder, answer] {
-        askForClassFile(parent, folder, [answer, draft = dialog->draft()](const QString& path) mutable {
+    QObject::connect(dialog, &QDialog::accepted, parent, [dialog, parent, folder, callback] {
+        askForClassFile(parent, folder, [callback, draft = dialog->draft()](const QString& path) mutable {
             draft.path = path;
-            answer(draft);
+            callback(draft);
         });
     });
     dialog->open();

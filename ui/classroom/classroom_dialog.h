@@ -18,8 +18,8 @@ struct ClassroomDraft
     QString path;
 };
 
-/// Asks what a class may do, then where to keep it. Returns at once; `answer` is called when both are agreed. `folder`:
-/// where the dialogs for files begin.
+/// Asks what a class may do, then where to keep it. Returns at once; `callback` is called when both are agreed.
+/// `folder`: where the dialogs for files begin.
 void askForClassroom(QWidget* parent, const Actions& actions, const QString& folder,
-                     const std::function<void(const ClassroomDraft&)>& answer);
+                     const std::function<void(const ClassroomDraft&)>& callback);
 } // namespace ui

@@ -39,11 +39,11 @@ void close(QAction* action)
 }
 
 /// Whether anything of the menu is left.
-bool prune(const QMenu* menu, const QSet<QAction*>& allowed)
+bool hideEmpty(const QMenu* menu, const QSet<QAction*>& allowed)
 {
     bool hasSome = false;
     for (QAction* action : menu->actions()) {
-        const bool stays = action->menu() ? prune(action->menu(), allowed) : allowed.contains(action);
+        const bool stays = action->menu() ? hideEmpty(action->menu(), allowed) : allowed.contains(action);
         if (!stays && !action->isSeparator())
             close(action);
         hasSome = hasSome || stays;
@@ -51,15 +51,15 @@ bool prune(const QMenu* menu, const QSet<QAction*>& allowed)
     return hasSome;
 }
 
-void pruneMenus(const QMainWindow* window, const QSet<QAction*>& allowed)
+void hideEmptyMenus(const QMainWindow* window, const QSet<QAction*>& allowed)
 {
     for (QAction* title : window->menuBar()->actions())
-        if (title->menu() && !prune(title->menu(), allowed))
+        if (title->menu() && !hideEmpty(title->menu(), allowed))
             close(title);
 }
 
 /// A line parts what is there on both its sides.
-void pruneLines(const QToolBar* bar)
+void hideLoneSeparators(const QToolBar* bar)
 {
     QAction* line = nullptr;
     bool hasBefore = false;
@@ -128,9 +128,9 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
         panel->hide();
         close(panel->toggleViewAction());
     }
-    pruneMenus(window, allowed);
+    hideEmptyMenus(window, allowed);
     for (const QToolBar* bar : window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly))
-        pruneLines(bar);
+        hideLoneSeparators(bar);
     window->setContextMenuPolicy(Qt::PreventContextMenu);
 }
 

@@ -18,9 +18,9 @@ namespace ui
 namespace
 {
 constexpr int pinTextWidth = 320;
-constexpr int freeTries = 3;
-constexpr int firstRest = 5, longestRest = 300; ///< seconds
-constexpr int mostDoublings = 6;                ///< which the longest rest ends
+constexpr int freeAttempts = 3;
+constexpr int firstLockout = 5, maxLockout = 300; ///< seconds
+constexpr int maxDoublings = 6;                   ///< until the longest lockout
 constexpr int tickMs = 500;
 
 class PinDialog : public QDialog
@@ -28,7 +28,10 @@ class PinDialog : public QDialog
     Q_DECLARE_TR_FUNCTIONS(ui::PinDialog)
 
 public:
-    PinDialog(PinGate* gate, const QString& why, QWidget* parent) : QDialog(parent), m_gate(gate), m_pin(new QLineEdit)
+    PinDialog(PinPrompt* gate, const QString& why, QWidget* parent)
+        : QDialog(parent)
+        , m_prompt(gate)
+        , m_pin(new QLineEdit)
     {
         QVBoxLayout* column = beginDialog(this, "pinDialog", tr("Teacher's PIN"));
         column->addWidget(dialogText(why, pinTextWidth));
@@ -36,77 +39,77 @@ public:
         m_pin->setAccessibleName(tr("Teacher's PIN"));
         m_pin->setPlaceholderText(tr("Teacher's PIN"));
         m_pin->setEchoMode(QLineEdit::Password);
-        m_pin->setMaxLength(mostPinLength);
+        m_pin->setMaxLength(maxPinLength);
         m_word = dialogText({}, pinTextWidth);
         m_word->setObjectName(QStringLiteral("pinWord"));
         column->addWidget(m_pin);
         column->addWidget(m_word);
-        m_agree = addAnswers(this, tr("&Go On"));
+        m_accept = addDialogButtons(this, tr("&Go On"));
         auto* tick = new QTimer(this);
-        connect(tick, &QTimer::timeout, this, &PinDialog::showRest);
+        connect(tick, &QTimer::timeout, this, &PinDialog::showLockout);
         tick->start(tickMs);
-        showRest();
+        showLockout();
         m_pin->setFocus();
     }
 
     void accept() override
     {
-        if (m_gate->isRight(m_pin->text()))
+        if (m_prompt->isRight(m_pin->text()))
             return QDialog::accept();
         m_pin->clear();
         m_word->setText(tr("This is not the PIN."));
-        showRest();
+        showLockout();
     }
 
 private:
-    void showRest()
+    void showLockout()
     {
-        const int rest = m_gate->restSeconds();
-        const bool hasRested = rest == 0 && !m_pin->isEnabled();
-        m_pin->setEnabled(rest == 0);
-        m_agree->setEnabled(rest == 0);
-        if (rest > 0)
-            m_word->setText(tr("Too often wrong: the next try is possible in %n seconds.", nullptr, rest));
-        if (!hasRested)
+        const int lockout = m_prompt->lockoutSeconds();
+        const bool lockoutEnded = lockout == 0 && !m_pin->isEnabled();
+        m_pin->setEnabled(lockout == 0);
+        m_accept->setEnabled(lockout == 0);
+        if (lockout > 0)
+            m_word->setText(tr("Too often wrong: the next try is possible in %n seconds.", nullptr, lockout));
+        if (!lockoutEnded)
             return;
         m_word->clear();
         m_pin->setFocus();
     }
 
-    PinGate* m_gate;
+    PinPrompt* m_prompt;
     QLineEdit* m_pin;
     QLabel* m_word;
-    QPushButton* m_agree;
+    QPushButton* m_accept;
 };
 } // namespace
 
-PinGate::PinGate(IsPin isPin, QWidget* window) : QObject(window), m_isPin(std::move(isPin)), m_window(window) {}
+PinPrompt::PinPrompt(IsPin isPin, QWidget* window) : QObject(window), m_isPin(std::move(isPin)), m_window(window) {}
 
-int PinGate::restSeconds() const
+int PinPrompt::lockoutSeconds() const
 {
-    return static_cast<int>((m_rest.remainingTime() + 999) / 1000);
+    return static_cast<int>((m_lockout.remainingTime() + 999) / 1000);
 }
 
-bool PinGate::isRight(const QString& pin)
+bool PinPrompt::isRight(const QString& pin)
 {
-    if (restSeconds() > 0)
+    if (lockoutSeconds() > 0)
         return false;
     if (m_isPin(pin)) {
         m_wrong = 0;
         return true;
     }
-    if (++m_wrong >= freeTries)
-        m_rest.setRemainingTime(1000 *
-                                std::min(firstRest << std::min(m_wrong - freeTries, mostDoublings), longestRest));
+    if (++m_wrong >= freeAttempts)
+        m_lockout.setRemainingTime(
+            1000 * std::min(firstLockout << std::min(m_wrong - freeAttempts, maxDoublings), maxLockout));
     return false;
 }
 
-void PinGate::ask(const QString& why, const std::function<void()>& goOn)
+void PinPrompt::ask(const QString& why, const std::function<void()>& proceed)
 {
     if (m_dialog)
         return m_dialog->raise();
     m_dialog = new PinDialog(this, why, m_window);
-    connect(m_dialog, &QDialog::accepted, this, goOn);
+    connect(m_dialog, &QDialog::accepted, this, proceed);
     m_dialog->open();
 }
 } // namespace ui

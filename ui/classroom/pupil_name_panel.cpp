@@ -23,7 +23,7 @@ constexpr int starterWidth = 84, nameWidth = 320;
 constexpr double titleScale = 1.6;
 } // namespace
 
-NamePanel::NamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over)
+PupilNamePanel::PupilNamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over)
     : QFrame(over)
     , m_over(over)
     , m_name(new QLineEdit)
@@ -39,7 +39,7 @@ NamePanel::NamePanel(const QList<core::Starter>& starters, const Actions& action
     hide();
 }
 
-QWidget* NamePanel::card(const QList<core::Starter>& starters, const Actions& actions)
+QWidget* PupilNamePanel::card(const QList<core::Starter>& starters, const Actions& actions)
 {
     auto* title = new QLabel(tr("Whose turn is it?"));
     QFont font = title->font();
@@ -48,15 +48,15 @@ QWidget* NamePanel::card(const QList<core::Starter>& starters, const Actions& ac
     m_name->setObjectName(QStringLiteral("pupilName"));
     m_name->setAccessibleName(tr("Name"));
     m_name->setPlaceholderText(tr("Name or nickname"));
-    m_name->setMaxLength(longestName);
+    m_name->setMaxLength(maxNameLength);
     m_name->setMinimumWidth(nameWidth);
     m_begin->setObjectName(QStringLiteral("beginTurn"));
     m_begin->setToolTip(tr("Begins the turn. (Return)"));
     m_begin->setDefault(true);
     connect(m_name, &QLineEdit::textChanged, m_begin,
             [this](const QString& text) { m_begin->setEnabled(!text.trimmed().isEmpty()); });
-    connect(m_name, &QLineEdit::returnPressed, this, &NamePanel::begin);
-    connect(m_begin, &QPushButton::clicked, this, &NamePanel::begin);
+    connect(m_name, &QLineEdit::returnPressed, this, &PupilNamePanel::begin);
+    connect(m_begin, &QPushButton::clicked, this, &PupilNamePanel::begin);
 
     auto* panel = new QFrame;
     panel->setFrameShape(QFrame::StyledPanel);
@@ -71,7 +71,7 @@ QWidget* NamePanel::card(const QList<core::Starter>& starters, const Actions& ac
 }
 
 /// Of one there is nothing to choose.
-QLayout* NamePanel::tiles(const QList<core::Starter>& starters, const Actions& actions)
+QLayout* PupilNamePanel::tiles(const QList<core::Starter>& starters, const Actions& actions)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(gap);
@@ -94,7 +94,7 @@ QLayout* NamePanel::tiles(const QList<core::Starter>& starters, const Actions& a
     return row;
 }
 
-void NamePanel::open()
+void PupilNamePanel::open()
 {
     m_name->clear();
     m_begin->setEnabled(false);
@@ -105,7 +105,7 @@ void NamePanel::open()
     m_name->setFocus();
 }
 
-void NamePanel::close()
+void PupilNamePanel::close()
 {
     if (isHidden())
         return;
@@ -113,7 +113,7 @@ void NamePanel::close()
     m_over->setFocus();
 }
 
-void NamePanel::begin()
+void PupilNamePanel::begin()
 {
     const QString name = m_name->text().simplified();
     if (!name.isEmpty())
@@ -121,7 +121,7 @@ void NamePanel::begin()
 }
 
 /// What nothing of ours takes would reach the widget below.
-bool NamePanel::event(QEvent* event)
+bool PupilNamePanel::event(QEvent* event)
 {
     switch (event->type()) {
     case QEvent::MouseButtonPress:
@@ -141,7 +141,7 @@ bool NamePanel::event(QEvent* event)
     }
 }
 
-bool NamePanel::eventFilter(QObject* watched, QEvent* event)
+bool PupilNamePanel::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize)
         resize(m_over->size());

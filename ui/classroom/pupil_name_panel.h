@@ -15,15 +15,15 @@ class Actions;
 
 /// Asks who sculpts next, and with what to begin, before a turn. Lies over all of a widget, which nobody reaches
 /// meanwhile. Gui thread.
-class NamePanel : public QFrame
+class PupilNamePanel : public QFrame
 {
     Q_OBJECT
 
 public:
-    static constexpr int longestName = 40; ///< characters
+    static constexpr int maxNameLength = 40; ///< characters
 
     /// The starters look as their actions do, in that order.
-    NamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over);
+    PupilNamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over);
 
     /// Without a name, and with the first starter.
     void open();

@@ -21,17 +21,17 @@ namespace ui
 {
 namespace
 {
-struct PageWords
+struct PageText
 {
     Q_DECLARE_TR_FUNCTIONS(ui::ClassReport)
 };
 
-constexpr int unitsAMm = 100, reportDotsPerInch = 1200; ///< of the painter, a mm; of the file
-constexpr double mmInAnInch = 25.4;
+constexpr int unitsPerMm = 100, reportDotsPerInch = 1200; ///< of the painter, a mm; of the file
+constexpr double mmPerInch = 25.4;
 constexpr QSizeF paperSize{210, 297};
 constexpr double pageMargin = 12, gapAcross = 2.5, gapDown = 1.6, pictureSide = 18;       ///< mm
 constexpr double titleHeight = 5.5, headHeight = 2.7, cellHeight = 2.8, noteHeight = 2.5; ///< mm, of letters
-constexpr double titleRoom = 17, headRoom = 6, footRoom = 7;                              ///< mm
+constexpr double titleSpace = 17, headerSpace = 6, footerSpace = 7;                       ///< mm
 
 const QColor inkColor(Qt::black), faintColor(90, 90, 96), ruleColor(190, 190, 196);
 /// Those of the page for a browser.
@@ -46,7 +46,7 @@ struct ReportColumn
 constexpr std::array reportColumns{ReportColumn{38, Qt::AlignLeft},  ReportColumn{37, Qt::AlignRight},
                                    ReportColumn{20, Qt::AlignRight}, ReportColumn{39, Qt::AlignLeft},
                                    ReportColumn{19, Qt::AlignRight}, ReportColumn{15, Qt::AlignRight}};
-constexpr double roomOf(const ReportColumn& column)
+constexpr double contentWidth(const ReportColumn& column)
 {
     return column.width - gapAcross;
 }
@@ -62,7 +62,7 @@ struct TextStyle
 QFont fontOf(const TextStyle& style)
 {
     QFont font;
-    font.setPixelSize(static_cast<int>(style.height * unitsAMm));
+    font.setPixelSize(static_cast<int>(style.height * unitsPerMm));
     font.setBold(style.isBold);
     return font;
 }
@@ -87,18 +87,18 @@ public:
         }
         m_layout.beginLayout();
         for (QTextLine line = m_layout.createLine(); line.isValid(); line = m_layout.createLine()) {
-            line.setLineWidth(width * unitsAMm);
+            line.setLineWidth(width * unitsPerMm);
             line.setPosition({0, m_height});
             m_height += line.height();
         }
         m_layout.endLayout();
     }
 
-    double height() const { return m_height / unitsAMm; } ///< mm
+    double height() const { return m_height / unitsPerMm; } ///< mm
     void paint(QPainter& painter, const QPointF& at) const
     {
         painter.setPen(m_color);
-        m_layout.draw(&painter, at * unitsAMm);
+        m_layout.draw(&painter, at * unitsPerMm);
     }
 
 private:
@@ -126,21 +126,22 @@ void paintCell(QPainter& painter, const TextCell& cell, QPointF at)
     }
 }
 
-struct LaidRow
+struct RowLayout
 {
     const QImage* picture;
     std::array<TextCell, reportColumns.size()> cells;
     double height; ///< mm
 };
 
-LaidRow laidOut(const ReportRow& row, const std::filesystem::path& path)
+RowLayout layoutOf(const ReportRow& row, const std::filesystem::path& path)
 {
     const ReportCells words = cellsOf(row);
-    LaidRow laid{&row.picture, {}, row.picture.isNull() ? 0 : pictureSide};
-    const auto add = [&laid](std::size_t column, const QString& text, TextStyle style, const QString& link = {}) {
+    RowLayout layout{&row.picture, {}, row.picture.isNull() ? 0 : pictureSide};
+    const auto add = [&layout](std::size_t column, const QString& text, TextStyle style, const QString& link = {}) {
         style.side = reportColumns[column].side;
         if (!text.isEmpty())
-            laid.cells[column].push_back(std::make_unique<TextBlock>(text, style, roomOf(reportColumns[column]), link));
+            layout.cells[column].push_back(
+                std::make_unique<TextBlock>(text, style, contentWidth(reportColumns[column]), link));
     };
     add(0, words.name, {cellHeight, linkColor, true}, reportLink(path, row.file));
     add(1, words.size, {cellHeight, inkColor});
@@ -149,27 +150,27 @@ LaidRow laidOut(const ReportRow& row, const std::filesystem::path& path)
     add(3, words.note, {noteHeight, faintColor});
     add(4, words.time, {cellHeight, inkColor});
     add(5, words.strokes, {cellHeight, inkColor});
-    for (const TextCell& cell : laid.cells)
-        laid.height = std::max(laid.height, heightOf(cell));
-    laid.height += 2 * gapDown;
-    return laid;
+    for (const TextCell& cell : layout.cells)
+        layout.height = std::max(layout.height, heightOf(cell));
+    layout.height += 2 * gapDown;
+    return layout;
 }
 
 /// Of the first page, and of those that follow.
-double roomFor(bool isFirst)
+double availableHeight(bool isFirst)
 {
-    return paperSize.height() - 2 * pageMargin - headRoom - footRoom - (isFirst ? titleRoom : 0);
+    return paperSize.height() - 2 * pageMargin - headerSpace - footerSpace - (isFirst ? titleSpace : 0);
 }
 
 /// How many rows each page has. A row that is higher than a page has one to itself.
-std::vector<std::size_t> dealt(std::span<const LaidRow> rows)
+std::vector<std::size_t> paginated(std::span<const RowLayout> rows)
 {
     std::vector<std::size_t> pages{0};
-    double left = roomFor(true);
-    for (const LaidRow& row : rows) {
+    double left = availableHeight(true);
+    for (const RowLayout& row : rows) {
         if (row.height > left && pages.back() > 0) {
             pages.push_back(0);
-            left = roomFor(false);
+            left = availableHeight(false);
         }
         ++pages.back();
         left -= row.height;
@@ -179,16 +180,16 @@ std::vector<std::size_t> dealt(std::span<const LaidRow> rows)
 
 void paintRule(QPainter& painter, double y)
 {
-    painter.setPen(QPen(ruleColor, 0.2 * unitsAMm));
-    painter.drawLine(QPointF(pageMargin, y) * unitsAMm, QPointF(paperSize.width() - pageMargin, y) * unitsAMm);
+    painter.setPen(QPen(ruleColor, 0.2 * unitsPerMm));
+    painter.drawLine(QPointF(pageMargin, y) * unitsPerMm, QPointF(paperSize.width() - pageMargin, y) * unitsPerMm);
 }
 
 /// Shortened where it does not fit on one line.
 void paintLine(QPainter& painter, const QString& text, const TextStyle& style, const QPointF& at)
 {
     const double width = paperSize.width() - pageMargin - at.x();
-    const QString fitting = QFontMetricsF(fontOf(style)).elidedText(text, Qt::ElideMiddle, width * unitsAMm);
-    TextBlock(fitting, style, width).paint(painter, at);
+    const QString elided = QFontMetricsF(fontOf(style)).elidedText(text, Qt::ElideMiddle, width * unitsPerMm);
+    TextBlock(elided, style, width).paint(painter, at);
 }
 
 void paintTitle(QPainter& painter, const ClassReport& report)
@@ -204,19 +205,19 @@ void paintHeads(QPainter& painter, double y)
     for (std::size_t i = 0; i < reportColumns.size(); ++i) {
         x += gapAcross / 2;
         TextBlock(heads[static_cast<qsizetype>(i)], {headHeight, faintColor, true, reportColumns[i].side},
-                  roomOf(reportColumns[i]))
+                  contentWidth(reportColumns[i]))
             .paint(painter, {x, y});
         x += reportColumns[i].width - gapAcross / 2;
     }
-    paintRule(painter, y + headRoom - 1);
+    paintRule(painter, y + headerSpace - 1);
 }
 
-void paintRow(QPainter& painter, const LaidRow& row, double y)
+void paintRow(QPainter& painter, const RowLayout& row, double y)
 {
     const double middle = y + row.height / 2;
     if (!row.picture->isNull())
-        painter.drawImage(QRectF(QPointF(pageMargin, middle - pictureSide / 2) * unitsAMm,
-                                 QSizeF(pictureSide, pictureSide) * unitsAMm),
+        painter.drawImage(QRectF(QPointF(pageMargin, middle - pictureSide / 2) * unitsPerMm,
+                                 QSizeF(pictureSide, pictureSide) * unitsPerMm),
                           *row.picture);
     double x = pageMargin + pictureSide;
     for (std::size_t i = 0; i < reportColumns.size(); ++i) {
@@ -231,7 +232,7 @@ void paintFoot(QPainter& painter, const ClassReport& report, const QString& numb
     const double y = paperSize.height() - pageMargin - noteHeight;
     const double width = paperSize.width() - 2 * pageMargin;
     TextBlock(number, {noteHeight, faintColor, false, Qt::AlignRight}, width).paint(painter, {pageMargin, y});
-    const double half = width / 2 * unitsAMm;
+    const double half = width / 2 * unitsPerMm;
     const TextStyle style{noteHeight, faintColor};
     TextBlock(QFontMetricsF(fontOf(style)).elidedText(reportTitle(report), Qt::ElideMiddle, half), style, width)
         .paint(painter, {pageMargin, y});
@@ -248,27 +249,27 @@ QByteArray reportPdf(const ClassReport& report, const std::filesystem::path& pat
     writer.setTitle(reportTitle(report));
     writer.setCreator(QStringLiteral("Fettle"));
     QPainter painter(&writer);
-    painter.scale(reportDotsPerInch / mmInAnInch / unitsAMm, reportDotsPerInch / mmInAnInch / unitsAMm);
+    painter.scale(reportDotsPerInch / mmPerInch / unitsPerMm, reportDotsPerInch / mmPerInch / unitsPerMm);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
 
-    std::vector<LaidRow> rows;
+    std::vector<RowLayout> rows;
     for (const ReportRow& row : report.rows)
-        rows.push_back(laidOut(row, path));
-    const std::vector<std::size_t> pages = dealt(rows);
+        rows.push_back(layoutOf(row, path));
+    const std::vector<std::size_t> pages = paginated(rows);
     auto row = rows.cbegin();
     for (std::size_t page = 0; page < pages.size(); ++page) {
         if (page > 0)
             writer.newPage();
         else
             paintTitle(painter, report);
-        double y = pageMargin + (page > 0 ? 0 : titleRoom);
+        double y = pageMargin + (page > 0 ? 0 : titleSpace);
         paintHeads(painter, y);
-        y += headRoom;
+        y += headerSpace;
         for (const auto end = row + static_cast<std::ptrdiff_t>(pages[page]); row != end; ++row) {
             paintRow(painter, *row, y);
             y += row->height;
         }
-        paintFoot(painter, report, PageWords::tr("Page %1 of %2").arg(page + 1).arg(pages.size()));
+        paintFoot(painter, report, PageText::tr("Page %1 of %2").arg(page + 1).arg(pages.size()));
     }
     painter.end();
     return file.data();

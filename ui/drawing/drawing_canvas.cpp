@@ -12,15 +12,15 @@ namespace ui
 {
 namespace
 {
-constexpr double mostZoom = 40, zoomAKey = 1.25;
-constexpr int stepAKey = 32, edge = 8;
+constexpr double maxZoom = 40, zoomPerKey = 1.25;
+constexpr int stepPerKey = 32, edge = 8;
 
 /// All that a picture depends on.
 struct Order
 {
     SharedDrawing drawing;
-    DrawingChoice choice;
-    DrawingLook look;
+    DrawingSettings options;
+    DrawingStyle style;
     QSize size;
     double pixelRatio, zoom;
     QPointF shift;
@@ -34,10 +34,10 @@ QImage pictureOf(const Order& order)
     if (!order.drawing)
         return picture;
     QPainter painter(&picture);
-    const QRectF room = QRectF({}, QSizeF(order.size)).adjusted(edge, edge, -edge, -edge);
-    const DrawingLayout layout = bestLayout(*order.drawing, order.choice, order.look, room.size());
-    if (const double scale = layout.scaleFor(room.size()); scale > 0)
-        layout.paint(painter, room.center() + order.shift, scale * order.zoom);
+    const QRectF area = QRectF({}, QSizeF(order.size)).adjusted(edge, edge, -edge, -edge);
+    const DrawingLayout layout = bestLayout(*order.drawing, order.options, order.style, area.size());
+    if (const double scale = layout.scaleFor(area.size()); scale > 0)
+        layout.paint(painter, area.center() + order.shift, scale * order.zoom);
     return picture;
 }
 
@@ -61,13 +61,13 @@ void DrawingCanvas::setDrawing(SharedDrawing drawing)
     render();
 }
 
-void DrawingCanvas::setChoice(const DrawingChoice& choice)
+void DrawingCanvas::setOptions(const DrawingSettings& options)
 {
-    if (choice.sides != m_choice.sides) {
+    if (options.sides != m_options.sides) {
         m_zoom = 1;
         m_shift = {};
     }
-    m_choice = choice;
+    m_options = options;
     render();
 }
 
@@ -80,7 +80,7 @@ void DrawingCanvas::fit()
 
 void DrawingCanvas::zoomBy(double factor, const QPointF& at)
 {
-    const double zoom = std::clamp(m_zoom * factor, 1.0, mostZoom);
+    const double zoom = std::clamp(m_zoom * factor, 1.0, maxZoom);
     const QPointF middle = QRectF(rect()).center(), from = at - middle;
     m_shift = zoom == 1 ? QPointF() : from + (m_shift - from) * (zoom / m_zoom);
     m_zoom = zoom;
@@ -89,9 +89,9 @@ void DrawingCanvas::zoomBy(double factor, const QPointF& at)
 
 void DrawingCanvas::moveBy(const QPointF& step)
 {
-    const QPointF most = QPointF(width(), height()) * (m_zoom / 2);
+    const QPointF max = QPointF(width(), height()) * (m_zoom / 2);
     m_shift += step;
-    m_shift = {std::clamp(m_shift.x(), -most.x(), most.x()), std::clamp(m_shift.y(), -most.y(), most.y())};
+    m_shift = {std::clamp(m_shift.x(), -max.x(), max.x()), std::clamp(m_shift.y(), -max.y(), max.y())};
     render();
 }
 
@@ -105,10 +105,10 @@ void DrawingCanvas::render()
     QFont small = font();
     small.setPixelSize(std::max(10, QFontInfo(font()).pixelSize() - 2));
     const QColor ink = palette().color(QPalette::Text);
-    const DrawingLook look{ink, mixed(ink, palette().color(QPalette::Base)), 1.6, small};
-    m_aside.run([order = Order{m_drawing, m_choice, look, size(), devicePixelRatioF(), m_zoom,
-                               m_shift}] { return pictureOf(order); },
-                [this](const QImage& picture) { take(picture); });
+    const DrawingStyle style{ink, mixed(ink, palette().color(QPalette::Base)), 1.6, small};
+    m_background.run([order = Order{m_drawing, m_options, style, size(), devicePixelRatioF(), m_zoom,
+                                    m_shift}] { return pictureOf(order); },
+                     [this](const QImage& picture) { take(picture); });
 }
 
 void DrawingCanvas::take(const QImage& picture)
@@ -171,19 +171,19 @@ void DrawingCanvas::keyPressEvent(QKeyEvent* event)
     const QPointF middle = QRectF(rect()).center();
     switch (event->key()) {
     case Qt::Key_Plus:
-        return zoomBy(zoomAKey, middle);
+        return zoomBy(zoomPerKey, middle);
     case Qt::Key_Minus:
-        return zoomBy(1 / zoomAKey, middle);
+        return zoomBy(1 / zoomPerKey, middle);
     case Qt::Key_0:
         return fit();
     case Qt::Key_Left:
-        return moveBy({stepAKey, 0});
+        return moveBy({stepPerKey, 0});
     case Qt::Key_Right:
-        return moveBy({-stepAKey, 0});
+        return moveBy({-stepPerKey, 0});
     case Qt::Key_Up:
-        return moveBy({0, stepAKey});
+        return moveBy({0, stepPerKey});
     case Qt::Key_Down:
-        return moveBy({0, -stepAKey});
+        return moveBy({0, -stepPerKey});
     default:
         QWidget::keyPressEvent(event);
     }

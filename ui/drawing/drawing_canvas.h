@@ -23,7 +23,7 @@ public:
     explicit DrawingCanvas(QWidget* parent = nullptr);
 
     void setDrawing(SharedDrawing drawing);
-    void setChoice(const DrawingChoice& choice);
+    void setOptions(const DrawingSettings& options);
     void fit();
 
     double zoom() const { return m_zoom; }
@@ -51,12 +51,12 @@ private:
     void take(const QImage& picture);
 
     SharedDrawing m_drawing;
-    DrawingChoice m_choice;
+    DrawingSettings m_options;
     double m_zoom = 1;
     QPointF m_shift; ///< of the drawing's middle from the canvas's, pixels
     QPointF m_draggedFrom;
     QImage m_picture;
     bool m_isRendering = false, m_isOutdated = false;
-    SideThread m_aside; ///< last
+    BackgroundThread m_background; ///< last
 };
 } // namespace ui

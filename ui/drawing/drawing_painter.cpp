@@ -18,7 +18,7 @@ namespace
 {
 using core::DrawnSide;
 
-struct Words
+struct LayoutText
 {
     Q_DECLARE_TR_FUNCTIONS(ui::DrawingLayout)
 
@@ -38,7 +38,7 @@ public:
 };
 
 /// Of the text's height: what views leave free around them, and where a dimension's line stands.
-constexpr double captionRoom = 1.6, dimensionRoom = 2.0, dimensionAt = 1.5, plainRoom = 0.6, arrowLength = 0.5,
+constexpr double captionSpace = 1.6, dimensionSpace = 2.0, dimensionAt = 1.5, plainSpace = 0.6, arrowLength = 0.5,
                  arrowWidth = 0.16;
 
 QPainterPath pathOf(const std::vector<core::DrawnLine>& lines)
@@ -66,15 +66,15 @@ QRectF boxOf(const core::DrawnView& view)
 }
 } // namespace
 
-DrawingLayout::DrawingLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
-                             Arrangement arrangement)
+DrawingLayout::DrawingLayout(const core::LineDrawing& drawing, const DrawingSettings& options,
+                             const DrawingStyle& style, Arrangement arrangement)
     : m_drawing(&drawing)
-    , m_choice(choice)
-    , m_look(look)
-    , m_text(QFontMetricsF(look.font).height())
+    , m_options(options)
+    , m_style(style)
+    , m_text(QFontMetricsF(style.font).height())
 {
-    const bool dimensions = choice.dimensions;
-    switch (choice.sides) {
+    const bool dimensions = options.dimensions;
+    switch (options.sides) {
     case DrawnSides::Front:
         m_cells = {{DrawnSide::Front, 0, 0, dimensions, dimensions}};
         break;
@@ -105,18 +105,18 @@ double DrawingLayout::left(int column) const
 {
     const bool has =
         std::ranges::any_of(m_cells, [column](const Cell& cell) { return cell.column == column && cell.hasHeight; });
-    return (has ? dimensionRoom : plainRoom) * m_text;
+    return (has ? dimensionSpace : plainSpace) * m_text;
 }
 
 double DrawingLayout::below(int row) const
 {
     const bool has = std::ranges::any_of(m_cells, [row](const Cell& cell) { return cell.row == row && cell.hasWidth; });
-    return (has ? dimensionRoom : plainRoom) * m_text;
+    return (has ? dimensionSpace : plainSpace) * m_text;
 }
 
 double DrawingLayout::above() const
 {
-    return captionRoom * m_text;
+    return captionSpace * m_text;
 }
 
 std::vector<double> DrawingLayout::columnWidths(double scale) const
@@ -125,8 +125,8 @@ std::vector<double> DrawingLayout::columnWidths(double scale) const
     for (const Cell& cell : m_cells) {
         widths.resize(std::max(widths.size(), static_cast<std::size_t>(cell.column) + 1), 0.0);
         double& width = widths[static_cast<std::size_t>(cell.column)];
-        width =
-            std::max(width, left(cell.column) + scale * boxOf(m_drawing->view(cell.side)).width() + plainRoom * m_text);
+        width = std::max(width,
+                         left(cell.column) + scale * boxOf(m_drawing->view(cell.side)).width() + plainSpace * m_text);
     }
     return widths;
 }
@@ -148,13 +148,13 @@ QSizeF DrawingLayout::sizeAt(double scale) const
     return {std::accumulate(widths.begin(), widths.end(), 0.0), std::accumulate(heights.begin(), heights.end(), 0.0)};
 }
 
-double DrawingLayout::scaleFor(const QSizeF& room) const
+double DrawingLayout::scaleFor(const QSizeF& available) const
 {
     const QSizeF margins = sizeAt(0), grown = sizeAt(1) - margins;
     if (m_drawing->box.isEmpty() || grown.isEmpty())
         return 0;
-    return std::max(0.0, std::min((room.width() - margins.width()) / grown.width(),
-                                  (room.height() - margins.height()) / grown.height()));
+    return std::max(0.0, std::min((available.width() - margins.width()) / grown.width(),
+                                  (available.height() - margins.height()) / grown.height()));
 }
 
 void DrawingLayout::paint(QPainter& painter, const QPointF& centre, double scale) const
@@ -166,7 +166,7 @@ void DrawingLayout::paint(QPainter& painter, const QPointF& centre, double scale
     const QPointF corner = centre - QPointF(size.width(), size.height()) / 2;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setFont(m_look.font);
+    painter.setFont(m_style.font);
     for (const Cell& cell : m_cells) {
         const double x = std::accumulate(widths.begin(), widths.begin() + cell.column, left(cell.column));
         const double bottom = std::accumulate(heights.begin(), heights.begin() + cell.row + 1, -below(cell.row));
@@ -179,8 +179,8 @@ void DrawingLayout::paintView(QPainter& painter, const Cell& cell, const QPointF
     const QSizeF size = boxOf(m_drawing->view(cell.side)).size() * scale;
     const QRectF view(bottomLeft - QPointF(0, size.height()), size);
     paintLines(painter, cell, bottomLeft, scale);
-    painter.setPen(m_look.faint);
-    painter.drawText(QPointF(view.left(), view.top() - 0.5 * m_text), Words::name(cell.side));
+    painter.setPen(m_style.faint);
+    painter.drawText(QPointF(view.left(), view.top() - 0.5 * m_text), LayoutText::name(cell.side));
     paintDimensions(painter, cell, view);
 }
 
@@ -192,7 +192,7 @@ void DrawingLayout::paintLines(QPainter& painter, const Cell& cell, const QPoint
     painter.translate(bottomLeft);
     painter.scale(scale, -scale);
     painter.translate(-boxOf(view).topLeft());
-    if (const core::DrawnImage& shaded = view.shaded; m_choice.shaded && !shaded.pixels.empty()) {
+    if (const core::DrawnImage& shaded = view.shaded; m_options.shaded && !shaded.pixels.empty()) {
         const QImage image(shaded.pixels.front().data(), shaded.width, shaded.height, 4 * shaded.width,
                            QImage::Format_RGBA8888);
         const auto pixel = static_cast<double>(shaded.pixel);
@@ -204,9 +204,9 @@ void DrawingLayout::paintLines(QPainter& painter, const Cell& cell, const QPoint
         painter.restore();
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(penFor(m_look.ink, m_look.line / 2 / scale));
+    painter.setPen(penFor(m_style.ink, m_style.line / 2 / scale));
     painter.drawPath(pathOf(view.creases));
-    painter.setPen(penFor(m_look.ink, m_look.line / scale));
+    painter.setPen(penFor(m_style.ink, m_style.line / scale));
     painter.drawPath(pathOf(view.outlines));
     painter.restore();
 }
@@ -214,7 +214,7 @@ void DrawingLayout::paintLines(QPainter& painter, const Cell& cell, const QPoint
 void DrawingLayout::paintDimensions(QPainter& painter, const Cell& cell, const QRectF& view) const
 {
     const QRectF box = boxOf(m_drawing->view(cell.side));
-    painter.setPen(penFor(m_look.faint, m_look.line / 2));
+    painter.setPen(penFor(m_style.faint, m_style.line / 2));
     const double clear = 0.2 * m_text, at = dimensionAt * m_text, beyond = at + 0.2 * m_text;
     if (cell.hasWidth) {
         for (const QPointF& corner : {view.bottomLeft(), view.bottomRight()})
@@ -241,19 +241,20 @@ void DrawingLayout::paintDimension(QPainter& painter, const QPointF& from, const
         const double tip = sign > 0 ? 0 : length;
         painter.drawPolyline(QPolygonF{{tip + sign * arrow, -width}, {tip, 0}, {tip + sign * arrow, width}});
     }
-    const QString text = Words::tr("%1 mm").arg(millimetres(value));
-    const double textWidth = QFontMetricsF(m_look.font).horizontalAdvance(text);
+    const QString text = LayoutText::tr("%1 mm").arg(millimetres(value));
+    const double textWidth = QFontMetricsF(m_style.font).horizontalAdvance(text);
     painter.drawText(QPointF((length - textWidth) / 2, -0.25 * m_text), text);
     painter.restore();
 }
 
-DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
-                         const QSizeF& room)
+DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingSettings& options, const DrawingStyle& style,
+                         const QSizeF& available)
 {
     using Arrangement = DrawingLayout::Arrangement;
-    DrawingLayout best(drawing, choice, look, Arrangement::Projection);
+    DrawingLayout best(drawing, options, style, Arrangement::Projection);
     for (const Arrangement arrangement : {Arrangement::Row, Arrangement::Column})
-        if (DrawingLayout other(drawing, choice, look, arrangement); other.scaleFor(room) > 1.1 * best.scaleFor(room))
+        if (DrawingLayout other(drawing, options, style, arrangement);
+            other.scaleFor(available) > 1.1 * best.scaleFor(available))
             best = std::move(other);
     return best;
 }

@@ -16,7 +16,7 @@ class QPainter;
 namespace ui
 {
 /// Lengths are the painter's units.
-struct DrawingLook
+struct DrawingStyle
 {
     QColor ink, faint; ///< lines; words and dimensions
     double line = 1.5; ///< width of outlines; creases have half
@@ -31,11 +31,11 @@ public:
     enum class Arrangement { Projection, Row, Column };
 
     /// In Row and Column the views stand side by side, or one below the other.
-    DrawingLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
+    DrawingLayout(const core::LineDrawing& drawing, const DrawingSettings& options, const DrawingStyle& style,
                   Arrangement arrangement);
 
     /// The largest scale, in units a mm, at which it fits; 0 if none does.
-    double scaleFor(const QSizeF& room) const;
+    double scaleFor(const QSizeF& available) const;
     QSizeF sizeAt(double scale) const;
     /// Antialiased, about the given centre.
     void paint(QPainter& painter, const QPointF& centre, double scale) const;
@@ -59,13 +59,13 @@ private:
     void paintDimension(QPainter& painter, const QPointF& from, const QPointF& to, double value) const;
 
     const core::LineDrawing* m_drawing;
-    DrawingChoice m_choice;
-    DrawingLook m_look;
+    DrawingSettings m_options;
+    DrawingStyle m_style;
     double m_text; ///< height of the font
     std::vector<Cell> m_cells;
 };
 
 /// The arrangement that shows the drawing largest.
-DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingChoice& choice, const DrawingLook& look,
-                         const QSizeF& room);
+DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingSettings& options, const DrawingStyle& style,
+                         const QSizeF& available);
 } // namespace ui

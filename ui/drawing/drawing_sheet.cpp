@@ -24,7 +24,7 @@ namespace ui
 {
 namespace
 {
-struct SheetWords
+struct SheetText
 {
     Q_DECLARE_TR_FUNCTIONS(ui::DrawingSheet)
 };
@@ -33,7 +33,7 @@ constexpr int unit = 100;                                     ///< of the painte
 constexpr double sheetMargin = 10, stripHeight = 24, pad = 4; ///< mm
 constexpr double smallText = 3, largeText = 5;                ///< mm
 constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254, pdfDotsPerInch = 1200;
-constexpr double mmAnInch = 25.4;
+constexpr double mmPerInch = 25.4;
 constexpr double longestBar = 50; ///< mm of paper
 
 QRectF frame()
@@ -41,7 +41,7 @@ QRectF frame()
     return QRectF({}, sheetSize).adjusted(sheetMargin, sheetMargin, -sheetMargin, -sheetMargin);
 }
 
-QRectF viewsRoom()
+QRectF viewsArea()
 {
     return frame().adjusted(pad, pad, -pad, -stripHeight - pad);
 }
@@ -60,7 +60,7 @@ QFont textOf(double height)
     return font;
 }
 
-DrawingLook look()
+DrawingStyle style()
 {
     return {Qt::black, QColor(70, 70, 70), 0.35 * unit, textOf(smallText)};
 }
@@ -68,23 +68,23 @@ DrawingLook look()
 /// The layout keeps a reference to the sheet's drawing.
 DrawingLayout layoutOf(const DrawingSheet& sheet)
 {
-    return {sheet.drawing, {DrawnSides::All, sheet.shaded, true}, look(), DrawingLayout::Arrangement::Projection};
+    return {sheet.drawing, {DrawnSides::All, sheet.shaded, true}, style(), DrawingLayout::Arrangement::Projection};
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not larger than `most`.
-double roundBelow(double most)
+double roundBelow(double max)
 {
-    const double power = std::pow(10.0, std::floor(std::log10(most) + 1e-9));
+    const double power = std::pow(10.0, std::floor(std::log10(max) + 1e-9));
     for (const double step : {5.0, 2.0})
-        if (step * power <= most * (1 + 1e-9))
+        if (step * power <= max * (1 + 1e-9))
             return step * power;
     return power;
 }
 
-double roundAbove(double least)
+double roundAbove(double min)
 {
-    const double below = roundBelow(least);
-    return below >= least * (1 - 1e-9) ? below : roundBelow(2.5 * below);
+    const double below = roundBelow(min);
+    return below >= min * (1 - 1e-9) ? below : roundBelow(2.5 * below);
 }
 
 QRectF inUnits(const QRectF& mm)
@@ -99,15 +99,15 @@ struct Field
 };
 
 /// A label above its value, which is shortened where it does not fit.
-void paintField(QPainter& painter, const Field& field, const QRectF& room)
+void paintField(QPainter& painter, const Field& field, const QRectF& area)
 {
-    painter.setPen(look().faint);
+    painter.setPen(style().faint);
     painter.setFont(textOf(smallText * 0.85));
-    painter.drawText(inUnits(room), Qt::AlignLeft | Qt::AlignTop, field.name);
+    painter.drawText(inUnits(area), Qt::AlignLeft | Qt::AlignTop, field.name);
     painter.setPen(Qt::black);
     const QFont font = textOf(largeText * 0.8);
     painter.setFont(font);
-    const QRectF below = room.adjusted(0, smallText * 1.6, 0, 0);
+    const QRectF below = area.adjusted(0, smallText * 1.6, 0, 0);
     painter.drawText(inUnits(below), Qt::AlignLeft | Qt::AlignTop,
                      QFontMetricsF(font).elidedText(field.value, Qt::ElideMiddle, below.width() * unit));
 }
@@ -126,7 +126,7 @@ void paintScaleBar(QPainter& painter, const DrawingSheet& sheet)
     const QRectF above(bar.left(), bar.top() - 1.6 * smallText, bar.width(), 1.5 * smallText);
     painter.drawText(inUnits(above), Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(0));
     painter.drawText(inUnits(above.adjusted(0, 0, pad, 0)), Qt::AlignRight | Qt::AlignVCenter,
-                     SheetWords::tr("%1 mm").arg(QLocale().toString(length)));
+                     SheetText::tr("%1 mm").arg(QLocale().toString(length)));
 }
 
 /// The cone that says on which side of the front view the others stand: as seen from there.
@@ -144,31 +144,31 @@ void paintStrip(QPainter& painter, const DrawingSheet& sheet)
 {
     const core::Vec3 size = sheet.drawing.box.isEmpty() ? core::Vec3(0, 0, 0) : core::Vec3(sheet.drawing.box.sizes());
     const Field fields[] = {
-        {SheetWords::tr("Model"), sheet.name, 0.27},
-        {SheetWords::tr("Width × height × depth"),
-         SheetWords::tr("%1 × %2 × %3 mm").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())),
+        {SheetText::tr("Model"), sheet.name, 0.27},
+        {SheetText::tr("Width × height × depth"),
+         SheetText::tr("%1 × %2 × %3 mm").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())),
          0.27},
-        {SheetWords::tr("Volume"), volumeText(std::abs(sheet.drawing.volume)), 0.16},
-        {SheetWords::tr("Scale"), sheetScaleText(sheetScale(sheet)), 0.12},
-        {SheetWords::tr("Date"), QLocale().toString(sheet.date, QLocale::ShortFormat), 0.18}};
-    const QRectF room = strip();
-    double left = room.left();
+        {SheetText::tr("Volume"), volumeText(std::abs(sheet.drawing.volume)), 0.16},
+        {SheetText::tr("Scale"), sheetScaleText(sheetScale(sheet)), 0.12},
+        {SheetText::tr("Date"), QLocale().toString(sheet.date, QLocale::ShortFormat), 0.18}};
+    const QRectF area = strip();
+    double left = area.left();
     for (const Field& field : fields) {
-        const double width = field.share * room.width();
-        paintField(painter, field, {left + pad / 2, room.top() + pad / 2, width - pad, stripHeight / 2 - pad / 2});
+        const double width = field.share * area.width();
+        paintField(painter, field, {left + pad / 2, area.top() + pad / 2, width - pad, stripHeight / 2 - pad / 2});
         left += width;
-        if (left < room.right() - 1) {
+        if (left < area.right() - 1) {
             painter.setPen(QPen(Qt::black, 0.2 * unit));
-            painter.drawLine(QPointF(left, room.top()) * unit, QPointF(left, room.top() + stripHeight / 2) * unit);
+            painter.drawLine(QPointF(left, area.top()) * unit, QPointF(left, area.top() + stripHeight / 2) * unit);
         }
     }
     painter.setPen(QPen(Qt::black, 0.2 * unit));
-    painter.drawLine(QPointF(room.left(), room.center().y()) * unit, QPointF(room.right(), room.center().y()) * unit);
-    painter.setPen(look().faint);
+    painter.drawLine(QPointF(area.left(), area.center().y()) * unit, QPointF(area.right(), area.center().y()) * unit);
+    painter.setPen(style().faint);
     painter.setFont(textOf(smallText));
-    painter.drawText(inUnits({room.center().x(), room.center().y(), room.width() / 2 - 20, stripHeight / 2}),
-                     Qt::AlignRight | Qt::AlignVCenter, SheetWords::tr("True to scale when printed at 100 % on A4"));
-    paintProjectionSign(painter, {room.right() - 16, room.bottom() - stripHeight / 4});
+    painter.drawText(inUnits({area.center().x(), area.center().y(), area.width() / 2 - 20, stripHeight / 2}),
+                     Qt::AlignRight | Qt::AlignVCenter, SheetText::tr("True to scale when printed at 100 % on A4"));
+    paintProjectionSign(painter, {area.right() - 16, area.bottom() - stripHeight / 4});
     if (!sheet.drawing.box.isEmpty())
         paintScaleBar(painter, sheet);
 }
@@ -187,7 +187,7 @@ void paintSvg(QBuffer& file, const DrawingSheet& sheet)
     QSvgGenerator generator;
     generator.setOutputDevice(&file);
     generator.setResolution(svgDotsPerInch);
-    generator.setSize((sheetSize * (svgDotsPerInch / mmAnInch)).toSize());
+    generator.setSize((sheetSize * (svgDotsPerInch / mmPerInch)).toSize());
     generator.setViewBox(QRectF({}, sheetSize * unit));
     generator.setTitle(sheet.name.toHtmlEscaped()); // Qt writes it as it is
     QPainter painter(&generator);
@@ -196,13 +196,13 @@ void paintSvg(QBuffer& file, const DrawingSheet& sheet)
 
 void paintPng(QBuffer& file, const DrawingSheet& sheet)
 {
-    constexpr double dotsAMm = pngDotsPerInch / mmAnInch;
-    QImage image((sheetSize * dotsAMm).toSize(), QImage::Format_RGB32);
-    image.setDotsPerMeterX(static_cast<int>(std::lround(1000 * dotsAMm)));
+    constexpr double dotsPerMm = pngDotsPerInch / mmPerInch;
+    QImage image((sheetSize * dotsPerMm).toSize(), QImage::Format_RGB32);
+    image.setDotsPerMeterX(static_cast<int>(std::lround(1000 * dotsPerMm)));
     image.setDotsPerMeterY(image.dotsPerMeterX());
     image.fill(Qt::white);
     QPainter painter(&image);
-    painter.scale(dotsAMm / unit, dotsAMm / unit);
+    painter.scale(dotsPerMm / unit, dotsPerMm / unit);
     paintSheet(painter, sheet);
     painter.end();
     image.save(&file, "PNG");
@@ -234,10 +234,10 @@ core::DrawingDetail sheetDetail(bool shaded)
 
 double sheetScale(const DrawingSheet& sheet)
 {
-    const double most = layoutOf(sheet).scaleFor(viewsRoom().size() * unit) / unit;
-    if (!(most > 0))
+    const double max = layoutOf(sheet).scaleFor(viewsArea().size() * unit) / unit;
+    if (!(max > 0))
         return 0;
-    return most >= 1 ? roundBelow(most) : 1 / roundAbove(1 / most);
+    return max >= 1 ? roundBelow(max) : 1 / roundAbove(1 / max);
 }
 
 QRectF sheetScaleBar(const DrawingSheet& sheet)
@@ -266,7 +266,7 @@ void prepareForSheets(QPdfWriter& writer, const QString& title)
 
 void scaleToSheet(QPainter& painter)
 {
-    const double scale = painter.device()->logicalDpiX() / mmAnInch / unit;
+    const double scale = painter.device()->logicalDpiX() / mmPerInch / unit;
     painter.scale(scale, scale);
 }
 
@@ -277,7 +277,7 @@ void paintSheet(QPainter& painter, const DrawingSheet& sheet)
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(inUnits(frame()));
     painter.drawLine(strip().topLeft() * unit, strip().topRight() * unit);
-    layoutOf(sheet).paint(painter, viewsRoom().center() * unit, sheetScale(sheet) * unit);
+    layoutOf(sheet).paint(painter, viewsArea().center() * unit, sheetScale(sheet) * unit);
     paintStrip(painter, sheet);
 }
 

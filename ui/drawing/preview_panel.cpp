@@ -54,15 +54,15 @@ private:
 PreviewPanel::PreviewPanel(Settings* settings, QAction* exporting, QWidget* parent)
     : QDockWidget(tr("2D Preview"), parent)
     , m_settings(settings)
-    , m_choice(settings->drawing())
+    , m_options(settings->drawing())
 {
     setObjectName(QStringLiteral("previewPanel"));
     setWidget(content(exporting));
-    m_canvas->setChoice(m_choice);
+    m_canvas->setOptions(m_options);
     settings->onReset([this] { show(m_settings->drawing()); });
     connect(this, &QDockWidget::visibilityChanged, this, [this](bool isSeen) {
         m_isSeen = isSeen;
-        Q_EMIT wanted(isSeen, m_choice.shaded);
+        Q_EMIT drawingRequested(isSeen, m_options.shaded);
         if (!isSeen)
             setDrawing({});
     });
@@ -87,14 +87,14 @@ QBoxLayout* PreviewPanel::controls(QAction* exporting)
 {
     m_sides =
         choiceBox(QStringLiteral("preview.sides"), tr("Sides"), tr("Shows all three drawings, or one of them larger."),
-                  {tr("All sides"), tr("Front"), tr("Right"), tr("Top")}, static_cast<int>(m_choice.sides));
+                  {tr("All sides"), tr("Front"), tr("Right"), tr("Top")}, static_cast<int>(m_options.sides));
     m_style =
         choiceBox(QStringLiteral("preview.style"), tr("Drawn as"), tr("Shows the lines only, or colours under them."),
-                  {tr("Lines"), tr("Shaded")}, m_choice.shaded ? 1 : 0);
+                  {tr("Lines"), tr("Shaded")}, m_options.shaded ? 1 : 0);
     m_dimensions = panelButton(QStringLiteral("preview.dimensions"), QStringLiteral("dimensions"), tr("Dimensions"),
                                tr("Writes the model's measures beside it."));
     m_dimensions->setCheckable(true);
-    m_dimensions->setChecked(m_choice.dimensions);
+    m_dimensions->setChecked(m_options.dimensions);
     connect(m_dimensions, &QToolButton::toggled, this, &PreviewPanel::choose);
     auto* fit = panelButton(QStringLiteral("preview.fit"), QStringLiteral("frame"), tr("Fit (0)"),
                             tr("Shows the whole drawing; the wheel zooms, a drag moves it."));
@@ -132,22 +132,22 @@ QComboBox* PreviewPanel::choiceBox(const QString& name, const QString& text, con
 }
 
 /// By the controls, which tell.
-void PreviewPanel::show(const DrawingChoice& choice)
+void PreviewPanel::show(const DrawingSettings& options)
 {
-    m_sides->setCurrentIndex(static_cast<int>(choice.sides));
-    m_style->setCurrentIndex(choice.shaded ? 1 : 0);
-    m_dimensions->setChecked(choice.dimensions);
+    m_sides->setCurrentIndex(static_cast<int>(options.sides));
+    m_style->setCurrentIndex(options.shaded ? 1 : 0);
+    m_dimensions->setChecked(options.dimensions);
 }
 
 void PreviewPanel::choose()
 {
-    const bool wasShaded = m_choice.shaded;
-    m_choice = {static_cast<DrawnSides>(m_sides->currentIndex()), m_style->currentIndex() == 1,
-                m_dimensions->isChecked()};
-    m_settings->setDrawing(m_choice);
-    m_canvas->setChoice(m_choice);
-    if (m_choice.shaded != wasShaded)
-        Q_EMIT wanted(m_isSeen, m_choice.shaded);
+    const bool wasShaded = m_options.shaded;
+    m_options = {static_cast<DrawnSides>(m_sides->currentIndex()), m_style->currentIndex() == 1,
+                 m_dimensions->isChecked()};
+    m_settings->setDrawing(m_options);
+    m_canvas->setOptions(m_options);
+    if (m_options.shaded != wasShaded)
+        Q_EMIT drawingRequested(m_isSeen, m_options.shaded);
 }
 
 void PreviewPanel::setDrawing(SharedDrawing drawing)
@@ -165,7 +165,7 @@ void PreviewPanel::exportAs(const QString& modelName)
     askForDrawing(window(), m_settings->lastFolder(), modelName, drawingEndings(),
                   [this, modelName](const QString& path) {
                       m_settings->setLastFolder(QFileInfo(path).absolutePath());
-                      Q_EMIT exportRequested(path, modelName, m_choice.shaded);
+                      Q_EMIT exportRequested(path, modelName, m_options.shaded);
                   });
 }
 

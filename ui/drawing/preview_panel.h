@@ -18,8 +18,8 @@ namespace ui
 {
 class Settings;
 
-/// The 2D preview: the model as front, side and top drawings while it changes. Makes no drawing: it says by wanted()
-/// when it can be seen, and shows what it is given. Gui thread.
+/// The 2D preview: the model as front, side and top drawings while it changes. Makes no drawing: it says by
+/// drawingRequested() when it can be seen, and shows what it is given. Gui thread.
 class PreviewPanel : public QDockWidget
 {
     Q_OBJECT
@@ -36,7 +36,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     /// The panel came into sight or left it, or needs colours now, or no more.
-    void wanted(bool isSeen, bool shaded);
+    void drawingRequested(bool isSeen, bool shaded);
     /// The dialog has asked about overwriting. The ending says the format: pdf, svg or png.
     void exportRequested(const QString& path, const QString& modelName, bool shaded);
 
@@ -45,11 +45,11 @@ private:
     QBoxLayout* controls(QAction* exporting);
     QComboBox* choiceBox(const QString& name, const QString& text, const QString& tip, const QStringList& words,
                          int index);
-    void show(const DrawingChoice& choice);
+    void show(const DrawingSettings& options);
     void choose();
 
     Settings* m_settings;
-    DrawingChoice m_choice;
+    DrawingSettings m_options;
     bool m_isSeen = false;
     QComboBox *m_sides = nullptr, *m_style = nullptr;
     QToolButton* m_dimensions = nullptr;

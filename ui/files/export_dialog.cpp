@@ -42,7 +42,7 @@ class ExportDialog : public QDialog
     Q_DECLARE_TR_FUNCTIONS(ui::ExportDialog)
 
 public:
-    ExportDialog(QWidget* parent, const ModelFacts& facts, const ExportChoice& last)
+    ExportDialog(QWidget* parent, const ModelInfo& modelInfo, const ExportSettings& last)
         : QDialog(parent)
         , m_presets(new QButtonGroup(this))
     {
@@ -51,22 +51,22 @@ public:
         for (std::size_t i = 0; i < exportUses.size(); ++i)
             addPreset(column, presets[i], exportUses[i].key);
         column->addSpacing(dialogGap);
-        addBudget(column, facts);
-        addTrial(column);
+        addBudget(column, modelInfo);
+        addSlicerCheck(column);
         column->addSpacing(dialogGap);
-        addAnswers(this, tr("&Export…"));
-        takeUp(last);
+        addDialogButtons(this, tr("&Export…"));
+        applySettings(last);
         connect(m_presets, &QButtonGroup::idToggled, this, [this](int, bool isChosen) {
             if (isChosen)
-                takeUsual();
+                applyDefaults();
         });
     }
 
-    ExportChoice choice() const
+    ExportSettings options() const
     {
-        return {use(), m_limits->isChecked() ? static_cast<quint64>(m_most->value()) : 0, m_slices->isChecked()};
+        return {use(), m_limits->isChecked() ? static_cast<quint64>(m_max->value()) : 0, m_slices->isChecked()};
     }
-    bool tries() const { return m_slices->isChecked() && prints() && !installedSlicer().isEmpty(); }
+    bool wantsSlicerCheck() const { return m_slices->isChecked() && prints() && !installedSlicer().isEmpty(); }
 
 private:
     ExportUse use() const { return exportUses[static_cast<std::size_t>(m_presets->checkedId())].value; }
@@ -88,33 +88,33 @@ private:
         column->addLayout(both);
     }
 
-    void addBudget(QVBoxLayout* column, const ModelFacts& facts)
+    void addBudget(QVBoxLayout* column, const ModelInfo& modelInfo)
     {
         m_limits = new QCheckBox(tr("At &most so many triangles:"));
         m_limits->setObjectName(QStringLiteral("limits"));
         m_limits->setToolTip(tr("Takes away triangles where the shape and the colours lose least by it. The model in "
                                 "the window keeps its own."));
-        m_most = new QSpinBox;
-        m_most->setObjectName(QStringLiteral("most"));
-        m_most->setAccessibleName(tr("Most triangles"));
-        m_most->setToolTip(tr("The file has at most so many triangles."));
-        m_most->setRange(leastExportTriangles, mostExportTriangles);
-        m_most->setGroupSeparatorShown(true);
-        m_most->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        m_max = new QSpinBox;
+        m_max->setObjectName(QStringLiteral("most"));
+        m_max->setAccessibleName(tr("Most triangles"));
+        m_max->setToolTip(tr("The file has at most so many triangles."));
+        m_max->setRange(minExportTriangles, maxExportTriangles);
+        m_max->setGroupSeparatorShown(true);
+        m_max->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         auto* row = new QHBoxLayout;
         row->setSpacing(dialogGap);
         row->addWidget(m_limits);
-        row->addWidget(m_most, 1);
+        row->addWidget(m_max, 1);
         column->addLayout(row);
         column->addWidget(
             dialogText(tr("The model has %1 triangles. The file is read back and judged when it is written.")
-                           .arg(QLocale().toString(facts.faces)),
+                           .arg(QLocale().toString(modelInfo.faces)),
                        textWidth));
-        connect(m_limits, &QCheckBox::toggled, m_most, &QWidget::setEnabled);
+        connect(m_limits, &QCheckBox::toggled, m_max, &QWidget::setEnabled);
     }
 
     /// Seen where there is a slicer.
-    void addTrial(QVBoxLayout* column)
+    void addSlicerCheck(QVBoxLayout* column)
     {
         m_slices = new QCheckBox(tr("&Try whether PrusaSlicer slices it"));
         m_slices->setObjectName(QStringLiteral("slices"));
@@ -124,46 +124,46 @@ private:
         m_slices->setVisible(!installedSlicer().isEmpty());
     }
 
-    void takeUp(const ExportChoice& last)
+    void applySettings(const ExportSettings& last)
     {
         const auto row = std::ranges::find(exportUses, last.use, &Named<ExportUse>::value) - exportUses.begin();
         m_presets->button(static_cast<int>(row))->setChecked(true);
         m_presets->button(static_cast<int>(row))->setFocus();
-        setTriangles(last.mostTriangles);
+        setTriangles(last.maxTriangles);
         m_slices->setChecked(last.slices);
         m_slices->setEnabled(prints());
     }
 
-    void takeUsual()
+    void applyDefaults()
     {
         setTriangles(prints() ? 0 : gameTriangles);
         m_slices->setEnabled(prints());
     }
 
     /// 0: all
-    void setTriangles(quint64 most)
+    void setTriangles(quint64 max)
     {
-        m_limits->setChecked(most > 0);
-        m_most->setEnabled(most > 0);
-        m_most->setValue(most > 0 ? static_cast<int>(most) : gameTriangles);
+        m_limits->setChecked(max > 0);
+        m_max->setEnabled(max > 0);
+        m_max->setValue(max > 0 ? static_cast<int>(max) : gameTriangles);
     }
 
     QButtonGroup* m_presets;
     QCheckBox* m_limits = nullptr;
-    QSpinBox* m_most = nullptr;
+    QSpinBox* m_max = nullptr;
     QCheckBox* m_slices = nullptr;
 };
 } // namespace
 
-void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings,
-                        const std::function<void(const ExportChoice&)>& answer)
+void askForExportChoice(QWidget* parent, const ModelInfo& modelInfo, Settings* settings,
+                        const std::function<void(const ExportSettings&)>& callback)
 {
-    auto* dialog = new ExportDialog(parent, facts, settings->exporting());
-    QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, settings, answer] {
-        ExportChoice choice = dialog->choice();
-        settings->setExporting(choice);
-        choice.slices = dialog->tries();
-        answer(choice);
+    auto* dialog = new ExportDialog(parent, modelInfo, settings->exporting());
+    QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, settings, callback] {
+        ExportSettings options = dialog->options();
+        settings->setExporting(options);
+        options.slices = dialog->wantsSlicerCheck();
+        callback(options);
     });
     dialog->open();
 }

@@ -11,8 +11,8 @@ namespace ui
 {
 class Settings;
 
-/// What it is for, and with how many triangles; as last time, which the settings keep. Returns at once; the answer is
+/// What it is for, and with how many triangles; as last time, which the settings keep. Returns at once; the callback is
 /// called when the person agreed, and never else. It slices only where there is a slicer and the file is for print.
-void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings,
-                        const std::function<void(const ExportChoice&)>& answer);
+void askForExportChoice(QWidget* parent, const ModelInfo& modelInfo, Settings* settings,
+                        const std::function<void(const ExportSettings&)>& callback);
 } // namespace ui

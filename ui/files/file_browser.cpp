@@ -24,7 +24,7 @@ namespace ui
 {
 namespace
 {
-constexpr int listDelayMs = 200, wantDelayMs = 30; ///< what comes at once is done once
+constexpr int listDelayMs = 200, thumbnailDelayMs = 30; ///< what comes at once is done once
 
 QHBoxLayout* row(std::initializer_list<QWidget*> widgets)
 {
@@ -36,11 +36,11 @@ QHBoxLayout* row(std::initializer_list<QWidget*> widgets)
 }
 } // namespace
 
-FilesPanel::FilesPanel(Settings* settings, const Actions& actions, QWidget* parent)
+FileBrowser::FileBrowser(Settings* settings, const Actions& actions, QWidget* parent)
     : QWidget(parent)
     , m_settings(settings)
     , m_actions(actions)
-    , m_choice(settings->files())
+    , m_options(settings->files())
     , m_files(new FileListModel(this))
     , m_sorter(new FileSorter(m_files))
 {
@@ -54,33 +54,34 @@ FilesPanel::FilesPanel(Settings* settings, const Actions& actions, QWidget* pare
     column->addLayout(buildFoot());
     buildActions();
 
-    for (const auto& [timer, delay] : {std::pair(&m_listSoon, listDelayMs), std::pair(&m_wantSoon, wantDelayMs)}) {
+    for (const auto& [timer, delay] :
+         {std::pair(&m_listTimer, listDelayMs), std::pair(&m_thumbnailTimer, thumbnailDelayMs)}) {
         timer->setSingleShot(true);
         timer->setInterval(delay);
     }
-    connect(&m_listSoon, &QTimer::timeout, this, &FilesPanel::list);
-    connect(&m_wantSoon, &QTimer::timeout, this, &FilesPanel::wantThumbnails);
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_listSoon, qOverload<>(&QTimer::start));
-    connect(m_files, &FileListModel::pictureMissed, &m_wantSoon, qOverload<>(&QTimer::start));
-    connect(m_files, &FileListModel::renameRequested, this, &FilesPanel::renameTo);
+    connect(&m_listTimer, &QTimer::timeout, this, &FileBrowser::list);
+    connect(&m_thumbnailTimer, &QTimer::timeout, this, &FileBrowser::requestThumbnails);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_listTimer, qOverload<>(&QTimer::start));
+    connect(m_files, &FileListModel::pictureMissed, &m_thumbnailTimer, qOverload<>(&QTimer::start));
+    connect(m_files, &FileListModel::renameRequested, this, &FileBrowser::renameTo);
     settings->onReset([this] { setControls(m_settings->files()); });
-    setControls(m_choice);
+    setControls(m_options);
     enable();
 }
 
-FilesPanel::~FilesPanel()
+FileBrowser::~FileBrowser()
 {
     m_listing.request_stop();
 }
 
-void FilesPanel::buildGrid()
+void FileBrowser::buildGrid()
 {
     m_grid = new FileGrid;
     m_grid->setObjectName(QStringLiteral("files.grid"));
     m_grid->setAccessibleName(tr("Models in this folder"));
     m_grid->setModel(m_sorter);
     m_grid->setCells(new FileItemDelegate(m_files, m_sorter, m_grid));
-    m_grid->setPicture(m_choice.picture);
+    m_grid->setPicture(m_options.picture);
     m_empty = new QLabel;
     m_empty->setObjectName(QStringLiteral("files.empty"));
     m_empty->setWordWrap(true);
@@ -89,13 +90,13 @@ void FilesPanel::buildGrid()
     m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
     auto* over = new QVBoxLayout(m_grid->viewport());
     over->addWidget(m_empty);
-    connect(m_grid, &QListView::doubleClicked, this, &FilesPanel::activate);
-    connect(m_grid, &FileGrid::moved, &m_wantSoon, qOverload<>(&QTimer::start));
-    connect(m_grid->selectionModel(), &QItemSelectionModel::selectionChanged, this, &FilesPanel::enable);
-    connect(m_grid->selectionModel(), &QItemSelectionModel::currentChanged, this, &FilesPanel::enable);
+    connect(m_grid, &QListView::doubleClicked, this, &FileBrowser::activate);
+    connect(m_grid, &FileGrid::moved, &m_thumbnailTimer, qOverload<>(&QTimer::start));
+    connect(m_grid->selectionModel(), &QItemSelectionModel::selectionChanged, this, &FileBrowser::enable);
+    connect(m_grid->selectionModel(), &QItemSelectionModel::currentChanged, this, &FileBrowser::enable);
 }
 
-QLayout* FilesPanel::buildFolderLine()
+QLayout* FileBrowser::buildFolderLine()
 {
     m_place = new QLineEdit;
     m_place->setObjectName(QStringLiteral("files.folder"));
@@ -107,7 +108,7 @@ QLayout* FilesPanel::buildFolderLine()
                 panelButton(m_actions.get(QStringLiteral("files.up")))});
 }
 
-QLayout* FilesPanel::buildChoices()
+QLayout* FileBrowser::buildChoices()
 {
     m_filter = new QLineEdit;
     m_filter->setObjectName(QStringLiteral("files.filter"));
@@ -118,7 +119,7 @@ QLayout* FilesPanel::buildChoices()
     connect(m_filter, &QLineEdit::textChanged, this, [this](const QString& part) {
         m_sorter->filter(part);
         showState();
-        m_wantSoon.start();
+        m_thumbnailTimer.start();
     });
     m_order = new QComboBox;
     m_order->setObjectName(QStringLiteral("files.order"));
@@ -128,14 +129,14 @@ QLayout* FilesPanel::buildChoices()
     m_direction = panelButton(QStringLiteral("files.direction"), QStringLiteral("sort-up"), tr("Descending"),
                               tr("Turns the order round."));
     m_direction->setCheckable(true);
-    connect(m_order, &QComboBox::activated, this, &FilesPanel::choose);
-    connect(m_direction, &QToolButton::clicked, this, &FilesPanel::choose);
+    connect(m_order, &QComboBox::activated, this, &FileBrowser::choose);
+    connect(m_direction, &QToolButton::clicked, this, &FileBrowser::choose);
     QHBoxLayout* choices = row({m_filter, m_order, m_direction});
     choices->setStretch(0, 1);
     return choices;
 }
 
-QLayout* FilesPanel::buildFoot()
+QLayout* FileBrowser::buildFoot()
 {
     m_state = new QLabel;
     m_state->setObjectName(QStringLiteral("files.state"));
@@ -147,7 +148,7 @@ QLayout* FilesPanel::buildFoot()
     m_stop->setSizePolicy(keepsItsPlace);
     connect(m_stop, &QToolButton::clicked, this, [this] {
         m_isStopped = true;
-        wantThumbnails();
+        requestThumbnails();
     });
     m_size = new QSlider(Qt::Horizontal);
     m_size->setObjectName(QStringLiteral("files.size"));
@@ -157,13 +158,13 @@ QLayout* FilesPanel::buildFoot()
     m_size->setSingleStep(gap);
     m_size->setPageStep(4 * gap);
     m_size->setMaximumWidth(80);
-    connect(m_size, &QSlider::valueChanged, this, &FilesPanel::choose);
+    connect(m_size, &QSlider::valueChanged, this, &FileBrowser::choose);
     QHBoxLayout* foot = row({m_state, m_stop, m_size});
     foot->setStretch(0, 1);
     return foot;
 }
 
-void FilesPanel::buildActions()
+void FileBrowser::buildActions()
 {
     m_open = on("files.open", [this] { activate(m_grid->currentIndex()); });
     m_rename = on("files.rename", [this] { rename(); });
@@ -176,10 +177,10 @@ void FilesPanel::buildActions()
     m_reveal = on("files.reveal", [this] { reveal(); });
     m_up = on("files.up", [this] { goUp(); });
     m_chooseFolder = on("files.choose", [this] { askForFolder(); });
-    connect(m_grid, &QListView::customContextMenuRequested, this, &FilesPanel::showMenu);
+    connect(m_grid, &QListView::customContextMenuRequested, this, &FileBrowser::showMenu);
 }
 
-QAction* FilesPanel::on(const char* id, const std::function<void()>& what)
+QAction* FileBrowser::on(const char* id, const std::function<void()>& what)
 {
     QAction* action = m_actions.get(QLatin1StringView(id));
     connect(action, &QAction::triggered, this, what);
@@ -187,7 +188,7 @@ QAction* FilesPanel::on(const char* id, const std::function<void()>& what)
     return action;
 }
 
-void FilesPanel::showMenu(QPoint at)
+void FileBrowser::showMenu(QPoint at)
 {
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("files.menu"));
@@ -198,23 +199,23 @@ void FilesPanel::showMenu(QPoint at)
 }
 
 /// In its place; the command may have come from elsewhere.
-void FilesPanel::rename()
+void FileBrowser::rename()
 {
     m_grid->setFocus();
     m_grid->scrollTo(m_grid->currentIndex());
     m_grid->edit(m_grid->currentIndex());
 }
 
-void FilesPanel::renameTo(const QString& path, const QString& name)
+void FileBrowser::renameTo(const QString& path, const QString& name)
 {
-    const auto tell = [this, path](const FileOutcome& outcome) {
+    const auto report = [this, path](const FileOutcome& outcome) {
         if (!outcome.paths.isEmpty() && outcome.paths.constFirst() != path)
             Q_EMIT renamed(path, outcome.paths.constFirst());
     };
-    change([=] { return FileJobs::rename(path, name); }, tell);
+    change([=] { return FileJobs::rename(path, name); }, report);
 }
 
-void FilesPanel::reveal()
+void FileBrowser::reveal()
 {
     const QString path = m_files->entry(m_sorter->mapToSource(m_grid->currentIndex())).path;
     revealFile(path, this, [this](const QString& word) { Q_EMIT noticed(word); });

@@ -34,17 +34,17 @@ struct Thumbnail;
 
 /// A folder of models as pictures: to open, rename, duplicate, put into the trash, and show where they lie. Asks the
 /// disk and draws in other threads, and only while it can be seen. Gui thread.
-class FilesPanel : public QWidget
+class FileBrowser : public QWidget
 {
     Q_OBJECT
 
 public:
     /// Both must outlive the panel.
-    FilesPanel(Settings* settings, const Actions& actions, QWidget* parent = nullptr);
-    ~FilesPanel() override;
+    FileBrowser(Settings* settings, const Actions& actions, QWidget* parent = nullptr);
+    ~FileBrowser() override;
 
     void goTo(const QString& folder);
-    const QString& folder() const { return m_choice.folder; }
+    const QString& folder() const { return m_options.folder; }
     /// The keyboard goes to the grid.
     void focusGrid();
 
@@ -77,15 +77,15 @@ private:
 
     void askForFolder();
     void goUp();
-    void setControls(const FilesChoice& choice);
+    void setControls(const FileBrowserSettings& options);
     void choose();
     void list();
-    void takeFolder(const FolderContent& content);
+    void setFolderContent(const FolderContent& content);
     void select(const QStringList& paths);
     /// `done`: after it, with what became of it.
     void change(const FileJob& job, const std::function<void(const FileOutcome&)>& done = {});
-    void wantThumbnails();
-    void take(const FileEntry& file, const Thumbnail& thumbnail);
+    void requestThumbnails();
+    void setThumbnail(const FileEntry& file, const Thumbnail& thumbnail);
     void showState();
     void enable();
     void activate(const QModelIndex& index);
@@ -93,7 +93,7 @@ private:
 
     Settings* m_settings;
     const Actions& m_actions;
-    FilesChoice m_choice;
+    FileBrowserSettings m_options;
     QString m_problem;                            ///< of the folder
     bool m_isListed = false, m_isStopped = false; ///< stopped: by hand, until another folder is looked at
     QStringList m_toSelect;                       ///< when they appear
@@ -110,13 +110,13 @@ private:
             *m_up = nullptr, *m_chooseFolder = nullptr;
 
     QFileSystemWatcher m_watcher;
-    QTimer m_listSoon, m_wantSoon;
+    QTimer m_listTimer, m_thumbnailTimer;
     std::unique_ptr<ThumbnailMaker> m_maker; ///< from the first look on
     std::stop_source m_listing;
-    SideThread m_disk; ///< last
+    BackgroundThread m_disk; ///< last
 };
 
-struct FilesPanelPlace
+struct FileBrowserContext
 {
     QMainWindow* window;
     QMenu* toggles;
@@ -124,6 +124,6 @@ struct FilesPanelPlace
 };
 
 /// As a dock at the window's left, where it has the height, hidden at first, with its entry among the toggles.
-void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
-                   const std::function<void(const QString&)>& notice);
+void addFileBrowser(const FileBrowserContext& context, Settings* settings, const Actions& actions,
+                    const std::function<void(const QString&)>& notice);
 } // namespace ui

@@ -24,15 +24,15 @@
 
 namespace ui
 {
-void FilesPanel::askForFolder()
+void FileBrowser::askForFolder()
 {
-    ui::askForFolder(window(), m_choice.folder, [this](const QString& folder) { goTo(folder); });
+    ui::askForFolder(window(), m_options.folder, [this](const QString& folder) { goTo(folder); });
 }
 
 /// To the next one that is there: this one's own may be gone with it.
-void FilesPanel::goUp()
+void FileBrowser::goUp()
 {
-    const QString from = m_choice.folder;
+    const QString from = m_options.folder;
     QString folder = QFileInfo(from).path();
     while (!QDir(folder).exists() && !QDir(folder).isRoot())
         folder = QFileInfo(folder).path();
@@ -42,78 +42,78 @@ void FilesPanel::goUp()
     m_toSelect = {from};
 }
 
-void FilesPanel::goTo(const QString& folder)
+void FileBrowser::goTo(const QString& folder)
 {
     m_listing.request_stop();
     m_files->clear();
-    m_choice.folder = QDir::cleanPath(QDir(folder).absolutePath());
+    m_options.folder = QDir::cleanPath(QDir(folder).absolutePath());
     m_problem.clear();
     m_toSelect.clear();
     m_isListed = m_isStopped = false;
     m_filter->clear();
-    m_settings->setFiles(m_choice);
-    wantThumbnails();
+    m_settings->setFiles(m_options);
+    requestThumbnails();
     list();
 }
 
 /// Not the folder.
-void FilesPanel::setControls(const FilesChoice& choice)
+void FileBrowser::setControls(const FileBrowserSettings& options)
 {
     const QSignalBlocker quiet(m_size);
-    m_order->setCurrentIndex(static_cast<int>(choice.order));
-    m_direction->setChecked(choice.descending);
-    m_size->setValue(choice.picture);
+    m_order->setCurrentIndex(static_cast<int>(options.order));
+    m_direction->setChecked(options.descending);
+    m_size->setValue(options.picture);
     choose();
 }
 
 /// What the controls say.
-void FilesPanel::choose()
+void FileBrowser::choose()
 {
-    m_choice.order = static_cast<FileOrder>(m_order->currentIndex());
-    m_choice.descending = m_direction->isChecked();
-    m_direction->setIcon(themedIcon(m_choice.descending ? QStringLiteral("sort-down") : QStringLiteral("sort-up")));
-    m_sorter->order(m_choice.order, m_choice.descending);
-    if (m_choice.picture != m_size->value())
+    m_options.order = static_cast<FileOrder>(m_order->currentIndex());
+    m_options.descending = m_direction->isChecked();
+    m_direction->setIcon(themedIcon(m_options.descending ? QStringLiteral("sort-down") : QStringLiteral("sort-up")));
+    m_sorter->order(m_options.order, m_options.descending);
+    if (m_options.picture != m_size->value())
         m_grid->setPicture(m_size->value());
-    m_choice.picture = m_size->value();
-    m_settings->setFiles(m_choice);
-    m_wantSoon.start();
+    m_options.picture = m_size->value();
+    m_settings->setFiles(m_options);
+    m_thumbnailTimer.start();
 }
 
-void FilesPanel::list()
+void FileBrowser::list()
 {
-    m_place->setText(QDir::toNativeSeparators(m_choice.folder));
+    m_place->setText(QDir::toNativeSeparators(m_options.folder));
     m_place->setCursorPosition(static_cast<int>(m_place->text().size()));
     if (!isVisible())
         return;
     m_listing.request_stop();
     m_listing = {};
     const std::stop_token stop = m_listing.get_token();
-    m_disk.run([folder = m_choice.folder, stop] { return FileJobs::list(folder, stop); },
+    m_disk.run([folder = m_options.folder, stop] { return FileJobs::list(folder, stop); },
                [this, stop](const FolderContent& content) {
                    if (!stop.stop_requested())
-                       takeFolder(content);
+                       setFolderContent(content);
                });
 }
 
-void FilesPanel::takeFolder(const FolderContent& content)
+void FileBrowser::setFolderContent(const FolderContent& content)
 {
-    if (content.folder != m_choice.folder)
+    if (content.folder != m_options.folder)
         return;
     m_isListed = true;
     m_problem = content.problem;
     m_files->setEntries(content.entries);
-    if (!m_watcher.directories().contains(m_choice.folder)) {
+    if (!m_watcher.directories().contains(m_options.folder)) {
         if (const QStringList old = m_watcher.directories(); !old.isEmpty())
             m_watcher.removePaths(old);
         if (m_problem.isEmpty())
-            m_watcher.addPath(m_choice.folder);
+            m_watcher.addPath(m_options.folder);
     }
     select(m_toSelect);
-    wantThumbnails();
+    requestThumbnails();
 }
 
-void FilesPanel::select(const QStringList& paths)
+void FileBrowser::select(const QStringList& paths)
 {
     QItemSelection selection;
     QModelIndex first;
@@ -130,7 +130,7 @@ void FilesPanel::select(const QStringList& paths)
     m_grid->scrollTo(first);
 }
 
-void FilesPanel::change(const FileJob& job, const std::function<void(const FileOutcome&)>& done)
+void FileBrowser::change(const FileJob& job, const std::function<void(const FileOutcome&)>& done)
 {
     m_disk.run(job, [this, done](const FileOutcome& outcome) {
         if (!outcome.sentence.isEmpty())
@@ -144,9 +144,9 @@ void FilesPanel::change(const FileJob& job, const std::function<void(const FileO
 }
 
 /// What is in sight first, then what nothing is known of.
-void FilesPanel::wantThumbnails()
+void FileBrowser::requestThumbnails()
 {
-    m_wantSoon.stop();
+    m_thumbnailTimer.stop();
     QList<FileEntry> wanted;
     if (isVisible() && !m_isStopped) {
         for (const QModelIndex& index : m_grid->visibleRows())
@@ -160,23 +160,23 @@ void FilesPanel::wantThumbnails()
     }
     if (!m_maker && !wanted.isEmpty()) {
         m_maker = std::make_unique<ThumbnailMaker>();
-        connect(m_maker.get(), &ThumbnailMaker::made, this, &FilesPanel::take);
+        connect(m_maker.get(), &ThumbnailMaker::made, this, &FileBrowser::setThumbnail);
     }
     if (m_maker)
-        m_maker->want(wanted);
+        m_maker->request(wanted);
     showState();
 }
 
-void FilesPanel::take(const FileEntry& file, const Thumbnail& thumbnail)
+void FileBrowser::setThumbnail(const FileEntry& file, const Thumbnail& thumbnail)
 {
     m_files->setThumbnail(file, thumbnail);
     if (!thumbnail.problem.isEmpty())
-        m_listSoon.start(); // it may be gone
+        m_listTimer.start(); // it may be gone
     showState();
 }
 
 /// How many there are and how far the pictures are; in an empty grid the reason.
-void FilesPanel::showState()
+void FileBrowser::showState()
 {
     int models = 0, unknown = 0;
     for (int row = 0; row < m_files->rowCount(); ++row) {
@@ -197,7 +197,7 @@ void FilesPanel::showState()
                                                     : tr("No name here has %1 in it.").arg(m_filter->text().trimmed()));
 }
 
-QStringList FilesPanel::chosenFiles() const
+QStringList FileBrowser::chosenFiles() const
 {
     QStringList paths;
     for (const QModelIndex& index : m_grid->selectionModel()->selectedIndexes())
@@ -206,7 +206,7 @@ QStringList FilesPanel::chosenFiles() const
     return paths;
 }
 
-void FilesPanel::enable()
+void FileBrowser::enable()
 {
     const QModelIndex current = isVisible() ? m_grid->currentIndex() : QModelIndex();
     const bool isFile = current.isValid() && !m_files->entry(m_sorter->mapToSource(current)).isFolder;
@@ -220,7 +220,7 @@ void FilesPanel::enable()
     m_chooseFolder->setEnabled(isVisible());
 }
 
-void FilesPanel::activate(const QModelIndex& index)
+void FileBrowser::activate(const QModelIndex& index)
 {
     if (!index.isValid())
         return;
@@ -231,20 +231,20 @@ void FilesPanel::activate(const QModelIndex& index)
         Q_EMIT openRequested(file.path);
 }
 
-void FilesPanel::focusGrid()
+void FileBrowser::focusGrid()
 {
     m_grid->setFocus();
 }
 
 /// Files that others wrote meanwhile are of another date: the watcher tells of names only.
-bool FilesPanel::event(QEvent* event)
+bool FileBrowser::event(QEvent* event)
 {
     if (event->type() == QEvent::WindowActivate)
-        m_listSoon.start();
+        m_listTimer.start();
     return QWidget::event(event);
 }
 
-void FilesPanel::showEvent(QShowEvent* event)
+void FileBrowser::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     m_isStopped = false;
@@ -252,28 +252,28 @@ void FilesPanel::showEvent(QShowEvent* event)
     enable();
 }
 
-void FilesPanel::hideEvent(QHideEvent* event)
+void FileBrowser::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     m_listing.request_stop();
-    wantThumbnails();
+    requestThumbnails();
     enable();
 }
 
-void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
-                   const std::function<void(const QString&)>& notice)
+void addFileBrowser(const FileBrowserContext& context, Settings* settings, const Actions& actions,
+                    const std::function<void(const QString&)>& notice)
 {
-    auto* panel = new FilesPanel(settings, actions);
-    auto* dock = new QDockWidget(FilesPanel::tr("Files"));
+    auto* panel = new FileBrowser(settings, actions);
+    auto* dock = new QDockWidget(FileBrowser::tr("Files"));
     dock->setObjectName(QStringLiteral("filesPanel"));
     dock->setWidget(panel);
-    place.window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    context.window->addDockWidget(Qt::LeftDockWidgetArea, dock);
     dock->hide();
-    place.toggles->addAction(dock->toggleViewAction());
-    QObject::connect(panel, &FilesPanel::openRequested, place.opener, &ModelFiles::openRequested);
-    QObject::connect(panel, &FilesPanel::renamed, place.opener, &ModelFiles::setRenamed);
-    QObject::connect(panel, &FilesPanel::trashed, place.opener, &ModelFiles::look);
-    QObject::connect(panel, &FilesPanel::noticed, dock, notice);
+    context.toggles->addAction(dock->toggleViewAction());
+    QObject::connect(panel, &FileBrowser::openRequested, context.opener, &ModelFiles::openRequested);
+    QObject::connect(panel, &FileBrowser::renamed, context.opener, &ModelFiles::setRenamed);
+    QObject::connect(panel, &FileBrowser::trashed, context.opener, &ModelFiles::checkFile);
+    QObject::connect(panel, &FileBrowser::noticed, dock, notice);
     QObject::connect(actions.get(QStringLiteral("file.browse")), &QAction::triggered, dock, [dock, panel] {
         dock->show();
         dock->raise();

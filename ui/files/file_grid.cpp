@@ -49,8 +49,8 @@ void FileGrid::layCells()
     if (!m_cells)
         return;
     const QSize cell = m_cells->cell(fontMetrics());
-    const int room = viewport()->width() - 1, columns = qMax(1, room / cell.width());
-    setGridSize({qMax(cell.width(), room / columns), cell.height()});
+    const int available = viewport()->width() - 1, columns = qMax(1, available / cell.width());
+    setGridSize({qMax(cell.width(), available / columns), cell.height()});
     verticalScrollBar()->setSingleStep(cell.height() / 3);
 }
 

@@ -80,19 +80,19 @@ void FileItemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
     painter->restore();
 }
 
-void FileItemDelegate::paintPicture(QPainter* painter, const QRect& room, const QModelIndex& file) const
+void FileItemDelegate::paintPicture(QPainter* painter, const QRect& area, const QModelIndex& file) const
 {
     const auto picture = file.data(Qt::DecorationRole).value<QPixmap>();
     if (!picture.isNull()) {
         const QPixmap small = scaled(picture, m_picture, painter->device()->devicePixelRatioF());
-        painter->drawPixmap(room.center().x() - m_picture / 2, room.top(), small);
+        painter->drawPixmap(area.center().x() - m_picture / 2, area.top(), small);
         return;
     }
     const bool isBroken = !file.data(FileListModel::ProblemRole).toString().isEmpty();
     const QString icon = m_files->entry(file).isFolder ? QStringLiteral("folder")
                          : isBroken                    ? QStringLiteral("unreadable")
                                                        : QStringLiteral("wait");
-    themedIcon(icon).paint(painter, QRect(room.center() - QPoint(iconSize, iconSize) / 2, QSize(iconSize, iconSize)));
+    themedIcon(icon).paint(painter, QRect(area.center() - QPoint(iconSize, iconSize) / 2, QSize(iconSize, iconSize)));
 }
 
 QWidget* FileItemDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const

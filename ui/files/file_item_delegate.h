@@ -29,7 +29,7 @@ public:
 
 private:
     QRect nameRect(const QStyleOptionViewItem& option) const;
-    void paintPicture(QPainter* painter, const QRect& room, const QModelIndex& file) const;
+    void paintPicture(QPainter* painter, const QRect& area, const QModelIndex& file) const;
 
     const FileListModel* m_files;
     const FileSorter* m_sorter;

@@ -190,6 +190,6 @@ QString FileJobs::changeProblem(const QString& path)
 
 QString FileJobs::notThere(const QString& path)
 {
-    return Messages::sentence(core::FileError(core::FileErrorKind::NotFound, path.toStdU16String()));
+    return ErrorMessages::sentence(core::FileError(core::FileErrorKind::NotFound, path.toStdU16String()));
 }
 } // namespace ui

@@ -45,11 +45,11 @@ void FileListModel::clear()
 
 void FileListModel::setEntries(const QList<FileEntry>& entries)
 {
-    QHash<QString, const FileEntry*> news;
+    QHash<QString, const FileEntry*> added;
     for (const FileEntry& entry : entries)
-        news.insert(entry.path, &entry);
+        added.insert(entry.path, &entry);
     for (int row = static_cast<int>(m_rows.size()) - 1; row >= 0; --row) {
-        const FileEntry* entry = news.take(m_rows[row].entry.path);
+        const FileEntry* entry = added.take(m_rows[row].entry.path);
         if (entry && *entry == m_rows[row].entry)
             continue;
         if (entry) { // its old picture stays until there is a new one
@@ -62,11 +62,11 @@ void FileListModel::setEntries(const QList<FileEntry>& entries)
         m_rows.removeAt(row);
         endRemoveRows();
     }
-    if (news.isEmpty())
+    if (added.isEmpty())
         return;
-    beginInsertRows({}, static_cast<int>(m_rows.size()), static_cast<int>(m_rows.size() + news.size()) - 1);
+    beginInsertRows({}, static_cast<int>(m_rows.size()), static_cast<int>(m_rows.size() + added.size()) - 1);
     for (const FileEntry& entry : entries)
-        if (news.remove(entry.path))
+        if (added.remove(entry.path))
             m_rows << Row{entry, -1, {}};
     endInsertRows();
 }

@@ -103,12 +103,12 @@ void ModelFiles::showRecent()
     m_revert->setEnabled(!m_path.isEmpty());
 }
 
-void ModelFiles::setOpened(const ModelFacts& model)
+void ModelFiles::setOpened(const ModelInfo& model)
 {
     m_name = model.name;
     m_path = model.path;
     m_file = FileJobs::entryOf(m_path);
-    m_isGone = m_toldFormat = false;
+    m_isFileDeleted = m_formatNoticeShown = false;
     m_afterSave = nullptr;
     if (!m_path.isEmpty()) {
         remember(m_path);
@@ -129,7 +129,7 @@ void ModelFiles::insert()
 {
     askForModel(m_window, ModelUse::Insert, m_settings->lastFolder(), [this](const QString& path) {
         remember(path);
-        askForPlace(m_window, path, [this](const Insertion& insertion) { Q_EMIT insertRequested(insertion); });
+        askForPlace(m_window, path, [this](const InsertRequest& insertion) { Q_EMIT insertRequested(insertion); });
     });
 }
 
@@ -138,8 +138,8 @@ void ModelFiles::save()
     m_afterSave = nullptr; // an earlier question was not answered to the end
     if (m_path.isEmpty() || !isWritten(m_path))
         return saveAs();
-    look();
-    if (m_isGone || FileJobs::entryOf(m_path) == m_file)
+    checkFile();
+    if (m_isFileDeleted || FileJobs::entryOf(m_path) == m_file)
         Q_EMIT saveRequested(m_path);
     else
         askToOverwrite();
@@ -159,24 +159,24 @@ void ModelFiles::askToOverwrite()
     QPushButton* other = box->addButton(tr("Save &As…"), QMessageBox::AcceptRole);
     box->setDefaultButton(other);
     connect(box, &QMessageBox::buttonClicked, this, [this, overwrite, other](const QAbstractButton* button) {
-        const auto goOn = std::exchange(m_afterSave, nullptr);
+        const auto proceed = std::exchange(m_afterSave, nullptr);
         if (button == overwrite)
             Q_EMIT saveRequested(m_path);
         else if (button == other)
             saveAs();
         else
             return;
-        m_afterSave = goOn;
+        m_afterSave = proceed;
     });
     box->open();
 }
 
-void ModelFiles::look()
+void ModelFiles::checkFile()
 {
     const bool isGone = !m_path.isEmpty() && !QFileInfo::exists(m_path);
-    if (std::exchange(m_isGone, isGone) || !isGone)
+    if (std::exchange(m_isFileDeleted, isGone) || !isGone)
         return;
-    Q_EMIT gone();
+    Q_EMIT fileDeleted();
     Q_EMIT noticed(
         tr("%1 is not there any more; the model is, and Save writes it again.").arg(QDir::toNativeSeparators(m_path)));
 }
@@ -236,19 +236,19 @@ void ModelFiles::report()
     });
 }
 
-void ModelFiles::exportFor(const ModelFacts& model)
+void ModelFiles::exportFor(const ModelInfo& model)
 {
-    askForExportChoice(m_window, model, m_settings, [this](const ExportChoice& choice) {
+    askForExportChoice(m_window, model, m_settings, [this](const ExportSettings& options) {
         const QString ending =
-            QLatin1StringView(std::ranges::find(exportUses, choice.use, &Named<ExportUse>::value)->key);
-        askForExport(m_window, m_settings->lastFolder(), m_name, {ending}, [this, choice](const QString& path) {
+            QLatin1StringView(std::ranges::find(exportUses, options.use, &Named<ExportUse>::value)->key);
+        askForExport(m_window, m_settings->lastFolder(), m_name, {ending}, [this, options](const QString& path) {
             remember(path);
-            Q_EMIT exportRequested(path, choice.mostTriangles, choice.slices);
+            Q_EMIT exportRequested(path, options.maxTriangles, options.slices);
         });
     });
 }
 
-bool ModelFiles::askToDiscard(const std::function<void()>& goOn)
+bool ModelFiles::askToDiscard(const std::function<void()>& proceed)
 {
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("%1 has changes that were not saved.").arg(m_name),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
@@ -257,32 +257,32 @@ bool ModelFiles::askToDiscard(const std::function<void()>& goOn)
     const int answer = box.exec();
     if (answer == QMessageBox::Save) {
         save();
-        m_afterSave = goOn;
+        m_afterSave = proceed;
     }
     return answer == QMessageBox::Discard;
 }
 
-void ModelFiles::setSaved(const ModelFacts& model)
+void ModelFiles::setSaved(const ModelInfo& model)
 {
-    const auto goOn = std::exchange(m_afterSave, nullptr);
-    const bool wasGone = m_isGone && m_path == model.path;
-    const bool wasTold = m_toldFormat;
+    const auto proceed = std::exchange(m_afterSave, nullptr);
+    const bool wasDeleted = m_isFileDeleted && m_path == model.path;
+    const bool wasFormatNoticeShown = m_formatNoticeShown;
     setOpened(model);
-    m_toldFormat = true;
-    if (wasGone)
+    m_formatNoticeShown = true;
+    if (wasDeleted)
         Q_EMIT noticed(tr("%1 was not there any more and was written anew.").arg(QDir::toNativeSeparators(m_path)));
-    else if (!wasTold && !isDocumentFormat(m_path))
+    else if (!wasFormatNoticeShown && !isDocumentFormat(m_path))
         Q_EMIT noticed(tr("%1 was written. View, brush and symmetry are kept by GLB files only: Save As.")
                            .arg(QDir::toNativeSeparators(m_path)));
-    if (goOn)
-        goOn();
+    if (proceed)
+        proceed();
 }
 
 /// What is dropped is asked for after the event, so that whoever dragged need not wait for our questions.
 bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::WindowActivate)
-        look();
+        checkFile();
     if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
         return QObject::eventFilter(watched, event);
     auto* drop = static_cast<QDropEvent*>(event);
@@ -296,11 +296,11 @@ bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
     drop->acceptProposedAction();
     if (event->type() == QEvent::Drop)
         QMetaObject::invokeMethod(
-            this, [this, path] { take(path); }, Qt::QueuedConnection);
+            this, [this, path] { openDropped(path); }, Qt::QueuedConnection);
     return true;
 }
 
-void ModelFiles::take(const QString& path)
+void ModelFiles::openDropped(const QString& path)
 {
     if (isNamedLikePicture(path))
         Q_EMIT pictureDropped(path);

@@ -17,9 +17,9 @@ const QString verticesText = QStringLiteral("Fettle.Vertices"), versionText = QS
 const QString version = QStringLiteral("1"); ///< of what is drawn: another one lets old pictures go
 } // namespace
 
-ThumbnailCache::ThumbnailCache(const QString& folder, int most) : m_folder(folder), m_most(most) {}
+ThumbnailCache::ThumbnailCache(const QString& folder, int capacity) : m_folder(folder), m_capacity(capacity) {}
 
-QString ThumbnailCache::usualFolder()
+QString ThumbnailCache::defaultFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails");
 }
@@ -45,7 +45,7 @@ std::optional<Thumbnail> ThumbnailCache::find(const QByteArray& key) const
 
 void ThumbnailCache::store(const QByteArray& key, const Thumbnail& thumbnail)
 {
-    makeRoom();
+    evictOldest();
     QSaveFile file(pathOf(key));
     if (!file.open(QIODevice::WriteOnly))
         return;
@@ -57,17 +57,17 @@ void ThumbnailCache::store(const QByteArray& key, const Thumbnail& thumbnail)
 }
 
 /// A tenth at once, so that the folder is not read for each picture.
-void ThumbnailCache::makeRoom()
+void ThumbnailCache::evictOldest()
 {
     QDir folder(m_folder);
     if (m_count < 0 && folder.mkpath(QStringLiteral(".")))
         m_count = static_cast<int>(folder.entryList({QStringLiteral("*.png")}, QDir::Files).size());
-    if (m_count < m_most)
+    if (m_count < m_capacity)
         return;
     const QStringList latestFirst = folder.entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Time);
-    const qsizetype stay = m_most - qMax(1, m_most / 10);
-    for (const QString& name : latestFirst.mid(stay))
+    const qsizetype kept = m_capacity - qMax(1, m_capacity / 10);
+    for (const QString& name : latestFirst.mid(kept))
         folder.remove(name);
-    m_count = static_cast<int>(qMin(stay, latestFirst.size()));
+    m_count = static_cast<int>(qMin(kept, latestFirst.size()));
 }
 } // namespace ui

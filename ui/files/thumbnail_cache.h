@@ -23,9 +23,9 @@ inline constexpr int thumbnailPixels = 256;
 class ThumbnailCache
 {
 public:
-    /// The folder is made when it is first needed. Beyond `most` those leave that were not asked for the longest.
-    explicit ThumbnailCache(const QString& folder = usualFolder(), int most = 1000);
-    static QString usualFolder();
+    /// The folder is made when it is first needed. Beyond `capacity` the least recently used are deleted.
+    explicit ThumbnailCache(const QString& folder = defaultFolder(), int capacity = 1000);
+    static QString defaultFolder();
 
     /// `key`: names the content; letters and digits.
     std::optional<Thumbnail> find(const QByteArray& key) const;
@@ -33,10 +33,10 @@ public:
 
 private:
     QString pathOf(const QByteArray& key) const;
-    void makeRoom();
+    void evictOldest();
 
     QString m_folder;
-    int m_most;
+    int m_capacity;
     int m_count = -1; ///< -1: not counted yet
 };
 } // namespace ui

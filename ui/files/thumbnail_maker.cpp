@@ -17,8 +17,8 @@ namespace ui
 {
 namespace
 {
-constexpr qint64 hashedAtOnce = 1 << 20, largestHashed = qint64(1) << 31; ///< a larger file is refused anyway
-constexpr qsizetype mostCachedKeys = 20'000;
+constexpr qint64 hashChunkBytes = 1 << 20, maxHashedBytes = qint64(1) << 31; ///< a larger file is refused anyway
+constexpr qsizetype maxCachedKeys = 20'000;
 } // namespace
 
 QImage toImage(const core::ModelThumbnail& picture)
@@ -45,7 +45,7 @@ ThumbnailMaker::~ThumbnailMaker()
     m_thread.join();
 }
 
-void ThumbnailMaker::want(QList<FileEntry> files)
+void ThumbnailMaker::request(QList<FileEntry> files)
 {
     {
         const std::lock_guard lock(m_mutex);
@@ -53,20 +53,20 @@ void ThumbnailMaker::want(QList<FileEntry> files)
             files.removeAll(m_present);
         else
             m_stop.request_stop();
-        m_wanted = std::move(files);
+        m_requested = std::move(files);
     }
     m_wake.notify_all();
 }
 
 void ThumbnailMaker::run()
 {
-    yieldToOthers();
+    lowerThreadPriority();
     std::unique_lock lock(m_mutex);
     for (;;) {
-        m_wake.wait(lock, [this] { return m_isEnding || !m_wanted.empty(); });
+        m_wake.wait(lock, [this] { return m_isEnding || !m_requested.empty(); });
         if (m_isEnding)
             return;
-        m_present = m_wanted.takeFirst();
+        m_present = m_requested.takeFirst();
         m_stop = {};
         const std::stop_token stop = m_stop.get_token();
         lock.unlock();
@@ -94,7 +94,7 @@ std::optional<Thumbnail> ThumbnailMaker::make(const FileEntry& file, const std::
     } catch (const core::ReadingCancelled&) {
         return std::nullopt;
     } catch (const core::FileError& error) {
-        return Thumbnail{{}, -1, Messages::sentence(error)};
+        return Thumbnail{{}, -1, ErrorMessages::sentence(error)};
     } catch (const std::bad_alloc&) {
         return Thumbnail{{}, -1, tr("%1: there is not enough memory for its picture.").arg(file.path)};
     }
@@ -116,7 +116,7 @@ QByteArray ThumbnailMaker::keyOf(const FileEntry& file, const std::stop_token& s
     if (const auto known = m_keys.constFind(file); known != m_keys.constEnd())
         return *known;
     QFile bytes(file.path);
-    if (file.size > largestHashed || !bytes.open(QIODevice::ReadOnly))
+    if (file.size > maxHashedBytes || !bytes.open(QIODevice::ReadOnly))
         return {};
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QFileInfo(file.path).suffix().toLower().toUtf8());
@@ -124,12 +124,12 @@ QByteArray ThumbnailMaker::keyOf(const FileEntry& file, const std::stop_token& s
     do {
         if (stop.stop_requested())
             throw core::ReadingCancelled();
-        part = bytes.read(hashedAtOnce);
+        part = bytes.read(hashChunkBytes);
         hash.addData(part);
     } while (!part.isEmpty());
     if (bytes.error() != QFileDevice::NoError)
         return {};
-    if (m_keys.size() >= mostCachedKeys)
+    if (m_keys.size() >= maxCachedKeys)
         m_keys.clear();
     return *m_keys.insert(file, hash.result().toHex());
 }

@@ -31,13 +31,13 @@ class ThumbnailMaker : public QObject
     Q_OBJECT
 
 public:
-    explicit ThumbnailMaker(const QString& cacheFolder = ThumbnailCache::usualFolder(), QObject* parent = nullptr);
+    explicit ThumbnailMaker(const QString& cacheFolder = ThumbnailCache::defaultFolder(), QObject* parent = nullptr);
     /// Takes at most some 100 ms.
     ~ThumbnailMaker() override;
 
     /// These, in this order, and nothing that was wanted before: a picture that is being made for another file is given
     /// up (within some 100 ms).
-    void want(QList<FileEntry> files);
+    void request(QList<FileEntry> files);
 
     /// So many were in no cache. Any thread.
     int drawn() const { return m_drawn; }
@@ -52,10 +52,10 @@ private:
     Thumbnail draw(const FileEntry& file, const std::stop_token& stop);
     QByteArray keyOf(const FileEntry& file, const std::stop_token& stop);
 
-    Mailbox m_mail;
+    ThreadMailbox m_mail;
     std::mutex m_mutex; ///< of the next five
     std::condition_variable m_wake;
-    QList<FileEntry> m_wanted;
+    QList<FileEntry> m_requested;
     FileEntry m_present; ///< being made
     std::stop_source m_stop;
     bool m_isEnding = false;

@@ -97,6 +97,6 @@ void HeadsetActions::show(HeadsetState state)
     action(pointId)->setChecked(false);
     action(takeOverId)->setChecked(false);
     if (state == HeadsetState::Out)
-        m_parts.viewport->showWearer({});
+        m_parts.viewport->showAvatar({});
 }
 } // namespace ui

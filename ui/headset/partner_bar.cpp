@@ -29,12 +29,12 @@ PartnerBar::PartnerBar(const Parts& parts, QMainWindow* window)
     m_captionCell = addWidget(m_caption);
     addAction(parts.actions->get(QStringLiteral("vr.point")));
     addAction(parts.actions->get(QStringLiteral("vr.takeOver")));
-    connect(parts.brush, &BrushSettings::changed, this, &PartnerBar::tell);
-    connect(parts.viewport, &Viewport::lookChanged, this, &PartnerBar::tell);
+    connect(parts.brush, &BrushSettings::changed, this, &PartnerBar::updateCaption);
+    connect(parts.viewport, &Viewport::appearanceChanged, this, &PartnerBar::updateCaption);
     window->addToolBarBreak();
     window->addToolBar(this);
     setVisible(false);
-    tell();
+    updateCaption();
 }
 
 QString PartnerBar::figures(double mm)
@@ -49,21 +49,21 @@ void PartnerBar::setWorn(bool isWorn)
     if (!isWorn)
         m_radius.reset();
     setVisible(isWorn);
-    tell();
+    updateCaption();
 }
 
-void PartnerBar::setWearer(const std::optional<Wearer>& wearer)
+void PartnerBar::setAvatar(const std::optional<HeadsetAvatar>& avatar)
 {
-    if (!wearer || wearer->radius <= 0)
+    if (!avatar || avatar->radius <= 0)
         return;
-    m_radius = wearer->radius;
-    tell();
+    m_radius = avatar->radius;
+    updateCaption();
 }
 
 void PartnerBar::setTime(const std::optional<TurnTime>& time)
 {
     m_time = time;
-    tell();
+    updateCaption();
 }
 
 void PartnerBar::setVisible(bool)
@@ -71,18 +71,18 @@ void PartnerBar::setVisible(bool)
     QToolBar::setVisible(m_isWorn);
 }
 
-void PartnerBar::tell()
+void PartnerBar::updateCaption()
 {
-    m_captionCell->setVisible(m_parts.viewport->look().caption);
+    m_captionCell->setVisible(m_parts.viewport->appearance().caption);
     if (!m_isWorn)
         return;
     const std::string_view tool = core::name(m_parts.brush->tool());
     const QAction* action = m_parts.actions->get(
         QStringLiteral("tool.%1").arg(QLatin1StringView(tool.data(), static_cast<qsizetype>(tool.size()))));
-    CaptionWords words{action->icon(), Actions::plain(action->text()), {}, {}, m_time && m_time->isNearEnd};
+    CaptionText words{action->icon(), Actions::plain(action->text()), {}, {}, m_time && m_time->isNearEnd};
     words.radius = tr("%1 mm").arg(figures(m_radius.value_or(m_parts.brush->value(core::Parameter::Radius))));
     if (m_time)
         words.time = m_time->seconds == 0 ? tr("Time is up") : durationText(60.0 * minutesOf(m_time->seconds));
-    m_caption->setWords(words);
+    m_caption->setText(words);
 }
 } // namespace ui

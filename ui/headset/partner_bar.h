@@ -31,8 +31,8 @@ public:
     static QString figures(double mm);
 
     void setWorn(bool isWorn);
-    /// Whose radius the caption tells; nothing: it is not known yet.
-    void setWearer(const std::optional<Wearer>& wearer);
+    /// Whose brush radius the caption shows; none: not known yet.
+    void setAvatar(const std::optional<HeadsetAvatar>& avatar);
     /// Of a class's turn; nothing: it has no end.
     void setTime(const std::optional<TurnTime>& time);
 
@@ -40,13 +40,13 @@ public:
     void setVisible(bool visible) override;
 
 private:
-    void tell();
+    void updateCaption();
 
     Parts m_parts;
     BrushCaption* m_caption;
     QAction* m_captionCell;
     bool m_isWorn = false;
-    std::optional<double> m_radius; ///< the wearer's, mm
+    std::optional<double> m_radius; ///< the avatar's, mm
     std::optional<TurnTime> m_time;
 };
 } // namespace ui

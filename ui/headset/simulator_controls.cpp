@@ -11,13 +11,14 @@ using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 
 // Metres and radians.
-constexpr double roomSide = 3, lowestEyes = 0.3, highestEyes = 2.5;
+constexpr double roomSide = 3, minEyeHeight = 0.3, maxEyeHeight = 2.5;
 constexpr double steepest = 1.4;
 constexpr double nearest = 0.15, farthest = 2;
 /// The right one, as seen from the eyes: a wand comes from there, out of the view's way.
 const Vec3 wrist{0.14, -0.24, 0.08};
-const Vec3 resting{0.26, -0.34, -0.42}; ///< the right one's tip, as seen from the eyes of a head that looks straight
-constexpr double restsUp = 0.3;         ///< a wand at rest points so far up
+const Vec3 restPosition{0.26, -0.34,
+                        -0.42};   ///< the right one's tip, as seen from the eyes of a head that looks straight
+constexpr double restPitch = 0.3; ///< a wand at rest points so far up
 
 double sideOf(SimulatedHand hand)
 {
@@ -42,9 +43,9 @@ Isometry3d pointing(const Vec3& from, const Vec3& to)
 }
 
 /// As seen from the body.
-Isometry3d atRest(SimulatedHand hand)
+Isometry3d restPose(SimulatedHand hand)
 {
-    return Eigen::Translation3d(mirrored(resting, hand)) * AngleAxisd(restsUp, Vec3::UnitX());
+    return Eigen::Translation3d(mirrored(restPosition, hand)) * AngleAxisd(restPitch, Vec3::UnitX());
 }
 
 bool holds(const SimulatedButtons& buttons)
@@ -53,54 +54,54 @@ bool holds(const SimulatedButtons& buttons)
 }
 } // namespace
 
-SimulatedPerson::SimulatedPerson() : m_other(atRest(SimulatedHand::Left)) {}
+SimulatorControls::SimulatorControls() : m_restingWand(restPose(SimulatedHand::Left)) {}
 
-Isometry3d SimulatedPerson::body() const
+Isometry3d SimulatorControls::body() const
 {
-    return Eigen::Translation3d(m_position) * AngleAxisd(m_left, Vec3::UnitY());
+    return Eigen::Translation3d(m_position) * AngleAxisd(m_yaw, Vec3::UnitY());
 }
 
-Isometry3d SimulatedPerson::head() const
+Isometry3d SimulatorControls::head() const
 {
-    return body() * AngleAxisd(m_up, Vec3::UnitX());
+    return body() * AngleAxisd(m_pitch, Vec3::UnitX());
 }
 
-Isometry3d SimulatedPerson::atMouse() const
+Isometry3d SimulatorControls::atMouse() const
 {
     const Vec3 way = Vec3(m_place.x() * sideTangent, m_place.y() * upTangent, -1).normalized();
     return head() * pointing(mirrored(wrist, m_hand), m_reach * way) * AngleAxisd(m_turn, Vec3::UnitZ());
 }
 
-Isometry3d SimulatedPerson::tip(SimulatedHand hand) const
+Isometry3d SimulatorControls::tip(SimulatedHand hand) const
 {
-    return hand == m_hand ? atMouse() : body() * m_other;
+    return hand == m_hand ? atMouse() : body() * m_restingWand;
 }
 
-void SimulatedPerson::swapHands()
+void SimulatorControls::swapHands()
 {
-    m_other = holds(buttons(m_hand)) ? Isometry3d(body().inverse() * atMouse()) : atRest(m_hand);
+    m_restingWand = holds(buttons(m_hand)) ? Isometry3d(body().inverse() * atMouse()) : restPose(m_hand);
     m_hand = m_hand == SimulatedHand::Left ? SimulatedHand::Right : SimulatedHand::Left;
 }
 
-void SimulatedPerson::look(double left, double up)
+void SimulatorControls::turnHead(double left, double up)
 {
-    m_left += left;
-    m_up = std::clamp(m_up + up, -steepest, steepest);
+    m_yaw += left;
+    m_pitch = std::clamp(m_pitch + up, -steepest, steepest);
 }
 
-void SimulatedPerson::walk(const Vec3& metres)
+void SimulatorControls::walk(const Vec3& metres)
 {
     m_position += body().linear() * metres;
     m_position =
-        m_position.cwiseMax(Vec3(-roomSide, lowestEyes, -roomSide)).cwiseMin(Vec3(roomSide, highestEyes, roomSide));
+        m_position.cwiseMax(Vec3(-roomSide, minEyeHeight, -roomSide)).cwiseMin(Vec3(roomSide, maxEyeHeight, roomSide));
 }
 
-void SimulatedPerson::point(const Eigen::Vector2d& place)
+void SimulatorControls::pointAt(const Eigen::Vector2d& place)
 {
     m_place = place.cwiseMax(-1).cwiseMin(1);
 }
 
-void SimulatedPerson::reach(double metres)
+void SimulatorControls::reach(double metres)
 {
     m_reach = std::clamp(m_reach + metres, nearest, farthest);
 }

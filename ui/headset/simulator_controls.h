@@ -24,16 +24,16 @@ struct SimulatedButtons
     bool operator==(const SimulatedButtons&) const = default;
 };
 
-/// Who stands in the VR simulator's room while somebody sits at a desk: a head that looks and walks about, the hand
-/// that follows the mouse, and the other one, which rests before the body. Room space: metres, Y up, the floor at y =
-/// 0; what points, points along its own -Z.
-class SimulatedPerson
+/// The simulated user's pose, controlled by mouse and keys: a head that turns and walks, the hand that follows the
+/// mouse, and the other hand, which rests in front of the body. Room space: metres, Y up, the floor at y = 0; what
+/// points, points along its own -Z.
+class SimulatorControls
 {
 public:
     /// How far the eye sees, as tangents: to both sides, and up and down.
     static constexpr double sideTangent = 1.125, upTangent = 1;
 
-    SimulatedPerson();
+    SimulatorControls();
 
     Eigen::Isometry3d head() const;
     /// A wand's front end.
@@ -45,33 +45,33 @@ public:
     SimulatedHand hand() const { return m_hand; }
     /// The one before comes to rest; if it holds something, where it is.
     void swapHands();
-    void letGo() { m_buttons = {}; }
+    void releaseAll() { m_buttons = {}; }
 
     /// Radians to the left and up.
-    void look(double left, double up);
+    void turnHead(double left, double up);
     /// To the right, up and back as the head faces, along the floor; as far as the room goes.
     void walk(const core::Vec3& metres);
     /// Where the mouse is in what the eye sees, of which there is one: -1 to 1, right and up.
-    void point(const Eigen::Vector2d& place);
+    void pointAt(const Eigen::Vector2d& place);
     /// The wand goes farther along the eye's way to it.
     void reach(double metres);
     /// The wand turns about the way that it points; radians, anticlockwise as seen from the hand.
     void turn(double angle) { m_turn += angle; }
 
 private:
-    static constexpr double standingEyes = 1.6, atTheModel = 0.36;
-    static constexpr double slightlyDown = -0.26; ///< radians: models are placed below the eyes
+    static constexpr double standingEyeHeight = 1.6, initialReach = 0.36;
+    static constexpr double initialPitch = -0.26; ///< radians: models are placed below the eyes
 
     Eigen::Isometry3d body() const;
     Eigen::Isometry3d atMouse() const;
 
-    core::Vec3 m_position{0, standingEyes, 0}; ///< of the head
-    double m_left = 0, m_up = slightlyDown;
+    core::Vec3 m_position{0, standingEyeHeight, 0}; ///< of the head
+    double m_yaw = 0, m_pitch = initialPitch;
     SimulatedHand m_hand = SimulatedHand::Right;
     Eigen::Vector2d m_place{0.3, -0.3}; ///< beside the model
-    double m_reach = atTheModel;        ///< from the eye
+    double m_reach = initialReach;      ///< from the eye
     double m_turn = 0;
     std::array<SimulatedButtons, simulatedHandCount> m_buttons;
-    Eigen::Isometry3d m_other; ///< the other hand's wand, as seen from the body
+    Eigen::Isometry3d m_restingWand; ///< the other hand's wand, as seen from the body
 };
 } // namespace ui

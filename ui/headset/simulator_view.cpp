@@ -15,13 +15,13 @@ using core::Vec3;
 /// A press that sculpts half as strongly as a whole one: the middle between where a trigger begins to count and its
 /// end.
 constexpr double halfPull = 0.725;
-constexpr double padEdge = 0.8;           ///< where a thumb presses a side of the pad
-constexpr double radiansAPixel = 0.004;   ///< of looking about
-constexpr double slideAPixel = 1.0 / 120; ///< of the thumb, in radii of the pad
-constexpr double reachANotch = 0.02;      ///< metres
-constexpr double radiansANotch = 0.2;     ///< of a wand that turns
-constexpr double notch = 120;             ///< of a wheel, in Qt's units
-constexpr double walkingSpeed = 0.8;      ///< metres a second
+constexpr double padEdge = 0.8;             ///< where a thumb presses a side of the pad
+constexpr double radiansPerPixel = 0.004;   ///< of looking about
+constexpr double slidePerPixel = 1.0 / 120; ///< of the thumb, in radii of the pad
+constexpr double reachPerNotch = 0.02;      ///< metres
+constexpr double radiansPerNotch = 0.2;     ///< of a wand that turns
+constexpr double notch = 120;               ///< of a wheel, in Qt's units
+constexpr double walkingSpeed = 0.8;        ///< metres a second
 
 struct WalkingKey
 {
@@ -54,7 +54,7 @@ SimulatorView::SimulatorView(QWidget* parent) : QWidget(parent)
 
 void SimulatorView::begin()
 {
-    m_person = {};
+    m_controls = {};
     m_picture = {};
     m_walking.clear();
     Q_EMIT handChanged();
@@ -71,14 +71,14 @@ void SimulatorView::advance(double seconds)
 {
     for (const WalkingKey& walk : walkingKeys)
         if (m_walking.contains(walk.key))
-            m_person.walk(walkingSpeed * seconds * walk.way);
+            m_controls.walk(walkingSpeed * seconds * walk.way);
 }
 
 /// The picture's, as large as it fits.
 QRectF SimulatorView::frame() const
 {
     const QSizeF size =
-        QSizeF(SimulatedPerson::sideTangent, SimulatedPerson::upTangent).scaled(this->size(), Qt::KeepAspectRatio);
+        QSizeF(SimulatorControls::sideTangent, SimulatorControls::upTangent).scaled(this->size(), Qt::KeepAspectRatio);
     return {QPointF(width() - size.width(), height() - size.height()) / 2, size};
 }
 
@@ -103,13 +103,13 @@ void SimulatorView::mousePressEvent(QMouseEvent* event)
 {
     m_mouse = event->position();
     if (event->button() == Qt::LeftButton)
-        pull(true, event->modifiers());
+        pressTrigger(true, event->modifiers());
 }
 
 void SimulatorView::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton)
-        pull(false, event->modifiers());
+        pressTrigger(false, event->modifiers());
 }
 
 void SimulatorView::mouseMoveEvent(QMouseEvent* event)
@@ -118,19 +118,19 @@ void SimulatorView::mouseMoveEvent(QMouseEvent* event)
     if (event->modifiers().testFlag(Qt::ControlModifier))
         return slide(by);
     if (event->buttons().testFlag(Qt::RightButton))
-        return m_person.look(-radiansAPixel * by.x(), -radiansAPixel * by.y());
+        return m_controls.turnHead(-radiansPerPixel * by.x(), -radiansPerPixel * by.y());
     const QRectF area = frame();
     const QPointF from = m_mouse - area.center();
-    m_person.point({2 * from.x() / area.width(), -2 * from.y() / area.height()});
+    m_controls.pointAt({2 * from.x() / area.width(), -2 * from.y() / area.height()});
 }
 
 void SimulatorView::wheelEvent(QWheelEvent* event)
 {
     const double notches = event->angleDelta().y() / notch;
     if (event->modifiers().testFlag(Qt::ShiftModifier))
-        m_person.turn(radiansANotch * notches);
+        m_controls.turn(radiansPerNotch * notches);
     else
-        m_person.reach(reachANotch * notches);
+        m_controls.reach(reachPerNotch * notches);
 }
 
 void SimulatorView::keyPressEvent(QKeyEvent* event)
@@ -164,13 +164,13 @@ bool SimulatorView::press(const QKeyEvent& event, bool isDown)
     }
     switch (key) {
     case Qt::Key_Space:
-        pull(isDown, event.modifiers());
+        pressTrigger(isDown, event.modifiers());
         return true;
     case Qt::Key_M:
         buttons().pressesMenu = isDown;
         break;
     case Qt::Key_G:
-        squeeze({m_person.hand()}, isDown);
+        squeeze({m_controls.hand()}, isDown);
         break;
     case Qt::Key_B:
         squeeze({SimulatedHand::Left, SimulatedHand::Right}, isDown);
@@ -190,10 +190,10 @@ bool SimulatorView::press(const QKeyEvent& event, bool isDown)
 /// A key that goes up lets both go: another hand may be the mouse's by now.
 void SimulatorView::squeeze(std::initializer_list<SimulatedHand> hands, bool isDown)
 {
-    for (SimulatedButtons* each : {&m_person.buttons(SimulatedHand::Left), &m_person.buttons(SimulatedHand::Right)})
+    for (SimulatedButtons* each : {&m_controls.buttons(SimulatedHand::Left), &m_controls.buttons(SimulatedHand::Right)})
         each->squeezes = each->squeezes && isDown;
     for (const SimulatedHand hand : hands)
-        m_person.buttons(hand).squeezes = isDown;
+        m_controls.buttons(hand).squeezes = isDown;
 }
 
 bool SimulatorView::pressPad(int key, bool isDown)
@@ -206,7 +206,7 @@ bool SimulatorView::pressPad(int key, bool isDown)
     return true;
 }
 
-void SimulatorView::pull(bool isDown, Qt::KeyboardModifiers modifiers)
+void SimulatorView::pressTrigger(bool isDown, Qt::KeyboardModifiers modifiers)
 {
     const double down = modifiers.testFlag(Qt::ShiftModifier) ? halfPull : 1;
     buttons().trigger = isDown ? down : 0;
@@ -219,7 +219,7 @@ void SimulatorView::slide(const QPointF& by)
     if (!buttons().touchesPad)
         return;
     Eigen::Vector2d& pad = buttons().pad;
-    pad += slideAPixel * Eigen::Vector2d(by.x(), -by.y());
+    pad += slidePerPixel * Eigen::Vector2d(by.x(), -by.y());
     if (pad.norm() > 1)
         pad.normalize();
 }
@@ -230,22 +230,22 @@ void SimulatorView::changeHand()
     const bool squeezes = buttons().squeezes;
     buttons() = {};
     buttons().squeezes = squeezes;
-    m_person.swapHands();
+    m_controls.swapHands();
     Q_EMIT buttonsChanged();
     Q_EMIT handChanged();
 }
 
-void SimulatorView::letGo()
+void SimulatorView::releaseAll()
 {
     m_walking.clear();
-    m_person.letGo();
+    m_controls.releaseAll();
     Q_EMIT buttonsChanged();
 }
 
 /// Whoever looks elsewhere presses nothing here.
 void SimulatorView::focusOutEvent(QFocusEvent* event)
 {
-    letGo();
+    releaseAll();
     QWidget::focusOutEvent(event);
 }
 } // namespace ui

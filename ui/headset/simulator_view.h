@@ -19,7 +19,7 @@ class SimulatorView : public QWidget
 public:
     explicit SimulatorView(QWidget* parent = nullptr);
 
-    const SimulatedPerson& person() const { return m_person; }
+    const SimulatorControls& controls() const { return m_controls; }
     /// A new one, with nothing pressed, and nothing to see yet.
     void begin();
     void setPicture(const QImage& picture);
@@ -52,17 +52,17 @@ protected:
 
 private:
     /// Of the hand that follows the mouse.
-    SimulatedButtons& buttons() { return m_person.buttons(m_person.hand()); }
+    SimulatedButtons& buttons() { return m_controls.buttons(m_controls.hand()); }
     QRectF frame() const;
     bool press(const QKeyEvent& event, bool isDown);
     bool pressPad(int key, bool isDown);
     void squeeze(std::initializer_list<SimulatedHand> hands, bool isDown);
-    void pull(bool isDown, Qt::KeyboardModifiers modifiers);
+    void pressTrigger(bool isDown, Qt::KeyboardModifiers modifiers);
     void slide(const QPointF& by);
     void changeHand();
-    void letGo();
+    void releaseAll();
 
-    SimulatedPerson m_person;
+    SimulatorControls m_controls;
     QImage m_picture;
     QSet<int> m_walking; ///< keys that are down
     QPointF m_mouse;     ///< where it was last

@@ -20,7 +20,7 @@ constexpr int legendWidth = 330, edge = 8;
 struct Control
 {
     const char* hand; ///< a key, or what the mouse does
-    const char* deed;
+    const char* effect;
 };
 
 // clang-format off
@@ -74,9 +74,9 @@ SimulatorWindow::SimulatorWindow(QWidget* main)
     row->setSpacing(0);
     row->addWidget(m_view, 1);
     row->addWidget(legend());
-    connect(m_view, &SimulatorView::handChanged, this, &SimulatorWindow::sayHand);
+    connect(m_view, &SimulatorView::handChanged, this, &SimulatorWindow::showHand);
     connect(m_view, &SimulatorView::escaped, this, &QWidget::close);
-    sayHand();
+    showHand();
 }
 
 QWidget* SimulatorWindow::legend()
@@ -96,7 +96,7 @@ QWidget* SimulatorWindow::legend()
         QLabel* hand = wrapped(tr(control.hand));
         hand->setFont(bold(hand->font()));
         grid->addWidget(hand, row, 0);
-        grid->addWidget(wrapped(tr(control.deed)), row++, 1);
+        grid->addWidget(wrapped(tr(control.effect)), row++, 1);
     }
     grid->setRowStretch(row, 1);
     return legend;
@@ -125,10 +125,10 @@ void SimulatorWindow::placeBesideMain()
          std::clamp(main.top(), screen.top(), std::max(screen.top(), screen.bottom() + 1 - height())));
 }
 
-void SimulatorWindow::sayHand()
+void SimulatorWindow::showHand()
 {
-    m_hand->setText(m_view->person().hand() == SimulatedHand::Left ? tr("The mouse moves the left wand.")
-                                                                   : tr("The mouse moves the right wand."));
+    m_hand->setText(m_view->controls().hand() == SimulatedHand::Left ? tr("The mouse moves the left wand.")
+                                                                     : tr("The mouse moves the right wand."));
 }
 
 void SimulatorWindow::closeEvent(QCloseEvent* event)

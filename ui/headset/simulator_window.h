@@ -30,7 +30,7 @@ protected:
 private:
     QWidget* legend();
     void placeBesideMain();
-    void sayHand();
+    void showHand();
 
     SimulatorView* m_view;
     QLabel* m_hand;

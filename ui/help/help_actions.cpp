@@ -24,13 +24,13 @@ void openGuide(const Actions& actions, QWidget* window)
 StartPage* connectHelp(const Actions& actions, Settings* settings, QMainWindow* window)
 {
     auto* start = new StartPage(actions, settings, window->centralWidget());
-    QObject::connect(start, &StartPage::guideWanted, window, [&actions, window] { openGuide(actions, window); });
+    QObject::connect(start, &StartPage::guideRequested, window, [&actions, window] { openGuide(actions, window); });
     const auto on = [&](const char* id, auto what) {
         QObject::connect(actions.get(QLatin1StringView(id)), &QAction::triggered, window, what);
     };
     on("help.start", [start] { start->open(); });
     on("help.guide", [&actions, window] { openGuide(actions, window); });
-    on("help.keys", [&actions, window] { (new CommandBox(actions, window))->open(); });
+    on("help.keys", [&actions, window] { (new CommandPalette(actions, window))->open(); });
     on("help.about", [window] { showAbout(window); });
     return start;
 }

@@ -81,7 +81,7 @@ QString fill(const QString& what, const QString& id, const Actions& actions)
 {
     const ActionInfo* row = rowOf(id);
     if (what == QLatin1StringView("invert"))
-        return asKey(Actions::modifierName(heldKeys(actions.keys().preset).invert));
+        return asKey(Actions::modifierName(mouseModifiers(actions.keys().preset).invert));
     if (what == QLatin1StringView("smooth"))
         return asKey(Actions::modifierName(Qt::ShiftModifier));
     if (!row)

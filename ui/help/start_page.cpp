@@ -171,14 +171,14 @@ QLayout* StartPage::foot()
     auto* atStart = new QCheckBox(tr("&Show this page at start"));
     atStart->setObjectName(QStringLiteral("startAlways"));
     atStart->setToolTip(tr("Else Fettle begins with the ball of clay; Help › Start Page brings this page back."));
-    const auto takeUp = [this, atStart] { atStart->setChecked(m_settings->showsStartPage()); };
-    takeUp();
-    m_settings->onReset(takeUp);
+    const auto applySettings = [this, atStart] { atStart->setChecked(m_settings->showsStartPage()); };
+    applySettings();
+    m_settings->onReset(applySettings);
     connect(atStart, &QCheckBox::clicked, this, [this](bool shows) { m_settings->setShowsStartPage(shows); });
     auto* guide = new QPushButton(m_actions.get(QStringLiteral("help.guide"))->text());
     guide->setObjectName(QStringLiteral("startGuide"));
     guide->setToolTip(m_actions.get(QStringLiteral("help.guide"))->toolTip());
-    connect(guide, &QPushButton::clicked, this, &StartPage::guideWanted);
+    connect(guide, &QPushButton::clicked, this, &StartPage::guideRequested);
     auto* row = new QHBoxLayout;
     row->addWidget(atStart, 1);
     row->addWidget(guide);
@@ -222,8 +222,8 @@ void StartPage::close()
 
 void StartPage::place()
 {
-    const QSize room = m_over->size() - QSize(2 * gap, 2 * gap);
-    resize(sizeHint().boundedTo(room).expandedTo(minimumSizeHint()));
+    const QSize available = m_over->size() - QSize(2 * gap, 2 * gap);
+    resize(sizeHint().boundedTo(available).expandedTo(minimumSizeHint()));
     move(std::max(0, (m_over->width() - width()) / 2), std::max(0, (m_over->height() - height()) / 2));
 }
 

@@ -31,7 +31,7 @@ public:
 Q_SIGNALS:
     void fileChosen(const QString& path);
     void lessonChosen(const QString& name);
-    void guideWanted();
+    void guideRequested();
 
 protected:
     bool event(QEvent* event) override;

@@ -127,7 +127,7 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     };
     connect(m_list, &QTreeView::clicked, this, jump);
     connect(m_list, &QTreeView::activated, this, jump);
-    connect(m_timeline, &Timeline::stateWanted, this, &HistoryPanel::stateWanted);
+    connect(m_timeline, &Timeline::stateRequested, this, &HistoryPanel::stateRequested);
 
     m_memory->setObjectName(QStringLiteral("historyMemory"));
     m_cap->setObjectName(QStringLiteral("historyCap"));
@@ -138,9 +138,9 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     m_cap->setSuffix(tr(" MB"));
     m_cap->setKeyboardTracking(false);
     m_cap->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    const auto takeUp = [this, settings] { m_cap->setValue(settings->historyMegabytes()); };
-    takeUp();
-    settings->onReset(takeUp);
+    const auto applySettings = [this, settings] { m_cap->setValue(settings->historyMegabytes()); };
+    applySettings();
+    settings->onReset(applySettings);
     connect(m_cap, &QSpinBox::valueChanged, this, [this, settings](int megabytes) {
         settings->setHistoryMegabytes(megabytes);
         Q_EMIT capChanged(cap());

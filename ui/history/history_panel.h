@@ -50,7 +50,7 @@ public:
 Q_SIGNALS:
     void jumpRequested(int state);
     /// By the timeline; many in a row, of which only the newest counts.
-    void stateWanted(int state);
+    void stateRequested(int state);
     void capChanged(qint64 bytes);
     /// It can be seen, and may show what is old.
     void shown();

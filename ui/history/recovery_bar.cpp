@@ -6,12 +6,13 @@
 
 namespace ui
 {
-RecoveryBar::RecoveryBar(const Unsaved& unsaved, QMainWindow* window)
-    : OfferBar("recoveryBar", tr("Unsaved Model"), window)
+RecoveryBar::RecoveryBar(const UnsavedModel& unsaved, QMainWindow* window)
+    : MessageBar("recoveryBar", tr("Unsaved Model"), window)
     , m_name(shortened(unsaved.name))
 {
     const QString time = QLocale().toString(unsaved.changed, QLocale::ShortFormat);
-    say("recoveryText",
+    setMessage(
+        "recoveryText",
         tr("%1 was not saved when Fettle ended: %2, %3.").arg(m_name, tr("%Ln steps", nullptr, unsaved.steps), time),
         unsaved.name);
     const auto add = [this](const char* name, const QString& text, const QString& tip, void (RecoveryBar::*what)()) {
@@ -25,7 +26,7 @@ RecoveryBar::RecoveryBar(const Unsaved& unsaved, QMainWindow* window)
     recover->setDefault(true);
     add("discardRecovery", tr("&Discard…"), tr("Removes what was kept of it, after a question."),
         &RecoveryBar::askToDiscard);
-    add("recoverLater", tr("&Later"), tr("Hides this bar; the next start offers it again."), &RecoveryBar::leave);
+    add("recoverLater", tr("&Later"), tr("Hides this bar; the next start offers it again."), &RecoveryBar::dismiss);
 }
 
 void RecoveryBar::askToDiscard()

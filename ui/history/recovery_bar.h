@@ -7,7 +7,7 @@
 namespace ui
 {
 /// What was not saved when the program ended, and may be had again.
-struct Unsaved
+struct UnsavedModel
 {
     QString name;
     QDateTime changed;
@@ -15,12 +15,12 @@ struct Unsaved
 };
 
 /// Offers a model that was not saved. Gui thread.
-class RecoveryBar : public OfferBar
+class RecoveryBar : public MessageBar
 {
     Q_OBJECT
 
 public:
-    RecoveryBar(const Unsaved& unsaved, QMainWindow* window);
+    RecoveryBar(const UnsavedModel& unsaved, QMainWindow* window);
 
 Q_SIGNALS:
     void recoverRequested();

@@ -50,10 +50,10 @@ public:
         connect(m_every, &QSpinBox::valueChanged, count, show);
         show();
         form->addRow(QString(), count);
-        addAnswers(this, tr("&Choose Folder…"));
+        addDialogButtons(this, tr("&Choose Folder…"));
     }
 
-    TimeLapseChoice choice() const
+    TimeLapseSettings options() const
     {
         const QSize size = m_size->currentData().toSize();
         return {size.width(), size.height(), m_every->value()};
@@ -65,10 +65,10 @@ private:
 };
 } // namespace
 
-void askForTimeLapse(QWidget* parent, int steps, const std::function<void(const TimeLapseChoice&)>& answer)
+void askForTimeLapse(QWidget* parent, int steps, const std::function<void(const TimeLapseSettings&)>& callback)
 {
     auto* dialog = new TimeLapseDialog(parent, steps);
-    QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, answer] { answer(dialog->choice()); });
+    QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, callback] { callback(dialog->options()); });
     dialog->open();
 }
 } // namespace ui

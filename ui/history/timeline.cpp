@@ -18,8 +18,8 @@ namespace ui
 {
 namespace
 {
-constexpr int paceMs = 400; ///< a step; slow enough to see what each did
-constexpr int statesAPage = 10;
+constexpr int playIntervalMs = 400; ///< a step; slow enough to see what each did
+constexpr int statesPerPage = 10;
 } // namespace
 
 Timeline::Timeline(QWidget* parent)
@@ -32,7 +32,7 @@ Timeline::Timeline(QWidget* parent)
     m_slider->setAccessibleName(tr("Timeline"));
     m_slider->setToolTip(tr("Drag to see the model as it was after each step; Left and Right go by one. Sculpting "
                             "there drops the later steps."));
-    m_slider->setPageStep(statesAPage);
+    m_slider->setPageStep(statesPerPage);
     m_text->setObjectName(QStringLiteral("timelineText"));
     m_text->setTextFormat(Qt::PlainText);
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -41,11 +41,11 @@ Timeline::Timeline(QWidget* parent)
     m_play->setCheckable(true);
     m_play->setAccessibleName(tr("Play the steps"));
     m_play->setToolTip(tr("Plays the steps one after the other, from here or from the first."));
-    m_pace.setInterval(paceMs);
-    connect(m_slider, &QSlider::valueChanged, this, &Timeline::want);
+    m_playTimer.setInterval(playIntervalMs);
+    connect(m_slider, &QSlider::valueChanged, this, &Timeline::requestState);
     connect(m_play, &QToolButton::clicked, this, &Timeline::setPlaying);
     connect(m_slider, &QSlider::sliderPressed, this, [this] { setPlaying(false); });
-    connect(&m_pace, &QTimer::timeout, this, &Timeline::playOn);
+    connect(&m_playTimer, &QTimer::timeout, this, &Timeline::playNext);
 
     auto* row = new QHBoxLayout;
     row->setSpacing(gap);
@@ -68,26 +68,26 @@ void Timeline::setHistory(const History& history)
         names << step.name;
     const int before = std::exchange(m_present, history.present);
     const bool isOther = std::exchange(m_names, names) != names;
-    const auto away = [this](int state) { return std::abs(state - m_wanted.value_or(state)); };
+    const auto away = [this](int state) { return std::abs(state - m_requested.value_or(state)); };
     const bool isLost =
-        m_wanted && m_present != before && away(m_present) >= away(before); // somebody else went elsewhere
-    if (isOther || isLost || m_wanted == m_present)
-        m_wanted.reset();
+        m_requested && m_present != before && away(m_present) >= away(before); // somebody else went elsewhere
+    if (isOther || isLost || m_requested == m_present)
+        m_requested.reset();
     if (isOther || isLost)
         setPlaying(false);
     const QSignalBlocker quiet(m_slider);
     m_slider->setRange(history.first, history.last);
-    m_slider->setValue(m_wanted.value_or(m_present));
+    m_slider->setValue(m_requested.value_or(m_present));
     m_slider->setEnabled(history.first < history.last);
     m_play->setEnabled(history.first < history.last);
     showState(nameOf(m_slider->value()));
 }
 
-void Timeline::want(int state)
+void Timeline::requestState(int state)
 {
-    m_wanted = state;
+    m_requested = state;
     showState(nameOf(state));
-    Q_EMIT stateWanted(state);
+    Q_EMIT stateRequested(state);
 }
 
 QString Timeline::nameOf(int state) const
@@ -108,16 +108,16 @@ void Timeline::setPlaying(bool isPlaying)
     m_play->setChecked(isPlaying);
     m_play->setIcon(themedIcon(isPlaying ? QStringLiteral("pause") : QStringLiteral("play")));
     if (!isPlaying)
-        return m_pace.stop();
+        return m_playTimer.stop();
     if (m_slider->value() == m_slider->maximum())
         m_slider->setValue(m_slider->minimum());
-    m_pace.start();
+    m_playTimer.start();
 }
 
 /// No faster than the model comes.
-void Timeline::playOn()
+void Timeline::playNext()
 {
-    if (m_wanted)
+    if (m_requested)
         return;
     if (m_slider->value() == m_slider->maximum())
         return setPlaying(false);

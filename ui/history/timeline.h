@@ -27,24 +27,24 @@ public:
 
 Q_SIGNALS:
     /// Many in a row while somebody drags: only the newest counts.
-    void stateWanted(int state);
+    void stateRequested(int state);
 
 protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void want(int state);
+    void requestState(int state);
     void showState(const QString& name);
     void setPlaying(bool isPlaying);
-    void playOn();
+    void playNext();
     QString nameOf(int state) const;
 
     QStringList m_names; ///< of the steps
     int m_present = 0;
-    std::optional<int> m_wanted; ///< not reached yet
+    std::optional<int> m_requested; ///< not reached yet
     QSlider* m_slider;
     QLabel* m_text;
     QToolButton* m_play;
-    QTimer m_pace;
+    QTimer m_playTimer;
 };
 } // namespace ui

@@ -17,66 +17,66 @@ PointerInput::PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObj
     , m_camera(camera)
     , m_stroke(brush, camera)
 {
-    connect(&m_stroke, &StrokeMaker::began, this, &PointerInput::strokeBegan);
-    connect(&m_stroke, &StrokeMaker::sampled, this, &PointerInput::strokeSampled);
-    connect(&m_stroke, &StrokeMaker::ended, this, &PointerInput::strokeEnded);
+    connect(&m_stroke, &StrokeBuilder::began, this, &PointerInput::strokeBegan);
+    connect(&m_stroke, &StrokeBuilder::sampled, this, &PointerInput::strokeSampled);
+    connect(&m_stroke, &StrokeBuilder::ended, this, &PointerInput::strokeEnded);
 }
 
-void PointerInput::setHabits(const HandHabits& habits)
+void PointerInput::setInputPreferences(const InputPreferences& preferences)
 {
-    m_habits = habits;
-    m_stroke.setHabits(habits);
+    m_preferences = preferences;
+    m_stroke.setInputPreferences(preferences);
 }
 
 void PointerInput::handle(const PointerEvent& event)
 {
-    Waiting waiting{event, m_camera->ray(event.pixel), {}};
+    PendingEvent pending{event, m_camera->ray(event.pixel), {}};
     if (event.kind == PointerEvent::Kind::Press) {
-        waiting.settings = strokeFor(event.modifiers, event.isEraser);
-        waiting.string = m_brush->isSteady() ? m_brush->stringLength() : 0;
+        pending.settings = strokeFor(event.modifiers, event.isEraser);
+        pending.stabilizerLength = m_brush->isSteady() ? m_brush->stabilizerLength() : 0;
     }
     m_inside = true;
-    m_holds = false;
+    m_isGesture = false;
     m_modifiers = event.modifiers;
     m_isEraser = event.isEraser;
-    if (!m_waiting.empty()) {
-        m_waiting.push_back(waiting);
+    if (!m_pending.empty()) {
+        m_pending.push_back(pending);
     } else if (isUndecided(event)) {
-        m_waiting.push_back(waiting);
-        ask({event.pixel, waiting.ray, true});
+        m_pending.push_back(pending);
+        requestHover({event.pixel, pending.ray, true});
     } else {
-        process(waiting);
+        process(pending);
     }
 }
 
 void PointerInput::zoom(double factor, const OrbitCamera::Pixel& toward)
 {
-    goByDepthAt(toward);
+    setTargetDepthAt(toward);
     m_camera->zoom(factor, toward);
-    takeView();
+    emitViewMovedByUser();
 }
 
 void PointerInput::pan(const OrbitCamera::Pixel& delta)
 {
     m_camera->pan(delta);
-    takeView();
+    emitViewMovedByUser();
 }
 
 void PointerInput::orbit(const OrbitCamera::Pixel& delta)
 {
     m_camera->orbit(delta);
-    takeView();
+    emitViewMovedByUser();
 }
 
-void PointerInput::hold(const OrbitCamera::Pixel& pixel)
+void PointerInput::setGestureCenter(const OrbitCamera::Pixel& pixel)
 {
-    m_inside = m_holds = true;
+    m_inside = m_isGesture = true;
     m_last = pixel;
-    askAgain();
+    refreshHover();
 }
 
 /// Where the surface under the pixel is known, it is what panning and zooming hold: the view never runs through it.
-void PointerInput::goByDepthAt(const OrbitCamera::Pixel& pixel)
+void PointerInput::setTargetDepthAt(const OrbitCamera::Pixel& pixel)
 {
     if (m_inside && m_hit && (m_camera->project(m_hit->position) - pixel).norm() <= samePixel)
         m_camera->setTargetDepth(m_hit->position);
@@ -87,12 +87,12 @@ void PointerInput::viewMoved()
     ++m_view;
     m_answeredPixel.reset();
     Q_EMIT viewChanged();
-    askAgain();
+    refreshHover();
 }
 
-void PointerInput::leave()
+void PointerInput::pointerLeft()
 {
-    m_inside = m_holds = false;
+    m_inside = m_isGesture = false;
     if (m_next && !m_next->forPress)
         m_next.reset();
     Q_EMIT hoverChanged();
@@ -100,11 +100,11 @@ void PointerInput::leave()
 
 void PointerInput::finish()
 {
-    if (!m_waiting.empty() && m_waiting.back().event.kind != PointerEvent::Kind::Release) {
-        Waiting release = m_waiting.back();
+    if (!m_pending.empty() && m_pending.back().event.kind != PointerEvent::Kind::Release) {
+        PendingEvent release = m_pending.back();
         release.event.kind = PointerEvent::Kind::Release;
-        release.event.button = m_waiting.front().event.button;
-        m_waiting.push_back(release);
+        release.event.button = m_pending.front().event.button;
+        m_pending.push_back(release);
     }
     end();
 }
@@ -117,9 +117,9 @@ void PointerInput::setModifiers(Qt::KeyboardModifiers modifiers)
     Q_EMIT hoverChanged();
 }
 
-std::optional<PointerInput::String> PointerInput::string() const
+std::optional<PointerInput::Stabilizer> PointerInput::stabilizer() const
 {
-    return strokeOpen() ? std::optional(String{m_stroke.handAt(), m_stroke.brushAt()}) : std::nullopt;
+    return strokeOpen() ? std::optional(Stabilizer{m_stroke.pointerAt(), m_stroke.brushAt()}) : std::nullopt;
 }
 
 void PointerInput::setPicking(bool on)
@@ -157,8 +157,8 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
 {
     modifiers.setFlag(Qt::ShiftModifier,
                       modifiers.testFlag(Qt::ShiftModifier) && m_brush->isOffered(core::Tool::Smooth));
-    core::StrokeSettings stroke = withKeysHeld(m_brush->stroke(), modifiers, m_habits.held.invert);
-    if (eraser != m_brush->isTurnedRound())
+    core::StrokeSettings stroke = withModifiers(m_brush->stroke(), modifiers, m_preferences.modifiers.invert);
+    if (eraser != m_brush->isInverted())
         stroke = core::opposite(stroke);
     if (core::isDragTool(stroke.tool))
         stroke.spacing = 0;
@@ -176,41 +176,41 @@ bool PointerInput::movesView() const
     return m_drag == Drag::Orbit || m_drag == Drag::Pan || m_drag == Drag::Zoom;
 }
 
-void PointerInput::process(const Waiting& waiting)
+void PointerInput::process(const PendingEvent& pending)
 {
-    switch (waiting.event.kind) {
+    switch (pending.event.kind) {
     case PointerEvent::Kind::Press:
-        press(waiting);
+        press(pending);
         break;
     case PointerEvent::Kind::Move:
-        move(waiting);
+        move(pending);
         break;
     case PointerEvent::Kind::Release:
-        if (waiting.event.button != m_dragButton)
+        if (pending.event.button != m_dragButton)
             break;
-        m_stroke.comeTo(waiting.event.pixel, waiting.event.time);
+        m_stroke.setReleasePoint(pending.event.pixel, pending.event.time);
         end();
         break;
     }
-    m_last = waiting.event.pixel;
+    m_last = pending.event.pixel;
 }
 
 /// A second button during a drag means nothing.
-void PointerInput::press(const Waiting& waiting)
+void PointerInput::press(const PendingEvent& pending)
 {
-    if (m_drag == Drag::None && addsSphere(waiting.event))
-        addSphere(waiting);
+    if (m_drag == Drag::None && addsSphere(pending.event))
+        addSphere(pending);
     else if (m_drag == Drag::None)
-        begin(waiting, m_hit);
+        begin(pending, m_hit);
 }
 
 bool PointerInput::addsSphere(const PointerEvent& press) const
 {
     return m_isAdding && press.button == Qt::LeftButton &&
-           viewDrag(press.button, press.modifiers, m_habits) == Drag::None;
+           viewDrag(press.button, press.modifiers, m_preferences) == Drag::None;
 }
 
-void PointerInput::addSphere(const Waiting& press)
+void PointerInput::addSphere(const PendingEvent& press)
 {
     core::StrokeSample sample;
     sample.time = press.event.time;
@@ -232,9 +232,9 @@ void PointerInput::setAdding(bool adding)
     Q_EMIT hoverChanged();
 }
 
-void PointerInput::begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit)
+void PointerInput::begin(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit)
 {
-    m_drag = viewDrag(press.event.button, press.event.modifiers, m_habits);
+    m_drag = viewDrag(press.event.button, press.event.modifiers, m_preferences);
     if (m_drag == Drag::None && press.event.button == Qt::LeftButton && m_isPicking) {
         setPicking(false);
         Q_EMIT picked(hit);
@@ -243,7 +243,7 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
     if (m_drag == Drag::None && press.event.button == Qt::LeftButton && m_isPointing && hit)
         return;
     if (m_drag == Drag::None && press.event.button == Qt::LeftButton)
-        m_drag = hit ? Drag::Stroke : dragBesideModel(press.event.modifiers, m_habits);
+        m_drag = hit ? Drag::Stroke : dragBesideModel(press.event.modifiers, m_preferences);
     if (m_drag == Drag::None)
         return;
     m_dragButton = press.event.button;
@@ -251,9 +251,9 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
     if (m_drag == Drag::Stroke) {
         m_camera->setPivot(hit->position);
         m_footprint.reset();
-        m_stroke.begin({press.event, press.ray, press.settings, press.string});
+        m_stroke.begin({press.event, press.ray, press.settings, press.stabilizerLength});
     } else if (m_drag != Drag::Orbit) {
-        goByDepthAt(m_pressed);
+        setTargetDepthAt(m_pressed);
     }
     Q_EMIT hoverChanged();
 }
@@ -267,20 +267,20 @@ void PointerInput::end()
     if (ended == Drag::Stroke)
         m_stroke.end();
     Q_EMIT hoverChanged();
-    if (m_waiting.empty())
-        askAgain();
+    if (m_pending.empty())
+        refreshHover();
 }
 
-void PointerInput::move(const Waiting& waiting)
+void PointerInput::move(const PendingEvent& pending)
 {
     if (movesView()) {
-        moveView(waiting.event.pixel - m_last);
+        moveView(pending.event.pixel - m_last);
         return;
     }
     if (m_drag == Drag::Stroke)
-        m_stroke.follow(waiting.event, waiting.ray);
-    const OrbitCamera::Pixel at = m_drag == Drag::Stroke ? m_stroke.brushAt() : waiting.event.pixel;
-    ask({at, m_camera->ray(at)});
+        m_stroke.moveTo(pending.event, pending.ray);
+    const OrbitCamera::Pixel at = m_drag == Drag::Stroke ? m_stroke.brushAt() : pending.event.pixel;
+    requestHover({at, m_camera->ray(at)});
 }
 
 /// A zooming drag to the right or up comes nearer to where it began.
@@ -293,12 +293,12 @@ void PointerInput::moveView(const OrbitCamera::Pixel& delta)
         m_camera->zoom(std::pow(zoomPerHeight, nearer), m_pressed);
     else
         m_camera->orbit(delta);
-    takeView();
+    emitViewMovedByUser();
 }
 
-void PointerInput::takeView()
+void PointerInput::emitViewMovedByUser()
 {
-    Q_EMIT viewTaken();
+    Q_EMIT viewMovedByUser();
     viewMoved();
 }
 } // namespace ui

@@ -16,9 +16,9 @@
 namespace ui
 {
 /// Decides what a drag is: a stroke, or a turn, a move or a zoom of the view. A left press is a stroke if it is on the
-/// model, else it turns the view; that is asked by a hover question, and what happens before the answer waits in a
-/// queue. The other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place
-/// of the last stroke. Gui thread, no widget, no OpenGL.
+/// model, else it turns the view; a hover query tells, and events that come before its answer wait in a queue. The
+/// other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place of the last
+/// stroke. Gui thread, no widget, no OpenGL.
 class PointerInput : public QObject
 {
     Q_OBJECT
@@ -28,21 +28,22 @@ public:
     PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent = nullptr);
 
     void handle(const PointerEvent& event);
-    void setHabits(const HandHabits& habits);
+    void setInputPreferences(const InputPreferences& preferences);
     /// `factor` < 1 comes nearer; what lies under the pixel stays there.
     void zoom(double factor, const OrbitCamera::Pixel& toward);
     void pan(const OrbitCamera::Pixel& delta);
     void orbit(const OrbitCamera::Pixel& delta);
-    /// Fingers hold what lies at that pixel: it is asked for, so that zoom() goes by its depth, but not shown.
-    void hold(const OrbitCamera::Pixel& pixel);
+    /// Two fingers move the view about that pixel: requests the surface there, so that zoom() uses its depth, without
+    /// showing a cursor.
+    void setGestureCenter(const OrbitCamera::Pixel& pixel);
     /// The pointer left the view.
-    void leave();
+    void pointerLeft();
     /// Ends whatever drag is going on, as a release would.
     void finish();
     /// The keys changed while the pointer rests.
     void setModifiers(Qt::KeyboardModifiers modifiers);
     /// The surface changed under the pointer.
-    void askAgain();
+    void refreshHover();
     /// The brush under the pointer takes something else.
     void brushChanged();
     /// The model turns under the hand, about the Y axis, by so many radians in so many seconds. An open stroke is
@@ -51,7 +52,7 @@ public:
     /// The camera was moved by somebody else.
     void viewMoved();
     /// What was known belongs to another model.
-    void forgetHover();
+    void clearHover();
 
     void setHover(const std::optional<core::SurfaceHit>& hit,
                   const std::shared_ptr<const core::Footprint>& footprint = {});
@@ -78,14 +79,14 @@ public:
     /// What it would take first, if that was asked about: of the ray brush.
     std::shared_ptr<const core::Footprint> footprint() const;
     /// Of a steady stroke that is open.
-    struct String
+    struct Stabilizer
     {
-        OrbitCamera::Pixel hand, brush;
+        OrbitCamera::Pixel pointer, brush;
     };
-    std::optional<String> string() const;
+    std::optional<Stabilizer> stabilizer() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
     /// A press waits for its answer: a stroke may still come of it.
-    bool pressWaits() const { return !m_waiting.empty(); }
+    bool isPressPending() const { return !m_pending.empty(); }
     /// Of the open stroke, else of one that would begin now.
     core::StrokeSettings stroke() const;
 
@@ -100,22 +101,22 @@ Q_SIGNALS:
     void pointingChanged(bool on);
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
-    /// The hand turned, moved or zoomed the view; viewChanged() follows.
-    void viewTaken();
+    /// The user turned, moved or zoomed the view; viewChanged() follows.
+    void viewMovedByUser();
     void addingChanged(bool adding);
     /// One dab that is to add a sphere and do nothing else.
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
 private:
     /// An event with what was true when it came.
-    struct Waiting
+    struct PendingEvent
     {
         PointerEvent event;
         core::Ray ray;
         core::StrokeSettings settings; ///< of a press
-        double string = 0;             ///< of a press, as StrokeMaker has it
+        double stabilizerLength = 0;   ///< pixels; of a press
     };
-    struct Question
+    struct HoverQuery
     {
         OrbitCamera::Pixel pixel;
         core::Ray ray;
@@ -124,44 +125,44 @@ private:
         double turned = 0; ///< how the model stood then
     };
 
-    void process(const Waiting& waiting);
-    void press(const Waiting& waiting);
-    void move(const Waiting& waiting);
-    void begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit);
+    void process(const PendingEvent& pending);
+    void press(const PendingEvent& pending);
+    void move(const PendingEvent& pending);
+    void begin(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit);
     void end();
-    void drain(const std::optional<core::SurfaceHit>& hit);
+    void processPending(const std::optional<core::SurfaceHit>& hit);
     core::StrokeSettings strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const;
     bool movesView() const;
     OrbitCamera::Pixel brushAt() const;
     bool isUndecided(const PointerEvent& event) const;
-    void goByDepthAt(const OrbitCamera::Pixel& pixel);
-    void ask(Question question);
-    void put(const Question& question);
+    void setTargetDepthAt(const OrbitCamera::Pixel& pixel);
+    void requestHover(HoverQuery query);
+    void sendQuery(const HoverQuery& query);
     bool addsSphere(const PointerEvent& press) const;
-    void addSphere(const Waiting& press);
+    void addSphere(const PendingEvent& press);
     void moveView(const OrbitCamera::Pixel& delta);
-    void takeView();
+    void emitViewMovedByUser();
 
     const BrushSettings* m_brush;
     OrbitCamera* m_camera;
-    StrokeMaker m_stroke;
+    StrokeBuilder m_stroke;
 
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;
     OrbitCamera::Pixel m_pressed{0, 0}; ///< where the drag began
     OrbitCamera::Pixel m_last{0, 0};
     bool m_inside = false;
-    bool m_holds = false; ///< fingers are inside, no pointer
+    bool m_isGesture = false; ///< fingers are inside, no pointer
     bool m_isPicking = false;
     bool m_isPointing = false;
     bool m_isAdding = false;
-    HandHabits m_habits;
+    InputPreferences m_preferences;
     Qt::KeyboardModifiers m_modifiers;
-    bool m_isEraser = false;       ///< the last that moved
-    std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet
+    bool m_isEraser = false;            ///< the last that moved
+    std::deque<PendingEvent> m_pending; ///< the first is a press that nobody knows about yet
 
     quint64 m_view = 0; ///< grows when an older answer no longer fits
-    std::optional<Question> m_inFlight, m_next;
+    std::optional<HoverQuery> m_inFlight, m_next;
     std::optional<OrbitCamera::Pixel> m_answeredPixel; ///< none: the answer is not of this view, or there is none
     std::optional<core::SurfaceHit> m_hit;
     std::shared_ptr<const core::Footprint> m_footprint; ///< at the hit, unless the surface changed

@@ -1,4 +1,4 @@
-// What the hand asks about the surface, and what it makes of the answers.
+// Hover queries: requests to the surface under the pointer, and what follows from their answers.
 
 #include "ui/input/pointer_input.h"
 
@@ -6,8 +6,8 @@ namespace ui
 {
 namespace
 {
-/// The place that the model's turn brought to where `hit` was.
-core::SurfaceHit leftBehind(core::SurfaceHit hit, double angle)
+/// Returns the place that the model's turn brought to where `hit` was.
+core::SurfaceHit turnedBack(core::SurfaceHit hit, double angle)
 {
     const Eigen::AngleAxisd back(-angle, core::Vec3::UnitY());
     hit.position = back * hit.position;
@@ -23,54 +23,54 @@ void PointerInput::turnModel(double angle, double seconds)
     m_camera->turnModel(angle);
     m_stroke.turnModel(angle, seconds);
     if (m_hit)
-        m_hit = leftBehind(*m_hit, angle);
+        m_hit = turnedBack(*m_hit, angle);
     Q_EMIT viewChanged();
-    askAgain();
+    refreshHover();
 }
 
-void PointerInput::askAgain()
+void PointerInput::refreshHover()
 {
-    if (m_inside && m_waiting.empty() && (m_drag == Drag::None || m_drag == Drag::Stroke))
-        ask({brushAt(), m_camera->ray(brushAt())});
+    if (m_inside && m_pending.empty() && (m_drag == Drag::None || m_drag == Drag::Stroke))
+        requestHover({brushAt(), m_camera->ray(brushAt())});
 }
 
 void PointerInput::brushChanged()
 {
     if (m_brush->stroke().brush == core::BrushShape::Ray && m_drag == Drag::None)
-        askAgain();
+        refreshHover();
 }
 
-void PointerInput::forgetHover()
+void PointerInput::clearHover()
 {
     ++m_view;
-    m_stroke.forgetTurn();
+    m_stroke.resetTurn();
     m_answeredPixel.reset();
     m_hit.reset();
     m_footprint.reset();
     Q_EMIT hoverChanged();
-    askAgain();
+    refreshHover();
 }
 
-/// At most one question is in flight; of those that wait the newest counts, but a press's is never displaced.
-void PointerInput::ask(Question question)
+/// At most one query is in flight; of those that wait the newest counts, but a press's is never displaced.
+void PointerInput::requestHover(HoverQuery query)
 {
-    question.view = m_view;
-    question.turned = m_stroke.turned();
+    query.view = m_view;
+    query.turned = m_stroke.turned();
     if (!m_inFlight) {
-        m_inFlight = question;
-        put(question);
-    } else if (!m_next || !m_next->forPress || question.forPress) {
-        m_next = question;
+        m_inFlight = query;
+        sendQuery(query);
+    } else if (!m_next || !m_next->forPress || query.forPress) {
+        m_next = query;
     }
 }
 
 /// What a brush would take is of no use to a press, which shall be answered soon, and in a stroke.
-void PointerInput::put(const Question& question)
+void PointerInput::sendQuery(const HoverQuery& query)
 {
     const core::StrokeSettings settings = m_brush->stroke();
     const bool wanted =
-        settings.brush == core::BrushShape::Ray && !question.forPress && !m_holds && m_drag == Drag::None;
-    Q_EMIT hoverRequested(question.ray, wanted ? std::optional(settings) : std::nullopt);
+        settings.brush == core::BrushShape::Ray && !query.forPress && !m_isGesture && m_drag == Drag::None;
+    Q_EMIT hoverRequested(query.ray, wanted ? std::optional(settings) : std::nullopt);
 }
 
 void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit,
@@ -78,45 +78,45 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit,
 {
     if (!m_inFlight)
         return;
-    const Question answered = *m_inFlight;
+    const HoverQuery answered = *m_inFlight;
     m_inFlight.reset();
     if (answered.view == m_view) {
         m_hit = hit;
         m_footprint = footprint;
         if (m_hit && m_stroke.turned() != answered.turned)
-            m_hit = leftBehind(*m_hit, m_stroke.turned() - answered.turned);
+            m_hit = turnedBack(*m_hit, m_stroke.turned() - answered.turned);
         m_answeredPixel = answered.pixel;
     }
     if (m_drag == Drag::Stroke && hit)
         m_camera->setPivot(hit->position);
     if (answered.forPress) {
-        drain(hit);
+        processPending(hit);
         Q_EMIT pressDecided();
     }
     if (m_next && !m_inFlight) {
-        const Question next = *m_next;
+        const HoverQuery next = *m_next;
         m_next.reset();
-        ask(next);
+        requestHover(next);
     }
     Q_EMIT hoverChanged();
 }
 
 /// The press at the front is decided; what came after it follows, up to the next press that needs an answer.
-void PointerInput::drain(const std::optional<core::SurfaceHit>& hit)
+void PointerInput::processPending(const std::optional<core::SurfaceHit>& hit)
 {
-    std::deque<Waiting> events;
-    events.swap(m_waiting);
+    std::deque<PendingEvent> events;
+    events.swap(m_pending);
     begin(events.front(), hit);
     events.pop_front();
     while (!events.empty()) {
-        const Waiting waiting = events.front();
-        if (isUndecided(waiting.event)) {
-            m_waiting.swap(events);
-            ask({waiting.event.pixel, waiting.ray, true});
+        const PendingEvent pending = events.front();
+        if (isUndecided(pending.event)) {
+            m_pending.swap(events);
+            requestHover({pending.event.pixel, pending.ray, true});
             return;
         }
         events.pop_front();
-        process(waiting);
+        process(pending);
     }
 }
 
@@ -124,8 +124,8 @@ void PointerInput::drain(const std::optional<core::SurfaceHit>& hit)
 bool PointerInput::isUndecided(const PointerEvent& event) const
 {
     return event.kind == PointerEvent::Kind::Press && event.button == Qt::LeftButton &&
-           viewDrag(event.button, event.modifiers, m_habits) == Drag::None && m_drag == Drag::None && !m_isAdding &&
-           m_answeredPixel != event.pixel;
+           viewDrag(event.button, event.modifiers, m_preferences) == Drag::None && m_drag == Drag::None &&
+           !m_isAdding && m_answeredPixel != event.pixel;
 }
 
 std::optional<core::SurfaceHit> PointerInput::hover() const
@@ -133,13 +133,13 @@ std::optional<core::SurfaceHit> PointerInput::hover() const
     if (m_isAdding && m_inside && !movesView())
         return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0,
                                 core::noSlot};
-    const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_habits) != Drag::None;
-    return m_inside && !m_holds && !movesView() && !next && !m_isPicking && !m_isPointing ? m_hit : std::nullopt;
+    const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_preferences) != Drag::None;
+    return m_inside && !m_isGesture && !movesView() && !next && !m_isPicking && !m_isPointing ? m_hit : std::nullopt;
 }
 
 std::optional<core::SurfaceHit> PointerInput::pointed() const
 {
-    return m_isPointing && m_inside && !m_holds && m_drag == Drag::None ? m_hit : std::nullopt;
+    return m_isPointing && m_inside && !m_isGesture && m_drag == Drag::None ? m_hit : std::nullopt;
 }
 
 bool PointerInput::wouldStroke() const

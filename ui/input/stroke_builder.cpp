@@ -9,77 +9,77 @@ namespace ui
 {
 namespace
 {
-constexpr double leastRadiusShare = 0.1; ///< of the brush, under the lightest touch
+constexpr double minPressureRadius = 0.1; ///< of the brush, under the lightest touch
 } // namespace
 
-StrokeMaker::StrokeMaker(const BrushSettings* brush, const OrbitCamera* camera, QObject* parent)
+StrokeBuilder::StrokeBuilder(const BrushSettings* brush, const OrbitCamera* camera, QObject* parent)
     : QObject(parent)
     , m_brush(brush)
     , m_camera(camera)
 {}
 
-void StrokeMaker::begin(const Start& start)
+void StrokeBuilder::begin(const Start& start)
 {
     m_isOpen = true;
     m_settings = start.settings;
-    m_string = start.string;
-    m_hand = start.hand;
-    m_brushAt = start.hand.pixel;
+    m_stabilizerLength = start.stabilizerLength;
+    m_pointer = start.pointer;
+    m_brushAt = start.pointer.pixel;
     Q_EMIT began(start.settings);
     sample(start.ray);
 }
 
-/// The hand draws the brush behind it when the string is taut.
-void StrokeMaker::follow(const PointerEvent& hand, const core::Ray& ray)
+/// The pointer drags the brush once it is farther away than the length of the stabilizer.
+void StrokeBuilder::moveTo(const PointerEvent& pointer, const core::Ray& ray)
 {
-    m_hand = hand;
-    if (m_string == 0) {
-        m_brushAt = hand.pixel;
+    m_pointer = pointer;
+    if (m_stabilizerLength == 0) {
+        m_brushAt = pointer.pixel;
         return sample(ray);
     }
-    const OrbitCamera::Pixel way = hand.pixel - m_brushAt;
-    if (way.norm() <= m_string)
+    const OrbitCamera::Pixel way = pointer.pixel - m_brushAt;
+    if (way.norm() <= m_stabilizerLength)
         return;
-    m_brushAt = hand.pixel - way.normalized() * m_string;
+    m_brushAt = pointer.pixel - way.normalized() * m_stabilizerLength;
     sample(m_camera->ray(m_brushAt));
 }
 
-void StrokeMaker::comeTo(const OrbitCamera::Pixel& pixel, double time)
+void StrokeBuilder::setReleasePoint(const OrbitCamera::Pixel& pixel, double time)
 {
-    m_hand.pixel = pixel;
-    m_hand.time = time;
+    m_pointer.pixel = pixel;
+    m_pointer.time = time;
 }
 
-void StrokeMaker::end()
+void StrokeBuilder::end()
 {
     if (!std::exchange(m_isOpen, false))
         return;
-    if (m_string > 0 && m_brushAt != m_hand.pixel)
-        sample(m_camera->ray(m_hand.pixel));
+    if (m_stabilizerLength > 0 && m_brushAt != m_pointer.pixel)
+        sample(m_camera->ray(m_pointer.pixel));
     Q_EMIT ended();
 }
 
-void StrokeMaker::turnModel(double angle, double seconds)
+void StrokeBuilder::turnModel(double angle, double seconds)
 {
     m_turned = std::remainder(m_turned + angle, 2 * std::numbers::pi);
     if (!m_isOpen)
         return;
-    m_hand.time += seconds;
+    m_pointer.time += seconds;
     sample(m_camera->ray(m_brushAt));
 }
 
-void StrokeMaker::sample(const core::Ray& ray)
+void StrokeBuilder::sample(const core::Ray& ray)
 {
     core::StrokeSample sample;
-    sample.time = m_hand.time;
+    sample.time = m_pointer.time;
     sample.rotation = Eigen::AngleAxisd(m_turned, core::Vec3::UnitY());
     sample.position = sample.rotation * ray.origin;
     sample.direction = sample.rotation * ray.direction;
-    const double pressure = penPressure(m_hand.pressure, m_habits.penExponent);
-    sample.pressure = m_habits.pressureToStrength ? pressure : 1;
-    if (m_habits.pressureToRadius)
-        sample.radius =
-            std::max(m_brush->minOf(core::Parameter::Radius), m_settings.radius * std::max(pressure, leastRadiusShare));
+    const double pressure = penPressure(m_pointer.pressure, m_preferences.penExponent);
+    sample.pressure = m_preferences.pressureToStrength ? pressure : 1;
+    if (m_preferences.pressureToRadius)
+        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius),
+                                 m_settings.radius * std::max(pressure, minPressureRadius));
     Q_EMIT sampled(sample);
 }
 

@@ -10,9 +10,10 @@
 
 namespace ui
 {
-/// Makes a stroke of what the hand does. A steady stroke hangs on a string behind the hand and comes to where the hand
-/// is when it ends. Where the model turns under the hand, a resting hand goes on. Gui thread.
-class StrokeMaker : public QObject
+/// Builds a stroke from pointer events. In a steady stroke the brush follows the pointer at the length of the
+/// stabilizer, and reaches it when the stroke ends. Where the model turns under a resting pointer the stroke goes on.
+/// Gui thread.
+class StrokeBuilder : public QObject
 {
     Q_OBJECT
 
@@ -20,37 +21,37 @@ public:
     /// A press, with what was set then.
     struct Start
     {
-        PointerEvent hand;
+        PointerEvent pointer;
         core::Ray ray; ///< through its pixel
         core::StrokeSettings settings;
-        double string = 0; ///< in pixels; 0: the brush is where the hand is
+        double stabilizerLength = 0; ///< in pixels; 0: the brush is where the pointer is
     };
 
     /// Neither is owned.
-    StrokeMaker(const BrushSettings* brush, const OrbitCamera* camera, QObject* parent = nullptr);
+    StrokeBuilder(const BrushSettings* brush, const OrbitCamera* camera, QObject* parent = nullptr);
 
-    void setHabits(const HandHabits& habits) { m_habits = habits; }
+    void setInputPreferences(const InputPreferences& preferences) { m_preferences = preferences; }
 
     void begin(const Start& start);
-    /// `ray`: through the hand's pixel, when it was there.
-    void follow(const PointerEvent& hand, const core::Ray& ray);
-    /// The hand lets go there.
-    void comeTo(const OrbitCamera::Pixel& pixel, double time);
+    /// `ray`: through the pointer's pixel, when it was there.
+    void moveTo(const PointerEvent& pointer, const core::Ray& ray);
+    /// The pointer is released there.
+    void setReleasePoint(const OrbitCamera::Pixel& pixel, double time);
     void end();
 
     /// The model turned about the Y axis by so many radians in so many seconds, and the camera went with the hand.
     void turnModel(double angle, double seconds);
     /// By how much the model stands turned in the world, about Y; radians.
     double turned() const { return m_turned; }
-    void forgetTurn() { m_turned = 0; }
+    void resetTurn() { m_turned = 0; }
 
     bool isOpen() const { return m_isOpen; }
     /// Of the open stroke, or the last.
     const core::StrokeSettings& settings() const { return m_settings; }
     /// Of the open stroke: where the brush is.
     const OrbitCamera::Pixel& brushAt() const { return m_brushAt; }
-    /// And where the hand is, if the brush hangs on a string; else where the brush is.
-    const OrbitCamera::Pixel& handAt() const { return m_string > 0 ? m_hand.pixel : m_brushAt; }
+    /// Returns where the pointer is if the stroke is steady, else where the brush is.
+    const OrbitCamera::Pixel& pointerAt() const { return m_stabilizerLength > 0 ? m_pointer.pixel : m_brushAt; }
 
 Q_SIGNALS:
     void began(const core::StrokeSettings& settings);
@@ -62,11 +63,11 @@ private:
 
     const BrushSettings* m_brush;
     const OrbitCamera* m_camera;
-    HandHabits m_habits;
+    InputPreferences m_preferences;
     bool m_isOpen = false;
     core::StrokeSettings m_settings;
-    double m_string = 0; ///< pixels
-    PointerEvent m_hand; ///< where it is now and how hard it presses
+    double m_stabilizerLength = 0; ///< pixels
+    PointerEvent m_pointer;        ///< its place and pressure now
     OrbitCamera::Pixel m_brushAt{0, 0};
     double m_turned = 0;
 };

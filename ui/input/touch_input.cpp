@@ -12,7 +12,7 @@ namespace
 {
 using Pixel = OrbitCamera::Pixel;
 
-constexpr double leastApart = 8; ///< logical pixels; fingers that are nearer to each other do not zoom
+constexpr double minDistance = 8; ///< logical pixels; fingers that are nearer to each other do not zoom
 
 Pixel pixelOf(const QPointF& position)
 {
@@ -26,14 +26,14 @@ void TouchInput::handle(const QTouchEvent& event)
         m_pressed = m_gesture = false;
     if (event.type() == QEvent::TouchCancel) {
         m_input->finish();
-        m_input->leave();
+        m_input->pointerLeft();
     } else if (event.pointCount() >= 2) {
         twoFingers(event);
     } else if (event.pointCount() == 1 && !m_gesture) {
         oneFinger(event);
     }
     if (event.type() == QEvent::TouchEnd)
-        m_input->leave();
+        m_input->pointerLeft();
 }
 
 void TouchInput::oneFinger(const QTouchEvent& event)
@@ -61,16 +61,16 @@ void TouchInput::twoFingers(const QTouchEvent& event)
     const QEventPoint &a = event.points()[0], &b = event.points()[1];
     const Fingers before = m_fingers;
     m_fingers = {a.id(), b.id(), pixelOf(a.position()), pixelOf(b.position())};
-    const bool goesOn = m_gesture && before.idA == m_fingers.idA && before.idB == m_fingers.idB;
+    const bool isContinued = m_gesture && before.idA == m_fingers.idA && before.idB == m_fingers.idB;
     m_gesture = true;
-    if (!goesOn)
-        return m_input->hold(0.5 * (m_fingers.a + m_fingers.b));
-    const double apart = (before.a - before.b).norm(), nowApart = (m_fingers.a - m_fingers.b).norm();
-    const Pixel middle = 0.5 * (before.a + before.b), nowMiddle = 0.5 * (m_fingers.a + m_fingers.b);
-    if (std::min(apart, nowApart) >= leastApart)
-        m_input->zoom(apart / nowApart, middle);
-    m_input->pan(nowMiddle - middle);
-    m_input->hold(nowMiddle);
+    if (!isContinued)
+        return m_input->setGestureCenter(0.5 * (m_fingers.a + m_fingers.b));
+    const double distance = (before.a - before.b).norm(), newDistance = (m_fingers.a - m_fingers.b).norm();
+    const Pixel middle = 0.5 * (before.a + before.b), newMiddle = 0.5 * (m_fingers.a + m_fingers.b);
+    if (std::min(distance, newDistance) >= minDistance)
+        m_input->zoom(distance / newDistance, middle);
+    m_input->pan(newMiddle - middle);
+    m_input->setGestureCenter(newMiddle);
 }
 
 void TouchInput::send(PointerEvent::Kind kind, const Pixel& pixel, const QTouchEvent& event)

@@ -4,7 +4,7 @@
 
 namespace ui
 {
-Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const HandHabits& habits)
+Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const InputPreferences& preferences)
 {
     struct Row
     {
@@ -24,17 +24,18 @@ Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const Han
         {Qt::MiddleButton, Qt::ShiftModifier, Drag::Pan}, {Qt::MiddleButton, Qt::ControlModifier, Drag::Zoom},
         {Qt::MiddleButton, Qt::NoModifier, Drag::Orbit},
     };
-    if (!habits.altMovesView)
+    if (!preferences.altMovesView)
         modifiers &= ~Qt::KeyboardModifiers(Qt::AltModifier);
-    for (const Row& row : habits.held.rightOrbits ? std::span<const Row>(rightOrbits) : std::span<const Row>(usual))
+    for (const Row& row :
+         preferences.modifiers.rightOrbits ? std::span<const Row>(rightOrbits) : std::span<const Row>(usual))
         if (row.button == button && (row.held == Qt::NoModifier || (modifiers & row.held)))
             return row.drag;
     return Drag::None;
 }
 
-Drag dragBesideModel(Qt::KeyboardModifiers modifiers, const HandHabits& habits)
+Drag dragBesideModel(Qt::KeyboardModifiers modifiers, const InputPreferences& preferences)
 {
-    const bool pans = habits.held.rightOrbits && habits.altMovesView && (modifiers & Qt::AltModifier);
+    const bool pans = preferences.modifiers.rightOrbits && preferences.altMovesView && (modifiers & Qt::AltModifier);
     return pans ? Drag::Pan : Drag::Orbit;
 }
 } // namespace ui

@@ -98,7 +98,7 @@ LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
 void LessonEditor::addStarts(const Actions& actions)
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = panelColumn(page);
+    QVBoxLayout* rows = panelLayout(page);
     rows->addWidget(
         head(tr("A lesson records what you sculpt, step by step, here or in the headset. It begins with:")));
     m_start = new QComboBox;
@@ -116,16 +116,16 @@ void LessonEditor::addStarts(const Actions& actions)
     rows->addWidget(record);
     rows->addSpacing(2 * gap);
     rows->addWidget(head(tr("Or change a lesson that is there:")));
-    m_shelf = new QComboBox;
-    m_shelf->setObjectName(QStringLiteral("lessonShelf"));
-    m_shelf->setAccessibleName(tr("Lessons of the program"));
+    m_library = new QComboBox;
+    m_library->setObjectName(QStringLiteral("lessonShelf"));
+    m_library->setAccessibleName(tr("Lessons of the program"));
     auto* change = new QPushButton(tr("Edit"));
     change->setObjectName(QStringLiteral("lessonEdit"));
     change->setToolTip(tr("Opens it here; it is saved under a name of your own."));
     auto* file = new QPushButton(tr("Open a Lesson…"));
     file->setObjectName(QStringLiteral("lessonEditFile"));
     file->setToolTip(tr("Opens a lesson from a zip or a folder, to change it."));
-    rows->addWidget(m_shelf);
+    rows->addWidget(m_library);
     rows->addWidget(change);
     rows->addWidget(file);
     rows->addStretch();
@@ -133,15 +133,15 @@ void LessonEditor::addStarts(const Actions& actions)
         const int starter = m_start->currentData().toInt();
         Q_EMIT startChosen(starter < 0 ? std::nullopt : std::optional(static_cast<core::Starter>(starter)));
     });
-    connect(change, &QPushButton::clicked, this, [this] { Q_EMIT lessonChosen(m_shelf->currentData().toString()); });
-    connect(file, &QPushButton::clicked, this, &LessonEditor::fileWanted);
+    connect(change, &QPushButton::clicked, this, [this] { Q_EMIT lessonChosen(m_library->currentData().toString()); });
+    connect(file, &QPushButton::clicked, this, &LessonEditor::fileRequested);
     m_stack->addWidget(page);
 }
 
 void LessonEditor::addEditor()
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = panelColumn(page);
+    QVBoxLayout* rows = panelLayout(page);
     addHead(rows);
     addSteps(rows);
     m_step->setMinimumHeight(stepHeight);
@@ -151,7 +151,7 @@ void LessonEditor::addEditor()
     connect(m_step, &LessonStepEditor::titleEdited, this, [this] { m_steps->currentItem()->setText(lineOf(step())); });
     connect(m_step, &LessonStepEditor::aboutToCut, this, &LessonEditor::aboutToChange);
     connect(m_step, &LessonStepEditor::cut, this, [this] { m_steps->currentItem()->setText(lineOf(step())); });
-    connect(m_step, &LessonStepEditor::factsWanted, this, &LessonEditor::factsWanted);
+    connect(m_step, &LessonStepEditor::factsRequested, this, &LessonEditor::factsRequested);
 }
 
 void LessonEditor::addHead(QVBoxLayout* rows)
@@ -226,16 +226,16 @@ void LessonEditor::addFoot(QVBoxLayout* rows)
     row->addWidget(save);
     row->addWidget(close);
     rows->addLayout(row);
-    connect(m_record, &QPushButton::clicked, this, [this] { Q_EMIT recordWanted(!m_isRecording); });
-    connect(save, &QPushButton::clicked, this, &LessonEditor::saveWanted);
-    connect(close, &QPushButton::clicked, this, &LessonEditor::closeWanted);
+    connect(m_record, &QPushButton::clicked, this, [this] { Q_EMIT recordRequested(!m_isRecording); });
+    connect(save, &QPushButton::clicked, this, &LessonEditor::saveRequested);
+    connect(close, &QPushButton::clicked, this, &LessonEditor::closeRequested);
 }
 
 void LessonEditor::setLessons(const QList<LessonCard>& lessons)
 {
-    m_shelf->clear();
+    m_library->clear();
     for (const LessonCard& card : lessons)
-        m_shelf->addItem(card.title, card.name);
+        m_library->addItem(card.title, card.name);
 }
 
 std::string LessonEditor::language() const
@@ -362,12 +362,12 @@ void LessonEditor::setRecording(bool isRecording)
     m_state->setText(isRecording ? tr("● Recording into step %1").arg(m_draft->steps()) : tr("○ Not recording"));
 }
 
-void addLessonEditor(const LessonEditorPlace& place, const Actions& actions)
+void addLessonEditor(const LessonEditorContext& context, const Actions& actions)
 {
     auto* dock = new QDockWidget(LessonEditor::tr("Lesson Editor"));
     dock->setObjectName(QStringLiteral("lessonEditor"));
     dock->setWidget(new LessonEditor(actions));
-    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
     dock->hide();
     QObject::connect(actions.get(QStringLiteral("lesson.record")), &QAction::triggered, dock, [dock] {
         dock->show();

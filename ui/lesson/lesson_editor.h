@@ -50,13 +50,13 @@ Q_SIGNALS:
     /// A lesson that begins so; nothing: with the model as it is.
     void startChosen(const std::optional<core::Starter>& starter);
     void lessonChosen(const QString& name);
-    void fileWanted();
+    void fileRequested();
     /// What the steps leave is about to be another model than it was.
     void aboutToChange();
-    void recordWanted(bool on);
-    void factsWanted();
-    void saveWanted();
-    void closeWanted();
+    void recordRequested(bool on);
+    void factsRequested();
+    void saveRequested();
+    void closeRequested();
 
 private:
     void addStarts(const Actions& actions);
@@ -75,7 +75,7 @@ private:
     core::LessonDraft* m_draft = nullptr;
     bool m_isRecording = false;
     QStackedWidget* m_stack = nullptr;
-    QComboBox *m_start = nullptr, *m_shelf = nullptr, *m_language = nullptr;
+    QComboBox *m_start = nullptr, *m_library = nullptr, *m_language = nullptr;
     QLineEdit *m_title = nullptr, *m_summary = nullptr;
     QListWidget* m_steps = nullptr;
     QToolButton *m_up = nullptr, *m_down = nullptr, *m_remove = nullptr;
@@ -84,11 +84,11 @@ private:
     QPushButton* m_record = nullptr;
 };
 
-struct LessonEditorPlace
+struct LessonEditorContext
 {
     QMainWindow* window;
     QMenu* toggles;
 };
 /// As a dock behind the brush's, with its entry among the toggles; lesson.record raises it.
-void addLessonEditor(const LessonEditorPlace& place, const Actions& actions);
+void addLessonEditor(const LessonEditorContext& context, const Actions& actions);
 } // namespace ui

@@ -62,13 +62,13 @@ LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStacke
     auto* rows = new QVBoxLayout(page);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
-    auto* said = new QWidget;
-    addHead(panelColumn(said));
-    rows->addWidget(scrolledPanel(said), 1);
+    auto* scrolled = new QWidget;
+    addHead(panelLayout(scrolled));
+    rows->addWidget(scrollablePanel(scrolled), 1);
     auto* done = new QWidget; // in sight whatever the text's length
-    QVBoxLayout* ways = panelColumn(done);
+    QVBoxLayout* ways = panelLayout(done);
     addTeacher(ways);
-    addWays(ways);
+    addNavigation(ways);
     rows->addWidget(done);
     m_stack->addWidget(page);
 }
@@ -76,7 +76,7 @@ LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStacke
 void LessonPanel::addChooser()
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = panelColumn(page);
+    QVBoxLayout* rows = panelLayout(page);
     QLabel* head = label("lessonsHead");
     head->setText(tr("Choose a lesson. It begins with a model of its own."));
     rows->addWidget(head);
@@ -85,10 +85,10 @@ void LessonPanel::addChooser()
     rows->addLayout(m_cards);
     auto* file = new QPushButton(tr("Open a Lesson…"));
     file->setToolTip(tr("Opens a lesson from a zip or a folder."));
-    connect(file, &QPushButton::clicked, this, &LessonPanel::fileWanted);
+    connect(file, &QPushButton::clicked, this, &LessonPanel::fileRequested);
     rows->addWidget(file);
     rows->addStretch();
-    m_stack->addWidget(scrolledPanel(page));
+    m_stack->addWidget(scrollablePanel(page));
 }
 
 void LessonPanel::addHead(QVBoxLayout* page)
@@ -148,14 +148,14 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     page->addLayout(slower);
     page->addWidget(m_marks);
     page->addWidget(m_difference);
-    connect(m_play, &QPushButton::clicked, this, [this] { Q_EMIT playWanted(!m_isPlaying); });
-    connect(m_one, &QPushButton::clicked, this, &LessonPanel::oneWanted);
+    connect(m_play, &QPushButton::clicked, this, [this] { Q_EMIT playRequested(!m_isPlaying); });
+    connect(m_one, &QPushButton::clicked, this, &LessonPanel::singleStrokeRequested);
     connect(m_speed, &QComboBox::currentIndexChanged, this, [this](int index) { Q_EMIT speedChosen(speeds[index]); });
-    connect(m_try, &QPushButton::clicked, this, &LessonPanel::tryWanted);
-    connect(m_difference, &QCheckBox::toggled, this, &LessonPanel::differenceWanted);
+    connect(m_try, &QPushButton::clicked, this, &LessonPanel::tryRequested);
+    connect(m_difference, &QCheckBox::toggled, this, &LessonPanel::differenceRequested);
 }
 
-void LessonPanel::addWays(QVBoxLayout* page)
+void LessonPanel::addNavigation(QVBoxLayout* page)
 {
     m_back = new QPushButton(tr("Back"));
     m_next = new QPushButton(tr("Next"));
@@ -166,9 +166,9 @@ void LessonPanel::addWays(QVBoxLayout* page)
     for (QPushButton* each : {m_back, m_next, leave})
         row->addWidget(each);
     page->addLayout(row);
-    connect(m_back, &QPushButton::clicked, this, [this] { Q_EMIT stepWanted(m_step - 1); });
-    connect(m_next, &QPushButton::clicked, this, [this] { Q_EMIT stepWanted(m_step + 1); });
-    connect(leave, &QPushButton::clicked, this, &LessonPanel::left);
+    connect(m_back, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step - 1); });
+    connect(m_next, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step + 1); });
+    connect(leave, &QPushButton::clicked, this, &LessonPanel::closed);
 }
 
 void LessonPanel::setLessons(const QList<LessonCard>& lessons)
@@ -199,7 +199,7 @@ void LessonPanel::showPage(const LessonPage& page)
     m_next->setEnabled(page.step + 1 < page.steps);
     setPlaying(false);
     setProgress(0);
-    m_shown = LessonShown{page, {}, false};
+    m_shown = LessonPanelState{page, {}, false};
     setMarks({});
     m_stack->setCurrentIndex(1);
 }
@@ -249,13 +249,13 @@ bool LessonPanel::wantsDifference() const
     return m_difference->isChecked() && m_difference->isVisibleTo(this);
 }
 
-void addLessonPanel(const LessonPanelPlace& place, const Actions& actions)
+void addLessonPanel(const LessonPanelContext& context, const Actions& actions)
 {
     auto* panel = new LessonPanel;
     auto* dock = new QDockWidget(LessonPanel::tr("Lessons"));
     dock->setObjectName(QStringLiteral("lessonPanel"));
     dock->setWidget(panel);
-    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
     dock->hide();
     QObject::connect(actions.get(QStringLiteral("help.lessons")), &QAction::triggered, dock, [dock] {
         dock->show();

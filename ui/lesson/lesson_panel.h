@@ -47,7 +47,7 @@ struct LessonMark
 };
 
 /// A step as it stands now.
-struct LessonShown
+struct LessonPanelState
 {
     LessonPage page;
     QList<LessonMark> marks;
@@ -76,27 +76,27 @@ public:
     bool wantsDifference() const;
 
     /// What the pupil reads; nothing: no lesson is open. changed() tells of another.
-    const std::optional<LessonShown>& shown() const { return m_shown; }
+    const std::optional<LessonPanelState>& shown() const { return m_shown; }
     /// As by the buttons, from elsewhere; what their state forbids is not done.
     void press(LessonButton button);
 
 Q_SIGNALS:
     void changed();
     void lessonChosen(const QString& name);
-    void fileWanted();
-    void stepWanted(int step);
-    void playWanted(bool on);
-    void oneWanted(); ///< the teacher's next stroke alone
+    void fileRequested();
+    void stepRequested(int step);
+    void playRequested(bool on);
+    void singleStrokeRequested(); ///< the teacher's next stroke alone
     void speedChosen(double speed);
-    void tryWanted();
-    void differenceWanted(bool on);
-    void left();
+    void tryRequested();
+    void differenceRequested(bool on);
+    void closed();
 
 private:
     void addChooser();
     void addHead(QVBoxLayout* page);
     void addTeacher(QVBoxLayout* page);
-    void addWays(QVBoxLayout* page);
+    void addNavigation(QVBoxLayout* page);
 
     QStackedWidget* m_stack = nullptr;
     QVBoxLayout* m_cards = nullptr;
@@ -105,16 +105,16 @@ private:
     QPushButton *m_play = nullptr, *m_one = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr;
     QComboBox* m_speed = nullptr;
     QCheckBox* m_difference = nullptr;
-    std::optional<LessonShown> m_shown;
+    std::optional<LessonPanelState> m_shown;
     int m_step = 0;
     bool m_isPlaying = false;
 };
 
-struct LessonPanelPlace
+struct LessonPanelContext
 {
     QMainWindow* window;
     QMenu* toggles;
 };
 /// As a dock behind the brush's, with its entry among the toggles; help.lessons raises it.
-void addLessonPanel(const LessonPanelPlace& place, const Actions& actions);
+void addLessonPanel(const LessonPanelContext& context, const Actions& actions);
 } // namespace ui

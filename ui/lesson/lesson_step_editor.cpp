@@ -22,7 +22,7 @@ namespace ui
 {
 namespace
 {
-constexpr double mostShown = 1e9;            ///< of a fact, as far as it can be typed
+constexpr double maxShown = 1e9;             ///< of a fact, as far as it can be typed
 constexpr double maxTolerance = 1000;        ///< mm
 constexpr int spinWidth = 84, iconSide = 16; ///< pixels
 
@@ -36,19 +36,19 @@ QLabel* sentence(const QString& text)
 /// Nothing of it is cut off at its right.
 QScrollArea* scrolledWithAllItsWidth(QWidget* page)
 {
-    QScrollArea* area = scrolledPanel(page);
+    QScrollArea* area = scrollablePanel(page);
     area->setMinimumWidth(page->minimumSizeHint().width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     return area;
 }
 
-QDoubleSpinBox* spin(double least, double most, int decimals)
+QDoubleSpinBox* spin(double min, double max, int decimals)
 {
     auto* spin = new QDoubleSpinBox;
     spin->setDecimals(decimals);
-    spin->setRange(least, most);
+    spin->setRange(min, max);
     spin->setSpecialValueText(QStringLiteral("–"));
     spin->setFixedWidth(spinWidth);
-    spin->setValue(least);
+    spin->setValue(min);
     return spin;
 }
 } // namespace
@@ -66,7 +66,7 @@ LessonStepEditor::LessonStepEditor(const Actions& actions, QWidget* parent) : QT
 void LessonStepEditor::addText()
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = panelColumn(page);
+    QVBoxLayout* rows = panelLayout(page);
     m_title = new QLineEdit;
     m_title->setObjectName(QStringLiteral("lessonStepTitle"));
     m_title->setAccessibleName(tr("Title of the step"));
@@ -89,7 +89,7 @@ void LessonStepEditor::addText()
 void LessonStepEditor::addStrokes()
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = panelColumn(page);
+    QVBoxLayout* rows = panelLayout(page);
     m_strokes = new QListWidget;
     m_strokes->setObjectName(QStringLiteral("lessonStrokes"));
     m_strokes->setAccessibleName(tr("Strokes of the step"));
@@ -108,7 +108,7 @@ void LessonStepEditor::addStrokes()
 void LessonStepEditor::addTools(const Actions& actions)
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = panelColumn(page);
+    QVBoxLayout* rows = panelLayout(page);
     rows->addWidget(sentence(tr("The pupil has these tools; all of them, if none is chosen.")));
     auto* grid = new QGridLayout;
     constexpr int columns = 2;
@@ -130,17 +130,17 @@ void LessonStepEditor::addTools(const Actions& actions)
 void LessonStepEditor::addFact(QGridLayout* grid, core::Fact fact, const QString& words)
 {
     const int decimals = core::info(fact).isWhole ? 0 : 1, row = grid->rowCount();
-    const double most = std::min(core::info(fact).max, mostShown), step = decimals > 0 ? 0.1 : 1;
-    const Bounds bounds{fact, spin(0, most, decimals), spin(-step, most, decimals)};
+    const double max = std::min(core::info(fact).max, maxShown), step = decimals > 0 ? 0.1 : 1;
+    const Bounds bounds{fact, spin(0, max, decimals), spin(-step, max, decimals)};
     grid->addWidget(new QLabel(words), row, 0);
-    grid->addWidget(bounds.least, row, 1);
-    grid->addWidget(bounds.most, row, 2);
+    grid->addWidget(bounds.min, row, 1);
+    grid->addWidget(bounds.max, row, 2);
     const std::string name(core::info(fact).key);
-    bounds.least->setObjectName(QStringLiteral("lessonLeast.") + QString::fromStdString(name));
-    bounds.most->setObjectName(QStringLiteral("lessonMost.") + QString::fromStdString(name));
-    bounds.least->setAccessibleName(tr("%1, at least").arg(words));
-    bounds.most->setAccessibleName(tr("%1, at most").arg(words));
-    for (const QDoubleSpinBox* box : {bounds.least, bounds.most})
+    bounds.min->setObjectName(QStringLiteral("lessonLeast.") + QString::fromStdString(name));
+    bounds.max->setObjectName(QStringLiteral("lessonMost.") + QString::fromStdString(name));
+    bounds.min->setAccessibleName(tr("%1, at least").arg(words));
+    bounds.max->setAccessibleName(tr("%1, at most").arg(words));
+    for (const QDoubleSpinBox* box : {bounds.min, bounds.max})
         connect(box, &QDoubleSpinBox::valueChanged, this, [this, bounds, box] { takeFact(bounds, box); });
     m_facts.push_back(bounds);
 }
@@ -148,7 +148,7 @@ void LessonStepEditor::addFact(QGridLayout* grid, core::Fact fact, const QString
 void LessonStepEditor::addCheckpoint()
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = panelColumn(page);
+    QVBoxLayout* rows = panelLayout(page);
     rows->addWidget(sentence(tr("The step is done when the pupil's model is so:")));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(gap);
@@ -188,7 +188,7 @@ void LessonStepEditor::addCheckpoint()
         if (!m_isShowing && hasStep())
             m_draft->setTolerance(m_step, millimetres);
     });
-    connect(take, &QPushButton::clicked, this, &LessonStepEditor::factsWanted);
+    connect(take, &QPushButton::clicked, this, &LessonStepEditor::factsRequested);
     addTab(scrolledWithAllItsWidth(page), tr("Goal"));
 }
 
@@ -212,14 +212,14 @@ void LessonStepEditor::takeFact(const Bounds& bounds, const QDoubleSpinBox* chan
 {
     if (m_isShowing || !hasStep())
         return;
-    const bool hasMost = bounds.most->value() >= 0;
-    if (hasMost && bounds.least->value() > bounds.most->value()) {
-        QDoubleSpinBox* other = changed == bounds.least ? bounds.most : bounds.least;
+    const bool hasMax = bounds.max->value() >= 0;
+    if (hasMax && bounds.min->value() > bounds.max->value()) {
+        QDoubleSpinBox* other = changed == bounds.min ? bounds.max : bounds.min;
         const QSignalBlocker quiet(other);
         other->setValue(changed->value());
     }
-    m_draft->setFact(
-        m_step, {bounds.fact, bounds.least->value(), hasMost ? bounds.most->value() : core::FactBounds::unbounded});
+    m_draft->setFact(m_step,
+                     {bounds.fact, bounds.min->value(), hasMax ? bounds.max->value() : core::FactBounds::unbounded});
 }
 
 void LessonStepEditor::cutStroke()
@@ -283,9 +283,9 @@ void LessonStepEditor::showCheckpoint()
     m_isShowing = true;
     for (const Bounds& bounds : m_facts) {
         const std::optional<core::FactBounds> asked = hasStep() ? m_draft->fact(m_step, bounds.fact) : std::nullopt;
-        const bool hasMost = asked && asked->max < core::FactBounds::unbounded;
-        bounds.least->setValue(asked ? asked->min : 0);
-        bounds.most->setValue(hasMost ? asked->max : bounds.most->minimum());
+        const bool hasMax = asked && asked->max < core::FactBounds::unbounded;
+        bounds.min->setValue(asked ? asked->min : 0);
+        bounds.max->setValue(hasMax ? asked->max : bounds.max->minimum());
     }
     m_printReady->setChecked(hasStep() && m_draft->fact(m_step, core::Fact::PrintReady).has_value());
     m_tolerance->setValue(

@@ -50,13 +50,13 @@ Q_SIGNALS:
     void aboutToCut();
     void cut();
     /// The checkpoint's facts are to be those of the model as it is.
-    void factsWanted();
+    void factsRequested();
 
 private:
     struct Bounds
     {
         core::Fact fact;
-        QDoubleSpinBox *least, *most;
+        QDoubleSpinBox *min, *max;
     };
 
     void addText();

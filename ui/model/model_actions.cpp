@@ -21,7 +21,7 @@ constexpr std::pair<const char*, How> maskActions[] = {{"mask.invert", How::Inve
                                                        {"mask.cavity", How::Cavity}, {"mask.part", How::Part}};
 } // namespace
 
-void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelFacts&()>& facts,
+void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelInfo&()>& modelInfo,
                   const BrushSettings* brush, const std::function<void(const core::ModelCommand&)>& request)
 {
     const auto on = [&](const char* id, const auto& what) {
@@ -29,17 +29,17 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     };
     on("model.move", [=] { askForMove(window, request); });
     on("model.rotate", [=] { askForRotation(window, request); });
-    on("model.scale", [=] { askForScale(window, facts(), request); });
+    on("model.scale", [=] { askForScale(window, modelInfo(), request); });
     on("model.mirror", [=] { askForMirror(window, request); });
     on("model.symmetrize", [=] { askForSymmetry(window, request); });
     on("model.recentre", [=] { request(core::Recentre{}); });
     on("model.placeOnBed", [=] { request(core::PlaceOnBed{}); });
-    on("model.flattenBase", [=] { askForBase(window, facts(), request); });
+    on("model.flattenBase", [=] { askForBase(window, modelInfo(), request); });
     on("model.reset", [=] { request(core::Reset{}); });
     on("model.fill", [=] { request(core::Fill{brush->stroke().color}); });
     on("mask.color", [=] { request(core::MaskOperation{How::Color, brush->stroke().color}); });
     for (const auto& [id, how] : maskActions)
         on(id, [=, how = how] { request(core::MaskOperation{how}); });
-    on("model.remesh", [=] { askForRemesh(window, facts(), request); });
+    on("model.remesh", [=] { askForRemesh(window, modelInfo(), request); });
 }
 } // namespace ui

@@ -14,8 +14,8 @@ class Actions;
 class BrushSettings;
 
 /// The actions of the Model menu but Insert: each asks for its numbers in a dialog of the window, if it has any, and
-/// requests the command. `facts`: of the model as it is then. Fill and the mask by colour take the brush's. All must
-/// outlive the actions. Gui thread.
-void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelFacts&()>& facts,
+/// requests the command. `modelInfo`: of the model as it is then. Fill and the mask by colour take the brush's. All
+/// must outlive the actions. Gui thread.
+void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelInfo&()>& modelInfo,
                   const BrushSettings* brush, const std::function<void(const core::ModelCommand&)>& request);
 } // namespace ui

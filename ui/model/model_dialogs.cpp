@@ -31,14 +31,14 @@ class ModelDialogs
 
 struct Number
 {
-    double value = 0, least = -farthest, most = farthest;
+    double value = 0, min = -farthest, max = farthest;
     int decimals = 3;
     QString unit;
 };
 
-Number millimetreField(double value, double least = -farthest, double most = farthest)
+Number millimetreField(double value, double min = -farthest, double max = farthest)
 {
-    return {value, least, most, 3, ModelDialogs::tr(" mm")};
+    return {value, min, max, 3, ModelDialogs::tr(" mm")};
 }
 
 /// A sentence, a few rows, and a button with the verb.
@@ -61,7 +61,7 @@ public:
         auto* box = new QDoubleSpinBox;
         box->setObjectName(QLatin1StringView(name));
         box->setDecimals(number.decimals);
-        box->setRange(number.least, number.most);
+        box->setRange(number.min, number.max);
         box->setValue(number.value);
         box->setSuffix(number.unit);
         box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -101,10 +101,11 @@ public:
         return box;
     }
 
-    template <class Answer, class Wish> void ask(const QString& verb, const Answer& answer, const Wish& wish)
+    template <class Callback, class MakeCommand>
+    void openFor(const QString& verb, const Callback& callback, const MakeCommand& makeCommand)
     {
-        addAnswers(this, verb);
-        connect(this, &QDialog::accepted, this, [answer, wish] { answer(wish()); });
+        addDialogButtons(this, verb);
+        connect(this, &QDialog::accepted, this, [callback, makeCommand] { callback(makeCommand()); });
         open();
     }
 
@@ -144,15 +145,15 @@ QString length(double mm)
 }
 } // namespace
 
-void askForMove(QWidget* parent, const CommandAnswer& answer)
+void askForMove(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "moveDialog", ModelDialogs::tr("Move the Model"),
                                      ModelDialogs::tr("By how much is the whole model moved?"));
     const Coordinates by = addCoordinates(dialog);
-    dialog->ask(ModelDialogs::tr("Move"), answer, [by] { return core::Move{by.value()}; });
+    dialog->openFor(ModelDialogs::tr("Move"), callback, [by] { return core::Move{by.value()}; });
 }
 
-void askForRotation(QWidget* parent, const CommandAnswer& answer)
+void askForRotation(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "rotateDialog", ModelDialogs::tr("Rotate the Model"),
                                      ModelDialogs::tr("The model turns about an axis through the origin, "
@@ -162,7 +163,7 @@ void askForRotation(QWidget* parent, const CommandAnswer& answer)
         {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"), ModelDialogs::tr("Z, to the front")});
     const auto* angle =
         dialog->addNumber("angle", ModelDialogs::tr("Angle"), {90, -360, 360, 2, ModelDialogs::tr("°")});
-    dialog->ask(ModelDialogs::tr("Rotate"), answer, [axes, angle] {
+    dialog->openFor(ModelDialogs::tr("Rotate"), callback, [axes, angle] {
         const core::Vec3 directions[] = {core::Vec3::UnitY(), core::Vec3::UnitX(), core::Vec3::UnitZ()};
         const double radians = angle->value() * std::numbers::pi / 180;
         return core::Rotate{Eigen::Quaterniond(Eigen::AngleAxisd(radians, directions[axes->checkedId()]))};
@@ -170,9 +171,9 @@ void askForRotation(QWidget* parent, const CommandAnswer& answer)
 }
 
 /// Two numbers for one thing: each follows the other.
-void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)
+void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
 {
-    const double size = facts.size.maxCoeff();
+    const double size = modelInfo.size.maxCoeff();
     auto* dialog = new CommandDialog(parent, "scaleDialog", ModelDialogs::tr("Scale the Model"),
                                      ModelDialogs::tr("How large is the model to be?"));
     auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest side"), millimetreField(size, 0.001));
@@ -181,8 +182,8 @@ void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& 
                                           {ModelDialogs::tr("Millimetres"), ModelDialogs::tr("Centimetres"),
                                            ModelDialogs::tr("Inches"), ModelDialogs::tr("Metres")});
     QObject::connect(units, &QButtonGroup::idClicked, factor, [factor](int unit) {
-        constexpr double millimetresAUnit[] = {1, 10, 25.4, 1000};
-        factor->setValue(millimetresAUnit[unit]);
+        constexpr double millimetresPerUnit[] = {1, 10, 25.4, 1000};
+        factor->setValue(millimetresPerUnit[unit]);
     });
     const auto last = std::make_shared<double>(1); // exactly, whichever box it was typed into
     QObject::connect(longest, &QDoubleSpinBox::valueChanged, factor, [=](double mm) {
@@ -195,20 +196,20 @@ void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& 
         const QSignalBlocker quiet(longest);
         longest->setValue(times * size);
     });
-    dialog->ask(ModelDialogs::tr("Scale"), answer, [last] { return core::Scale{*last}; });
+    dialog->openFor(ModelDialogs::tr("Scale"), callback, [last] { return core::Scale{*last}; });
 }
 
-void askForMirror(QWidget* parent, const CommandAnswer& answer)
+void askForMirror(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "mirrorDialog", ModelDialogs::tr("Mirror the Model"),
                                      ModelDialogs::tr("The mirror goes through the origin. What changes sides?"));
     const auto* sides =
         dialog->addChoice({}, {ModelDialogs::tr("Left and right (X)"), ModelDialogs::tr("Top and bottom (Y)"),
                                ModelDialogs::tr("Front and back (Z)")});
-    dialog->ask(ModelDialogs::tr("Mirror"), answer, [sides] { return core::Mirror{sides->checkedId()}; });
+    dialog->openFor(ModelDialogs::tr("Mirror"), callback, [sides] { return core::Mirror{sides->checkedId()}; });
 }
 
-void askForSymmetry(QWidget* parent, const CommandAnswer& answer)
+void askForSymmetry(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "symmetryDialog", ModelDialogs::tr("Symmetrize the Model"),
                                      ModelDialogs::tr("The mirror goes through the origin. Which half is kept?"));
@@ -216,50 +217,51 @@ void askForSymmetry(QWidget* parent, const CommandAnswer& answer)
         dialog->addChoice({}, {ModelDialogs::tr("Right (X above 0)"), ModelDialogs::tr("Left (X below 0)"),
                                ModelDialogs::tr("Top (Y above 0)"), ModelDialogs::tr("Bottom (Y below 0)"),
                                ModelDialogs::tr("Front (Z above 0)"), ModelDialogs::tr("Back (Z below 0)")});
-    dialog->ask(ModelDialogs::tr("Symmetrize"), answer, [halves] {
+    dialog->openFor(ModelDialogs::tr("Symmetrize"), callback, [halves] {
         constexpr core::Symmetry planes[] = {core::Symmetry::X, core::Symmetry::Y, core::Symmetry::Z};
         const int choice = halves->checkedId();
         return core::Symmetrize{planes[choice / 2], choice % 2 == 0 ? core::Half::Positive : core::Half::Negative};
     });
 }
 
-void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)
+void askForRemesh(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(
         parent, "remeshDialog", ModelDialogs::tr("Remesh Uniformly"),
         ModelDialogs::tr("All triangles of the model become about as large. How long may their edges be?"));
-    const double least = std::max(facts.size.maxCoeff() * 1e-4, 0.001);
+    const double min = std::max(modelInfo.size.maxCoeff() * 1e-4, 0.001);
     auto* longest =
         dialog->addNumber("longest", ModelDialogs::tr("Longest edge"),
-                          millimetreField(facts.uniformDetail, least, std::max(facts.size.maxCoeff(), least)));
+                          millimetreField(modelInfo.uniformDetail, min, std::max(modelInfo.size.maxCoeff(), min)));
     auto* outcome = dialog->addText({});
     outcome->setObjectName(QStringLiteral("outcome"));
-    const auto show = [outcome, facts](double mm) {
+    const auto show = [outcome, modelInfo](double mm) {
         outcome->setText(ModelDialogs::tr("Edges from %1 to %2 mm; about %3 triangles, now there are %4.")
-                             .arg(length(mm / 2), length(mm), formatted(core::uniformFaces(facts.area, mm)),
-                                  QLocale().toString(static_cast<qulonglong>(facts.faces))));
+                             .arg(length(mm / 2), length(mm), formatted(core::uniformFaces(modelInfo.area, mm)),
+                                  QLocale().toString(static_cast<qulonglong>(modelInfo.faces))));
     };
     QObject::connect(longest, &QDoubleSpinBox::valueChanged, outcome, show);
     show(longest->value());
     // What nobody changed is the default exactly, not what the box shows of it.
-    dialog->ask(ModelDialogs::tr("Remesh"), answer, [longest, shown = longest->value()] {
+    dialog->openFor(ModelDialogs::tr("Remesh"), callback, [longest, shown = longest->value()] {
         return core::RemeshUniformly{longest->value() == shown ? 0 : longest->value()};
     });
 }
 
-void askForBase(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)
+void askForBase(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
 {
     constexpr double usualShare = 0.02; ///< of the height
-    const double height = facts.size.y(), least = std::min(0.001, height / 2);
+    const double height = modelInfo.size.y(), min = std::min(0.001, height / 2);
     auto* dialog = new CommandDialog(parent, "baseDialog", ModelDialogs::tr("Flatten the Base"),
                                      ModelDialogs::tr("What lies below a level cut goes, and the model stands flat. "
                                                       "How high above its lowest point is the cut?"));
     const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"),
-                                        millimetreField(usualShare * height, least, std::max(height - least, least)));
-    dialog->ask(ModelDialogs::tr("Flatten"), answer, [cut] { return core::FlattenBase{cut->value()}; });
+                                        millimetreField(usualShare * height, min, std::max(height - min, min)));
+    dialog->openFor(ModelDialogs::tr("Flatten"), callback, [cut] { return core::FlattenBase{cut->value()}; });
 }
 
-void askForPlace(QWidget* parent, const QString& path, const std::function<void(const Insertion& insertion)>& answer)
+void askForPlace(QWidget* parent, const QString& path,
+                 const std::function<void(const InsertRequest& insertion)>& callback)
 {
     auto* dialog = new CommandDialog(
         parent, "insertDialog", ModelDialogs::tr("Insert a Model"),
@@ -275,11 +277,11 @@ void askForPlace(QWidget* parent, const QString& path, const std::function<void(
         dialog->addList("unit", ModelDialogs::tr("Its unit"),
                         {ModelDialogs::tr("As the file says, or millimetres"), ModelDialogs::tr("Centimetres"),
                          ModelDialogs::tr("Metres"), ModelDialogs::tr("Inches")});
-    dialog->ask(ModelDialogs::tr("Insert"), answer, [path, places, centre, units] {
+    dialog->openFor(ModelDialogs::tr("Insert"), callback, [path, places, centre, units] {
         constexpr core::Insert::Place all[] = {core::Insert::Place::Beside, core::Insert::Place::AsItIs,
                                                core::Insert::Place::Centre};
         constexpr double millimetresOf[] = {1, 10, 1000, 25.4};
-        return Insertion{path, all[places->checkedId()], centre.value(), millimetresOf[units->currentIndex()], {}};
+        return InsertRequest{path, all[places->checkedId()], centre.value(), millimetresOf[units->currentIndex()], {}};
     });
 }
 } // namespace ui

@@ -14,9 +14,9 @@ namespace ui
 {
 namespace
 {
-class MendingDialogs
+class RepairDialogs
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::MendingDialogs)
+    Q_DECLARE_TR_FUNCTIONS(ui::RepairDialogs)
 };
 
 constexpr int textWidth = 400;
@@ -30,43 +30,43 @@ QCheckBox* check(const char* name, const QString& label, bool isChecked)
 }
 } // namespace
 
-void askToMend(QWidget* parent, MendFor use, const QString& problem,
-               const std::function<void(const core::RepairOptions& options)>& answer)
+void askToRepair(QWidget* parent, RepairUse use, const QString& problem,
+                 const std::function<void(const core::RepairOptions& options)>& callback)
 {
     auto* dialog = new QDialog(parent);
-    QVBoxLayout* column = beginDialog(dialog, "mendDialog", MendingDialogs::tr("Mend the Model"));
+    QVBoxLayout* column = beginDialog(dialog, "mendDialog", RepairDialogs::tr("Mend the Model"));
     const core::RepairOptions defaults;
     auto* largeHoles =
-        check("largeHoles", MendingDialogs::tr("Fill large holes, too: longer than a quarter of the model"),
+        check("largeHoles", RepairDialogs::tr("Fill large holes, too: longer than a quarter of the model"),
               defaults.fillLargeHoles);
-    auto* cavities = check("cavities", MendingDialogs::tr("Parts inside of others are cavities, not solid"),
+    auto* cavities = check("cavities", RepairDialogs::tr("Parts inside of others are cavities, not solid"),
                            defaults.innerAreCavities);
     column->addWidget(dialogText(problem, textWidth));
     column->addWidget(
-        dialogText(MendingDialogs::tr("Fettle can mend it: holes are filled, faces turned outwards, and parts that "
-                                      "intersect become one. You will see what changed. The file stays as it is."),
+        dialogText(RepairDialogs::tr("Fettle can mend it: holes are filled, faces turned outwards, and parts that "
+                                     "intersect become one. You will see what changed. The file stays as it is."),
                    textWidth));
     column->addSpacing(dialogGap);
     column->addWidget(largeHoles);
     column->addWidget(cavities);
     column->addSpacing(dialogGap);
-    addAnswers(dialog,
-               use == MendFor::Opening ? MendingDialogs::tr("Mend and Open") : MendingDialogs::tr("Mend and Insert"))
+    addDialogButtons(dialog, use == RepairUse::Opening ? RepairDialogs::tr("Mend and Open")
+                                                       : RepairDialogs::tr("Mend and Insert"))
         ->setFocus();
 
-    QObject::connect(dialog, &QDialog::accepted, dialog, [answer, largeHoles, cavities] {
-        answer({.fillLargeHoles = largeHoles->isChecked(), .innerAreCavities = cavities->isChecked()});
+    QObject::connect(dialog, &QDialog::accepted, dialog, [callback, largeHoles, cavities] {
+        callback({.fillLargeHoles = largeHoles->isChecked(), .innerAreCavities = cavities->isChecked()});
     });
     dialog->open();
 }
 
-void showMended(QWidget* parent, MendFor use, const QString& name, const QStringList& steps)
+void showRepaired(QWidget* parent, RepairUse use, const QString& name, const QStringList& steps)
 {
-    const QString what = use == MendFor::Opening
-                             ? MendingDialogs::tr("%1 was mended. It has no file of its own until you save it.")
-                             : MendingDialogs::tr("%1 was mended and inserted. Undo takes both back.");
-    auto* dialog = new QMessageBox(QMessageBox::Information, MendingDialogs::tr("Fettle"), what.arg(name),
-                                   QMessageBox::Ok, parent);
+    const QString what = use == RepairUse::Opening
+                             ? RepairDialogs::tr("%1 was mended. It has no file of its own until you save it.")
+                             : RepairDialogs::tr("%1 was mended and inserted. Undo takes both back.");
+    auto* dialog =
+        new QMessageBox(QMessageBox::Information, RepairDialogs::tr("Fettle"), what.arg(name), QMessageBox::Ok, parent);
     dialog->setObjectName(QStringLiteral("mendedDialog"));
     dialog->setTextFormat(Qt::PlainText);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

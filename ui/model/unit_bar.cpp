@@ -29,7 +29,7 @@ constexpr UnitChoice units[] = {{"asMetres", 1000, core::UnitDoubt::Metres,
                                  QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 10 times as large, as one step.")}};
 } // namespace
 
-UnitBar::UnitBar(const Doubt& doubt, QMainWindow* window) : OfferBar("unitBar", tr("Unit of the Model"), window)
+UnitBar::UnitBar(const Doubt& doubt, QMainWindow* window) : MessageBar("unitBar", tr("Unit of the Model"), window)
 {
     const auto length = [&](double unit) {
         const double mm = unit * doubt.longest;
@@ -37,15 +37,15 @@ UnitBar::UnitBar(const Doubt& doubt, QMainWindow* window) : OfferBar("unitBar", 
     };
     for (const UnitChoice& unit : units)
         if (unit.guess == doubt.guess)
-            say("unitText", tr(unit.question).arg(shortened(doubt.name), length(1), length(unit.millimetres)),
-                doubt.name);
+            setMessage("unitText", tr(unit.question).arg(shortened(doubt.name), length(1), length(unit.millimetres)),
+                       doubt.name);
     for (const UnitChoice& unit : units) {
         QPushButton* button = addButton(unit.name, tr(unit.text), tr(unit.tip));
         button->setDefault(unit.guess == doubt.guess);
         connect(button, &QPushButton::clicked, this, [this, &unit] { Q_EMIT unitChosen(unit.millimetres); });
     }
-    QPushButton* leaveIt =
+    QPushButton* leaveButton =
         addButton("asMillimetres", tr("Le&ave as mm"), tr("Leaves the model as it is, and hides this bar."));
-    connect(leaveIt, &QPushButton::clicked, this, &UnitBar::leave);
+    connect(leaveButton, &QPushButton::clicked, this, &UnitBar::dismiss);
 }
 } // namespace ui

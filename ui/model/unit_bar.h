@@ -7,7 +7,7 @@
 namespace ui
 {
 /// Doubts that a model without a unit was made in millimetres, and offers others. Gui thread.
-class UnitBar : public OfferBar
+class UnitBar : public MessageBar
 {
     Q_OBJECT
 

@@ -22,20 +22,20 @@ void resetBrush(BrushSettings* brush, const Settings& settings)
 }
 } // namespace
 
-void connectPreferences(const PreferencesPlace& place)
+void connectPreferences(const PreferencesContext& context)
 {
-    const auto [window, actions, settings, brush, viewport] = place;
+    const auto [window, actions, settings, brush, viewport] = context;
     auto* theme = new Theme(settings->preferences().theme, window);
-    const auto takeUp = [=] {
+    const auto applySettings = [=] {
         const Preferences preferences = settings->preferences();
         theme->choose(preferences.theme);
-        viewport->setCalm(preferences.isCalm);
-        viewport->setHabits(preferences.habits());
+        viewport->setReducesMotion(preferences.reducesMotion);
+        viewport->setInputPreferences(preferences.effectiveInput());
         actions->setKeys(preferences.keys);
     };
-    takeUp();
+    applySettings();
     settings->onReset([=, panels = window->saveState()] {
-        takeUp();
+        applySettings();
         resetBrush(brush, *settings);
         window->restoreState(panels);
     });
@@ -43,7 +43,7 @@ void connectPreferences(const PreferencesPlace& place)
         auto* dialog = new PreferencesDialog(settings->preferences(), *actions, window);
         QObject::connect(dialog, &PreferencesDialog::changed, window, [=](const Preferences& preferences) {
             settings->setPreferences(preferences);
-            takeUp();
+            applySettings();
         });
         QObject::connect(dialog, &PreferencesDialog::resetRequested, window, [=] {
             settings->reset();

@@ -10,7 +10,7 @@ class Settings;
 class Viewport;
 
 /// What preferences are for. The actions and the settings must outlive the window.
-struct PreferencesPlace
+struct PreferencesContext
 {
     QMainWindow* window;
     Actions* actions;
@@ -21,5 +21,5 @@ struct PreferencesPlace
 
 /// The stored preferences hold from now on, and Edit > Preferences changes them. Where the panels are now is where they
 /// come back to when all is reset. Gui thread.
-void connectPreferences(const PreferencesPlace& place);
+void connectPreferences(const PreferencesContext& context);
 } // namespace ui

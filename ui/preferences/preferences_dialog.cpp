@@ -101,7 +101,7 @@ QWidget* PreferencesDialog::appearancePage()
              {"calm", tr("&Reduced motion"),
               tr("The view goes at once where it is sent, instead of flying there, and the light of who points stands "
                  "still.")},
-             [](Preferences& all) { return &all.isCalm; });
+             [](Preferences& all) { return &all.reducesMotion; });
     return page;
 }
 
@@ -112,30 +112,30 @@ QWidget* PreferencesDialog::inputPage()
     addCheck(form,
              {"pressureToStrength", tr("A pen's pressure is the &strength"),
               tr("A light touch changes little, a firm one much.")},
-             [](Preferences& all) { return &all.hand.pressureToStrength; });
+             [](Preferences& all) { return &all.input.pressureToStrength; });
     addCheck(form,
              {"pressureToRadius", tr("A pen's pressure is the &radius"),
               tr("A light touch makes a narrow stroke, a firm one a wide one.")},
-             [](Preferences& all) { return &all.hand.pressureToRadius; });
+             [](Preferences& all) { return &all.input.pressureToRadius; });
     addCheck(form,
              {"altMovesView", tr("Alt and the &mouse move the view"),
               tr("With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have "
                  "it otherwise.")},
-             [](Preferences& all) { return &all.hand.altMovesView; });
+             [](Preferences& all) { return &all.input.altMovesView; });
     addPen(form);
     return page;
 }
 
 QWidget* PreferencesDialog::filesPage()
 {
-    static_assert(keptVersions == 3, "the words below");
+    static_assert(backupCount == 3, "the words below");
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
     addCheck(form,
              {"keepsVersions", tr("Keep the last three &versions of a file that is saved again"),
               tr("What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like "
                  "any other.")},
-             [](Preferences& all) { return &all.keepsVersions; });
+             [](Preferences& all) { return &all.keepsBackups; });
     form->addRow(remark(tr("Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the "
                            "next start offers them.")));
     return page;
@@ -143,29 +143,29 @@ QWidget* PreferencesDialog::filesPage()
 
 QWidget* PreferencesDialog::keysPage(const Actions& actions)
 {
-    auto* page = new KeysPage(actions);
-    connect(page, &KeysPage::changed, this, [this](const KeyChoice& keys) {
+    auto* page = new ShortcutsPage(actions);
+    connect(page, &ShortcutsPage::changed, this, [this](const ShortcutSettings& keys) {
         Preferences to = m_now;
         to.keys = keys;
         change(to);
     });
-    m_show.push_back([this, page] { page->setChoice(m_now.keys); });
+    m_show.push_back([this, page] { page->setShortcuts(m_now.keys); });
     return page;
 }
 
 /// Its pressure curve, and a field to try it in.
 void PreferencesDialog::addPen(QFormLayout* form)
 {
-    auto* curve = new PenCurve;
-    auto* test = new PenTest;
-    connect(curve, &PenCurve::bent, this, [this](double exponent) {
+    auto* curve = new PressureCurve;
+    auto* test = new PressureTest;
+    connect(curve, &PressureCurve::bent, this, [this](double exponent) {
         Preferences to = m_now;
-        to.hand.penExponent = exponent;
+        to.input.penExponent = exponent;
         change(to);
     });
     m_show.push_back([this, curve, test] {
-        curve->setExponent(m_now.hand.penExponent);
-        test->setExponent(m_now.hand.penExponent);
+        curve->setExponent(m_now.input.penExponent);
+        test->setExponent(m_now.input.penExponent);
     });
     form->addRow(tr("Pressure &curve"), curve);
     form->addRow(tr("Pen test"), test);

@@ -10,7 +10,7 @@ constexpr double edge = 0.02; ///< nearer to the corners a place says nothing ab
 constexpr double stepFactor = 1.1;
 } // namespace
 
-PenCurve::PenCurve(QWidget* parent) : CurveWidget(parent)
+PressureCurve::PressureCurve(QWidget* parent) : CurveWidget(parent)
 {
     setObjectName(QStringLiteral("penCurve"));
     setAccessibleName(tr("Pressure curve"));
@@ -18,23 +18,23 @@ PenCurve::PenCurve(QWidget* parent) : CurveWidget(parent)
         "How a pen's pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it."));
 }
 
-void PenCurve::setExponent(double exponent)
+void PressureCurve::setExponent(double exponent)
 {
     m_exponent = std::clamp(exponent, minPenExponent, maxPenExponent);
     update();
 }
 
-void PenCurve::bendTo(double x, double y)
+void PressureCurve::bendTo(double x, double y)
 {
     bend(std::log(std::clamp(y, edge, 1 - edge)) / std::log(std::clamp(x, edge, 1 - edge)));
 }
 
-void PenCurve::step(int by)
+void PressureCurve::step(int by)
 {
     bend(by > 0 ? m_exponent / stepFactor : m_exponent * stepFactor);
 }
 
-void PenCurve::bend(double exponent)
+void PressureCurve::bend(double exponent)
 {
     setExponent(exponent);
     Q_EMIT bent(m_exponent);

@@ -7,12 +7,12 @@ namespace ui
 {
 /// What counts as pressure over what the pen says (penPressure): dragging bends it, the arrow keys make it softer (up)
 /// or firmer. Gui thread.
-class PenCurve : public CurveWidget
+class PressureCurve : public CurveWidget
 {
     Q_OBJECT
 
 public:
-    explicit PenCurve(QWidget* parent = nullptr);
+    explicit PressureCurve(QWidget* parent = nullptr);
 
     double exponent() const { return m_exponent; }
     /// In the range of the preferences.

@@ -7,12 +7,12 @@ namespace ui
 {
 /// A field to draw in: the line is as wide as the pressure that counts, and words say what draws and how hard. Gui
 /// thread.
-class PenTest : public QWidget
+class PressureTest : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit PenTest(QWidget* parent = nullptr);
+    explicit PressureTest(QWidget* parent = nullptr);
 
     /// Of the curve that turns the pen's pressure into what counts (penPressure); what is drawn later goes by it.
     void setExponent(double exponent) { m_exponent = exponent; }
@@ -36,7 +36,7 @@ private:
     };
 
     void draw(const QPointF& at, double pressure, bool begins);
-    void say(const QString& words);
+    void showMessage(const QString& words);
 
     double m_exponent = 1;
     QList<Dot> m_dots;

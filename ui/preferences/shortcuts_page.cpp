@@ -19,15 +19,15 @@ namespace
 {
 constexpr int keyWidth = 120;
 
-QString presetName(KeyPreset preset)
+QString presetName(ShortcutPreset preset)
 {
     switch (preset) {
-    case KeyPreset::Fettle:
-        return KeysPage::tr("Fettle");
-    case KeyPreset::Blender:
-        return KeysPage::tr("As in Blender");
-    case KeyPreset::ZBrush:
-        return KeysPage::tr("As in ZBrush");
+    case ShortcutPreset::Fettle:
+        return ShortcutsPage::tr("Fettle");
+    case ShortcutPreset::Blender:
+        return ShortcutsPage::tr("As in Blender");
+    case ShortcutPreset::ZBrush:
+        return ShortcutsPage::tr("As in ZBrush");
     }
     return {};
 }
@@ -43,11 +43,11 @@ QPushButton* button(const char* name, const QString& text, const QString& tip)
 }
 } // namespace
 
-KeysPage::KeysPage(const Actions& actions, QWidget* parent)
+ShortcutsPage::ShortcutsPage(const Actions& actions, QWidget* parent)
     : QWidget(parent)
     , m_actions(actions)
     , m_preset(new QComboBox)
-    , m_held(new QLabel)
+    , m_modifierHelp(new QLabel)
     , m_words(new QLineEdit)
     , m_list(new CommandList(actions))
     , m_name(new QLabel)
@@ -58,7 +58,7 @@ KeysPage::KeysPage(const Actions& actions, QWidget* parent)
     m_words->setAccessibleName(tr("Words of a command"));
     m_words->setToolTip(tr("Shows only the commands that have these words or this key."));
     m_words->setClearButtonEnabled(true);
-    m_held->setWordWrap(true);
+    m_modifierHelp->setWordWrap(true);
     m_list->setObjectName(QStringLiteral("keyList"));
     m_list->setAccessibleName(tr("Commands and Keys"));
     m_list->setToolTip(tr("Every command with its keys; the marked one's are changed below."));
@@ -69,32 +69,32 @@ KeysPage::KeysPage(const Actions& actions, QWidget* parent)
     column->setContentsMargins(2 * gap, 2 * gap, 2 * gap, 2 * gap);
     column->setSpacing(gap);
     column->addLayout(presetRow());
-    column->addWidget(m_held);
+    column->addWidget(m_modifierHelp);
     column->addWidget(m_words);
     column->addWidget(m_list);
     column->addLayout(editRow());
-    column->addLayout(wordRow());
+    column->addLayout(messageRow());
 
     connect(m_words, &QLineEdit::textChanged, m_list, &CommandList::filter);
-    connect(m_list, &QTreeWidget::currentItemChanged, this, &KeysPage::showCurrent);
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &ShortcutsPage::showCurrent);
     connect(m_list, &QTreeWidget::itemActivated, m_edits[0], [this] { m_edits[0]->setFocus(); });
     m_list->setCurrentItem(m_list->topLevelItem(0)->child(0));
 }
 
-QLayout* KeysPage::presetRow()
+QLayout* ShortcutsPage::presetRow()
 {
     m_preset->setObjectName(QStringLiteral("keyPreset"));
     m_preset->setAccessibleName(tr("Preset"));
     m_preset->setToolTip(tr("Chooses the keys to begin with; what you changed yourself stays."));
-    for (const Named<KeyPreset>& row : keyPresets)
+    for (const Named<ShortcutPreset>& row : shortcutPresets)
         m_preset->addItem(presetName(row.value), static_cast<int>(row.value));
     connect(m_preset, &QComboBox::activated, this, [this] {
-        KeyChoice choice = m_choice;
-        choice.preset = static_cast<KeyPreset>(m_preset->currentData().toInt());
-        change(choice);
+        ShortcutSettings shortcuts = m_shortcuts;
+        shortcuts.preset = static_cast<ShortcutPreset>(m_preset->currentData().toInt());
+        change(shortcuts);
     });
     m_resetAll = button("resetKeys", tr("Reset A&ll Keys"), tr("Gives every command the keys of the preset."));
-    connect(m_resetAll, &QPushButton::clicked, this, [this] { change({m_choice.preset, {}}); });
+    connect(m_resetAll, &QPushButton::clicked, this, [this] { change({m_shortcuts.preset, {}}); });
     auto* label = new QLabel(tr("&Preset"));
     label->setBuddy(m_preset);
     auto* row = new QHBoxLayout;
@@ -104,32 +104,32 @@ QLayout* KeysPage::presetRow()
     return row;
 }
 
-QLayout* KeysPage::editRow()
+QLayout* ShortcutsPage::editRow()
 {
     auto* row = new QHBoxLayout;
     row->addWidget(m_name, 1);
     const QString names[] = {tr("First key"), tr("Second key")};
     for (std::size_t place = 0; place < m_edits.size(); ++place) {
-        auto* edit = m_edits[place] = new KeyEdit;
+        auto* edit = m_edits[place] = new ShortcutEdit;
         edit->setObjectName(QStringLiteral("key%1").arg(place + 1));
         edit->setAccessibleName(names[place]);
         edit->setToolTip(tr("Press the key that the command is to have; Backspace takes it away."));
         edit->setFixedWidth(keyWidth);
-        connect(edit, &KeyEdit::entered, this, [this, place](const QKeySequence& key) { enter(place, key); });
+        connect(edit, &ShortcutEdit::entered, this, [this, place](const QKeySequence& key) { enter(place, key); });
         row->addWidget(edit);
     }
     m_reset = button("resetKey", tr("R&eset"), tr("Gives the command the keys of the preset."));
-    connect(m_reset, &QPushButton::clicked, this, &KeysPage::reset);
+    connect(m_reset, &QPushButton::clicked, this, &ShortcutsPage::reset);
     row->addWidget(m_reset);
     return row;
 }
 
-QLayout* KeysPage::wordRow()
+QLayout* ShortcutsPage::messageRow()
 {
     m_word->setObjectName(QStringLiteral("keyWord"));
     m_word->setWordWrap(true);
     m_goThere = button("goToKey", tr("&Go There"), tr("Marks the command that has the key."));
-    connect(m_goThere, &QPushButton::clicked, this, &KeysPage::goToOwner);
+    connect(m_goThere, &QPushButton::clicked, this, &ShortcutsPage::goToOwner);
     auto* row = new QHBoxLayout;
     row->addWidget(m_word, 1);
     row->addWidget(m_goThere);
@@ -137,24 +137,24 @@ QLayout* KeysPage::wordRow()
     return row;
 }
 
-void KeysPage::setChoice(const KeyChoice& choice)
+void ShortcutsPage::setShortcuts(const ShortcutSettings& shortcuts)
 {
-    m_choice = choice;
-    m_keys = KeyMap(choice);
-    m_preset->setCurrentIndex(m_preset->findData(static_cast<int>(choice.preset)));
-    m_held->setText(Actions::heldWords(choice.preset));
+    m_shortcuts = shortcuts;
+    m_keys = ShortcutMap(shortcuts);
+    m_preset->setCurrentIndex(m_preset->findData(static_cast<int>(shortcuts.preset)));
+    m_modifierHelp->setText(Actions::modifierHelp(shortcuts.preset));
     for (const ActionInfo& row : actionTable()) {
         QTreeWidgetItem* item = m_list->itemOf(QLatin1StringView(row.id));
         CommandList::showKeys(item, m_keys.keys(QLatin1StringView(row.id)));
         QFont font = m_list->font();
-        font.setBold(choice.own.contains(QLatin1StringView(row.id)));
+        font.setBold(shortcuts.custom.contains(QLatin1StringView(row.id)));
         item->setFont(CommandList::Key, font);
     }
-    m_resetAll->setEnabled(!choice.own.isEmpty());
+    m_resetAll->setEnabled(!shortcuts.custom.isEmpty());
     showCurrent();
 }
 
-void KeysPage::showCurrent()
+void ShortcutsPage::showCurrent()
 {
     const QString id = currentId();
     const Keys keys = m_keys.keys(id);
@@ -163,69 +163,70 @@ void KeysPage::showCurrent()
         m_edits[place]->setEnabled(!id.isEmpty() && !isFixed(id));
     }
     m_name->setText(nameOf(id));
-    m_reset->setEnabled(m_choice.own.contains(id));
-    say(isFixed(id) ? tr("This key cannot be another.") : QString());
+    m_reset->setEnabled(m_shortcuts.custom.contains(id));
+    showMessage(isFixed(id) ? tr("This key cannot be another.") : QString());
 }
 
-void KeysPage::enter(std::size_t place, const QKeySequence& key)
+void ShortcutsPage::enter(std::size_t place, const QKeySequence& key)
 {
     const QString id = currentId();
     const QString owner = m_keys.owner(key);
     if (const QString why = refusal(key); !key.isEmpty() && !why.isEmpty())
-        return say(why);
+        return showMessage(why);
     if (!key.isEmpty() && !owner.isEmpty() && owner != id)
-        return say(tr("%1 is taken: %2 has it.").arg(key.toString(QKeySequence::NativeText), nameOf(owner)), owner);
+        return showMessage(tr("%1 is taken: %2 has it.").arg(key.toString(QKeySequence::NativeText), nameOf(owner)),
+                           owner);
     Keys keys = m_keys.keys(id);
-    keys.resize(mostKeys);
+    keys.resize(maxKeys);
     keys[static_cast<qsizetype>(place)] = key;
     keys.removeAll({});
-    if (keys.size() == mostKeys && keys.constFirst() == keys.constLast())
+    if (keys.size() == maxKeys && keys.constFirst() == keys.constLast())
         keys.removeLast();
-    change(withKeys(m_choice, id, keys));
+    change(withKeys(m_shortcuts, id, keys));
 }
 
 /// A key of the preset that another command was given meanwhile stays there.
-void KeysPage::reset()
+void ShortcutsPage::reset()
 {
     const QString id = currentId();
-    KeyChoice choice = m_choice;
-    choice.own.remove(id);
-    change(choice);
-    for (const QKeySequence& key : presetKeys(choice.preset, id))
+    ShortcutSettings shortcuts = m_shortcuts;
+    shortcuts.custom.remove(id);
+    change(shortcuts);
+    for (const QKeySequence& key : presetKeys(shortcuts.preset, id))
         if (const QString owner = m_keys.owner(key); owner != id)
-            say(tr("%1 stays with %2.").arg(key.toString(QKeySequence::NativeText), nameOf(owner)), owner);
+            showMessage(tr("%1 stays with %2.").arg(key.toString(QKeySequence::NativeText), nameOf(owner)), owner);
 }
 
-void KeysPage::change(const KeyChoice& choice)
+void ShortcutsPage::change(const ShortcutSettings& shortcuts)
 {
-    setChoice(choice);
-    Q_EMIT changed(choice);
+    setShortcuts(shortcuts);
+    Q_EMIT changed(shortcuts);
 }
 
-QString KeysPage::refusal(const QKeySequence& key) const
+QString ShortcutsPage::refusal(const QKeySequence& key) const
 {
     const QString name = key.toString(QKeySequence::NativeText);
     switch (problemOf(key, currentId())) {
-    case KeyProblem::None:
+    case ShortcutProblem::None:
         break;
-    case KeyProblem::Held:
+    case ShortcutProblem::Modifier:
         return tr("A key that is held together with others cannot be a command alone.");
-    case KeyProblem::Widgets:
+    case ShortcutProblem::Widgets:
         return tr("%1 is needed to move and type in panels and dialogs.").arg(name);
-    case KeyProblem::Menus:
+    case ShortcutProblem::Menus:
         return tr("Alt with a letter opens menus and reaches controls.");
     }
     return {};
 }
 
-void KeysPage::say(const QString& sentence, const QString& owner)
+void ShortcutsPage::showMessage(const QString& sentence, const QString& owner)
 {
     m_owner = owner;
     m_word->setText(sentence);
     m_goThere->setVisible(!owner.isEmpty());
 }
 
-void KeysPage::goToOwner()
+void ShortcutsPage::goToOwner()
 {
     const QString owner = m_owner;
     m_words->clear();
@@ -233,13 +234,13 @@ void KeysPage::goToOwner()
     m_list->setFocus();
 }
 
-QString KeysPage::currentId() const
+QString ShortcutsPage::currentId() const
 {
     const QAction* action = CommandList::actionOf(m_list->currentItem());
     return action ? action->objectName() : QString();
 }
 
-QString KeysPage::nameOf(const QString& id) const
+QString ShortcutsPage::nameOf(const QString& id) const
 {
     return id.isEmpty() ? QString() : m_actions.get(id)->iconText();
 }

@@ -16,48 +16,48 @@ namespace ui
 {
 class Actions;
 class CommandList;
-class KeyEdit;
+class ShortcutEdit;
 
 /// Of the preferences: every command with its keys, which are changed where they stand; a key that is taken or needed
 /// otherwise is refused with the reason. Gui thread.
-class KeysPage : public QWidget
+class ShortcutsPage : public QWidget
 {
     Q_OBJECT
 
 public:
     /// The actions must outlive it.
-    explicit KeysPage(const Actions& actions, QWidget* parent = nullptr);
+    explicit ShortcutsPage(const Actions& actions, QWidget* parent = nullptr);
 
-    void setChoice(const KeyChoice& choice);
+    void setShortcuts(const ShortcutSettings& shortcuts);
 
 Q_SIGNALS:
-    void changed(const ui::KeyChoice& choice);
+    void changed(const ui::ShortcutSettings& shortcuts);
 
 private:
     QLayout* presetRow();
     QLayout* editRow();
-    QLayout* wordRow();
+    QLayout* messageRow();
     void showCurrent();
     void enter(std::size_t place, const QKeySequence& key);
     void reset();
-    void change(const KeyChoice& choice);
+    void change(const ShortcutSettings& shortcuts);
     QString refusal(const QKeySequence& key) const;
-    void say(const QString& sentence, const QString& owner = {});
+    void showMessage(const QString& sentence, const QString& owner = {});
     void goToOwner();
     QString currentId() const;
     QString nameOf(const QString& id) const;
 
     const Actions& m_actions;
-    KeyChoice m_choice;
-    KeyMap m_keys;
+    ShortcutSettings m_shortcuts;
+    ShortcutMap m_keys;
     QString m_owner; ///< of the key that was refused
 
     QComboBox* m_preset;
-    QLabel* m_held;
+    QLabel* m_modifierHelp;
     QLineEdit* m_words;
     CommandList* m_list;
     QLabel* m_name;
-    std::array<KeyEdit*, mostKeys> m_edits;
+    std::array<ShortcutEdit*, maxKeys> m_edits;
     QPushButton* m_reset;
     QPushButton* m_resetAll;
     QLabel* m_word;

@@ -10,65 +10,65 @@ namespace ui
 {
 namespace
 {
-class PrintWords
+class PrintText
 {
     Q_DECLARE_TR_FUNCTIONS(ui::PrintFindings)
 };
 
 QString areaText(double squareMillimetres)
 {
-    return squareMillimetres < 100 ? PrintWords::tr("%1 mm²").arg(millimetres(squareMillimetres))
-                                   : PrintWords::tr("%1 cm²").arg(millimetres(squareMillimetres / 100));
+    return squareMillimetres < 100 ? PrintText::tr("%1 mm²").arg(millimetres(squareMillimetres))
+                                   : PrintText::tr("%1 cm²").arg(millimetres(squareMillimetres / 100));
 }
 
 QString percent(double share)
 {
-    return PrintWords::tr("%1 %").arg(QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0));
+    return PrintText::tr("%1 %").arg(QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0));
 }
 
 QString degrees(double angle)
 {
-    return PrintWords::tr("%1°").arg(QLocale().toString(angle, 'f', 0));
+    return PrintText::tr("%1°").arg(QLocale().toString(angle, 'f', 0));
 }
 
 PrintFinding surface(const core::MeshReport& mesh)
 {
     if (mesh.printReady())
         return {PrintVerdict::Good,
-                PrintWords::tr("Sound surface"),
-                PrintWords::tr("Closed, every face looks outward, nothing meets itself: checked exactly."),
+                PrintText::tr("Sound surface"),
+                PrintText::tr("Closed, every face looks outward, nothing meets itself: checked exactly."),
                 {},
                 {}};
     return {PrintVerdict::Bad,
-            PrintWords::tr("The surface is not sound"),
-            PrintWords::tr("It is not closed, meets itself, or bounds no solid; walls were not measured."),
+            PrintText::tr("The surface is not sound"),
+            PrintText::tr("It is not closed, meets itself, or bounds no solid; walls were not measured."),
             {},
             {}};
 }
 
 PrintFinding parts(const core::MeshReport& mesh)
 {
-    const QString text = PrintWords::tr("%Ln parts", nullptr, static_cast<int>(mesh.components));
-    return {mesh.components == 1 ? PrintVerdict::Good : PrintVerdict::Care,
+    const QString text = PrintText::tr("%Ln parts", nullptr, static_cast<int>(mesh.components));
+    return {mesh.components == 1 ? PrintVerdict::Good : PrintVerdict::Warning,
             text,
-            PrintWords::tr("Parts of the surface that do not hang together; hollows count, too."),
+            PrintText::tr("Parts of the surface that do not hang together; hollows count, too."),
             {},
             {}};
 }
 
 PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, const QString& printer)
 {
-    const QString size = PrintWords::tr("%1 × %2 × %3 mm wide, deep and high.")
+    const QString size = PrintText::tr("%1 × %2 × %3 mm wide, deep and high.")
                              .arg(millimetres(mesh.size.x()), millimetres(mesh.size.z()), millimetres(mesh.size.y()));
     switch (print.fit) {
     case core::BedFit::AsItStands:
-        return {PrintVerdict::Good, PrintWords::tr("Fits %1").arg(printer), size, {}, {}};
+        return {PrintVerdict::Good, PrintText::tr("Fits %1").arg(printer), size, {}, {}};
     case core::BedFit::Turned:
-        return {PrintVerdict::Good, PrintWords::tr("Fits %1, turned by 90°").arg(printer), size, {}, {}};
+        return {PrintVerdict::Good, PrintText::tr("Fits %1, turned by 90°").arg(printer), size, {}, {}};
     case core::BedFit::Not:
         break;
     }
-    return {PrintVerdict::Bad, PrintWords::tr("Too large for %1").arg(printer), size, {}, {}};
+    return {PrintVerdict::Bad, PrintText::tr("Too large for %1").arg(printer), size, {}, {}};
 }
 
 PrintFinding walls(const core::PrintReport& print, double limit)
@@ -78,20 +78,20 @@ PrintFinding walls(const core::PrintReport& print, double limit)
     };
     PrintFinding finding;
     finding.tip =
-        PrintWords::tr("Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.")
+        PrintText::tr("Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.")
             .arg(mm(print.minByRays), mm(print.minByBalls));
     if (print.thin.count == 0) {
-        finding.text = print.minByBalls ? PrintWords::tr("Walls from %1 mm on").arg(mm(print.minByBalls))
-                                        : PrintWords::tr("No thin walls");
+        finding.text = print.minByBalls ? PrintText::tr("Walls from %1 mm on").arg(mm(print.minByBalls))
+                                        : PrintText::tr("No thin walls");
         return finding;
     }
     finding.verdict = PrintVerdict::Bad;
-    finding.text = PrintWords::tr("%1 thinner than %2 mm")
+    finding.text = PrintText::tr("%1 thinner than %2 mm")
                        .arg(percent(print.thin.area / print.area), QLocale().toString(limit, 'g', 4));
     finding.places = print.thin.places;
     for (const core::PrintPlace& place : finding.places)
         finding.placeTexts
-            << PrintWords::tr("%1 mm, %2", "thickness, area").arg(millimetres(place.worst), areaText(place.area));
+            << PrintText::tr("%1 mm, %2", "thickness, area").arg(millimetres(place.worst), areaText(place.area));
     return finding;
 }
 
@@ -99,28 +99,28 @@ PrintFinding overhangs(const core::PrintReport& print, double limit)
 {
     PrintFinding finding;
     finding.tip =
-        PrintWords::tr(
+        PrintText::tr(
             "Faces that lean out more than %1 from the vertical print on supports only; those on the bed do not count.")
             .arg(degrees(limit));
     if (print.overhangs.count == 0) {
-        finding.text = PrintWords::tr("No overhangs beyond %1").arg(degrees(limit));
+        finding.text = PrintText::tr("No overhangs beyond %1").arg(degrees(limit));
         return finding;
     }
-    finding.verdict = PrintVerdict::Care;
+    finding.verdict = PrintVerdict::Warning;
     finding.text =
-        PrintWords::tr("%1 overhangs beyond %2").arg(percent(print.overhangs.area / print.area), degrees(limit));
+        PrintText::tr("%1 overhangs beyond %2").arg(percent(print.overhangs.area / print.area), degrees(limit));
     finding.places = print.overhangs.places;
     for (const core::PrintPlace& place : finding.places)
-        finding.placeTexts << PrintWords::tr("up to %1, %2").arg(degrees(place.worst), areaText(place.area));
+        finding.placeTexts << PrintText::tr("up to %1, %2").arg(degrees(place.worst), areaText(place.area));
     return finding;
 }
 
 PrintFinding base(const core::PrintReport& print)
 {
-    const QString tip = PrintWords::tr("How much of the surface lies flat on the bed.");
+    const QString tip = PrintText::tr("How much of the surface lies flat on the bed.");
     if (print.baseArea > 0)
-        return {PrintVerdict::Good, PrintWords::tr("Stands on %1").arg(areaText(print.baseArea)), tip, {}, {}};
-    return {PrintVerdict::Care, PrintWords::tr("Stands on a point or an edge"), tip, {}, {}};
+        return {PrintVerdict::Good, PrintText::tr("Stands on %1").arg(areaText(print.baseArea)), tip, {}, {}};
+    return {PrintVerdict::Warning, PrintText::tr("Stands on a point or an edge"), tip, {}, {}};
 }
 } // namespace
 
@@ -133,9 +133,12 @@ QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::Prin
     if (mesh.printReady())
         findings << walls(print, limits.minWall);
     findings << overhangs(print, limits.overhang) << base(print) << parts(mesh);
-    if (const QString doubt = mesh.volume ? Messages::unitDoubt(*mesh.volume) : QString(); !doubt.isEmpty())
-        findings << PrintFinding{
-            PrintVerdict::Care, doubt, PrintWords::tr("Scale the model, or choose millimetres in the slicer."), {}, {}};
+    if (const QString doubt = mesh.volume ? ErrorMessages::unitDoubt(*mesh.volume) : QString(); !doubt.isEmpty())
+        findings << PrintFinding{PrintVerdict::Warning,
+                                 doubt,
+                                 PrintText::tr("Scale the model, or choose millimetres in the slicer."),
+                                 {},
+                                 {}};
     return findings;
 }
 } // namespace ui

@@ -9,7 +9,7 @@
 
 namespace ui
 {
-enum class PrintVerdict { Good, Care, Bad };
+enum class PrintVerdict { Good, Warning, Bad };
 
 /// One thing that was looked at, in a sentence, and where in the model it is, if that is a place.
 struct PrintFinding

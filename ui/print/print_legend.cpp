@@ -11,7 +11,7 @@ namespace ui
 namespace
 {
 constexpr int stripHeight = 14, labelGap = 4;
-constexpr std::uint8_t mostSound = 127;
+constexpr std::uint8_t maxSound = 127;
 
 /// As in clay.frag, in sRGB: blue to pale where all is well, yellow to vermilion where it is not; told apart by the
 /// colour-blind, too (Okabe and Ito 2008).
@@ -35,10 +35,10 @@ std::uint8_t PrintScale::shade(float value) const
     const bool isFault = isThickness ? v < limit : v > limit;
     if (isFault) {
         const double share = isThickness ? 1 - v / limit : (v - limit) / std::max(90 - limit, 1e-9);
-        return static_cast<std::uint8_t>(mostSound + 1 + std::lround(std::clamp(share, 0.0, 1.0) * mostSound));
+        return static_cast<std::uint8_t>(maxSound + 1 + std::lround(std::clamp(share, 0.0, 1.0) * maxSound));
     }
     const double share = isThickness ? limit / v : v / std::max(limit, 1e-9);
-    return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * mostSound));
+    return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * maxSound));
 }
 
 std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, const std::vector<float>& values,

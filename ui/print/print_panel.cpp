@@ -32,7 +32,7 @@ namespace ui
 namespace
 {
 constexpr int iconSide = 20, rowIconSide = 16;
-constexpr double minWall = 0.05, leastOverhang = 0, mostOverhang = 90;
+constexpr double minWall = 0.05, minOverhang = 0, maxOverhang = 90;
 constexpr int findingRole = Qt::UserRole, placeRole = Qt::UserRole + 1; ///< place: -1 for the finding itself
 
 QString iconOf(PrintVerdict verdict)
@@ -41,11 +41,11 @@ QString iconOf(PrintVerdict verdict)
     return icons[static_cast<int>(verdict)];
 }
 
-QDoubleSpinBox* numberBox(const char* name, double least, double most, int decimals, const QString& unit)
+QDoubleSpinBox* numberBox(const char* name, double min, double max, int decimals, const QString& unit)
 {
     auto* box = new QDoubleSpinBox;
     box->setObjectName(QLatin1StringView(name));
-    box->setRange(least, most);
+    box->setRange(min, max);
     box->setDecimals(decimals);
     box->setSingleStep(decimals > 0 ? 0.1 : 5);
     box->setSuffix(unit);
@@ -60,11 +60,11 @@ PrintPanel::PrintPanel(Settings* settings, QWidget* parent) : QWidget(parent), m
     column->setContentsMargins(gap, gap, gap, gap);
     column->setSpacing(gap);
     addHead();
-    addWishes();
+    addOptions();
     addList();
-    takeUp();
+    applySettings();
     show(State::Stale);
-    settings->onReset([this] { takeUp(); });
+    settings->onReset([this] { applySettings(); });
 }
 
 void PrintPanel::addHead()
@@ -95,7 +95,7 @@ void PrintPanel::addHead()
     column->addWidget(m_progress);
 }
 
-void PrintPanel::addWishes()
+void PrintPanel::addOptions()
 {
     m_form = new QFormLayout;
     m_form->setSpacing(gap);
@@ -111,7 +111,7 @@ void PrintPanel::addWishes()
     row->addWidget(m_printer, 1);
     row->addWidget(edit);
     m_wall = numberBox("print.wall", minWall, core::PrintLimits::maxWall, 2, tr(" mm"));
-    m_overhang = numberBox("print.overhang", leastOverhang, mostOverhang, 0, tr("°"));
+    m_overhang = numberBox("print.overhang", minOverhang, maxOverhang, 0, tr("°"));
     m_picture = new QComboBox;
     m_picture->setObjectName(QStringLiteral("print.picture"));
     m_picture->addItems({tr("None"), tr("Thickness"), tr("Overhang")});
@@ -130,9 +130,9 @@ void PrintPanel::addWishes()
     column->addLayout(m_form);
     column->addWidget(m_legend);
     for (QDoubleSpinBox* box : {m_wall, m_overhang})
-        connect(box, &QDoubleSpinBox::valueChanged, this, &PrintPanel::wish);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &PrintPanel::applyOptions);
     for (QComboBox* box : {m_printer, m_picture})
-        connect(box, &QComboBox::currentIndexChanged, this, &PrintPanel::wish);
+        connect(box, &QComboBox::currentIndexChanged, this, &PrintPanel::applyOptions);
 }
 
 void PrintPanel::addList()
@@ -152,24 +152,24 @@ void PrintPanel::addList()
 }
 
 /// What the settings say, into the controls.
-void PrintPanel::takeUp()
+void PrintPanel::applySettings()
 {
     m_isFilling = true;
-    const PrintChoice choice = m_settings->print();
+    const PrintSettings choice = m_settings->print();
     m_printers = m_settings->printers();
     m_printer->clear();
-    for (const Printer& printer : m_printers)
+    for (const PrinterPreset& printer : m_printers)
         m_printer->addItem(printer.name);
-    const auto chosen = std::ranges::find(m_printers, choice.printer, &Printer::name);
+    const auto chosen = std::ranges::find(m_printers, choice.printer, &PrinterPreset::name);
     m_printer->setCurrentIndex(chosen != m_printers.end() ? static_cast<int>(chosen - m_printers.begin()) : 0);
     m_wall->setValue(choice.wall);
     m_overhang->setValue(choice.overhang);
     m_picture->setCurrentIndex(choice.picture);
     m_isFilling = false;
-    wish();
+    applyOptions();
 }
 
-void PrintPanel::wish()
+void PrintPanel::applyOptions()
 {
     if (m_isFilling)
         return;
@@ -177,15 +177,15 @@ void PrintPanel::wish()
     m_legend->setVisible(picture().has_value());
     if (const auto shown = picture())
         m_legend->setScale({*shown, *shown == core::PrintPicture::Thickness ? m_wall->value() : m_overhang->value()});
-    Q_EMIT wishesChanged();
+    Q_EMIT optionsChanged();
 }
 
 void PrintPanel::editPrinters()
 {
     auto* dialog = new PrintersDialog(m_printers, window());
-    connect(dialog, &PrintersDialog::chosen, this, [this](const QList<Printer>& printers) {
+    connect(dialog, &PrintersDialog::chosen, this, [this](const QList<PrinterPreset>& printers) {
         m_settings->setPrinters(printers);
-        takeUp();
+        applySettings();
     });
     dialog->open();
 }
@@ -317,21 +317,21 @@ void PrintPanel::hideEvent(QHideEvent* event)
     Q_EMIT watched(false);
 }
 
-void addPrintPanel(const PrintPanelPlace& place, Settings* settings, const Actions& actions)
+void addPrintPanel(const PrintPanelContext& context, Settings* settings, const Actions& actions)
 {
     auto* panel = new PrintPanel(settings);
     auto* dock = new QDockWidget(PrintPanel::tr("Print Check"));
     dock->setObjectName(QStringLiteral("printPanel"));
     dock->setWidget(panel);
-    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
     dock->hide();
-    Viewport* viewport = place.viewport;
+    Viewport* viewport = context.viewport;
     QObject::connect(panel, &PrintPanel::placeChosen, viewport, [viewport](const core::PrintPlace& found) {
         viewport->flyTo(found.point, found.normal, std::sqrt(found.area));
     });
     QObject::connect(panel, &PrintPanel::watched, viewport, [viewport](bool isWatched) {
         if (!isWatched)
-            viewport->forgetMark();
+            viewport->clearMark();
     });
     QObject::connect(actions.get(QStringLiteral("model.printCheck")), &QAction::triggered, dock, [dock, panel] {
         dock->show();

@@ -23,8 +23,8 @@ class Actions;
 class Settings;
 class Viewport;
 
-/// Will it print? What was found of the model when that was last looked at, and by which limits. Knows no mesh: it says
-/// what is wanted and shows what it is given. Gui thread.
+/// Will it print? Shows what the last check of the model found, and by which limits. Knows no mesh: it requests a check
+/// and shows the result that it is given. Gui thread.
 class PrintPanel : public QWidget
 {
     Q_OBJECT
@@ -46,7 +46,7 @@ public:
 Q_SIGNALS:
     /// It can be seen now, or not any more.
     void watched(bool isWatched);
-    void wishesChanged();
+    void optionsChanged();
     /// Now, though it was stopped before.
     void checkRequested();
     void stopRequested();
@@ -61,12 +61,12 @@ private:
     enum class State { Stale, Running, Answered };
 
     void addHead();
-    void addWishes();
+    void addOptions();
     void addList();
     void fillPrinters();
     void editPrinters();
-    void wish();
-    void takeUp();
+    void applyOptions();
+    void applySettings();
     void show(State state);
     void showColors();
     void addRow(const PrintFinding& finding);
@@ -82,12 +82,12 @@ private:
     PrintLegend* m_legend = nullptr;
     QListWidget* m_list = nullptr;
     State m_state = State::Stale;
-    QList<Printer> m_printers;
+    QList<PrinterPreset> m_printers;
     QList<PrintFinding> m_findings;
     bool m_isFilling = false;
 };
 
-struct PrintPanelPlace
+struct PrintPanelContext
 {
     QMainWindow* window;
     QMenu* toggles;
@@ -96,5 +96,5 @@ struct PrintPanelPlace
 
 /// As a dock behind the brush's, with its entry among the toggles; model.printCheck raises it. A place that is chosen
 /// is flown to.
-void addPrintPanel(const PrintPanelPlace& place, Settings* settings, const Actions& actions);
+void addPrintPanel(const PrintPanelContext& context, Settings* settings, const Actions& actions);
 } // namespace ui

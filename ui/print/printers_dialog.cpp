@@ -17,7 +17,7 @@ constexpr int margin = 2 * gap;
 constexpr QSize dialogSize(560, 400);
 } // namespace
 
-PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent)
+PrintersDialog::PrintersDialog(const QList<PrinterPreset>& printers, QWidget* parent)
     : QDialog(parent)
     , m_table(new QTableWidget(0, 4))
 {
@@ -31,7 +31,7 @@ PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent)
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeading | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    for (const Printer& printer : printers)
+    for (const PrinterPreset& printer : printers)
         addRow(printer);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
@@ -64,7 +64,7 @@ PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent)
     resize(dialogSize);
 }
 
-void PrintersDialog::addRow(const Printer& printer)
+void PrintersDialog::addRow(const PrinterPreset& printer)
 {
     const int row = m_table->rowCount();
     m_table->insertRow(row);
@@ -72,7 +72,7 @@ void PrintersDialog::addRow(const Printer& printer)
     int column = 1;
     for (const double side : {printer.bed.x, printer.bed.y, printer.bed.z}) {
         auto* box = new QDoubleSpinBox;
-        box->setRange(leastBed, mostBed);
+        box->setRange(minBed, maxBed);
         box->setDecimals(1);
         box->setSuffix(tr(" mm"));
         box->setValue(side);
@@ -82,17 +82,17 @@ void PrintersDialog::addRow(const Printer& printer)
     }
 }
 
-QList<Printer> PrintersDialog::printers() const
+QList<PrinterPreset> PrintersDialog::printers() const
 {
-    QList<Printer> printers;
+    QList<PrinterPreset> printers;
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const QString name = m_table->item(row, 0)->text().simplified();
         const auto side = [&](int column) {
             return qobject_cast<QDoubleSpinBox*>(m_table->cellWidget(row, column))->value();
         };
         if (!name.isEmpty())
-            printers << Printer{name, {side(1), side(2), side(3)}};
+            printers << PrinterPreset{name, {side(1), side(2), side(3)}};
     }
-    return printers.isEmpty() ? usualPrinters() : printers;
+    return printers.isEmpty() ? defaultPrinters() : printers;
 }
 } // namespace ui

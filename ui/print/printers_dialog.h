@@ -14,15 +14,15 @@ class PrintersDialog : public QDialog
     Q_OBJECT
 
 public:
-    PrintersDialog(const QList<Printer>& printers, QWidget* parent);
+    PrintersDialog(const QList<PrinterPreset>& printers, QWidget* parent);
 
 Q_SIGNALS:
     /// Agreed to. Never empty: without any row it is the usual ones.
-    void chosen(const QList<ui::Printer>& printers);
+    void chosen(const QList<ui::PrinterPreset>& printers);
 
 private:
-    void addRow(const Printer& printer);
-    QList<Printer> printers() const;
+    void addRow(const PrinterPreset& printer);
+    QList<PrinterPreset> printers() const;
 
     QTableWidget* m_table;
 };

@@ -28,18 +28,18 @@ QString folderFor(OrbitCamera::Side side, const ReferenceImages& images, const S
     return path.isEmpty() ? settings.lastFolder() : QFileInfo(path).absolutePath();
 }
 
-void connectCommands(const ReferencePlace& place, ReferenceImages* images, const Settings* settings,
+void connectCommands(const ReferenceContext& context, ReferenceImages* images, const Settings* settings,
                      const Actions& actions)
 {
-    Viewport* viewport = place.viewport;
+    Viewport* viewport = context.viewport;
     const auto choose = [=](const QString& path) {
         images->choose(nearestSide(viewport->camera()), path, viewport->box());
     };
     QObject::connect(actions.get(QStringLiteral("reference.choose")), &QAction::triggered, images,
-                     [=, window = place.window] {
+                     [=, window = context.window] {
                          askForPicture(window, folderFor(nearestSide(viewport->camera()), *images, *settings), choose);
                      });
-    QObject::connect(place.files, &ModelFiles::pictureDropped, images, choose);
+    QObject::connect(context.files, &ModelFiles::pictureDropped, images, choose);
 
     QAction* show = actions.get(QStringLiteral("reference.show"));
     QAction* remove = actions.get(QStringLiteral("reference.remove"));
@@ -62,19 +62,19 @@ void turnTo(OrbitCamera::Side side, Viewport* viewport)
 }
 } // namespace
 
-void addReferences(const ReferencePlace& place, Settings* settings, const Actions& actions,
+void addReferences(const ReferenceContext& context, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice)
 {
-    Viewport* viewport = place.viewport;
+    Viewport* viewport = context.viewport;
     auto* images = new ReferenceImages(settings, viewport);
-    connectCommands(place, images, settings, actions);
+    connectCommands(context, images, settings, actions);
     QObject::connect(images, &ReferenceImages::changed, viewport, [=] { viewport->setReferences(images->shown()); });
     QObject::connect(images, &ReferenceImages::refused, viewport, notice);
 
     auto* dock = new QDockWidget(ReferencePanel::tr("Image"));
     dock->setObjectName(QStringLiteral("referencePanel"));
     dock->setWidget(new ReferencePanel(images, viewport, actions));
-    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
     dock->hide();
     QObject::connect(images, &ReferenceImages::chosen, dock, [=](OrbitCamera::Side side) {
         turnTo(side, viewport);

@@ -14,7 +14,7 @@ class ModelFiles;
 class Settings;
 class Viewport;
 
-struct ReferencePlace
+struct ReferenceContext
 {
     QMainWindow* window;
     QMenu* toggles; ///< where the docks' entries are
@@ -24,6 +24,6 @@ struct ReferencePlace
 
 /// Reference images behind the model: the commands, the panel, a dock that is hidden until an image is chosen, and what
 /// the settings remember, which is read now. None is owned. `notice` says a small word.
-void addReferences(const ReferencePlace& place, Settings* settings, const Actions& actions,
+void addReferences(const ReferenceContext& context, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice);
 } // namespace ui

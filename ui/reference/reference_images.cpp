@@ -20,7 +20,7 @@ ReferenceImages::ReferenceImages(Settings* settings, QObject* parent)
 
 ReferenceImages::~ReferenceImages()
 {
-    m_aside.drop();
+    m_background.drop();
 }
 
 void ReferenceImages::restore()
@@ -42,16 +42,17 @@ void ReferenceImages::restore()
 template <class Take> void ReferenceImages::read(OrbitCamera::Side side, const QString& path, Take take)
 {
     const int asked = ++at(side).asked;
-    m_aside.run([path] { return std::pair(readReference(path), QFileInfo::exists(path)); },
-                [=, this](const std::pair<SharedReferencePicture, bool>& read) {
-                    const auto& [picture, isThere] = read;
-                    if (asked != at(side).asked)
-                        return;
-                    if (picture)
-                        take(picture);
-                    else
-                        Q_EMIT refused(isThere ? Messages::notAPicture(path) : Messages::goneReference(path));
-                });
+    m_background.run([path] { return std::pair(readReference(path), QFileInfo::exists(path)); },
+                     [=, this](const std::pair<SharedReferencePicture, bool>& read) {
+                         const auto& [picture, isThere] = read;
+                         if (asked != at(side).asked)
+                             return;
+                         if (picture)
+                             take(picture);
+                         else
+                             Q_EMIT refused(isThere ? ErrorMessages::notAPicture(path)
+                                                    : ErrorMessages::missingReference(path));
+                     });
 }
 
 void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const core::Box& box)
@@ -59,7 +60,7 @@ void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const 
     read(side, path, [=, this](const SharedReferencePicture& picture) {
         at(side).path = path;
         at(side).reference = {picture, fitted(picture->size(), side, box)};
-        keep(side);
+        save(side);
         setShown(true);
         Q_EMIT changed();
         Q_EMIT chosen(side);
@@ -69,7 +70,7 @@ void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const 
 void ReferenceImages::remove(OrbitCamera::Side side)
 {
     at(side) = {{}, {}, at(side).asked + 1};
-    keep(side);
+    save(side);
     Q_EMIT changed();
 }
 
@@ -78,7 +79,7 @@ void ReferenceImages::place(OrbitCamera::Side side, const ReferencePlacement& pl
     if (at(side).reference.placement == placement)
         return;
     at(side).reference.placement = placement;
-    keep(side);
+    save(side);
     Q_EMIT changed();
 }
 
@@ -104,7 +105,7 @@ References ReferenceImages::shown() const
     return references;
 }
 
-void ReferenceImages::keep(OrbitCamera::Side side)
+void ReferenceImages::save(OrbitCamera::Side side)
 {
     m_settings->setReference(side, {at(side).path, at(side).reference.placement});
 }

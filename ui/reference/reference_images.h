@@ -56,11 +56,11 @@ private:
     Slot& at(OrbitCamera::Side side) { return m_slots[static_cast<std::size_t>(side)]; }
     const Slot& at(OrbitCamera::Side side) const { return m_slots[static_cast<std::size_t>(side)]; }
     template <class Take> void read(OrbitCamera::Side side, const QString& path, Take take);
-    void keep(OrbitCamera::Side side);
+    void save(OrbitCamera::Side side);
 
     Settings* m_settings;
     std::array<Slot, viewSides.size()> m_slots;
     bool m_isShown;
-    SideThread m_aside; ///< last
+    BackgroundThread m_background; ///< last
 };
 } // namespace ui

@@ -27,8 +27,8 @@ namespace ui
 namespace
 {
 constexpr int thumbnailSize = 56, iconSize = 32;
-constexpr int leastWidth = 104;
-constexpr int longestName = 128; ///< pixels
+constexpr int minWidth = 104;
+constexpr int maxNameLength = 128; ///< pixels
 
 int percentOf(double opacity)
 {
@@ -59,7 +59,7 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     m_sides->setAccessibleName(tr("Side"));
     m_sides->setToolTip(tr("The side to which the image is pinned; choosing another one turns the view to it."));
     m_sides->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_sides->setMinimumWidth(leastWidth);
+    m_sides->setMinimumWidth(minWidth);
     connect(m_sides, &QComboBox::activated, this,
             [this](int index) { m_viewport->turnTo(static_cast<OrbitCamera::Side>(index)); });
     m_width = lengthBox(QStringLiteral("reference.width"), tr("Width"),
@@ -145,19 +145,19 @@ QLayout* ReferencePanel::buildOpacity()
     return row;
 }
 
-QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name, const QString& tip, double least,
-                                          double most)
+QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name, const QString& tip, double min,
+                                          double max)
 {
     auto* box = new QDoubleSpinBox;
     box->setObjectName(id);
     box->setAccessibleName(name);
     box->setToolTip(tip);
     box->setDecimals(2);
-    box->setRange(least, most);
+    box->setRange(min, max);
     box->setSuffix(tr(" mm"));
     box->setKeyboardTracking(false);
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the widest number would widen the dock
-    box->setMinimumWidth(leastWidth);
+    box->setMinimumWidth(minWidth);
     connect(box, &QDoubleSpinBox::valueChanged, this, &ReferencePanel::place);
     return box;
 }
@@ -209,7 +209,7 @@ void ReferencePanel::showFile()
 {
     const QString path = m_images->path(m_side);
     const QString name = path.isEmpty() ? tr("No image") : QFileInfo(path).fileName();
-    m_name->setText(m_name->fontMetrics().elidedText(name, Qt::ElideMiddle, longestName));
+    m_name->setText(m_name->fontMetrics().elidedText(name, Qt::ElideMiddle, maxNameLength));
     m_name->setToolTip(path.isEmpty() ? tr("Choose an image, or drop its file on the window.")
                                       : QDir::toNativeSeparators(path));
     const SharedReferencePicture& picture = m_images->reference(m_side).picture;

@@ -30,7 +30,7 @@ public:
 private:
     QLayout* buildHead(const Actions& actions);
     QLayout* buildOpacity();
-    QDoubleSpinBox* lengthBox(const QString& id, const QString& name, const QString& tip, double least, double most);
+    QDoubleSpinBox* lengthBox(const QString& id, const QString& name, const QString& tip, double min, double max);
     void followView();
     void showImage();
     void showSides();

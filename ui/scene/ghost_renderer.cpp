@@ -18,10 +18,10 @@ Eigen::Matrix4d sized(const Eigen::Isometry3d& pose, double size)
 }
 } // namespace
 
-GhostPainter::GhostPainter() = default;
-GhostPainter::~GhostPainter() = default;
+GhostRenderer::GhostRenderer() = default;
+GhostRenderer::~GhostRenderer() = default;
 
-bool GhostPainter::create(QOpenGLFunctions_3_3_Core* gl)
+bool GhostRenderer::create(QOpenGLFunctions_3_3_Core* gl)
 {
     m_gl = gl;
     m_program = std::make_unique<QOpenGLShaderProgram>();
@@ -30,7 +30,7 @@ bool GhostPainter::create(QOpenGLFunctions_3_3_Core* gl)
            m_program->link();
 }
 
-void GhostPainter::destroy()
+void GhostRenderer::destroy()
 {
     if (!m_gl)
         return;
@@ -42,7 +42,7 @@ void GhostPainter::destroy()
     m_gl = nullptr;
 }
 
-void GhostPainter::take(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays)
+void GhostRenderer::upload(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays)
 {
     if (shape.arrays == arrays)
         return;
@@ -54,9 +54,9 @@ void GhostPainter::take(Shape& shape, const std::shared_ptr<const core::DrawArra
 
 /// The nearest surface only: first its depths, then its colours. Whoever stands far behind the model, or between the
 /// eye and it, is not cut off.
-void GhostPainter::draw(const OrbitCamera& camera)
+void GhostRenderer::draw(const OrbitCamera& camera)
 {
-    if (!m_wearer && !m_teacher)
+    if (!m_avatar && !m_teacher)
         return;
     m_view = camera.viewMatrix();
     m_program->bind();
@@ -80,8 +80,8 @@ void GhostPainter::draw(const OrbitCamera& camera)
     m_gl->glEnable(GL_BLEND);
     m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     drawBodies();
-    if (m_wearer && m_wearer->brush)
-        drawBrush(*m_wearer->brush);
+    if (m_avatar && m_avatar->brush)
+        drawBrush(*m_avatar->brush);
     if (m_teacher)
         drawBrush(*m_teacher);
 
@@ -93,31 +93,31 @@ void GhostPainter::draw(const OrbitCamera& camera)
     m_program->release();
 }
 
-void GhostPainter::drawBodies()
+void GhostRenderer::drawBodies()
 {
     static const auto head = std::make_shared<const core::DrawArrays>(headShape());
-    if (!m_wearer)
+    if (!m_avatar)
         return;
-    if (m_wearer->head) {
-        take(m_head, head);
-        place(m_head, sized(*m_wearer->head, m_wearer->metre));
+    if (m_avatar->head) {
+        upload(m_head, head);
+        place(m_head, sized(*m_avatar->head, m_avatar->metre));
     }
     for (std::size_t i = 0; i < m_hands.size(); ++i)
-        if (const std::optional<Ghost>& hand = m_wearer->hands[i]; hand && hand->shape) {
-            take(m_hands[i], hand->shape);
-            place(m_hands[i], sized(hand->pose, m_wearer->metre));
+        if (const std::optional<GhostMesh>& hand = m_avatar->hands[i]; hand && hand->shape) {
+            upload(m_hands[i], hand->shape);
+            place(m_hands[i], sized(hand->pose, m_avatar->metre));
         }
 }
 
-void GhostPainter::drawBrush(const core::Sphere& brush)
+void GhostRenderer::drawBrush(const core::Sphere& brush)
 {
     static const auto ball = std::make_shared<const core::DrawArrays>(ballShape());
-    take(m_ball, ball);
+    upload(m_ball, ball);
     m_program->setUniformValue("alphas", brushAlphas);
     place(m_ball, sized(Eigen::Isometry3d(Eigen::Translation3d(brush.center)), brush.radius));
 }
 
-void GhostPainter::place(const Shape& shape, const Eigen::Matrix4d& toDocument)
+void GhostRenderer::place(const Shape& shape, const Eigen::Matrix4d& toDocument)
 {
     m_program->setUniformValue("place", toQt(Eigen::Matrix4d(m_view * toDocument)));
     shape.buffer.draw();

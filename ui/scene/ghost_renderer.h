@@ -16,18 +16,18 @@ namespace ui
 /// that is bound, after all else; clay hides them. Plain OpenGL and not Qt3D, so that they are there in layers, too,
 /// and so that to move them costs nothing. The context that was current at create() must be current at every call but
 /// show().
-class GhostPainter
+class GhostRenderer
 {
 public:
-    GhostPainter();
-    ~GhostPainter();
+    GhostRenderer();
+    ~GhostRenderer();
 
     /// False if a shader does not compile; the log is in the debug output.
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
     /// In the next pictures.
-    void show(const std::optional<Wearer>& wearer) { m_wearer = wearer; }
+    void show(const std::optional<HeadsetAvatar>& avatar) { m_avatar = avatar; }
     void showTeacher(const std::optional<core::Sphere>& brush) { m_teacher = brush; }
     void setDark(bool dark) { m_isDark = dark; }
     /// A shape that was not drawn yet is uploaded.
@@ -40,7 +40,7 @@ private:
         MeshBuffer buffer;
     };
 
-    void take(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays);
+    void upload(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays);
     void drawBodies();
     void drawBrush(const core::Sphere& brush);
     void place(const Shape& shape, const Eigen::Matrix4d& toDocument);
@@ -49,7 +49,7 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     Shape m_head, m_ball;
     std::array<Shape, 2> m_hands;
-    std::optional<Wearer> m_wearer;
+    std::optional<HeadsetAvatar> m_avatar;
     std::optional<core::Sphere> m_teacher;
     Eigen::Matrix4d m_view = Eigen::Matrix4d::Identity(); ///< of the picture that is being drawn
     bool m_isDark = false;

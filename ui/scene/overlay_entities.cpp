@@ -174,18 +174,19 @@ double gridCell(double size)
 
 Ground::Ground(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform(new Qt3DCore::QTransform)
 {
-    auto* look = material({blendedPass(program(QStringLiteral("ground")), Qt3DRender::QDepthTest::LessOrEqual)});
-    m_cell = parameter(look, "cell", 10.0F);
-    m_center = parameter(look, "center", QVector3D());
-    m_under = parameter(look, "under", QVector3D());
-    m_reach = parameter(look, "reach", 400.0F);
-    m_footprint = parameter(look, "footprint", QVector2D(50, 50));
-    m_lineColor = parameter(look, "lineColor", QVector3D());
-    m_lineAlpha = parameter(look, "lineAlpha", 0.3F);
-    m_shade = parameter(look, "shade", 0.2F);
+    auto* surfaceMaterial =
+        material({blendedPass(program(QStringLiteral("ground")), Qt3DRender::QDepthTest::LessOrEqual)});
+    m_cell = parameter(surfaceMaterial, "cell", 10.0F);
+    m_center = parameter(surfaceMaterial, "center", QVector3D());
+    m_under = parameter(surfaceMaterial, "under", QVector3D());
+    m_reach = parameter(surfaceMaterial, "reach", 400.0F);
+    m_footprint = parameter(surfaceMaterial, "footprint", QVector2D(50, 50));
+    m_lineColor = parameter(surfaceMaterial, "lineColor", QVector3D());
+    m_lineAlpha = parameter(surfaceMaterial, "lineAlpha", 0.3F);
+    m_shade = parameter(surfaceMaterial, "shade", 0.2F);
     addComponent(triangles({-1, 0, -1, -1, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0, -1}, {{"vertexPosition", 3}}));
     addComponent(m_transform);
-    addComponent(look);
+    addComponent(surfaceMaterial);
     setDark(false);
 }
 
@@ -217,13 +218,13 @@ BrushCursor::BrushCursor(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m
     seen->addParameter(new QParameter(QStringLiteral("alpha"), 0.95F));
     auto* hidden = blendedPass(shader, Qt3DRender::QDepthTest::Greater);
     hidden->addParameter(new QParameter(QStringLiteral("alpha"), 0.22F));
-    auto* look = material({hidden, seen});
-    m_viewport = parameter(look, "viewport", QVector2D(1, 1));
-    m_halfWidth = parameter(look, "halfWidth", static_cast<float>(ringHalfWidth));
-    m_color = parameter(look, "color", QVector3D(1, 1, 1));
+    auto* surfaceMaterial = material({hidden, seen});
+    m_viewport = parameter(surfaceMaterial, "viewport", QVector2D(1, 1));
+    m_halfWidth = parameter(surfaceMaterial, "halfWidth", static_cast<float>(ringHalfWidth));
+    m_color = parameter(surfaceMaterial, "color", QVector3D(1, 1, 1));
     addComponent(triangles(ringAndTick(), {{"vertexPosition", 3}, {"vertexNext", 3}, {"vertexSide", 1}}));
     addComponent(m_transform);
-    addComponent(look);
+    addComponent(surfaceMaterial);
 }
 
 void BrushCursor::place(const core::Vec3& position, const core::Vec3& normal, double radius)
@@ -246,12 +247,13 @@ void BrushCursor::setPixels(QSize target, double ratio)
 
 SymmetryPlane::SymmetryPlane(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform(new Qt3DCore::QTransform)
 {
-    auto* look = material({blendedPass(program(QStringLiteral("plane")), Qt3DRender::QDepthTest::LessOrEqual)});
-    m_color = parameter(look, "color", QVector3D());
-    m_border = parameter(look, "border", static_cast<float>(planeBorder));
+    auto* surfaceMaterial =
+        material({blendedPass(program(QStringLiteral("plane")), Qt3DRender::QDepthTest::LessOrEqual)});
+    m_color = parameter(surfaceMaterial, "color", QVector3D());
+    m_border = parameter(surfaceMaterial, "border", static_cast<float>(planeBorder));
     addComponent(triangles({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0}, {{"vertexPosition", 3}}));
     addComponent(m_transform);
-    addComponent(look);
+    addComponent(surfaceMaterial);
     setDark(false);
 }
 
@@ -276,14 +278,14 @@ void SymmetryPlane::setPixelRatio(double ratio)
 
 SectorBorders::SectorBorders(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform(new Qt3DCore::QTransform)
 {
-    auto* look = material({blendedPass(program(QStringLiteral("plane"), QStringLiteral("sectors")),
-                                       Qt3DRender::QDepthTest::LessOrEqual)});
-    m_color = parameter(look, "color", QVector3D());
-    m_border = parameter(look, "border", static_cast<float>(sectorHalfWidth));
-    m_sectors = parameter(look, "sectors", 2.0F);
+    auto* surfaceMaterial = material({blendedPass(program(QStringLiteral("plane"), QStringLiteral("sectors")),
+                                                  Qt3DRender::QDepthTest::LessOrEqual)});
+    m_color = parameter(surfaceMaterial, "color", QVector3D());
+    m_border = parameter(surfaceMaterial, "border", static_cast<float>(sectorHalfWidth));
+    m_sectors = parameter(surfaceMaterial, "sectors", 2.0F);
     addComponent(triangles({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0}, {{"vertexPosition", 3}}));
     addComponent(m_transform);
-    addComponent(look);
+    addComponent(surfaceMaterial);
     setDark(false);
 }
 

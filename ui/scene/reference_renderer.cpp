@@ -11,10 +11,10 @@ namespace
 constexpr int pixelsAtOnce = 1 << 20; ///< larger levels are uploaded one a call
 }
 
-ReferencePainter::ReferencePainter() = default;
-ReferencePainter::~ReferencePainter() = default;
+ReferenceRenderer::ReferenceRenderer() = default;
+ReferenceRenderer::~ReferenceRenderer() = default;
 
-bool ReferencePainter::create(QOpenGLFunctions_3_3_Core* gl)
+bool ReferenceRenderer::create(QOpenGLFunctions_3_3_Core* gl)
 {
     m_gl = gl;
     m_gl->glGenVertexArrays(1, &m_noVertices);
@@ -24,7 +24,7 @@ bool ReferencePainter::create(QOpenGLFunctions_3_3_Core* gl)
            m_program->link();
 }
 
-void ReferencePainter::destroy()
+void ReferenceRenderer::destroy()
 {
     if (!m_gl)
         return;
@@ -37,7 +37,7 @@ void ReferencePainter::destroy()
     m_gl = nullptr;
 }
 
-void ReferencePainter::begin(const SharedReferencePicture& picture)
+void ReferenceRenderer::begin(const SharedReferencePicture& picture)
 {
     m_gl->glDeleteTextures(1, &m_texture);
     m_gl->glGenTextures(1, &m_texture);
@@ -52,7 +52,7 @@ void ReferencePainter::begin(const SharedReferencePicture& picture)
 }
 
 /// From coarse to fine. The texture is bound.
-void ReferencePainter::uploadSome()
+void ReferenceRenderer::uploadSome()
 {
     const auto isSmall = [](const QImage& image) { return image.width() * image.height() <= pixelsAtOnce; };
     do {
@@ -63,7 +63,7 @@ void ReferencePainter::uploadSome()
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, static_cast<GLint>(m_missing));
 }
 
-bool ReferencePainter::draw(const OrbitCamera& camera, const PlacedReference& reference)
+bool ReferenceRenderer::draw(const OrbitCamera& camera, const PlacedReference& reference)
 {
     if (!reference.picture)
         return false;

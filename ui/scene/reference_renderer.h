@@ -13,11 +13,11 @@ namespace ui
 /// Draws a reference image with OpenGL 3.3 core into the framebuffer that is bound, over what is there, and leaves the
 /// depths as they are. Plain OpenGL and not Qt3D, so that it is there in layers, too, and none is uploaded but what is
 /// seen. The context that was current at create() must be current at every call.
-class ReferencePainter
+class ReferenceRenderer
 {
 public:
-    ReferencePainter();
-    ~ReferencePainter();
+    ReferenceRenderer();
+    ~ReferenceRenderer();
 
     /// False if a shader does not compile; the log is in the debug output.
     bool create(QOpenGLFunctions_3_3_Core* gl);

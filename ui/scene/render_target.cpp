@@ -9,9 +9,9 @@ namespace ui
 void RenderTarget::create(QOpenGLFunctions_3_3_Core* gl, int samples)
 {
     m_gl = gl;
-    GLint most = 0;
-    m_gl->glGetIntegerv(GL_MAX_SAMPLES, &most);
-    m_samples = std::min(samples, static_cast<int>(most));
+    GLint max = 0;
+    m_gl->glGetIntegerv(GL_MAX_SAMPLES, &max);
+    m_samples = std::min(samples, static_cast<int>(max));
     m_gl->glGenFramebuffers(1, &m_drawn);
     m_gl->glGenFramebuffers(1, &m_resolved);
     m_gl->glGenRenderbuffers(1, &m_color);

@@ -19,7 +19,7 @@ namespace ui
 {
 namespace
 {
-class SceneWords
+class SceneText
 {
     Q_DECLARE_TR_FUNCTIONS(ui::Scene)
 };
@@ -52,9 +52,9 @@ struct Scene::State
     QOpenGLFunctions_3_3_Core* gl = nullptr;
     RenderTarget target;
     MeshRenderer painter;
-    ReferencePainter referencePainter;
+    ReferenceRenderer referenceRenderer;
     PlacedReference reference;
-    GhostPainter ghosts;
+    GhostRenderer ghosts;
     std::unique_ptr<QOpenGLShaderProgram> layerProgram;
     unsigned int noVertices = 0;
     MeshView picture;
@@ -71,7 +71,7 @@ struct Scene::State
     void makeCurrent() { context->makeCurrent(&surface); }
     void showGround();
     void drawOverlay();
-    void layOver(unsigned int texture);
+    void drawOverlay(unsigned int texture);
 };
 
 void Scene::State::startEngine(Qt3dEngine::Target wanted)
@@ -108,7 +108,7 @@ bool Scene::State::startLayered()
 {
     if (gl) {
         painter.destroy();
-        referencePainter.destroy();
+        referenceRenderer.destroy();
         ghosts.destroy();
         target.destroy();
     }
@@ -134,7 +134,7 @@ bool Scene::State::startLayered()
 bool Scene::State::createResources()
 {
     target.create(gl, samplesPerPixel);
-    return painter.create(gl) && referencePainter.create(gl) && ghosts.create(gl);
+    return painter.create(gl) && referenceRenderer.create(gl) && ghosts.create(gl);
 }
 
 /// What Qt3D draws, over clay and backdrop. Qt3D restores most of the state that others left behind, but not these.
@@ -151,11 +151,11 @@ void Scene::State::drawOverlay()
         engine->frame();
         makeCurrent();
         target.bind();
-        layOver(engine->texture());
+        drawOverlay(engine->texture());
     }
 }
 
-void Scene::State::layOver(unsigned int texture)
+void Scene::State::drawOverlay(unsigned int texture)
 {
     if (!texture)
         return;
@@ -206,7 +206,7 @@ Scene::Scene(Mode wanted) : m_state(std::make_unique<State>())
     m_state->surface.setFormat(QSurfaceFormat::defaultFormat());
     m_state->surface.create();
     m_state->usable = (wanted == Mode::InQt3dContext && m_state->startInQt3dContext()) || m_state->startLayered();
-    setLook({}, false);
+    setAppearance({}, false);
     if (m_state->usable)
         m_state->warmUp();
 }
@@ -216,7 +216,7 @@ Scene::~Scene()
     if (m_state->context && m_state->context->makeCurrent(&m_state->surface)) {
         m_state->layerProgram.reset();
         m_state->painter.destroy();
-        m_state->referencePainter.destroy();
+        m_state->referenceRenderer.destroy();
         m_state->ghosts.destroy();
         m_state->target.destroy();
         m_state->context->doneCurrent();
@@ -316,9 +316,9 @@ void Scene::showReference(const PlacedReference& reference)
     m_state->reference = reference;
 }
 
-void Scene::showWearer(const std::optional<Wearer>& wearer)
+void Scene::showAvatar(const std::optional<HeadsetAvatar>& avatar)
 {
-    m_state->ghosts.show(wearer);
+    m_state->ghosts.show(avatar);
 }
 
 void Scene::showTeacher(const std::optional<core::Sphere>& brush)
@@ -326,18 +326,18 @@ void Scene::showTeacher(const std::optional<core::Sphere>& brush)
     m_state->ghosts.showTeacher(brush);
 }
 
-void Scene::setLook(const ViewLook& look, bool darkTheme)
+void Scene::setAppearance(const ViewAppearance& appearance, bool darkTheme)
 {
     State& s = *m_state;
-    s.picture.backdrop = backdropOf(look.background, darkTheme);
-    s.picture.shading = shadingOf(look.material);
-    s.picture.flat = look.flat;
-    s.picture.wireframe = look.wireframe;
+    s.picture.backdrop = backdropOf(appearance.background, darkTheme);
+    s.picture.shading = shadingOf(appearance.material);
+    s.picture.flat = appearance.flat;
+    s.picture.wireframe = appearance.wireframe;
     s.ground->setDark(isDark(s.picture.backdrop));
     s.plane->setDark(isDark(s.picture.backdrop));
     s.borders->setDark(isDark(s.picture.backdrop));
     s.ghosts.setDark(isDark(s.picture.backdrop));
-    s.wantsGround = look.ground;
+    s.wantsGround = appearance.ground;
     s.showGround();
 }
 
@@ -360,7 +360,7 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     s.picture.pixels = pixels;
     s.picture.pixelRatio = pixelRatio;
     s.painter.draw(camera, s.picture);
-    image.isDraft = s.referencePainter.draw(camera, s.reference);
+    image.isDraft = s.referenceRenderer.draw(camera, s.reference);
     image.drawMs = milliseconds(timer);
     timer.start();
     s.drawOverlay();
@@ -378,17 +378,17 @@ QString graphicsProblem()
 {
     static const QString problem = [] {
         if (!QOpenGLContext::globalShareContext())
-            return SceneWords::tr("The model cannot be shown: this display offers no OpenGL.");
+            return SceneText::tr("The model cannot be shown: this display offers no OpenGL.");
         QOffscreenSurface surface;
         surface.setFormat(QSurfaceFormat::defaultFormat());
         surface.create();
         QOpenGLContext context;
         context.setFormat(QSurfaceFormat::defaultFormat());
         if (!context.create() || !context.makeCurrent(&surface))
-            return SceneWords::tr("The model cannot be shown: OpenGL does not start on this display.");
+            return SceneText::tr("The model cannot be shown: OpenGL does not start on this display.");
         const auto version = context.format().version();
         if (version < qMakePair(3, 3) || !functionsOf(&context))
-            return SceneWords::tr("The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.")
+            return SceneText::tr("The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.")
                 .arg(version.first)
                 .arg(version.second);
         return QString();

@@ -46,7 +46,7 @@ public:
     bool usable() const;
     Mode mode() const;
 
-    /// Current the scene's context, then use it at once.
+    /// Makes the scene's context current; use it at once.
     MeshBuffer& meshBuffer();
 
     void placeGround(const core::Box& box);
@@ -62,18 +62,18 @@ public:
     /// A ring around a point of the surface, and a tick along the normal; seen through clay, too.
     void showMark(const core::Vec3& point, const core::Vec3& normal, double radius);
     void hideMark();
-    /// The pane of that plane through the box, and the line where it cuts the clay; without symmetry neither.
+    /// The plane through the box, and the line where it cuts the clay; without symmetry neither.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
     /// Where so many sectors meet, on the ground under the box; of one nothing.
     void showSectors(int sectors, core::Symmetry symmetry, const core::Box& box);
     /// In the next images, until another is named; its picture may be null.
     void showReference(const PlacedReference& reference);
-    /// In the next images; none: nobody is in the headset.
-    void showWearer(const std::optional<Wearer>& wearer);
+    /// Draws the avatar of the user of the headset in the next images; none: nobody is in the headset.
+    void showAvatar(const std::optional<HeadsetAvatar>& avatar);
     /// The same of a lesson's teacher, of whom there is a brush.
     void showTeacher(const std::optional<core::Sphere>& brush);
     /// `darkTheme`: what the background is where it follows the window.
-    void setLook(const ViewLook& look, bool darkTheme);
+    void setAppearance(const ViewAppearance& appearance, bool darkTheme);
 
     Image render(const OrbitCamera& camera, QSize pixels, double pixelRatio);
 

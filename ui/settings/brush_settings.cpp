@@ -12,14 +12,14 @@ namespace ui
 {
 namespace
 {
-constexpr double anotherSize = 2;            ///< so many times larger or smaller a model is of quite another size
+constexpr double otherModelFactor = 2;       ///< so many times larger or smaller a model is of quite another size
 constexpr core::Rgb firstPaint{216, 58, 52}; ///< is seen on every material; a model's own colour would not be
 
 core::StrokeSettings firstStroke()
 {
     core::StrokeSettings stroke;
     stroke.place = core::Placement::Ray;
-    stroke.spacing = handSpacing;
+    stroke.spacing = defaultSpacing;
     stroke.color = firstPaint;
     return stroke;
 }
@@ -55,11 +55,11 @@ void BrushSettings::reset()
     const BrushSettings first;
     m_plane = first.m_plane;
     m_sectors = first.m_sectors;
-    m_isTurnedRound = first.m_isTurnedRound;
+    m_isInverted = first.m_isInverted;
     m_isSteady = first.m_isSteady;
-    m_stringLength = first.m_stringLength;
+    m_stabilizerLength = first.m_stabilizerLength;
     Q_EMIT changed();
-    Q_EMIT handChanged();
+    Q_EMIT inputChanged();
 }
 
 double BrushSettings::value(core::Parameter parameter) const
@@ -113,7 +113,7 @@ void BrushSettings::scaleRadius(double factor)
     setValue(core::Parameter::Radius, m_stroke.radius * factor);
 }
 
-void BrushSettings::take(const core::StrokeSettings& stroke)
+void BrushSettings::apply(const core::StrokeSettings& stroke)
 {
     const core::StrokeSettings own = std::exchange(m_stroke, stroke);
     m_stroke.place = own.place;
@@ -132,9 +132,9 @@ void BrushSettings::take(const core::StrokeSettings& stroke)
     Q_EMIT changed();
 }
 
-void BrushSettings::setTurnedRound(bool turned)
+void BrushSettings::setInverted(bool inverted)
 {
-    if (std::exchange(m_isTurnedRound, turned) != turned)
+    if (std::exchange(m_isInverted, inverted) != inverted)
         Q_EMIT changed();
 }
 
@@ -143,23 +143,23 @@ void BrushSettings::setSteady(bool steady)
     if (std::exchange(m_isSteady, steady) == steady)
         return;
     Q_EMIT changed();
-    Q_EMIT handChanged();
+    Q_EMIT inputChanged();
 }
 
-void BrushSettings::setStringLength(double pixels)
+void BrushSettings::setStabilizerLength(double pixels)
 {
-    const double legal = std::clamp(pixels, minString, maxString);
-    if (std::exchange(m_stringLength, legal) == legal)
+    const double legal = std::clamp(pixels, minStabilizerLength, maxStabilizerLength);
+    if (std::exchange(m_stabilizerLength, legal) == legal)
         return;
     Q_EMIT changed();
-    Q_EMIT handChanged();
+    Q_EMIT inputChanged();
 }
 
-void BrushSettings::fitTo(const ModelFacts& facts, double radiusShare)
+void BrushSettings::fitTo(const ModelInfo& modelInfo, double radiusShare)
 {
     const core::ParameterInfo& row = core::info(core::Parameter::Radius);
-    m_modelSize = facts.size.maxCoeff();
-    m_leastDetail = facts.leastDetail;
+    m_modelSize = modelInfo.size.maxCoeff();
+    m_minDetail = modelInfo.minDetail;
     m_maxRadius = std::clamp(maxRadiusShare * m_modelSize, row.min, row.max);
     m_stroke.radius = std::clamp(radiusShare * m_modelSize, minOf(core::Parameter::Radius), m_maxRadius);
     Q_EMIT changed();
@@ -170,18 +170,18 @@ double BrushSettings::radiusShare() const
     return m_stroke.radius / m_modelSize;
 }
 
-bool BrushSettings::fits(const ModelFacts& facts) const
+bool BrushSettings::fits(const ModelInfo& modelInfo) const
 {
-    const double size = facts.size.maxCoeff();
-    return size == 0 || (size <= anotherSize * m_modelSize && anotherSize * size >= m_modelSize);
+    const double size = modelInfo.size.maxCoeff();
+    return size == 0 || (size <= otherModelFactor * m_modelSize && otherModelFactor * size >= m_modelSize);
 }
 
 double BrushSettings::minOf(core::Parameter parameter) const
 {
-    const double least = core::info(parameter).min;
+    const double min = core::info(parameter).min;
     return parameter == core::Parameter::Radius
-               ? std::clamp(core::radiusFor(m_leastDetail, m_stroke.detail), least, m_maxRadius)
-               : least;
+               ? std::clamp(core::radiusFor(m_minDetail, m_stroke.detail), min, m_maxRadius)
+               : min;
 }
 
 double BrushSettings::maxOf(core::Parameter parameter) const
@@ -189,8 +189,8 @@ double BrushSettings::maxOf(core::Parameter parameter) const
     return parameter == core::Parameter::Radius ? m_maxRadius : core::info(parameter).max;
 }
 
-core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
-                                  Qt::KeyboardModifier invert)
+core::StrokeSettings withModifiers(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
+                                   Qt::KeyboardModifier invert)
 {
     if (modifiers & Qt::ShiftModifier) {
         stroke.tool = core::Tool::Smooth;

@@ -11,8 +11,8 @@
 
 namespace ui
 {
-/// The string of a steady stroke, in logical pixels.
-inline constexpr double minString = 4, maxString = 200, defaultString = 32;
+/// The length of the stabilizer of a steady stroke, in logical pixels.
+inline constexpr double minStabilizerLength = 4, maxStabilizerLength = 200, defaultStabilizerLength = 32;
 
 /// The brush in the user's hand: what the next stroke will be. Panels, cursor and viewport are views of it; it is read
 /// when a stroke begins and not during one. Gui thread.
@@ -58,52 +58,52 @@ public:
     void scaleRadius(double factor);
     /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where
     /// that one has none.
-    void take(const core::StrokeSettings& stroke);
+    void apply(const core::StrokeSettings& stroke);
     /// As a new user's, but for the radius, which is the model's; of the tools that are offered the first.
     void reset();
 
-    /// Strokes do the opposite of what their tool does, and with the key that inverts what it does.
-    bool isTurnedRound() const { return m_isTurnedRound; }
-    void setTurnedRound(bool turned);
+    /// Inverted strokes do the opposite of what their tool does; with the key that inverts they do what it does.
+    bool isInverted() const { return m_isInverted; }
+    void setInverted(bool inverted);
 
-    /// A steady stroke hangs on a string behind the pointer.
+    /// In a steady stroke the brush follows the pointer at the length of the stabilizer.
     bool isSteady() const { return m_isSteady; }
     void setSteady(bool steady);
     /// Of a steady stroke, in logical pixels.
-    double stringLength() const { return m_stringLength; }
-    void setStringLength(double pixels);
+    double stabilizerLength() const { return m_stabilizerLength; }
+    void setStabilizerLength(double pixels);
 
     /// From now on the radius can be what makes sense for that model, and it is this share of its longest side.
-    void fitTo(const ModelFacts& facts, double radiusShare);
+    void fitTo(const ModelInfo& modelInfo, double radiusShare);
     /// The radius, in longest sides of the model that it was fitted to.
     double radiusShare() const;
     void setRadiusShare(double share) { setValue(core::Parameter::Radius, share * m_modelSize); }
     /// Whether the model is still about as large as the one that the radius was fitted to.
-    bool fits(const ModelFacts& facts) const;
+    bool fits(const ModelInfo& modelInfo) const;
     double minOf(core::Parameter parameter) const;
     double maxOf(core::Parameter parameter) const;
 
 Q_SIGNALS:
     void changed();
     /// How strokes are drawn, not what they do; after changed().
-    void handChanged();
+    void inputChanged();
     /// setValue() or scaleRadius() asked for what it cannot be; it was set to the nearest that it can.
     void clamped(core::Parameter parameter);
 
 private:
     core::StrokeSettings m_stroke;
     QList<core::Tool> m_tools; ///< that are offered; none: all
-    bool m_isTurnedRound = false;
+    bool m_isInverted = false;
     bool m_isSteady = false;
-    double m_stringLength = defaultString;
+    double m_stabilizerLength = defaultStabilizerLength;
     core::Symmetry m_plane = core::Symmetry::X;
     int m_sectors = 6;
-    double m_leastDetail = 0; ///< of the model's lattice
+    double m_minDetail = 0; ///< of the model's lattice
     double m_maxRadius;
     double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
 };
 
 /// What a stroke that begins with these keys held does: Shift smooths, `invert` does the opposite.
-core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
-                                  Qt::KeyboardModifier invert = Qt::ControlModifier);
+core::StrokeSettings withModifiers(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
+                                   Qt::KeyboardModifier invert = Qt::ControlModifier);
 } // namespace ui

@@ -4,11 +4,11 @@ namespace ui
 {
 enum class DrawnSides { All, Front, Right, Top };
 
-struct DrawingChoice
+struct DrawingSettings
 {
     DrawnSides sides = DrawnSides::All;
     bool shaded = false; ///< colours under the lines
     bool dimensions = true;
-    friend bool operator==(const DrawingChoice&, const DrawingChoice&) = default;
+    friend bool operator==(const DrawingSettings&, const DrawingSettings&) = default;
 };
 } // namespace ui

@@ -12,15 +12,15 @@ enum class ExportUse { Print, ColorPrint, Game };
 inline constexpr std::array<Named<ExportUse>, 3> exportUses{
     {{ExportUse::Print, "stl"}, {ExportUse::ColorPrint, "3mf"}, {ExportUse::Game, "glb"}}};
 
-inline constexpr int leastExportTriangles = 4, mostExportTriangles = 100'000'000;
+inline constexpr int minExportTriangles = 4, maxExportTriangles = 100'000'000;
 
-/// How a model leaves for another program.
-struct ExportChoice
+/// How a model is exported for another program.
+struct ExportSettings
 {
     ExportUse use = ExportUse::Print;
-    quint64 mostTriangles = 0; ///< 0: all
-    bool slices = false;       ///< what is for print is tried by an installed slicer
+    quint64 maxTriangles = 0; ///< 0: all
+    bool slices = false;      ///< what is for print is tried by an installed slicer
 
-    bool operator==(const ExportChoice&) const = default;
+    bool operator==(const ExportSettings&) const = default;
 };
 } // namespace ui

@@ -17,7 +17,7 @@ inline constexpr std::array<Named<FileOrder>, 4> fileOrders{{{FileOrder::Name, "
 inline constexpr int minPicture = 64, maxPicture = 256, defaultPicture = 96;
 
 /// What the files panel shows, and how.
-struct FilesChoice
+struct FileBrowserSettings
 {
     QString folder; ///< absolute
     FileOrder order = FileOrder::Name;

@@ -7,8 +7,8 @@
 
 namespace ui
 {
-/// What the window says about the model that is open.
-struct ModelFacts
+/// What the window shows about the open model.
+struct ModelInfo
 {
     QString name; ///< file name, or the name of a starter model; shown in the title
     quint64 vertices = 0;
@@ -17,7 +17,7 @@ struct ModelFacts
     core::Box box;                        ///< mm
     double area = 0;                      ///< mm^2
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
-    double leastDetail = 0;               ///< mm; the finest d_detail that the model's lattice holds
+    double minDetail = 0;                 ///< mm; the finest d_detail that the model's lattice holds
     QString path = {};                    ///< empty: it comes from no file
     /// That its file keeps; when it was opened, but for the palette and the work.
     core::DocumentMetadata metadata = {};

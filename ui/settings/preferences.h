@@ -8,7 +8,7 @@ namespace ui
 {
 enum class ThemeChoice { System, Light, Dark };
 /// Of what the desktop has, in percent.
-enum class TextSize { Usual = 100, Larger = 125, Large = 150, Largest = 175 };
+enum class TextSize { Normal = 100, Larger = 125, Large = 150, Largest = 175 };
 enum class Language { System, English, German, Chinese };
 
 inline constexpr std::array<Named<ThemeChoice>, 3> themeChoices{
@@ -20,7 +20,7 @@ inline double factorOf(TextSize size)
 }
 
 inline constexpr std::array<Named<TextSize>, 4> textSizes{
-    {{TextSize::Usual, "100"}, {TextSize::Larger, "125"}, {TextSize::Large, "150"}, {TextSize::Largest, "175"}}};
+    {{TextSize::Normal, "100"}, {TextSize::Larger, "125"}, {TextSize::Large, "150"}, {TextSize::Largest, "175"}}};
 
 /// The keys are locale names.
 inline constexpr std::array<Named<Language>, 4> languages{
@@ -35,40 +35,40 @@ inline double penPressure(double pressure, double exponent)
     return std::pow(pressure, exponent);
 }
 
-/// How pen and mouse are taken.
-struct HandHabits
+/// How input of pen and mouse is interpreted.
+struct InputPreferences
 {
     bool pressureToStrength = true;
     bool pressureToRadius = false;
     bool altMovesView = true; ///< held with a button; else Alt means nothing to the view
     double penExponent = 1;
-    HeldKeys held{}; ///< as the preset of keys has it
+    MouseModifiers modifiers{}; ///< of the preset of shortcuts
 
-    bool operator==(const HandHabits&) const = default;
+    bool operator==(const InputPreferences&) const = default;
 };
 
-/// Of a file that is saved again, if a person wishes so.
-inline constexpr int keptVersions = 3;
+/// The number of backups of a file that is saved again, if the user wants them.
+inline constexpr int backupCount = 3;
 
 /// What a person chooses once, in the Preferences.
 struct Preferences
 {
     ThemeChoice theme = ThemeChoice::System;
     Language language = Language::System; ///< of the next start
-    TextSize textSize = TextSize::Usual;  ///< of the next start
-    /// Nothing moves that nobody moves: the view goes at once where it is sent, a light stands still.
-    bool isCalm = false;
-    HandHabits hand;
-    KeyChoice keys{};
-    bool keepsVersions = false; ///< what a file held stays beside it when it is saved again
+    TextSize textSize = TextSize::Normal; ///< of the next start
+    /// No animation: the view jumps instead of flying, the highlight of a pointer does not pulse.
+    bool reducesMotion = false;
+    InputPreferences input;
+    ShortcutSettings keys{};
+    bool keepsBackups = false; ///< backups stay beside a file that is saved again
 
     bool operator==(const Preferences&) const = default;
 
-    HandHabits habits() const
+    InputPreferences effectiveInput() const
     {
-        HandHabits habits = hand;
-        habits.held = heldKeys(keys.preset);
-        return habits;
+        InputPreferences effective = input;
+        effective.modifiers = mouseModifiers(keys.preset);
+        return effective;
     }
 };
 } // namespace ui

@@ -9,7 +9,7 @@ namespace
 constexpr QLatin1Char divider('\t');
 } // namespace
 
-QList<Printer> usualPrinters()
+QList<PrinterPreset> defaultPrinters()
 {
     return {
         {QStringLiteral("Prusa MK4"), {250, 210, 220}},         {QStringLiteral("Prusa MINI"), {180, 180, 180}},
@@ -18,10 +18,10 @@ QList<Printer> usualPrinters()
         {QStringLiteral("UltiMaker S5"), {330, 240, 300}},      {QStringLiteral("Formlabs Form 4"), {200, 125, 210}}};
 }
 
-QStringList toLines(const QList<Printer>& printers)
+QStringList toLines(const QList<PrinterPreset>& printers)
 {
     QStringList lines;
-    for (const Printer& printer : printers) {
+    for (const PrinterPreset& printer : printers) {
         QStringList fields{printer.name};
         for (const double side : {printer.bed.x, printer.bed.y, printer.bed.z})
             fields << QString::number(side, 'g', 12);
@@ -30,9 +30,9 @@ QStringList toLines(const QList<Printer>& printers)
     return lines;
 }
 
-QList<Printer> printersOf(const QStringList& lines)
+QList<PrinterPreset> printersOf(const QStringList& lines)
 {
-    QList<Printer> printers;
+    QList<PrinterPreset> printers;
     for (const QString& line : lines) {
         const QStringList fields = line.split(divider);
         if (fields.size() != 4 || fields[0].trimmed().isEmpty())
@@ -42,10 +42,10 @@ QList<Printer> printersOf(const QStringList& lines)
         for (int i = 0; i < 3; ++i) {
             bool ok = false;
             sides[i] = fields[i + 1].toDouble(&ok);
-            areSides = areSides && ok && sides[i] >= leastBed && sides[i] <= mostBed;
+            areSides = areSides && ok && sides[i] >= minBed && sides[i] <= maxBed;
         }
         if (areSides)
-            printers << Printer{fields[0], {sides[0], sides[1], sides[2]}};
+            printers << PrinterPreset{fields[0], {sides[0], sides[1], sides[2]}};
     }
     return printers;
 }

@@ -8,18 +8,18 @@
 
 namespace ui
 {
-struct Printer
+struct PrinterPreset
 {
     QString name; ///< not empty
     core::PrintBed bed;
 };
 
-inline constexpr double leastBed = 10, mostBed = 10'000; ///< mm, a side
+inline constexpr double minBed = 10, maxBed = 10'000; ///< mm, a side
 
-/// Those that many have, by what their makers say of them.
-QList<Printer> usualPrinters();
+/// Common printers, with their makers' figures.
+QList<PrinterPreset> defaultPrinters();
 
 /// As settings keep them: a line each. Lines that are none are left out.
-QStringList toLines(const QList<Printer>& printers);
-QList<Printer> printersOf(const QStringList& lines);
+QStringList toLines(const QList<PrinterPreset>& printers);
+QList<PrinterPreset> printersOf(const QStringList& lines);
 } // namespace ui

@@ -10,7 +10,7 @@ namespace ui
 {
 namespace
 {
-constexpr qsizetype mostRecentFiles = 10;
+constexpr qsizetype maxRecentFiles = 10;
 
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
@@ -54,7 +54,7 @@ void Settings::setWindowState(const QByteArray& state)
 
 QStringList Settings::recentFiles() const
 {
-    return m_settings.value(recentKey).toStringList().mid(0, mostRecentFiles);
+    return m_settings.value(recentKey).toStringList().mid(0, maxRecentFiles);
 }
 
 void Settings::addRecentFile(const QString& path)
@@ -62,7 +62,7 @@ void Settings::addRecentFile(const QString& path)
     QStringList paths = recentFiles();
     paths.removeAll(path);
     paths.prepend(path);
-    setRecentFiles(paths.mid(0, mostRecentFiles));
+    setRecentFiles(paths.mid(0, maxRecentFiles));
 }
 
 void Settings::setRecentFiles(const QStringList& paths)
@@ -81,7 +81,7 @@ void Settings::setLastFolder(const QString& folder)
     m_settings.setValue(folderKey, folder);
 }
 
-FilesChoice Settings::files() const
+FileBrowserSettings Settings::files() const
 {
     const QString folder = m_settings.value(shownFolderKey).toString();
     const bool isThere = !folder.isEmpty() && QDir(folder).exists();
@@ -90,12 +90,12 @@ FilesChoice Settings::files() const
             static_cast<int>(stored::number(m_settings, filePictureKey, minPicture, maxPicture, defaultPicture))};
 }
 
-void Settings::setFiles(const FilesChoice& choice)
+void Settings::setFiles(const FileBrowserSettings& options)
 {
-    m_settings.setValue(shownFolderKey, choice.folder);
-    m_settings.setValue(fileOrderKey, stored::wordFor(choice.order, fileOrders));
-    m_settings.setValue(filesDescendingKey, choice.descending);
-    m_settings.setValue(filePictureKey, choice.picture);
+    m_settings.setValue(shownFolderKey, options.folder);
+    m_settings.setValue(fileOrderKey, stored::wordFor(options.order, fileOrders));
+    m_settings.setValue(filesDescendingKey, options.descending);
+    m_settings.setValue(filePictureKey, options.picture);
 }
 
 int Settings::historyMegabytes() const
@@ -109,44 +109,44 @@ void Settings::setHistoryMegabytes(int megabytes)
     m_settings.setValue(historyKey, megabytes);
 }
 
-ExportChoice Settings::exporting() const
+ExportSettings Settings::exporting() const
 {
-    const double most = stored::number(m_settings, exportTrianglesKey, leastExportTriangles, mostExportTriangles, 0);
-    return {stored::choice(m_settings, exportUseKey, exportUses, ExportUse::Print), static_cast<quint64>(most),
+    const double max = stored::number(m_settings, exportTrianglesKey, minExportTriangles, maxExportTriangles, 0);
+    return {stored::choice(m_settings, exportUseKey, exportUses, ExportUse::Print), static_cast<quint64>(max),
             stored::yesNo(m_settings, exportSlicesKey, false)};
 }
 
-void Settings::setExporting(const ExportChoice& choice)
+void Settings::setExporting(const ExportSettings& options)
 {
-    m_settings.setValue(exportUseKey, stored::wordFor(choice.use, exportUses));
-    m_settings.setValue(exportTrianglesKey, choice.mostTriangles);
-    m_settings.setValue(exportSlicesKey, choice.slices);
+    m_settings.setValue(exportUseKey, stored::wordFor(options.use, exportUses));
+    m_settings.setValue(exportTrianglesKey, options.maxTriangles);
+    m_settings.setValue(exportSlicesKey, options.slices);
 }
 
-PrintChoice Settings::print() const
+PrintSettings Settings::print() const
 {
-    const PrintChoice usual;
+    const PrintSettings usual;
     return {m_settings.value(printerKey).toString(),
             stored::number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, usual.wall),
             stored::number(m_settings, printOverhangKey, 0, 90, usual.overhang),
             static_cast<int>(stored::number(m_settings, printPictureKey, 0, 2, usual.picture))};
 }
 
-void Settings::setPrint(const PrintChoice& choice)
+void Settings::setPrint(const PrintSettings& options)
 {
-    m_settings.setValue(printerKey, choice.printer);
-    m_settings.setValue(printWallKey, choice.wall);
-    m_settings.setValue(printOverhangKey, choice.overhang);
-    m_settings.setValue(printPictureKey, choice.picture);
+    m_settings.setValue(printerKey, options.printer);
+    m_settings.setValue(printWallKey, options.wall);
+    m_settings.setValue(printOverhangKey, options.overhang);
+    m_settings.setValue(printPictureKey, options.picture);
 }
 
-QList<Printer> Settings::printers() const
+QList<PrinterPreset> Settings::printers() const
 {
-    const QList<Printer> stored = printersOf(m_settings.value(printersKey).toStringList());
-    return stored.isEmpty() ? usualPrinters() : stored;
+    const QList<PrinterPreset> stored = printersOf(m_settings.value(printersKey).toStringList());
+    return stored.isEmpty() ? defaultPrinters() : stored;
 }
 
-void Settings::setPrinters(const QList<Printer>& printers)
+void Settings::setPrinters(const QList<PrinterPreset>& printers)
 {
     m_settings.setValue(printersKey, toLines(printers));
 }
@@ -157,13 +157,13 @@ void Settings::reset()
         if (key != recentKey && key != folderKey && key != stored::swatchesKey && key != printersKey &&
             key != stored::alphaFilesKey && key != stored::modelFilesKey && !key.startsWith(stored::referenceKeys))
             m_settings.remove(key);
-    for (const auto& takeUp : m_onReset)
-        takeUp();
+    for (const auto& applySettings : m_onReset)
+        applySettings();
 }
 
-void Settings::onReset(std::function<void()> takeUp)
+void Settings::onReset(std::function<void()> applySettings)
 {
-    m_onReset.push_back(std::move(takeUp));
+    m_onReset.push_back(std::move(applySettings));
 }
 
 bool Settings::showsStartPage() const

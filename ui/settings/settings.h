@@ -29,7 +29,7 @@ inline constexpr double minRadiusShare = 0.002, maxRadiusShare = 0.5;
 
 /// The spacing of a new user's brush, in radii: dense enough for an even furrow, wide enough that a slow hand does not
 /// dig a hole.
-inline constexpr double handSpacing = 0.25;
+inline constexpr double defaultSpacing = 0.25;
 
 inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength, core::Parameter::Falloff,
                                                        core::Parameter::Detail, core::Parameter::Spacing};
@@ -57,7 +57,7 @@ struct StoredShapes
 };
 
 /// Of the print check: whose bed, what is too thin and what leans out too far, and what the model shows (0: nothing).
-struct PrintChoice
+struct PrintSettings
 {
     QString printer;      ///< by name
     double wall = 0.8;    ///< mm
@@ -84,26 +84,26 @@ public:
     void setLastFolder(const QString& folder);
 
     /// Of the files panel. A folder that is gone gives lastFolder().
-    FilesChoice files() const;
-    void setFiles(const FilesChoice& choice);
+    FileBrowserSettings files() const;
+    void setFiles(const FileBrowserSettings& options);
 
     /// So much memory the undo steps may take.
     int historyMegabytes() const;
     void setHistoryMegabytes(int megabytes);
 
     /// How the 2D preview shows the model.
-    DrawingChoice drawing() const;
-    void setDrawing(const DrawingChoice& choice);
+    DrawingSettings drawing() const;
+    void setDrawing(const DrawingSettings& options);
 
     /// As it was agreed to last.
-    ExportChoice exporting() const;
-    void setExporting(const ExportChoice& choice);
+    ExportSettings exporting() const;
+    void setExporting(const ExportSettings& options);
 
-    PrintChoice print() const;
-    void setPrint(const PrintChoice& choice);
+    PrintSettings print() const;
+    void setPrint(const PrintSettings& options);
     /// Not empty: the usual ones where none are stored.
-    QList<Printer> printers() const;
-    void setPrinters(const QList<Printer>& printers);
+    QList<PrinterPreset> printers() const;
+    void setPrinters(const QList<PrinterPreset>& printers);
 
     /// Of the brush; the radius is kept as a share instead.
     double value(core::Parameter parameter) const;
@@ -121,20 +121,20 @@ public:
     /// Everything to its default but what a person made: recent files and folder, swatches, reference images, printers.
     /// Then all are called that asked for it, in that order, to take up what holds now.
     void reset();
-    void onReset(std::function<void()> takeUp);
+    void onReset(std::function<void()> applySettings);
 
-    ViewLook look() const;
-    void setLook(const ViewLook& look);
+    ViewAppearance appearance() const;
+    void setAppearance(const ViewAppearance& appearance);
 
     /// Whether the start page is shown when the program begins without a file.
     bool showsStartPage() const;
     void setShowsStartPage(bool shows);
 
-    /// Whether strokes hang on a string, and its length in logical pixels.
+    /// Whether strokes are steady, and the length of the stabilizer in logical pixels.
     bool isSteady() const;
     void setSteady(bool steady);
-    double stringLength() const;
-    void setStringLength(double pixels);
+    double stabilizerLength() const;
+    void setStabilizerLength(double pixels);
 
     /// Of the turntable, degrees a second; seen from above.
     double turnSpeed() const;

@@ -14,17 +14,17 @@ const QString alphaKey = QStringLiteral("brush/alpha");
 const QString alphaFollowsKey = QStringLiteral("brush/alphaFollows");
 const QString modelKey = QStringLiteral("brush/model");
 const QString steadyKey = QStringLiteral("hand/steady");
-const QString stringKey = QStringLiteral("hand/string");
+const QString stabilizerLengthKey = QStringLiteral("hand/string");
 const QString turnSpeedKey = QStringLiteral("turntable/speed");
 const QString clockwiseKey = QStringLiteral("turntable/clockwise");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString themeKey = QStringLiteral("preferences/theme");
-const QString keepsVersionsKey = QStringLiteral("preferences/keepsVersions");
+const QString keepsBackupsKey = QStringLiteral("preferences/keepsVersions");
 const QString languageKey = QStringLiteral("preferences/language");
 const QString textSizeKey = QStringLiteral("preferences/textSize");
-const QString calmKey = QStringLiteral("preferences/calm");
+const QString reducesMotionKey = QStringLiteral("preferences/calm");
 const QString keyPresetKey = QStringLiteral("keys/preset");
-const QString ownKeys = QStringLiteral("keys/own/"); ///< and the action's id
+const QString customKeys = QStringLiteral("keys/own/"); ///< and the action's id
 const QString penKey = QStringLiteral("preferences/penExponent");
 
 QString keyOf(core::Parameter parameter)
@@ -35,18 +35,18 @@ QString keyOf(core::Parameter parameter)
 
 double defaultOf(core::Parameter parameter)
 {
-    return parameter == core::Parameter::Spacing ? handSpacing : core::info(parameter).defaultValue;
+    return parameter == core::Parameter::Spacing ? defaultSpacing : core::info(parameter).defaultValue;
 }
 
-struct HabitSwitch
+struct InputSwitch
 {
     QString key;
-    bool HandHabits::*what;
+    bool InputPreferences::*what;
 };
-const HabitSwitch habitSwitches[] = {
-    {QStringLiteral("preferences/pressureToStrength"), &HandHabits::pressureToStrength},
-    {QStringLiteral("preferences/pressureToRadius"), &HandHabits::pressureToRadius},
-    {QStringLiteral("preferences/altMovesView"), &HandHabits::altMovesView}};
+const InputSwitch inputSwitches[] = {
+    {QStringLiteral("preferences/pressureToStrength"), &InputPreferences::pressureToStrength},
+    {QStringLiteral("preferences/pressureToRadius"), &InputPreferences::pressureToRadius},
+    {QStringLiteral("preferences/altMovesView"), &InputPreferences::altMovesView}};
 } // namespace
 
 double Settings::value(core::Parameter parameter) const
@@ -76,16 +76,16 @@ Preferences Settings::preferences() const
     preferences.theme = stored::choice(m_settings, themeKey, themeChoices, preferences.theme);
     preferences.language = stored::choice(m_settings, languageKey, languages, preferences.language);
     preferences.textSize = stored::choice(m_settings, textSizeKey, textSizes, preferences.textSize);
-    preferences.isCalm = stored::yesNo(m_settings, calmKey, preferences.isCalm);
-    for (const HabitSwitch& row : habitSwitches)
-        preferences.hand.*row.what = stored::yesNo(m_settings, row.key, preferences.hand.*row.what);
-    preferences.hand.penExponent =
-        stored::number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
-    preferences.keepsVersions = stored::yesNo(m_settings, keepsVersionsKey, preferences.keepsVersions);
-    preferences.keys.preset = stored::choice(m_settings, keyPresetKey, keyPresets, preferences.keys.preset);
+    preferences.reducesMotion = stored::yesNo(m_settings, reducesMotionKey, preferences.reducesMotion);
+    for (const InputSwitch& row : inputSwitches)
+        preferences.input.*row.what = stored::yesNo(m_settings, row.key, preferences.input.*row.what);
+    preferences.input.penExponent =
+        stored::number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.input.penExponent);
+    preferences.keepsBackups = stored::yesNo(m_settings, keepsBackupsKey, preferences.keepsBackups);
+    preferences.keys.preset = stored::choice(m_settings, keyPresetKey, shortcutPresets, preferences.keys.preset);
     for (const QString& key : m_settings.allKeys())
-        if (key.startsWith(ownKeys))
-            preferences.keys.own.insert(key.mid(ownKeys.size()), m_settings.value(key).toString());
+        if (key.startsWith(customKeys))
+            preferences.keys.custom.insert(key.mid(customKeys.size()), m_settings.value(key).toString());
     return preferences;
 }
 
@@ -94,15 +94,15 @@ void Settings::setPreferences(const Preferences& preferences)
     m_settings.setValue(themeKey, stored::wordFor(preferences.theme, themeChoices));
     m_settings.setValue(languageKey, stored::wordFor(preferences.language, languages));
     m_settings.setValue(textSizeKey, stored::wordFor(preferences.textSize, textSizes));
-    m_settings.setValue(calmKey, preferences.isCalm);
-    for (const HabitSwitch& row : habitSwitches)
-        m_settings.setValue(row.key, preferences.hand.*row.what);
-    m_settings.setValue(penKey, preferences.hand.penExponent);
-    m_settings.setValue(keepsVersionsKey, preferences.keepsVersions);
-    m_settings.setValue(keyPresetKey, stored::wordFor(preferences.keys.preset, keyPresets));
-    m_settings.remove(ownKeys.chopped(1));
-    for (auto own = preferences.keys.own.cbegin(); own != preferences.keys.own.cend(); ++own)
-        m_settings.setValue(ownKeys + own.key(), own.value());
+    m_settings.setValue(reducesMotionKey, preferences.reducesMotion);
+    for (const InputSwitch& row : inputSwitches)
+        m_settings.setValue(row.key, preferences.input.*row.what);
+    m_settings.setValue(penKey, preferences.input.penExponent);
+    m_settings.setValue(keepsBackupsKey, preferences.keepsBackups);
+    m_settings.setValue(keyPresetKey, stored::wordFor(preferences.keys.preset, shortcutPresets));
+    m_settings.remove(customKeys.chopped(1));
+    for (auto own = preferences.keys.custom.cbegin(); own != preferences.keys.custom.cend(); ++own)
+        m_settings.setValue(customKeys + own.key(), own.value());
 }
 
 StoredShapes Settings::shapes() const
@@ -131,14 +131,15 @@ void Settings::setSteady(bool steady)
     m_settings.setValue(steadyKey, steady);
 }
 
-double Settings::stringLength() const
+double Settings::stabilizerLength() const
 {
-    return stored::number(m_settings, stringKey, minString, maxString, defaultString);
+    return stored::number(m_settings, stabilizerLengthKey, minStabilizerLength, maxStabilizerLength,
+                          defaultStabilizerLength);
 }
 
-void Settings::setStringLength(double pixels)
+void Settings::setStabilizerLength(double pixels)
 {
-    m_settings.setValue(stringKey, pixels);
+    m_settings.setValue(stabilizerLengthKey, pixels);
 }
 
 double Settings::turnSpeed() const

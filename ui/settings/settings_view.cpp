@@ -21,48 +21,48 @@ const QList<core::Rgb> firstSwatches = {{200, 110, 80},  {138, 90, 60},  {242, 2
                                         {128, 128, 128}, {32, 32, 32},   {216, 58, 52},   {240, 180, 41},
                                         {76, 154, 74},   {47, 111, 181}, {122, 79, 160}};
 
-struct LookSwitch
+struct AppearanceSwitch
 {
     QString key;
-    bool ViewLook::*what;
+    bool ViewAppearance::*what;
 };
-const LookSwitch lookSwitches[] = {{QStringLiteral("view/wireframe"), &ViewLook::wireframe},
-                                   {QStringLiteral("view/flat"), &ViewLook::flat},
-                                   {QStringLiteral("view/ground"), &ViewLook::ground},
-                                   {QStringLiteral("view/scaleBar"), &ViewLook::scaleBar},
-                                   {QStringLiteral("view/caption"), &ViewLook::caption}};
+const AppearanceSwitch appearanceSwitches[] = {{QStringLiteral("view/wireframe"), &ViewAppearance::wireframe},
+                                               {QStringLiteral("view/flat"), &ViewAppearance::flat},
+                                               {QStringLiteral("view/ground"), &ViewAppearance::ground},
+                                               {QStringLiteral("view/scaleBar"), &ViewAppearance::scaleBar},
+                                               {QStringLiteral("view/caption"), &ViewAppearance::caption}};
 } // namespace
 
-ViewLook Settings::look() const
+ViewAppearance Settings::appearance() const
 {
-    ViewLook look;
-    look.material = stored::choice(m_settings, materialKey, materials, look.material);
-    look.background = stored::choice(m_settings, backgroundKey, backgrounds, look.background);
-    for (const LookSwitch& row : lookSwitches)
-        look.*row.what = stored::yesNo(m_settings, row.key, look.*row.what);
-    return look;
+    ViewAppearance appearance;
+    appearance.material = stored::choice(m_settings, materialKey, materials, appearance.material);
+    appearance.background = stored::choice(m_settings, backgroundKey, backgrounds, appearance.background);
+    for (const AppearanceSwitch& row : appearanceSwitches)
+        appearance.*row.what = stored::yesNo(m_settings, row.key, appearance.*row.what);
+    return appearance;
 }
 
-void Settings::setLook(const ViewLook& look)
+void Settings::setAppearance(const ViewAppearance& appearance)
 {
-    m_settings.setValue(materialKey, stored::wordFor(look.material, materials));
-    m_settings.setValue(backgroundKey, stored::wordFor(look.background, backgrounds));
-    for (const LookSwitch& row : lookSwitches)
-        m_settings.setValue(row.key, look.*row.what);
+    m_settings.setValue(materialKey, stored::wordFor(appearance.material, materials));
+    m_settings.setValue(backgroundKey, stored::wordFor(appearance.background, backgrounds));
+    for (const AppearanceSwitch& row : appearanceSwitches)
+        m_settings.setValue(row.key, appearance.*row.what);
 }
 
-DrawingChoice Settings::drawing() const
+DrawingSettings Settings::drawing() const
 {
     const double sides = stored::number(m_settings, drawnSidesKey, 0, static_cast<int>(DrawnSides::Top), 0);
     return {static_cast<DrawnSides>(static_cast<int>(sides)), m_settings.value(drawnShadedKey, false).toBool(),
             m_settings.value(drawnDimensionsKey, true).toBool()};
 }
 
-void Settings::setDrawing(const DrawingChoice& choice)
+void Settings::setDrawing(const DrawingSettings& options)
 {
-    m_settings.setValue(drawnSidesKey, static_cast<int>(choice.sides));
-    m_settings.setValue(drawnShadedKey, choice.shaded);
-    m_settings.setValue(drawnDimensionsKey, choice.dimensions);
+    m_settings.setValue(drawnSidesKey, static_cast<int>(options.sides));
+    m_settings.setValue(drawnShadedKey, options.shaded);
+    m_settings.setValue(drawnDimensionsKey, options.dimensions);
 }
 
 QList<core::Rgb> Settings::swatches() const

@@ -8,33 +8,33 @@
 namespace ui
 {
 /// The sets of keys to begin with.
-enum class KeyPreset { Fettle, Blender, ZBrush };
+enum class ShortcutPreset { Fettle, Blender, ZBrush };
 
-inline constexpr std::array<Named<KeyPreset>, 3> keyPresets{
-    {{KeyPreset::Fettle, "fettle"}, {KeyPreset::Blender, "blender"}, {KeyPreset::ZBrush, "zbrush"}}};
+inline constexpr std::array<Named<ShortcutPreset>, 3> shortcutPresets{
+    {{ShortcutPreset::Fettle, "fettle"}, {ShortcutPreset::Blender, "blender"}, {ShortcutPreset::ZBrush, "zbrush"}}};
 
-/// Which keys the commands have: a preset, and what a person changed of it.
-struct KeyChoice
+/// The shortcuts of the commands: a preset and what the user changed.
+struct ShortcutSettings
 {
-    KeyPreset preset = KeyPreset::Fettle;
-    QMap<QString, QString> own; ///< by an action's id: its keys as portable text, parted by "; "; empty: none
+    ShortcutPreset preset = ShortcutPreset::Fettle;
+    QMap<QString, QString> custom; ///< by an action's id: its keys as portable text, parted by "; "; empty: none
 
-    bool operator==(const KeyChoice&) const = default;
+    bool operator==(const ShortcutSettings&) const = default;
 };
 
-/// What a preset makes of keys that are held while the mouse works. Shift smooths in all.
-struct HeldKeys
+/// What modifier keys do while the mouse is used, by preset. Shift smooths in all of them.
+struct MouseModifiers
 {
     Qt::KeyboardModifier invert = Qt::ControlModifier;
     /// The right button orbits, with Alt it pans, with Ctrl it zooms; Alt and left pan beside the model and are the
     /// brush's on it.
     bool rightOrbits = false;
 
-    bool operator==(const HeldKeys&) const = default;
+    bool operator==(const MouseModifiers&) const = default;
 };
 
-constexpr HeldKeys heldKeys(KeyPreset preset)
+constexpr MouseModifiers mouseModifiers(ShortcutPreset preset)
 {
-    return preset == KeyPreset::ZBrush ? HeldKeys{Qt::AltModifier, true} : HeldKeys{};
+    return preset == ShortcutPreset::ZBrush ? MouseModifiers{Qt::AltModifier, true} : MouseModifiers{};
 }
 } // namespace ui

@@ -17,11 +17,11 @@ inline const QString modelFilesKey = QStringLiteral("brush/modelFiles");
 inline const QString swatchesKey = QStringLiteral("color/swatches");
 inline const QString referenceKeys = QStringLiteral("reference/"); ///< and the side
 
-inline double number(const QSettings& settings, const QString& key, double least, double most, double otherwise)
+inline double number(const QSettings& settings, const QString& key, double min, double max, double otherwise)
 {
     bool ok = false;
     const double stored = settings.value(key).toDouble(&ok);
-    return ok && std::isfinite(stored) && stored >= least && stored <= most ? stored : otherwise;
+    return ok && std::isfinite(stored) && stored >= min && stored <= max ? stored : otherwise;
 }
 
 inline bool yesNo(const QSettings& settings, const QString& key, bool otherwise)

@@ -31,8 +31,8 @@ inline constexpr std::array<Named<Background>, 6> backgrounds{{{Background::Them
                                                                {Background::White, "white"},
                                                                {Background::Black, "black"}}};
 
-/// How the view shows the model; nothing of it is the model's.
-struct ViewLook
+/// How the view shows the model; not saved with the model.
+struct ViewAppearance
 {
     Material material = Material::Clay;
     Background background = Background::Theme;
@@ -42,6 +42,6 @@ struct ViewLook
     bool scaleBar = true;
     bool caption = true; ///< of the brush, while VR is worn
 
-    bool operator==(const ViewLook&) const = default;
+    bool operator==(const ViewAppearance&) const = default;
 };
 } // namespace ui

@@ -4,7 +4,7 @@
 
 namespace ui
 {
-SideThread::~SideThread()
+BackgroundThread::~BackgroundThread()
 {
     {
         const std::lock_guard lock(m_mutex);
@@ -15,7 +15,7 @@ SideThread::~SideThread()
         m_thread.join();
 }
 
-void SideThread::run(std::function<void()> job)
+void BackgroundThread::run(std::function<void()> job)
 {
     {
         const std::lock_guard lock(m_mutex);
@@ -26,13 +26,13 @@ void SideThread::run(std::function<void()> job)
     m_wake.notify_one();
 }
 
-void SideThread::drop()
+void BackgroundThread::drop()
 {
     const std::lock_guard lock(m_mutex);
     m_jobs.clear();
 }
 
-void SideThread::work()
+void BackgroundThread::work()
 {
     std::unique_lock lock(m_mutex);
     for (;;) {

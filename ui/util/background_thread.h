@@ -9,34 +9,35 @@
 
 namespace ui
 {
-/// A thread for what takes long, from the first job on: one job after the other, in order. As the last member of its
+/// A thread for long jobs, started by the first one. Jobs run one after the other, in order. As the last member of its
 /// owner it may use all others.
-class SideThread
+class BackgroundThread
 {
 public:
-    SideThread() = default;
-    /// All that was asked for is done before; what came of it is dropped.
-    ~SideThread();
-    Q_DISABLE_COPY_MOVE(SideThread)
+    BackgroundThread() = default;
+    /// Waits for all queued jobs; their results are dropped.
+    ~BackgroundThread();
+    Q_DISABLE_COPY_MOVE(BackgroundThread)
 
     /// Any thread.
     void run(std::function<void()> job);
-    /// take(work()): the work is done on this thread, and taken by the event loop of the one that made this. Any
+    /// Runs work() on this thread, then onDone(result) in the event loop of the thread that made this object. Any
     /// thread.
-    template <class Work, class Take> void run(Work work, Take take)
+    template <class Work, class OnDone> void run(Work work, OnDone onDone)
     {
-        run([this, work = std::move(work), take = std::move(take)]() mutable {
-            auto made = std::make_shared<std::invoke_result_t<Work&>>(work());
-            m_mail.post([take = std::move(take), made = std::move(made)]() mutable { take(std::move(*made)); });
+        run([this, work = std::move(work), onDone = std::move(onDone)]() mutable {
+            auto result = std::make_shared<std::invoke_result_t<Work&>>(work());
+            m_mail.post(
+                [onDone = std::move(onDone), result = std::move(result)]() mutable { onDone(std::move(*result)); });
         });
     }
-    /// Jobs that have not begun are not done.
+    /// Drops the jobs that have not begun.
     void drop();
 
 private:
     void work();
 
-    Mailbox m_mail;
+    ThreadMailbox m_mail;
     std::mutex m_mutex; ///< of the next three
     std::condition_variable m_wake;
     std::deque<std::function<void()>> m_jobs;

@@ -22,7 +22,7 @@ using core::FileErrorKind;
 
 QString nativePath(const std::filesystem::path& path)
 {
-    return QDir::toNativeSeparators(shownName(path));
+    return QDir::toNativeSeparators(displayName(path));
 }
 
 QString bytes(std::uint64_t n)
@@ -41,7 +41,7 @@ QString token(const core::FileError& error)
 }
 } // namespace
 
-QString Messages::sentence(const core::FileError& error)
+QString ErrorMessages::sentence(const core::FileError& error)
 {
     for (const QString& words : {reading(error), content(error), writing(error)})
         if (!words.isEmpty())
@@ -49,7 +49,7 @@ QString Messages::sentence(const core::FileError& error)
     return tr("%1 cannot be used.").arg(nativePath(error.path));
 }
 
-QString Messages::faults(const core::MeshReport& report)
+QString ErrorMessages::faults(const core::MeshReport& report)
 {
     QStringList faults;
     const auto add = [&faults](std::uint64_t count, const QString& fault) {
@@ -67,18 +67,18 @@ QString Messages::faults(const core::MeshReport& report)
     return faults.join(tr(", ", "between the faults of a model"));
 }
 
-QString Messages::refusal(const QString& file, const core::MeshReport& report)
+QString ErrorMessages::refusal(const QString& file, const core::MeshReport& report)
 {
     return tr("%1 cannot be sculpted yet, because its surface does not bound a solid (%2).").arg(file, faults(report));
 }
 
-QString Messages::noBrush(const QString& file, const core::MeshReport& report)
+QString ErrorMessages::brushRefusal(const QString& file, const core::MeshReport& report)
 {
     return tr("%1 cannot be a brush's shape, because its surface does not bound a solid (%2).")
         .arg(file, faults(report));
 }
 
-QString Messages::unitDoubt(double volume)
+QString ErrorMessages::unitDoubt(double volume)
 {
     const QString size = QLocale().toString(std::abs(volume), 'g', 2);
     switch (core::unitDoubtOf(volume)) {
@@ -92,19 +92,19 @@ QString Messages::unitDoubt(double volume)
     return {};
 }
 
-QString Messages::tooFine(const QString& file, quint64 faces)
+QString ErrorMessages::tooFine(const QString& file, quint64 faces)
 {
     return tr("%1 cannot be sculpted yet, because some of its faces would meet on the program's working grid (faces: "
               "%2).")
         .arg(file, number(faces));
 }
 
-QString Messages::tooLarge(const QString& file)
+QString ErrorMessages::tooLarge(const QString& file)
 {
     return tr("%1: at that size the coordinates are no numbers any more.").arg(file);
 }
 
-QString Messages::remarks(const QString& file, const core::ReadRemarks& remarks)
+QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& remarks)
 {
     QStringList left, clauses;
     if (remarks.materials)
@@ -121,7 +121,7 @@ QString Messages::remarks(const QString& file, const core::ReadRemarks& remarks)
     return clauses.isEmpty() ? QString() : QStringLiteral("%1: %2.").arg(file, clauses.join(QStringLiteral("; ")));
 }
 
-QString Messages::shortfall(core::Shortfall shortfall)
+QString ErrorMessages::shortfall(core::Shortfall shortfall)
 {
     switch (shortfall) {
     case core::Shortfall::None:
@@ -147,45 +147,45 @@ QString Messages::shortfall(core::Shortfall shortfall)
     return {};
 }
 
-QString Messages::asymmetric()
+QString ErrorMessages::asymmetric()
 {
     return tr("The model is not symmetric here: both sides were worked on, but they are not exact mirror images.");
 }
 
-QString Messages::apart()
+QString ErrorMessages::sequentialSectors()
 {
     return tr("The sectors meet here, or the model is not alike in all of them: they were worked on one after the "
               "other and are not exact copies.");
 }
 
-QString Messages::notADrawing(const QString& path)
+QString ErrorMessages::notADrawing(const QString& path)
 {
     return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.")
         .arg(QDir::toNativeSeparators(path));
 }
 
-QString Messages::notAReport(const QString& path)
+QString ErrorMessages::notAReport(const QString& path)
 {
     return tr("%1: class reports are written as HTML or PDF; the ending says which.")
         .arg(QDir::toNativeSeparators(path));
 }
 
-QString Messages::notABook(const QString& path)
+QString ErrorMessages::notABook(const QString& path)
 {
     return tr("%1: sheets are written as one PDF; the name has to end in .pdf.").arg(QDir::toNativeSeparators(path));
 }
 
-QString Messages::notAPicture(const QString& path)
+QString ErrorMessages::notAPicture(const QString& path)
 {
     return tr("%1 holds no image that can be read.").arg(QDir::toNativeSeparators(path));
 }
 
-QString Messages::goneReference(const QString& path)
+QString ErrorMessages::missingReference(const QString& path)
 {
     return tr("The reference image %1 is not there any more.").arg(QDir::toNativeSeparators(path));
 }
 
-QString Messages::name(core::Parameter parameter)
+QString ErrorMessages::name(core::Parameter parameter)
 {
     switch (parameter) {
     case core::Parameter::Radius:
@@ -202,16 +202,16 @@ QString Messages::name(core::Parameter parameter)
     return {};
 }
 
-QString Messages::range(core::Parameter parameter, double least, double most)
+QString ErrorMessages::range(core::Parameter parameter, double min, double max)
 {
     const auto figure = [](double value) { return QLocale().toString(value, 'g', 3); };
     const bool isLength = core::info(parameter).unit == core::Unit::Millimetres;
     return (isLength ? tr("%1: from %2 to %3 mm with this model.") : tr("%1: from %2 to %3."))
-        .arg(name(parameter), figure(least), figure(most));
+        .arg(name(parameter), figure(min), figure(max));
 }
 
 /// What is wrong with a file before its content matters.
-QString Messages::reading(const core::FileError& error)
+QString ErrorMessages::reading(const core::FileError& error)
 {
     const QString path = nativePath(error.path);
     switch (error.kind) {
@@ -243,7 +243,7 @@ QString Messages::reading(const core::FileError& error)
     }
 }
 
-QString Messages::content(const core::FileError& error)
+QString ErrorMessages::content(const core::FileError& error)
 {
     const QString where = nativePath(error.path) + at(error);
     switch (error.kind) {
@@ -289,7 +289,7 @@ QString Messages::content(const core::FileError& error)
     }
 }
 
-QString Messages::writing(const core::FileError& error)
+QString ErrorMessages::writing(const core::FileError& error)
 {
     const QString path = nativePath(error.path), reason = systemReason(error);
     switch (error.kind) {
@@ -309,7 +309,7 @@ QString Messages::writing(const core::FileError& error)
     }
 }
 
-QString Messages::at(const core::FileError& error)
+QString ErrorMessages::at(const core::FileError& error)
 {
     switch (error.place.unit) {
     case core::FilePlace::Unit::None:

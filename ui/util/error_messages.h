@@ -16,9 +16,9 @@ struct ReadRemarks;
 namespace ui
 {
 /// core's kinds in words: one sentence each, plain text, for dialogs and for the command line alike. Any thread.
-class Messages
+class ErrorMessages
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::Messages)
+    Q_DECLARE_TR_FUNCTIONS(ui::ErrorMessages)
 
 public:
     /// File, place and reason.
@@ -26,7 +26,7 @@ public:
     /// Why a model of that file name is not sculpted, with counts; `report` is not print-ready.
     static QString refusal(const QString& file, const core::MeshReport& report);
     /// The same of a model that was to be a brush's shape.
-    static QString noBrush(const QString& file, const core::MeshReport& report);
+    static QString brushRefusal(const QString& file, const core::MeshReport& report);
     /// Nothing is wrong with the model, but that many of its faces would meet where the lattice puts them.
     static QString tooFine(const QString& file, quint64 faces);
     /// In the unit or of the size that was asked for.
@@ -41,7 +41,7 @@ public:
     static QString shortfall(core::Shortfall shortfall);
     /// Of a mirrored stroke on a model that is not its own mirror image.
     static QString asymmetric();
-    static QString apart();
+    static QString sequentialSectors();
 
     /// The ending is none that drawings have.
     static QString notADrawing(const QString& path);
@@ -50,10 +50,10 @@ public:
     static QString notABook(const QString& path);
     /// A reference image's file holds no image that can be read, or is gone.
     static QString notAPicture(const QString& path);
-    static QString goneReference(const QString& path);
+    static QString missingReference(const QString& path);
     static QString name(core::Parameter parameter);
     /// What it can be, if somebody asked for more or less.
-    static QString range(core::Parameter parameter, double least, double most);
+    static QString range(core::Parameter parameter, double min, double max);
 
 private:
     static QString reading(const core::FileError& error);

@@ -18,9 +18,9 @@ QStringList toList(std::span<const std::string_view> words)
     return list;
 }
 
-class ModelFormats
+class FormatFilters
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::ModelFormats)
+    Q_DECLARE_TR_FUNCTIONS(ui::FormatFilters)
 };
 } // namespace
 
@@ -45,7 +45,7 @@ QString modelFormats()
     const auto own = static_cast<qsizetype>(core::meshEndings().size());
     const QStringList all = modelEndings();
     const QString words = all.first(std::min(all.size(), own + named)).join(QStringLiteral(", ")).toUpper();
-    return all.size() > own + named ? ModelFormats::tr("%1 and others").arg(words) : words;
+    return all.size() > own + named ? FormatFilters::tr("%1 and others").arg(words) : words;
 }
 
 bool isDocumentFormat(const QString& path)

@@ -10,9 +10,9 @@ namespace ui
 {
 namespace
 {
-struct Measures
+struct NumberFormat
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::Measures)
+    Q_DECLARE_TR_FUNCTIONS(ui::NumberFormat)
 };
 } // namespace
 
@@ -30,8 +30,8 @@ QString millimetres(double value)
 
 QString volumeText(double cubicMillimetres)
 {
-    return cubicMillimetres < 1000 ? Measures::tr("%1 mm³").arg(millimetres(cubicMillimetres))
-                                   : Measures::tr("%1 cm³").arg(millimetres(cubicMillimetres / 1000));
+    return cubicMillimetres < 1000 ? NumberFormat::tr("%1 mm³").arg(millimetres(cubicMillimetres))
+                                   : NumberFormat::tr("%1 cm³").arg(millimetres(cubicMillimetres / 1000));
 }
 
 QString durationText(double seconds)
@@ -39,11 +39,11 @@ QString durationText(double seconds)
     constexpr qint64 minute = 60, hour = 60 * minute;
     const auto whole = static_cast<qint64>(std::llround(seconds));
     if (whole < minute)
-        return Measures::tr("%1 s").arg(QLocale().toString(whole));
+        return NumberFormat::tr("%1 s").arg(QLocale().toString(whole));
     const qint64 minutes = (whole + minute / 2) / minute * minute;
     if (minutes < hour)
-        return Measures::tr("%1 min").arg(QLocale().toString(minutes / minute));
-    return Measures::tr("%1 h %2 min")
+        return NumberFormat::tr("%1 min").arg(QLocale().toString(minutes / minute));
+    return NumberFormat::tr("%1 h %2 min")
         .arg(QLocale().toString(minutes / hour))
         .arg(minutes % hour / minute, 2, 10, QLatin1Char('0'));
 }

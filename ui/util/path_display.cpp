@@ -30,7 +30,7 @@ bool mayBeFile(const fs::directory_entry& entry)
 bool isModelFile(const fs::directory_entry& entry, const QStringList& endings)
 {
     const fs::path name = entry.path().filename();
-    return !isHidden(name) && endings.contains(shownName(name.extension()).mid(1).toLower()) && mayBeFile(entry);
+    return !isHidden(name) && endings.contains(displayName(name.extension()).mid(1).toLower()) && mayBeFile(entry);
 }
 
 core::FileError unreadable(const fs::path& folder, const std::error_code& problem)
@@ -42,7 +42,7 @@ core::FileError unreadable(const fs::path& folder, const std::error_code& proble
 }
 } // namespace
 
-QString shownName(const fs::path& path)
+QString displayName(const fs::path& path)
 {
     const std::u8string bytes = path.u8string();
     return QString::fromUtf8(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
@@ -61,7 +61,7 @@ void sortByName(QList<fs::path>& files)
 {
     const QCollator collator = nameCollator();
     std::ranges::sort(files, [&collator](const fs::path& a, const fs::path& b) {
-        const int byName = collator.compare(shownName(a.filename()), shownName(b.filename()));
+        const int byName = collator.compare(displayName(a.filename()), displayName(b.filename()));
         return byName != 0 ? byName < 0 : a < b;
     });
 }

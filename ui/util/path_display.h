@@ -10,9 +10,9 @@ namespace ui
 {
 /// A name or path of the disk for people to read. A name may be no UTF-8; what cannot be shown of it has U+FFFD in its
 /// place.
-QString shownName(const std::filesystem::path& path);
+QString displayName(const std::filesystem::path& path);
 
-/// How names are sorted for people: a2 before a10, whatever the case. By the person's language; one thread.
+/// Sorts names as people expect: a2 before a10, ignoring case, by the user's language. One thread.
 QCollator nameCollator();
 
 /// By their names alone; of equal ones by the whole path.

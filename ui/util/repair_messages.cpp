@@ -13,15 +13,15 @@ namespace
 /// Three digits that count.
 QString shortMillimetres(double length)
 {
-    constexpr double least = 5e-7; // that is seen of six decimals
-    if (length < least)
+    constexpr double min = 5e-7; // that is seen of six decimals
+    if (length < min)
         return QLocale().toString(0);
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(length))), 0, 6);
     return QLocale().toString(length, 'f', decimals);
 }
 } // namespace
 
-QStringList MendingWords::steps(const core::RepairReport& report)
+QStringList RepairMessages::steps(const core::RepairReport& report)
 {
     QStringList steps;
     const auto add = [&steps](std::uint64_t count, const QString& step) {
@@ -50,7 +50,7 @@ QStringList MendingWords::steps(const core::RepairReport& report)
     return steps;
 }
 
-QString MendingWords::doing(const QString& file, core::RepairStep step)
+QString RepairMessages::progress(const QString& file, core::RepairStep step)
 {
     switch (step) {
     case core::RepairStep::CleanUp:
@@ -73,7 +73,7 @@ QString MendingWords::doing(const QString& file, core::RepairStep step)
     return {};
 }
 
-QString MendingWords::distance(const core::RepairReport& report)
+QString RepairMessages::distance(const core::RepairReport& report)
 {
     return tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) "
               "from the new.")
@@ -81,11 +81,11 @@ QString MendingWords::distance(const core::RepairReport& report)
              shortMillimetres(report.fromOld.largest), shortMillimetres(report.fromOld.mean));
 }
 
-QString MendingWords::refusal(const QString& file, const core::RepairResult& legalised)
+QString RepairMessages::refusal(const QString& file, const core::RepairResult& result)
 {
-    if (legalised.refusal == core::RepairRefusal::LargeHoles)
+    if (result.refusal == core::RepairRefusal::LargeHoles)
         return tr("%1 was not mended: it has holes longer than a quarter of it (%2).")
-            .arg(file, number(legalised.report.largeHoles));
+            .arg(file, number(result.report.largeHoles));
     return tr("%1 cannot be mended: its faces enclose no space.").arg(file);
 }
 } // namespace ui

@@ -8,19 +8,19 @@
 
 namespace ui
 {
-/// What legalising a model came to, in words: plain text, for the window and for the command line alike. Any thread.
-class MendingWords
+/// Describes the repair of a model: plain text, for the window and for the command line alike. Any thread.
+class RepairMessages
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::MendingWords)
+    Q_DECLARE_TR_FUNCTIONS(ui::RepairMessages)
 
 public:
-    /// What was found and mended, step by step, with counts; steps that found nothing are left out.
+    /// Returns what was found and repaired, step by step, with counts; steps that found nothing are left out.
     static QStringList steps(const core::RepairReport& report);
-    /// What goes on while `file` is legalised.
-    static QString doing(const QString& file, core::RepairStep step);
+    /// Describes the present step of the repair of `file`.
+    static QString progress(const QString& file, core::RepairStep step);
     /// How far the surface moved.
     static QString distance(const core::RepairReport& report);
-    /// Why there is no mended model.
-    static QString refusal(const QString& file, const core::RepairResult& legalised);
+    /// Says why there is no repaired model.
+    static QString refusal(const QString& file, const core::RepairResult& result);
 };
 } // namespace ui

@@ -4,22 +4,22 @@
 
 namespace ui
 {
-void Mailbox::post(Letter letter)
+void ThreadMailbox::post(Task task)
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_letters.push_back(std::move(letter));
+        m_tasks.push_back(std::move(task));
     }
     QMetaObject::invokeMethod(this, "open", Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
 }
 
-/// One, for each has rung. It may run an event loop, in which others are opened.
-void Mailbox::open()
+/// Runs one task: every post() queues one call. The task may run a nested event loop, which then runs later tasks.
+void ThreadMailbox::open()
 {
     std::unique_lock lock(m_mutex);
-    const Letter letter = std::move(m_letters.front());
-    m_letters.pop_front();
+    const Task task = std::move(m_tasks.front());
+    m_tasks.pop_front();
     lock.unlock();
-    letter();
+    task();
 }
 } // namespace ui

@@ -8,25 +8,25 @@
 
 namespace ui
 {
-/// How other threads reach the one that made it: what they post is run there, by its event loop, among its other events
-/// in the order of posting. What waits when the mailbox goes is dropped. Letters change hands under a mutex; Qt's queue
-/// only rings for each, and carries nothing of ours.
-class Mailbox : public QObject
+/// Runs tasks that other threads post in the thread that made this object: in its event loop, in the order of posting.
+/// Tasks still queued at destruction are dropped. The tasks lie in a queue of our own, under a mutex that
+/// ThreadSanitizer sees; Qt's queue carries one empty call for each.
+class ThreadMailbox : public QObject
 {
     Q_OBJECT
 
 public:
-    using Letter = std::function<void()>;
+    using Task = std::function<void()>;
 
     using QObject::QObject;
 
     /// Any thread; returns at once.
-    void post(Letter letter);
+    void post(Task task);
 
 private:
     Q_INVOKABLE void open();
 
     std::mutex m_mutex;
-    std::deque<Letter> m_letters;
+    std::deque<Task> m_tasks;
 };
 } // namespace ui

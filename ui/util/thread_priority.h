@@ -2,6 +2,6 @@
 
 namespace ui
 {
-/// From now on this thread gets what the others leave, as far as the system knows such a thing.
-void yieldToOthers();
+/// Lowers the calling thread's scheduling priority (Linux: nice 10; elsewhere no effect).
+void lowerThreadPriority();
 } // namespace ui

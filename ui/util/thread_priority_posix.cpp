@@ -5,7 +5,7 @@
 namespace ui
 {
 /// On Linux a thread has a niceness of its own; elsewhere it is the process's, which stays.
-void yieldToOthers()
+void lowerThreadPriority()
 {
 #ifdef __linux__
     constexpr int niceness = 10;

@@ -16,19 +16,19 @@ namespace
 struct Switch
 {
     const char* id;
-    bool ViewLook::*what;
+    bool ViewAppearance::*what;
 };
-constexpr Switch switches[] = {{"view.wireframe", &ViewLook::wireframe},
-                               {"view.flat", &ViewLook::flat},
-                               {"view.ground", &ViewLook::ground},
-                               {"view.scaleBar", &ViewLook::scaleBar},
-                               {"view.caption", &ViewLook::caption}};
+constexpr Switch switches[] = {{"view.wireframe", &ViewAppearance::wireframe},
+                               {"view.flat", &ViewAppearance::flat},
+                               {"view.ground", &ViewAppearance::ground},
+                               {"view.scaleBar", &ViewAppearance::scaleBar},
+                               {"view.caption", &ViewAppearance::caption}};
 
 /// Shows it, and keeps it for the next start.
-class Looks
+class AppearanceActions
 {
 public:
-    Looks(const Actions& actions, Viewport* viewport, Settings* settings)
+    AppearanceActions(const Actions& actions, Viewport* viewport, Settings* settings)
         : m_actions(actions)
         , m_viewport(viewport)
         , m_settings(settings)
@@ -39,29 +39,29 @@ public:
         for (const Switch& row : switches) {
             QAction* action = m_actions.get(QLatin1StringView(row.id));
             const auto show = [action, viewport = m_viewport, what = row.what] {
-                action->setChecked(viewport->look().*what);
+                action->setChecked(viewport->appearance().*what);
             };
             show();
             m_settings->onReset(show);
-            connect(action, [what = row.what](ViewLook& look, bool on) { look.*what = on; });
+            connect(action, [what = row.what](ViewAppearance& appearance, bool on) { appearance.*what = on; });
         }
     }
 
     template <class T, std::size_t count>
-    void addChoices(const QString& family, const std::array<Named<T>, count>& choices, T ViewLook::*what) const
+    void addChoices(const QString& family, const std::array<Named<T>, count>& choices, T ViewAppearance::*what) const
     {
         auto* group = new QActionGroup(m_viewport);
         for (const Named<T>& choice : choices) {
             QAction* action = m_actions.get(family + QLatin1StringView(choice.key));
             group->addAction(action);
             const auto show = [action, viewport = m_viewport, what, value = choice.value] {
-                action->setChecked(viewport->look().*what == value);
+                action->setChecked(viewport->appearance().*what == value);
             };
             show();
             m_settings->onReset(show);
-            connect(action, [what, value = choice.value](ViewLook& look, bool on) {
+            connect(action, [what, value = choice.value](ViewAppearance& appearance, bool on) {
                 if (on)
-                    look.*what = value;
+                    appearance.*what = value;
             });
         }
     }
@@ -71,10 +71,10 @@ private:
     {
         QObject::connect(action, &QAction::toggled, m_viewport,
                          [viewport = m_viewport, settings = m_settings, change](bool on) {
-                             ViewLook look = viewport->look();
-                             change(look, on);
-                             viewport->setLook(look);
-                             settings->setLook(look);
+                             ViewAppearance appearance = viewport->appearance();
+                             change(appearance, on);
+                             viewport->setAppearance(appearance);
+                             settings->setAppearance(appearance);
                          });
     }
 
@@ -90,15 +90,15 @@ void addMenu(const Actions& actions, MenuId which, const char* icon, QMenu* to)
 }
 } // namespace
 
-void addLooks(const Actions& actions, Viewport* viewport, Settings* settings, QMenu* viewMenu)
+void addAppearanceActions(const Actions& actions, Viewport* viewport, Settings* settings, QMenu* viewMenu)
 {
-    const auto takeUp = [=] { viewport->setLook(settings->look()); };
-    takeUp();
-    settings->onReset(takeUp);
-    const Looks looks(actions, viewport, settings);
-    looks.addSwitches();
-    looks.addChoices(QStringLiteral("material."), materials, &ViewLook::material);
-    looks.addChoices(QStringLiteral("background."), backgrounds, &ViewLook::background);
+    const auto applySettings = [=] { viewport->setAppearance(settings->appearance()); };
+    applySettings();
+    settings->onReset(applySettings);
+    const AppearanceActions appearanceActions(actions, viewport, settings);
+    appearanceActions.addSwitches();
+    appearanceActions.addChoices(QStringLiteral("material."), materials, &ViewAppearance::material);
+    appearanceActions.addChoices(QStringLiteral("background."), backgrounds, &ViewAppearance::background);
     viewMenu->addSeparator();
     addMenu(actions, MenuId::Material, "material-clay", viewMenu);
     addMenu(actions, MenuId::Background, "background-theme", viewMenu);

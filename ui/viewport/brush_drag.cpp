@@ -14,7 +14,7 @@ namespace ui
 namespace
 {
 constexpr double strengthPerPixel = 0.005;
-constexpr int wordDistance = 24; ///< of the word from the ring
+constexpr int labelDistance = 24; ///< of the word from the ring
 } // namespace
 
 BrushDrag::BrushDrag(BrushSettings* brush, Viewport* viewport) : QLabel(viewport), m_brush(brush), m_viewport(viewport)
@@ -31,8 +31,8 @@ BrushDrag::BrushDrag(BrushSettings* brush, Viewport* viewport) : QLabel(viewport
 void BrushDrag::begin(core::Parameter parameter)
 {
     if (isActive())
-        return keep();
-    if (!m_viewport->isVisible() || m_viewport->strokeOpen() || m_viewport->pressWaits())
+        return accept();
+    if (!m_viewport->isVisible() || m_viewport->strokeOpen() || m_viewport->isPressPending())
         return;
     m_parameter = parameter;
     m_from.reset();
@@ -69,7 +69,7 @@ bool BrushDrag::eventFilter(QObject* watched, QEvent* event)
     case QEvent::TouchBegin:
     case QEvent::Hide:
     case QEvent::WindowBlocked:
-        keep();
+        accept();
         break;
     default:
         break;
@@ -80,9 +80,9 @@ bool BrushDrag::eventFilter(QObject* watched, QEvent* event)
 bool BrushDrag::handleKey(int key)
 {
     if (key == Qt::Key_Escape)
-        goBack();
+        cancel();
     else if (key == Qt::Key_Return || key == Qt::Key_Enter)
-        keep();
+        accept();
     else
         return false;
     return true;
@@ -100,7 +100,7 @@ bool BrushDrag::handlePointer(const QSinglePointEvent& event)
         return true;
     }
     m_releaseFollows = true;
-    event.button() == Qt::RightButton ? goBack() : keep();
+    event.button() == Qt::RightButton ? cancel() : accept();
     return true;
 }
 
@@ -115,16 +115,16 @@ void BrushDrag::moveTo(double x)
                       std::clamp(m_before + moved * perPixel, m_brush->minOf(parameter), m_brush->maxOf(parameter)));
 }
 
-void BrushDrag::keep()
+void BrushDrag::accept()
 {
     m_parameter.reset();
     hide();
 }
 
-void BrushDrag::goBack()
+void BrushDrag::cancel()
 {
     const core::Parameter parameter = *m_parameter;
-    keep();
+    accept();
     m_brush->setValue(parameter, m_before);
 }
 
@@ -133,7 +133,7 @@ void BrushDrag::showValue()
     if (!isActive())
         return;
     const double value = m_brush->value(*m_parameter);
-    const QString name = Messages::name(*m_parameter);
+    const QString name = ErrorMessages::name(*m_parameter);
     if (*m_parameter == core::Parameter::Radius)
         setText(tr("%1: %2 mm").arg(name, locale().toString(value, 'g', 3)));
     else
@@ -145,10 +145,10 @@ void BrushDrag::showValue()
 /// Beside the ring, below where the pointer that draws its rim is.
 void BrushDrag::place()
 {
-    const bool grows = *m_parameter == core::Parameter::Radius;
-    const double rim = grows ? m_brush->value(core::Parameter::Radius) * m_viewport->pixelsPerMm() : 0;
+    const bool isRadius = *m_parameter == core::Parameter::Radius;
+    const double rim = isRadius ? m_brush->value(core::Parameter::Radius) * m_viewport->pixelsPerMm() : 0;
     const QPoint beside =
-        m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + wordDistance, wordDistance);
+        m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + labelDistance, labelDistance);
     const QPoint corner(m_viewport->width() - width(), m_viewport->height() - height());
     move(std::clamp(beside.x(), 0, std::max(corner.x(), 0)), std::clamp(beside.y(), 0, std::max(corner.y(), 0)));
 }

@@ -34,8 +34,8 @@ private:
     bool handleKey(int key);
     bool handlePointer(const QSinglePointEvent& event);
     void moveTo(double x);
-    void keep();
-    void goBack();
+    void accept();
+    void cancel();
     void showValue();
     void place();
 

@@ -12,7 +12,7 @@ constexpr double timeConstant = 0.3; ///< seconds; a class can watch it without 
 constexpr int steepness = 15;        ///< odd: only who looks straight up or down is turned by the crown of the head
 } // namespace
 
-OrbitCamera::Pose followed(const OrbitCamera& camera, const Eigen::Isometry3d& head, double seconds)
+OrbitCamera::Pose headTrackingStep(const OrbitCamera& camera, const Eigen::Isometry3d& head, double seconds)
 {
     const core::Vec3 ahead = -head.linear().col(2), above = head.linear().col(1);
     const core::Vec3 level = ahead - std::pow(ahead.y(), steepness) * above;

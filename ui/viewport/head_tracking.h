@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// Where the camera is so many seconds later on its way to where that head is and looks (see Wearer): smoothed, and
-/// level however the head is tilted. A head that rests is reached alike in few steps and in many.
-OrbitCamera::Pose followed(const OrbitCamera& camera, const Eigen::Isometry3d& head, double seconds);
+/// Where the camera is so many seconds later on its way to where that head is and looks (see HeadsetAvatar): smoothed,
+/// and level however the head is tilted. A head that rests is reached alike in few steps and in many.
+OrbitCamera::Pose headTrackingStep(const OrbitCamera& camera, const Eigen::Isometry3d& head, double seconds);
 } // namespace ui

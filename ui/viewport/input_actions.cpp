@@ -18,9 +18,9 @@ namespace ui
 {
 namespace
 {
-struct HandActions
+struct InputActions
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::HandActions)
+    Q_DECLARE_TR_FUNCTIONS(ui::InputActions)
 };
 
 void connectDrags(const Actions& actions, BrushSettings* brush, Viewport* viewport)
@@ -37,77 +37,78 @@ void connectDrags(const Actions& actions, BrushSettings* brush, Viewport* viewpo
 
 void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
 {
-    const auto takeUp = [=] {
+    const auto applySettings = [=] {
         brush->setSteady(settings->isSteady());
-        brush->setStringLength(settings->stringLength());
+        brush->setStabilizerLength(settings->stabilizerLength());
     };
-    takeUp();
-    settings->onReset(takeUp);
+    applySettings();
+    settings->onReset(applySettings);
     const auto show = [=] { action->setChecked(brush->isSteady()); };
     QObject::connect(action, &QAction::triggered, brush, &BrushSettings::setSteady);
     QObject::connect(brush, &BrushSettings::changed, action, show);
-    QObject::connect(brush, &BrushSettings::handChanged, action, [=] {
+    QObject::connect(brush, &BrushSettings::inputChanged, action, [=] {
         settings->setSteady(brush->isSteady());
-        settings->setStringLength(brush->stringLength());
+        settings->setStabilizerLength(brush->stabilizerLength());
     });
     show();
 }
-void connectAdding(QAction* action, const HandPlace& place)
+void connectAdding(QAction* action, const InputActionsContext& context)
 {
-    QObject::connect(action, &QAction::triggered, place.viewport,
-                     [viewport = place.viewport, notice = place.notice](bool adds) {
+    QObject::connect(action, &QAction::triggered, context.viewport,
+                     [viewport = context.viewport, notice = context.notice](bool adds) {
                          viewport->setAdding(adds);
                          if (adds)
-                             notice(HandActions::tr("Click where the ball should be. Esc puts it away."));
+                             notice(InputActions::tr("Click where the ball should be. Esc puts it away."));
                      });
-    QObject::connect(place.viewport, &Viewport::addingChanged, action, &QAction::setChecked);
+    QObject::connect(context.viewport, &Viewport::addingChanged, action, &QAction::setChecked);
 }
 
-void connectKeys(QAction* action, const HandPlace& place)
+void connectKeyboardCursor(QAction* action, const InputActionsContext& context)
 {
     QObject::connect(
-        action, &QAction::triggered, place.viewport, [viewport = place.viewport, notice = place.notice](bool on) {
-            viewport->setKeyHand(on);
+        action, &QAction::triggered, context.viewport, [viewport = context.viewport, notice = context.notice](bool on) {
+            viewport->setKeyboardCursor(on);
             if (on)
-                notice(HandActions::tr(
+                notice(InputActions::tr(
                     "Arrow keys move the cross. Space presses while it is held, Return until the next Return."));
         });
-    QObject::connect(place.viewport, &Viewport::keyHandChanged, action, &QAction::setChecked);
+    QObject::connect(context.viewport, &Viewport::keyboardCursorChanged, action, &QAction::setChecked);
 }
 
 void connectInvert(QAction* action, BrushSettings* brush)
 {
-    QObject::connect(action, &QAction::triggered, brush, &BrushSettings::setTurnedRound);
-    QObject::connect(brush, &BrushSettings::changed, action, [=] { action->setChecked(brush->isTurnedRound()); });
+    QObject::connect(action, &QAction::triggered, brush, &BrushSettings::setInverted);
+    QObject::connect(brush, &BrushSettings::changed, action, [=] { action->setChecked(brush->isInverted()); });
 }
 
-void connectTurntable(QAction* action, const HandPlace& place, Settings* settings)
+void connectTurntable(QAction* action, const InputActionsContext& context, Settings* settings)
 {
-    auto* turntable = new TurntableMotor(place.viewport);
-    const auto takeUp = [=] {
+    auto* turntable = new Turntable(context.viewport);
+    const auto applySettings = [=] {
         turntable->setSpeed(settings->turnSpeed());
         turntable->setClockwise(settings->turnsClockwise());
     };
-    takeUp();
-    settings->onReset(takeUp);
-    QObject::connect(turntable, &TurntableMotor::turned, place.viewport, &Viewport::turnModel);
-    QObject::connect(action, &QAction::triggered, turntable, &TurntableMotor::setOn);
-    QObject::connect(turntable, &TurntableMotor::changed, action, [=] {
+    applySettings();
+    settings->onReset(applySettings);
+    QObject::connect(turntable, &Turntable::turned, context.viewport, &Viewport::turnModel);
+    QObject::connect(action, &QAction::triggered, turntable, &Turntable::setOn);
+    QObject::connect(turntable, &Turntable::changed, action, [=] {
         action->setChecked(turntable->isOn());
         settings->setTurnSpeed(turntable->speed());
         settings->setTurnsClockwise(turntable->isClockwise());
     });
-    addSideDock(place.window, place.toggles, makeTurntablePanel(turntable), QStringLiteral("topologyPanel"));
+    addSideDock(context.window, context.toggles, makeTurntablePanel(turntable), QStringLiteral("topologyPanel"));
 }
 } // namespace
 
-void connectHand(const HandPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions)
+void connectInputActions(const InputActionsContext& context, BrushSettings* brush, Settings* settings,
+                         const Actions& actions)
 {
-    connectDrags(actions, brush, place.viewport);
+    connectDrags(actions, brush, context.viewport);
     connectSteady(actions.get(QStringLiteral("brush.steady")), brush, settings);
     connectInvert(actions.get(QStringLiteral("brush.invert")), brush);
-    connectKeys(actions.get(QStringLiteral("brush.keys")), place);
-    connectAdding(actions.get(QStringLiteral("brush.add")), place);
-    connectTurntable(actions.get(QStringLiteral("turntable.on")), place, settings);
+    connectKeyboardCursor(actions.get(QStringLiteral("brush.keys")), context);
+    connectAdding(actions.get(QStringLiteral("brush.add")), context);
+    connectTurntable(actions.get(QStringLiteral("turntable.on")), context, settings);
 }
 } // namespace ui

@@ -14,7 +14,7 @@ class BrushSettings;
 class Settings;
 class Viewport;
 
-struct HandPlace
+struct InputActionsContext
 {
     QMainWindow* window;
     QMenu* toggles; ///< where the docks' entries are
@@ -22,8 +22,9 @@ struct HandPlace
     std::function<void(const QString&)> notice; ///< says a small word
 };
 
-/// The commands that change what the hand does next in the view: values by moving the pointer, the steady stroke, a
-/// ball, and the turntable with its dock. What is to be remembered is taken from the settings now and written there
+/// Actions for pointer input in the view: values by moving the pointer, the steady stroke, adding a ball, the keyboard
+/// cursor, and the turntable with its dock. What is to be remembered is taken from the settings now and written there
 /// when it changes. None is owned.
-void connectHand(const HandPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions);
+void connectInputActions(const InputActionsContext& context, BrushSettings* brush, Settings* settings,
+                         const Actions& actions);
 } // namespace ui

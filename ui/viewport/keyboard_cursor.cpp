@@ -10,9 +10,9 @@ namespace ui
 {
 namespace
 {
-constexpr double firstStep = 0.125, widestStep = 0.5; ///< of the brush's radius
-constexpr double leastStep = 1;                       ///< pixel
-constexpr double growth = 1.25;                       ///< of the step, each time that a held key comes again
+constexpr double firstStep = 0.125, maxStep = 0.5; ///< of the brush's radius
+constexpr double minStep = 1;                      ///< pixel
+constexpr double growth = 1.25;                    ///< of the step, each time that a held key comes again
 constexpr double sampleStep = 4; ///< pixels: a hand that steps farther is read on its way, as a mouse is
 
 OrbitCamera::Pixel directionOf(int key)
@@ -37,33 +37,33 @@ bool isArrow(int key)
 }
 } // namespace
 
-KeyHand::KeyHand(PointerInput* input, QObject* parent) : QObject(parent), m_input(input) {}
+KeyboardCursor::KeyboardCursor(PointerInput* input, QObject* parent) : QObject(parent), m_input(input) {}
 
-void KeyHand::setOn(bool on)
+void KeyboardCursor::setOn(bool on)
 {
     if (std::exchange(m_isOn, on) == on)
         return;
     if (on) {
-        m_at = inside(m_isPlaced ? m_at : OrbitCamera::Pixel(0.5 * m_reach.view));
+        m_at = clamped(m_isPlaced ? m_at : OrbitCamera::Pixel(0.5 * m_bounds.view));
         m_isPlaced = true;
         m_input->handle({.kind = PointerEvent::Kind::Move, .pixel = m_at, .modifiers = {}});
     } else {
-        lift();
-        m_input->leave();
+        releaseAll();
+        m_input->pointerLeft();
     }
     Q_EMIT changed();
 }
 
-void KeyHand::setReach(const Reach& reach)
+void KeyboardCursor::setBounds(const Bounds& bounds)
 {
-    m_reach = reach;
-    if (const OrbitCamera::Pixel to = inside(m_at); m_isOn && to != m_at) {
+    m_bounds = bounds;
+    if (const OrbitCamera::Pixel to = clamped(m_at); m_isOn && to != m_at) {
         m_at = to;
         Q_EMIT changed();
     }
 }
 
-bool KeyHand::press(const QKeyEvent& key)
+bool KeyboardCursor::press(const QKeyEvent& key)
 {
     if (!m_isOn)
         return false;
@@ -80,7 +80,7 @@ bool KeyHand::press(const QKeyEvent& key)
     return true;
 }
 
-bool KeyHand::release(const QKeyEvent& key)
+bool KeyboardCursor::release(const QKeyEvent& key)
 {
     if (!m_isOn || key.isAutoRepeat())
         return m_isOn && (isArrow(key.key()) || key.key() == Qt::Key_Space);
@@ -92,7 +92,7 @@ bool KeyHand::release(const QKeyEvent& key)
     return true;
 }
 
-void KeyHand::lift()
+void KeyboardCursor::releaseAll()
 {
     m_arrows.clear();
     if (!std::exchange(m_isDown, false))
@@ -102,29 +102,29 @@ void KeyHand::lift()
 }
 
 /// Two keys at a time go aslant.
-void KeyHand::step(const QKeyEvent& key)
+void KeyboardCursor::step(const QKeyEvent& key)
 {
-    const double first = std::max(leastStep, firstStep * m_reach.brush);
-    m_step = key.isAutoRepeat() ? std::min(m_step * growth, std::max(first, widestStep * m_reach.brush)) : first;
+    const double first = std::max(minStep, firstStep * m_bounds.brush);
+    m_step = key.isAutoRepeat() ? std::min(m_step * growth, std::max(first, maxStep * m_bounds.brush)) : first;
     if (!m_arrows.contains(key.key()))
         m_arrows << key.key();
     OrbitCamera::Pixel way(0, 0);
     for (const int arrow : m_arrows)
         way += directionOf(arrow);
-    const OrbitCamera::Pixel from = m_at, to = inside(m_at + m_step * way);
+    const OrbitCamera::Pixel from = m_at, to = clamped(m_at + m_step * way);
     const int samples = std::max(1, static_cast<int>(std::ceil((to - from).norm() / sampleStep)));
     for (int i = 1; i <= samples; ++i)
         moveTo(from + (to - from) * i / samples, key);
     Q_EMIT changed();
 }
 
-void KeyHand::moveTo(const OrbitCamera::Pixel& pixel, const QKeyEvent& key)
+void KeyboardCursor::moveTo(const OrbitCamera::Pixel& pixel, const QKeyEvent& key)
 {
     m_at = pixel;
     send(PointerEvent::Kind::Move, key);
 }
 
-void KeyHand::setDown(bool down, const QKeyEvent& key)
+void KeyboardCursor::setDown(bool down, const QKeyEvent& key)
 {
     if (std::exchange(m_isDown, down) == down)
         return;
@@ -132,7 +132,7 @@ void KeyHand::setDown(bool down, const QKeyEvent& key)
     Q_EMIT changed();
 }
 
-void KeyHand::send(PointerEvent::Kind kind, const QKeyEvent& key)
+void KeyboardCursor::send(PointerEvent::Kind kind, const QKeyEvent& key)
 {
     PointerEvent event;
     event.kind = kind;
@@ -143,8 +143,8 @@ void KeyHand::send(PointerEvent::Kind kind, const QKeyEvent& key)
     m_input->handle(event);
 }
 
-OrbitCamera::Pixel KeyHand::inside(const OrbitCamera::Pixel& pixel) const
+OrbitCamera::Pixel KeyboardCursor::clamped(const OrbitCamera::Pixel& pixel) const
 {
-    return pixel.cwiseMin(m_reach.view - OrbitCamera::Pixel(1, 1)).cwiseMax(0);
+    return pixel.cwiseMin(m_bounds.view - OrbitCamera::Pixel(1, 1)).cwiseMax(0);
 }
 } // namespace ui

@@ -6,34 +6,34 @@ class QKeyEvent;
 
 namespace ui
 {
-/// The hand of somebody who works with keys alone: a place in the view that the arrow keys move, and that presses there
-/// as the left button does, while Space is held, or from one Return to the next for who cannot hold a key and press
-/// another. On the model that is a stroke, beside it the view turns. Gui thread, no widget.
-class KeyHand : public QObject
+/// A pointer for users of the keyboard alone: the arrow keys move it, and it presses as the left button does while
+/// Space is held, or from one Return to the next for users who cannot hold a key and press another. On the model that
+/// is a stroke, beside it the view turns. Gui thread, no widget.
+class KeyboardCursor : public QObject
 {
     Q_OBJECT
 
 public:
     /// The input is not owned.
-    explicit KeyHand(PointerInput* input, QObject* parent = nullptr);
+    explicit KeyboardCursor(PointerInput* input, QObject* parent = nullptr);
 
     bool isOn() const { return m_isOn; }
-    /// At first, and where the view has become smaller, it is brought into the view. Off, what it holds is let go.
+    /// At first, and where the view has become smaller, it is brought into the view. Off, it is released.
     void setOn(bool on);
 
     /// In pixels.
-    struct Reach
+    struct Bounds
     {
-        OrbitCamera::Pixel view{1, 1}; ///< its width and height: the hand stays inside
+        OrbitCamera::Pixel view{1, 1}; ///< its width and height: the cursor stays inside
         double brush = 1;              ///< the brush's radius: a key that is pressed once goes a part of that
     };
-    void setReach(const Reach& reach);
+    void setBounds(const Bounds& bounds);
 
     /// False: the key means nothing here.
     bool press(const QKeyEvent& key);
     bool release(const QKeyEvent& key);
-    /// Lets go of the model, as at the end of a press, and of all keys.
-    void lift();
+    /// Releases the pointer, as at the end of a press, and all keys.
+    void releaseAll();
 
     const OrbitCamera::Pixel& at() const { return m_at; }
     bool isDown() const { return m_isDown; }
@@ -47,12 +47,12 @@ private:
     void moveTo(const OrbitCamera::Pixel& pixel, const QKeyEvent& key);
     void setDown(bool down, const QKeyEvent& key);
     void send(PointerEvent::Kind kind, const QKeyEvent& key);
-    OrbitCamera::Pixel inside(const OrbitCamera::Pixel& pixel) const;
+    OrbitCamera::Pixel clamped(const OrbitCamera::Pixel& pixel) const;
 
     PointerInput* m_input;
     bool m_isOn = false, m_isDown = false;
     bool m_isPlaced = false; ///< somewhere, ever
-    Reach m_reach;
+    Bounds m_bounds;
     OrbitCamera::Pixel m_at{0, 0};
     double m_step = 0;   ///< pixels; grows while a key is held
     QList<int> m_arrows; ///< that are held

@@ -11,7 +11,7 @@ constexpr int side = 33;
 constexpr double arm = 14, hole = 5;
 } // namespace
 
-KeyCross::KeyCross(QWidget* parent) : QWidget(parent)
+KeyboardCursorOverlay::KeyboardCursorOverlay(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("keyCross"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -19,7 +19,7 @@ KeyCross::KeyCross(QWidget* parent) : QWidget(parent)
     hide();
 }
 
-void KeyCross::place(const QPointF& at, bool down)
+void KeyboardCursorOverlay::place(const QPointF& at, bool down)
 {
     m_isDown = down;
     move(at.toPoint() - rect().center());
@@ -28,7 +28,7 @@ void KeyCross::place(const QPointF& at, bool down)
 }
 
 /// Light on dark: it is seen on every clay. Down, the hole in its middle is closed to a ring.
-void KeyCross::paintEvent(QPaintEvent*)
+void KeyboardCursorOverlay::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -4,15 +4,15 @@
 
 namespace ui
 {
-/// Where the hand of the keys is; over its parent, and the mouse goes through it.
-class KeyCross : public QWidget
+/// Shows where the keyboard cursor is; over its parent, transparent for the mouse.
+class KeyboardCursorOverlay : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit KeyCross(QWidget* parent);
+    explicit KeyboardCursorOverlay(QWidget* parent);
 
-    /// In the parent's pixels. `down`: it holds the model.
+    /// In the parent's pixels. `down`: it is pressed.
     void place(const QPointF& at, bool down);
 
 protected:

@@ -8,14 +8,14 @@ namespace ui
 {
 namespace
 {
-constexpr int lightSide = 72;                                   ///< pixels; the ring at its widest is within
-constexpr double spotRadius = 7, leastRing = 12, mostRing = 32; ///< the same
+constexpr int lightSide = 72;                                ///< pixels; the ring at its widest is within
+constexpr double spotRadius = 7, minRing = 12, maxRing = 32; ///< the same
 constexpr int frameMs = 40;
-constexpr double pulseMs = 1200, calmPulse = 0.4; ///< as in the headset
-constexpr QColor lightColor(160, 255, 70);        ///< nothing else has it; as in the headset
+constexpr double pulseMs = 1200, stillPulse = 0.4; ///< as in the headset
+constexpr QColor lightColor(160, 255, 70);         ///< nothing else has it; as in the headset
 } // namespace
 
-PointLight::PointLight(QWidget* parent) : QWidget(parent)
+PointerHighlight::PointerHighlight(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("pointLight"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -23,12 +23,12 @@ PointLight::PointLight(QWidget* parent) : QWidget(parent)
     hide();
     m_timer.setInterval(frameMs);
     connect(&m_timer, &QTimer::timeout, this, [this] {
-        m_pulse = m_isCalm ? calmPulse : std::fmod(m_pulse + frameMs / pulseMs, 1.0);
+        m_pulse = m_reducesMotion ? stillPulse : std::fmod(m_pulse + frameMs / pulseMs, 1.0);
         update();
     });
 }
 
-void PointLight::place(const std::optional<QPointF>& middle)
+void PointerHighlight::place(const std::optional<QPointF>& middle)
 {
     setVisible(middle.has_value());
     if (!middle)
@@ -38,18 +38,18 @@ void PointLight::place(const std::optional<QPointF>& middle)
         m_timer.start();
 }
 
-void PointLight::setCalm(bool calm)
+void PointerHighlight::setReducesMotion(bool reducesMotion)
 {
-    m_isCalm = calm;
+    m_reducesMotion = reducesMotion;
 }
 
 /// Light between dark edges: it is seen on every clay.
-void PointLight::paintEvent(QPaintEvent*)
+void PointerHighlight::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(lightSide / 2.0, lightSide / 2.0);
-    const double ring = leastRing + (mostRing - leastRing) * m_pulse;
+    const double ring = minRing + (maxRing - minRing) * m_pulse;
     const double strength = 1 - m_pulse;
     QColor dark(0, 0, 0), bright = lightColor;
     dark.setAlphaF(static_cast<float>(0.55 * strength));

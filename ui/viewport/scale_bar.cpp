@@ -14,9 +14,9 @@ namespace ui
 {
 namespace
 {
-constexpr double longest = 140;                     ///< pixels
-constexpr int margin = 16, between = 4, tick = 8;   ///< pixels
-constexpr double leastText = 0.001, mostText = 1e6; ///< mm; beyond them nobody reads it
+constexpr double longest = 140;                   ///< pixels
+constexpr int margin = 16, between = 4, tick = 8; ///< pixels
+constexpr double minText = 0.001, maxText = 1e6;  ///< mm; beyond them nobody reads it
 
 /// The largest of 1, 2, 5 times a power of ten that is no more.
 double roundedDown(double length)
@@ -38,9 +38,9 @@ ScaleBar::ScaleBar(QWidget* parent) : QWidget(parent)
 void ScaleBar::showFor(const OrbitCamera& camera)
 {
     const double perMm = camera.pixelsPerMm(camera.pivot());
-    const double most = longest / perMm;
-    const bool readable = std::isfinite(most) && most > leastText && most < mostText;
-    const double millimetres = readable ? roundedDown(most) : 0, pixels = millimetres * perMm;
+    const double max = longest / perMm;
+    const bool readable = std::isfinite(max) && max > minText && max < maxText;
+    const double millimetres = readable ? roundedDown(max) : 0, pixels = millimetres * perMm;
     if (millimetres == m_millimetres && pixels == m_pixels)
         return;
     m_millimetres = millimetres;

@@ -9,14 +9,14 @@ namespace
 constexpr int ringMargin = 4; ///< pixels
 } // namespace
 
-StringLine::StringLine(QWidget* parent) : QWidget(parent)
+StabilizerLine::StabilizerLine(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("stringLine"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     hide();
 }
 
-void StringLine::span(const QLineF& line)
+void StabilizerLine::setLine(const QLineF& line)
 {
     setVisible(!line.isNull());
     if (m_line == line || line.isNull())
@@ -28,7 +28,7 @@ void StringLine::span(const QLineF& line)
 }
 
 /// Light on dark: it is seen on every clay.
-void StringLine::paintEvent(QPaintEvent*)
+void StabilizerLine::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -5,17 +5,16 @@
 
 namespace ui
 {
-/// The string of a steady stroke, from the hand to the brush that it draws; over its parent, and the mouse goes through
-/// it.
-class StringLine : public QWidget
+/// The line of a steady stroke, from the pointer to the brush; over its parent, transparent for the mouse.
+class StabilizerLine : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit StringLine(QWidget* parent);
+    explicit StabilizerLine(QWidget* parent);
 
     /// In the parent's pixels; a line without length is not shown.
-    void span(const QLineF& line);
+    void setLine(const QLineF& line);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -13,14 +13,14 @@ constexpr std::chrono::milliseconds interval(16); ///< a frame
 constexpr double longestStep = 0.1;               ///< seconds; a window that stood still does not jump afterwards
 } // namespace
 
-TurntableMotor::TurntableMotor(QObject* parent) : QObject(parent)
+Turntable::Turntable(QObject* parent) : QObject(parent)
 {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(interval);
-    connect(&m_timer, &QTimer::timeout, this, &TurntableMotor::step);
+    connect(&m_timer, &QTimer::timeout, this, &Turntable::step);
 }
 
-void TurntableMotor::setOn(bool on)
+void Turntable::setOn(bool on)
 {
     if (on == isOn())
         return;
@@ -29,20 +29,20 @@ void TurntableMotor::setOn(bool on)
     Q_EMIT changed();
 }
 
-void TurntableMotor::setSpeed(double speed)
+void Turntable::setSpeed(double speed)
 {
     const double legal = std::clamp(speed, minTurn, maxTurn);
     if (std::exchange(m_speed, legal) != legal)
         Q_EMIT changed();
 }
 
-void TurntableMotor::setClockwise(bool clockwise)
+void Turntable::setClockwise(bool clockwise)
 {
     if (std::exchange(m_isClockwise, clockwise) != clockwise)
         Q_EMIT changed();
 }
 
-void TurntableMotor::step()
+void Turntable::step()
 {
     const double seconds = std::min(static_cast<double>(m_sinceStep.nsecsElapsed()) * 1e-9, longestStep);
     m_sinceStep.start();

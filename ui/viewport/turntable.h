@@ -8,13 +8,13 @@
 
 namespace ui
 {
-/// Turns the model under the hand while it is on, by small steps that follow the clock. Gui thread.
-class TurntableMotor : public QObject
+/// Turns the model under the pointer while it is on, by small timed steps. Gui thread.
+class Turntable : public QObject
 {
     Q_OBJECT
 
 public:
-    explicit TurntableMotor(QObject* parent = nullptr);
+    explicit Turntable(QObject* parent = nullptr);
 
     bool isOn() const { return m_timer.isActive(); }
     void setOn(bool on);

@@ -20,17 +20,17 @@ struct TurntablePanel
     Q_DECLARE_TR_FUNCTIONS(ui::TurntablePanel)
 };
 
-QCheckBox* makeSwitch(TurntableMotor* turntable)
+QCheckBox* makeSwitch(Turntable* turntable)
 {
     auto* box = new QCheckBox(TurntablePanel::tr("The model turns"));
     box->setObjectName(QStringLiteral("turns"));
     box->setToolTip(
         TurntablePanel::tr("Turns the model under the hand: a hand that rests makes a groove all around (T)."));
-    QObject::connect(box, &QCheckBox::clicked, turntable, &TurntableMotor::setOn);
+    QObject::connect(box, &QCheckBox::clicked, turntable, &Turntable::setOn);
     return box;
 }
 
-QComboBox* makeDirection(TurntableMotor* turntable)
+QComboBox* makeDirection(Turntable* turntable)
 {
     auto* box = new QComboBox;
     box->setObjectName(QStringLiteral("turnDirection"));
@@ -43,7 +43,7 @@ QComboBox* makeDirection(TurntableMotor* turntable)
     return box;
 }
 
-QDoubleSpinBox* makeSpeed(TurntableMotor* turntable)
+QDoubleSpinBox* makeSpeed(Turntable* turntable)
 {
     auto* box = new QDoubleSpinBox;
     box->setObjectName(QStringLiteral("turnSpeed"));
@@ -54,12 +54,12 @@ QDoubleSpinBox* makeSpeed(TurntableMotor* turntable)
     box->setSingleStep(10);
     box->setSuffix(TurntablePanel::tr(" °/s"));
     box->setKeyboardTracking(false);
-    QObject::connect(box, &QDoubleSpinBox::valueChanged, turntable, &TurntableMotor::setSpeed);
+    QObject::connect(box, &QDoubleSpinBox::valueChanged, turntable, &Turntable::setSpeed);
     return box;
 }
 } // namespace
 
-QDockWidget* makeTurntablePanel(TurntableMotor* turntable)
+QDockWidget* makeTurntablePanel(Turntable* turntable)
 {
     auto* dock = new QDockWidget(TurntablePanel::tr("Turntable"));
     dock->setObjectName(QStringLiteral("turntablePanel"));
@@ -82,7 +82,7 @@ QDockWidget* makeTurntablePanel(TurntableMotor* turntable)
         const QSignalBlocker quiet(speed);
         speed->setValue(turntable->speed());
     };
-    QObject::connect(turntable, &TurntableMotor::changed, dock, show);
+    QObject::connect(turntable, &Turntable::changed, dock, show);
     show();
     return dock;
 }

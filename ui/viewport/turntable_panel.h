@@ -4,8 +4,8 @@ class QDockWidget;
 
 namespace ui
 {
-class TurntableMotor;
+class Turntable;
 
 /// A dock with the turntable's switch, direction and speed. The turntable is not owned.
-QDockWidget* makeTurntablePanel(TurntableMotor* turntable);
+QDockWidget* makeTurntablePanel(Turntable* turntable);
 } // namespace ui

@@ -46,12 +46,12 @@ void prepareGraphics()
 
 bool Viewport::State::applyPatch()
 {
-    if (!patchWaiting || !take)
+    if (!patchPending || !patchSource)
         return false;
     QElapsedTimer timer;
     timer.start();
-    patchWaiting = false;
-    const std::optional<core::MeshPatch> patch = take();
+    patchPending = false;
+    const std::optional<core::MeshPatch> patch = patchSource();
     if (!patch || patch->empty())
         return false;
     MeshBuffer& meshBuffer = scene->meshBuffer();
@@ -82,11 +82,12 @@ void Viewport::State::placeCursor()
         scene->tint(input.footprint());
 }
 
-void Viewport::State::spanString()
+void Viewport::State::updateStabilizerLine()
 {
-    const auto spanned = input.string();
-    string->span(spanned ? QLineF(spanned->hand.x(), spanned->hand.y(), spanned->brush.x(), spanned->brush.y())
-                         : QLineF());
+    const auto stabilizer = input.stabilizer();
+    stabilizerLine->setLine(stabilizer ? QLineF(stabilizer->pointer.x(), stabilizer->pointer.y(), stabilizer->brush.x(),
+                                                stabilizer->brush.y())
+                                       : QLineF());
 }
 
 /// The widget's context is current.
@@ -119,11 +120,11 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     setMinimumSize(200, 150);
     setAccessibleName(tr("Model"));
     m_state->scaleBar = new ScaleBar(this);
-    m_state->string = new StringLine(this);
-    m_state->light = new PointLight(this);
+    m_state->stabilizerLine = new StabilizerLine(this);
+    m_state->highlight = new PointerHighlight(this);
     prepareFlight();
     prepareFollowing();
-    prepareKeys();
+    prepareKeyboardCursor();
     preparePointing();
 
     PointerInput* input = &m_state->input;
@@ -137,8 +138,8 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
     connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
     connect(input, &PointerInput::hoverChanged, this, [this] {
-        chooseCursor();
-        m_state->spanString();
+        updateCursor();
+        m_state->updateStabilizerLine();
         update();
     });
     connect(input, &PointerInput::pickingChanged, this, &Viewport::pickingChanged);
@@ -159,15 +160,15 @@ Viewport::~Viewport()
     }
 }
 
-void Viewport::setPatchSource(std::function<std::optional<core::MeshPatch>()> take)
+void Viewport::setPatchSource(std::function<std::optional<core::MeshPatch>()> patchSource)
 {
-    m_state->take = std::move(take);
+    m_state->patchSource = std::move(patchSource);
     patchReady();
 }
 
 void Viewport::patchReady()
 {
-    m_state->patchWaiting = true;
+    m_state->patchPending = true;
     update();
 }
 
@@ -177,9 +178,9 @@ void Viewport::showModel(const core::Box& box)
     m_state->box = box;
     if (m_state->scene && m_state->scene->usable())
         m_state->scene->placeGround(box);
-    m_state->input.forgetHover();
+    m_state->input.clearHover();
     m_state->shades.reset();
-    forgetMark();
+    clearMark();
     m_state->camera.setPivot({});
     m_state->camera.frame(box);
     m_state->input.viewMoved();
@@ -230,28 +231,28 @@ void Viewport::setProjection(OrbitCamera::Projection projection)
     m_state->input.viewMoved();
 }
 
-void Viewport::setHabits(const HandHabits& habits)
+void Viewport::setInputPreferences(const InputPreferences& preferences)
 {
-    m_state->input.setHabits(habits);
+    m_state->input.setInputPreferences(preferences);
 }
 
-void Viewport::setLook(const ViewLook& look)
+void Viewport::setAppearance(const ViewAppearance& appearance)
 {
-    const bool isNew = look != std::exchange(m_state->look, look);
-    m_state->scaleBar->setVisible(look.scaleBar);
+    const bool isNew = appearance != std::exchange(m_state->appearance, appearance);
+    m_state->scaleBar->setVisible(appearance.scaleBar);
     update();
     if (isNew)
-        Q_EMIT lookChanged();
+        Q_EMIT appearanceChanged();
 }
 
 core::Shading Viewport::shading() const
 {
-    return shadingOf(m_state->look.material);
+    return shadingOf(m_state->appearance.material);
 }
 
-const ViewLook& Viewport::look() const
+const ViewAppearance& Viewport::appearance() const
 {
-    return m_state->look;
+    return m_state->appearance;
 }
 
 void Viewport::setReferences(const References& references)
@@ -286,9 +287,9 @@ bool Viewport::strokeOpen() const
     return m_state->input.strokeOpen();
 }
 
-bool Viewport::pressWaits() const
+bool Viewport::isPressPending() const
 {
-    return m_state->input.pressWaits();
+    return m_state->input.isPressPending();
 }
 
 void Viewport::setAdding(bool adding)
@@ -321,21 +322,21 @@ void Viewport::initializeGL()
     if (!m_state->scene) {
         m_state->scene = std::make_unique<Scene>();
         if (!m_state->scene->usable())
-            sayThatNothingCanBeShown();
+            showDriverProblem();
         else if (!m_state->box.isEmpty())
             m_state->scene->placeGround(m_state->box);
     }
     makeCurrent();
 }
 
-void Viewport::chooseCursor()
+void Viewport::updateCursor()
 {
     const PointerInput& input = m_state->input;
     setCursor(input.isPicking() ? pickCursor() : input.hover() || input.pointed() ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 /// The driver promised OpenGL 3.3 (graphicsProblem() was empty) and did not keep it.
-void Viewport::sayThatNothingCanBeShown()
+void Viewport::showDriverProblem()
 {
     auto* sentence = new QLabel(tr("The model cannot be shown: the graphics driver does not do what it offers."), this);
     sentence->setObjectName(QStringLiteral("driverProblem"));
@@ -347,7 +348,7 @@ void Viewport::sayThatNothingCanBeShown()
 void Viewport::resizeGL(int width, int height)
 {
     m_state->camera.setViewport(width, height);
-    m_state->reachWithKeys({width, height});
+    m_state->updateKeyboardCursorBounds({width, height});
     m_state->input.viewMoved();
 }
 
@@ -361,14 +362,14 @@ void Viewport::paintGL()
     const bool surfaceChanged = s.applyPatch();
     s.placeCursor();
     s.placeMark();
-    s.placeWearer();
-    s.placeLight();
+    s.placeAvatar();
+    s.placeHighlight();
     s.scene->showPlane(s.brush->stroke().symmetry, s.box);
     s.scene->showSectors(s.brush->stroke().radial, s.brush->stroke().symmetry, s.box);
     const bool darkTheme = palette().window().color().lightness() < 128;
-    s.scene->setLook(s.look, darkTheme);
+    s.scene->setAppearance(s.appearance, darkTheme);
     s.scene->showReference(seenReference(s.references, s.camera, s.box));
-    s.scaleBar->setLight(isDark(backdropOf(s.look.background, darkTheme)));
+    s.scaleBar->setLight(isDark(backdropOf(s.appearance.background, darkTheme)));
     s.scaleBar->showFor(s.camera);
     const QSize pixels = size() * devicePixelRatioF();
     const Scene::Image image = s.scene->render(s.camera, pixels, devicePixelRatioF());
@@ -383,6 +384,6 @@ void Viewport::paintGL()
     s.stats.sceneMs = image.sceneMs;
     s.stats.frameMs = milliseconds(timer);
     if (surfaceChanged)
-        s.input.askAgain();
+        s.input.refreshHover();
 }
 } // namespace ui

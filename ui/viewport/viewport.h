@@ -56,7 +56,7 @@ public:
     ~Viewport() override;
 
     /// Where patches come from: called on the gui thread, once a frame, after patchReady(). An empty answer is fine.
-    void setPatchSource(std::function<std::optional<core::MeshPatch>()> take);
+    void setPatchSource(std::function<std::optional<core::MeshPatch>()> patchSource);
 
     /// Another model: moves the ground under its box and frames it.
     void showModel(const core::Box& box);
@@ -72,18 +72,18 @@ public:
     void turnModel(double angle, double seconds);
     void setProjection(OrbitCamera::Projection projection);
 
-    void setHabits(const HandHabits& habits);
-    /// The view goes at once where it is sent, instead of flying, and what catches the eye stands still.
-    void setCalm(bool calm);
-    bool isCalm() const;
-    void setLook(const ViewLook& look);
-    const ViewLook& look() const;
-    /// The numbers behind the look's material.
+    void setInputPreferences(const InputPreferences& preferences);
+    /// Without animations: the view jumps instead of flying, and the highlight does not pulse.
+    void setReducesMotion(bool reducesMotion);
+    bool reducesMotion() const;
+    void setAppearance(const ViewAppearance& appearance);
+    const ViewAppearance& appearance() const;
+    /// The shading of the appearance's material.
     core::Shading shading() const;
     /// Each is seen while the view looks from its side.
     void setReferences(const References& references);
 
-    /// At its lower left; hidden where the look has none.
+    /// At its lower left; hidden where the appearance has none.
     QWidget* scaleBar() const;
 
     const OrbitCamera& camera() const;
@@ -93,13 +93,13 @@ public:
     void setShades(const std::shared_ptr<const core::Footprint>& shades);
     /// Flies to a place of the surface that is `extent` mm large, and marks it.
     void flyTo(const core::Vec3& point, const core::Vec3& normal, double extent);
-    void forgetMark();
+    void clearMark();
 
-    /// Somebody in the headset, as a ghost over the clay, until the next call; nobody: following ends. As often as
-    /// wanted: it costs nothing until the next frame.
-    void showWearer(const std::optional<Wearer>& wearer);
-    /// The view goes, smoothed, where the wearer's head is and looks, and shows no ghost of it, until the hand,
-    /// frame(), turnTo() or flyTo() takes it elsewhere. Without a wearer it cannot begin.
+    /// Shows the avatar of the user of the headset over the model until the next call; none: following ends. As often
+    /// as wanted: it costs nothing until the next frame.
+    void showAvatar(const std::optional<HeadsetAvatar>& avatar);
+    /// The view goes, smoothed, where the avatar's head is and looks, and shows no avatar of it, until the user,
+    /// frame(), turnTo() or flyTo() takes it elsewhere. Does not begin without an avatar.
     void setFollowing(bool on);
     bool isFollowing() const;
 
@@ -107,24 +107,25 @@ public:
     double pixelsPerMm() const;
     bool strokeOpen() const;
     /// A press waits for its answer: a stroke may still come of it, before pressDecided().
-    bool pressWaits() const;
+    bool isPressPending() const;
     /// Armed: the next left press anywhere is sphereRequested(); Esc disarms.
     void setAdding(bool adding);
     /// Ends whatever drag is going on, as a release would.
     void finish();
 
-    /// On, arrow keys, Space and Return are a hand (KeyHand) while the view has the focus, which it gets.
-    void setKeyHand(bool on);
-    bool hasKeyHand() const;
+    /// Turns on the keyboard cursor: arrow keys, Space and Return act as the pointer while the view has the focus,
+    /// which it gets.
+    void setKeyboardCursor(bool on);
+    bool hasKeyboardCursor() const;
     /// The view turns by so many degrees, to the right and down, as the hand would turn it.
     void turnView(double right, double down);
-    /// `factor` < 1 comes nearer: to the hand of the keys, else to the middle of the view.
+    /// `factor` < 1 comes nearer: to the keyboard cursor, else to the middle of the view.
     void zoomView(double factor);
 
     /// The brush of a lesson's teacher, as a ghost besides; nothing: nobody teaches.
     void showTeacher(const std::optional<core::Sphere>& brush);
 
-    /// While on, the pointer does not sculpt but shows a light where it is on the model, and pointed() tells. Escape
+    /// While on, the pointer does not sculpt but highlights where it is on the model, and pointed() tells. Escape
     /// ends it, and so does what else a press may be for.
     void setPointing(bool on);
     bool isPointing() const;
@@ -155,12 +156,12 @@ Q_SIGNALS:
     void strokeEnded();
     void pressDecided();
     void addingChanged(bool adding);
-    void keyHandChanged(bool on);
+    void keyboardCursorChanged(bool on);
     /// A ball of the brush's radius at the sample's position, or nothing.
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
     void viewChanged();
-    void lookChanged();
+    void appearanceChanged();
     void followingChanged(bool on);
 
     void pointingChanged(bool on);
@@ -192,13 +193,13 @@ protected:
 private:
     void prepareFlight();
     void prepareFollowing();
-    void prepareKeys();
+    void prepareKeyboardCursor();
     void preparePointing();
-    void wakePointing();
-    void tellPointed();
+    void restartPointingTimer();
+    void emitPointed();
     void follow();
-    void chooseCursor();
-    void sayThatNothingCanBeShown();
+    void updateCursor();
+    void showDriverProblem();
 
     struct State;
     std::unique_ptr<State> m_state;

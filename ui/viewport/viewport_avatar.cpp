@@ -9,21 +9,21 @@ namespace ui
 namespace
 {
 constexpr std::chrono::milliseconds followInterval(16); ///< a frame
-constexpr double leastTurn = 1e-5;                      ///< radians, and of the distance: less is not seen
+constexpr double minPoseChange = 1e-5;                  ///< radians, and of the distance: less is not seen
 
 bool differ(const OrbitCamera::Pose& a, const OrbitCamera::Pose& b)
 {
-    return (a.target - b.target).norm() + std::abs(a.distance - b.distance) > leastTurn * a.distance ||
-           std::abs(a.yaw - b.yaw) > leastTurn || std::abs(a.pitch - b.pitch) > leastTurn;
+    return (a.target - b.target).norm() + std::abs(a.distance - b.distance) > minPoseChange * a.distance ||
+           std::abs(a.yaw - b.yaw) > minPoseChange || std::abs(a.pitch - b.pitch) > minPoseChange;
 }
 } // namespace
 
-void Viewport::State::placeWearer()
+void Viewport::State::placeAvatar()
 {
-    std::optional<Wearer> shown = wearer;
+    std::optional<HeadsetAvatar> shown = avatar;
     if (shown && following.isActive())
         shown->head.reset();
-    scene->showWearer(shown);
+    scene->showAvatar(shown);
     scene->showTeacher(teacher);
 }
 
@@ -32,15 +32,15 @@ void Viewport::prepareFollowing()
     m_state->following.setTimerType(Qt::PreciseTimer);
     m_state->following.setInterval(followInterval);
     connect(&m_state->following, &QTimer::timeout, this, &Viewport::follow);
-    connect(&m_state->input, &PointerInput::viewTaken, this, [this] { setFollowing(false); });
+    connect(&m_state->input, &PointerInput::viewMovedByUser, this, [this] { setFollowing(false); });
 }
 
-void Viewport::showWearer(const std::optional<Wearer>& wearer)
+void Viewport::showAvatar(const std::optional<HeadsetAvatar>& avatar)
 {
-    if (!wearer && !m_state->wearer)
+    if (!avatar && !m_state->avatar)
         return;
-    m_state->wearer = wearer;
-    if (!wearer)
+    m_state->avatar = avatar;
+    if (!avatar)
         setFollowing(false);
     update();
 }
@@ -56,7 +56,7 @@ void Viewport::showTeacher(const std::optional<core::Sphere>& brush)
 
 void Viewport::setFollowing(bool on)
 {
-    if (on == isFollowing() || (on && !m_state->wearer))
+    if (on == isFollowing() || (on && !m_state->avatar))
         return;
     m_state->flight.stop();
     m_state->sinceFollowed.start();
@@ -76,9 +76,9 @@ void Viewport::follow()
     State& s = *m_state;
     const double seconds = static_cast<double>(s.sinceFollowed.nsecsElapsed()) * 1e-9;
     s.sinceFollowed.start();
-    if (!s.wearer->head || s.input.strokeOpen() || s.input.pressWaits())
+    if (!s.avatar->head || s.input.strokeOpen() || s.input.isPressPending())
         return;
-    const OrbitCamera::Pose pose = followed(s.camera, *s.wearer->head, seconds);
+    const OrbitCamera::Pose pose = headTrackingStep(s.camera, *s.avatar->head, seconds);
     if (!differ(s.camera.pose(), pose))
         return;
     s.camera.setPose(pose);

@@ -12,7 +12,7 @@ namespace ui
 namespace
 {
 constexpr double zoomPerNotch = 0.87;
-constexpr double leastPinch = 0.1; ///< of an event: a touchpad that says less means it no more
+constexpr double minPinch = 0.1;   ///< of an event: a touchpad that says less means it no more
 constexpr double wheelNotch = 120; ///< QWheelEvent's eighths of a degree
 
 OrbitCamera::Pixel pixelOf(const QPointF& position)
@@ -33,11 +33,11 @@ PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& even
 
 /// A touchpad's fingers, where the system tells pinching from scrolling, which comes as a wheel. False: it means
 /// nothing to us.
-bool takeGesture(PointerInput& input, const QNativeGestureEvent& event)
+bool handleGesture(PointerInput& input, const QNativeGestureEvent& event)
 {
     switch (event.gestureType()) {
     case Qt::ZoomNativeGesture:
-        input.zoom(1 / std::max(1 + event.value(), leastPinch), pixelOf(event.position()));
+        input.zoom(1 / std::max(1 + event.value(), minPinch), pixelOf(event.position()));
         return true;
     case Qt::PanNativeGesture:
         input.pan(pixelOf(event.delta()));
@@ -53,14 +53,14 @@ void Viewport::changeEvent(QEvent* event)
     QOpenGLWidget::changeEvent(event);
     if (event->type() != QEvent::PaletteChange)
         return;
-    chooseCursor(); // it may be a drawing in the text's colour
+    updateCursor(); // it may be a drawing in the text's colour
     update();
 }
 
-/// While the keys' hand holds the model the mouse's does not draw as well.
+/// Ignores the mouse while the keyboard cursor is down.
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
-    if (m_state->keys.isDown())
+    if (m_state->keyboardCursor.isDown())
         return;
     m_state->flight.stop();
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Press, *event));
@@ -68,15 +68,15 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
-    if (m_state->keys.isDown())
+    if (m_state->keyboardCursor.isDown())
         return;
-    wakePointing();
+    restartPointingTimer();
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (m_state->keys.isDown())
+    if (m_state->keyboardCursor.isDown())
         return;
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Release, *event));
 }
@@ -87,7 +87,7 @@ void Viewport::tabletEvent(QTabletEvent* event)
     const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
                       : event->type() == QEvent::TabletRelease ? PointerEvent::Kind::Release
                                                                : PointerEvent::Kind::Move;
-    wakePointing();
+    restartPointingTimer();
     PointerEvent pen = pointerEvent(kind, *event);
     pen.pressure = event->pressure();
     pen.isEraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
@@ -106,8 +106,8 @@ void Viewport::wheelEvent(QWheelEvent* event)
 
 void Viewport::leaveEvent(QEvent* event)
 {
-    if (!hasKeyHand())
-        m_state->input.leave();
+    if (!hasKeyboardCursor())
+        m_state->input.pointerLeft();
     QOpenGLWidget::leaveEvent(event);
 }
 
@@ -123,7 +123,7 @@ bool Viewport::event(QEvent* event)
         event->accept(); // or Qt would send the same again as a mouse's
         return true;
     case QEvent::NativeGesture:
-        if (takeGesture(m_state->input, *static_cast<QNativeGestureEvent*>(event)))
+        if (handleGesture(m_state->input, *static_cast<QNativeGestureEvent*>(event)))
             return true;
         break;
     case QEvent::WindowBlocked:

@@ -4,38 +4,40 @@
 
 namespace ui
 {
-void Viewport::State::reachWithKeys(const QSize& view)
+void Viewport::State::updateKeyboardCursorBounds(const QSize& view)
 {
     const std::optional<core::SurfaceHit> hit = input.hover();
     const double perMm = camera.pixelsPerMm(hit ? hit->position : camera.pivot());
-    keys.setReach({OrbitCamera::Pixel(view.width(), view.height()), perMm * brush->value(core::Parameter::Radius)});
+    keyboardCursor.setBounds(
+        {OrbitCamera::Pixel(view.width(), view.height()), perMm * brush->value(core::Parameter::Radius)});
 }
 
-void Viewport::prepareKeys()
+void Viewport::prepareKeyboardCursor()
 {
-    m_state->cross = new KeyCross(this);
-    connect(&m_state->keys, &KeyHand::changed, this, [this] {
-        const KeyHand& keys = m_state->keys;
-        if (keys.isOn())
-            m_state->cross->place(QPointF(keys.at().x(), keys.at().y()), keys.isDown());
-        m_state->cross->setVisible(keys.isOn());
+    m_state->keyboardOverlay = new KeyboardCursorOverlay(this);
+    connect(&m_state->keyboardCursor, &KeyboardCursor::changed, this, [this] {
+        const KeyboardCursor& keyboardCursor = m_state->keyboardCursor;
+        if (keyboardCursor.isOn())
+            m_state->keyboardOverlay->place(QPointF(keyboardCursor.at().x(), keyboardCursor.at().y()),
+                                            keyboardCursor.isDown());
+        m_state->keyboardOverlay->setVisible(keyboardCursor.isOn());
     });
 }
 
-void Viewport::setKeyHand(bool on)
+void Viewport::setKeyboardCursor(bool on)
 {
-    if (on == hasKeyHand())
+    if (on == hasKeyboardCursor())
         return;
-    m_state->reachWithKeys(size());
-    m_state->keys.setOn(on);
+    m_state->updateKeyboardCursorBounds(size());
+    m_state->keyboardCursor.setOn(on);
     if (on)
         setFocus();
-    Q_EMIT keyHandChanged(on);
+    Q_EMIT keyboardCursorChanged(on);
 }
 
-bool Viewport::hasKeyHand() const
+bool Viewport::hasKeyboardCursor() const
 {
-    return m_state->keys.isOn();
+    return m_state->keyboardCursor.isOn();
 }
 
 void Viewport::turnView(double right, double down)
@@ -48,27 +50,27 @@ void Viewport::turnView(double right, double down)
 void Viewport::zoomView(double factor)
 {
     m_state->flight.stop();
-    m_state->input.zoom(factor,
-                        hasKeyHand() ? m_state->keys.at() : OrbitCamera::Pixel(0.5 * m_state->camera.viewport()));
+    m_state->input.zoom(factor, hasKeyboardCursor() ? m_state->keyboardCursor.at()
+                                                    : OrbitCamera::Pixel(0.5 * m_state->camera.viewport()));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    m_state->reachWithKeys(size());
-    if (!m_state->keys.press(*event))
+    m_state->updateKeyboardCursorBounds(size());
+    if (!m_state->keyboardCursor.press(*event))
         QOpenGLWidget::keyPressEvent(event);
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent* event)
 {
-    if (!m_state->keys.release(*event))
+    if (!m_state->keyboardCursor.release(*event))
         QOpenGLWidget::keyReleaseEvent(event);
 }
 
-/// Whoever has the focus gets the keys: what is held would never be let go.
+/// Releases all keys: their release events would go to whatever has the focus now.
 void Viewport::focusOutEvent(QFocusEvent* event)
 {
-    m_state->keys.lift();
+    m_state->keyboardCursor.releaseAll();
     QOpenGLWidget::focusOutEvent(event);
 }
 } // namespace ui

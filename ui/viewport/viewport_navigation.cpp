@@ -5,7 +5,7 @@ namespace ui
 namespace
 {
 constexpr int flightMs = 350;
-constexpr double leastShare = 0.04; ///< of the model's longest side, that a place is shown as at least
+constexpr double minPlaceShare = 0.04; ///< of the model's longest side, that a place is shown as at least
 } // namespace
 
 void Viewport::State::placeMark()
@@ -30,15 +30,15 @@ void Viewport::prepareFlight()
     });
 }
 
-void Viewport::setCalm(bool calm)
+void Viewport::setReducesMotion(bool reducesMotion)
 {
-    m_state->isCalm = calm;
-    m_state->light->setCalm(calm);
+    m_state->reducesMotion = reducesMotion;
+    m_state->highlight->setReducesMotion(reducesMotion);
 }
 
-bool Viewport::isCalm() const
+bool Viewport::reducesMotion() const
 {
-    return m_state->isCalm;
+    return m_state->reducesMotion;
 }
 
 void Viewport::setShades(const std::shared_ptr<const core::Footprint>& shades)
@@ -53,18 +53,18 @@ void Viewport::flyTo(const core::Vec3& point, const core::Vec3& normal, double e
     setFollowing(false);
     s.flight.stop();
     const double size = s.box.isEmpty() ? extent : s.box.sizes().maxCoeff();
-    const double shown = std::clamp(extent, leastShare * size, size);
+    const double shown = std::clamp(extent, minPlaceShare * size, size);
     s.mark = State::Mark{point, normal, 0.5 * shown};
     s.camera.setPivot({});
     s.from = s.camera.pose();
     s.to = s.camera.facing(point, normal, shown);
-    if (!s.isCalm)
+    if (!s.reducesMotion)
         return s.flight.start();
     s.camera.setPose(s.to);
     s.input.viewMoved();
 }
 
-void Viewport::forgetMark()
+void Viewport::clearMark()
 {
     m_state->flight.stop();
     m_state->mark.reset();

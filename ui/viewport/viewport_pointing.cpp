@@ -6,7 +6,7 @@ namespace ui
 {
 namespace
 {
-constexpr std::chrono::seconds shownAtRest(4);
+constexpr std::chrono::seconds pointingTimeout(4);
 
 bool isSamePlace(const std::optional<core::SurfaceHit>& a, const std::optional<core::SurfaceHit>& b)
 {
@@ -14,28 +14,28 @@ bool isSamePlace(const std::optional<core::SurfaceHit>& a, const std::optional<c
 }
 } // namespace
 
-void Viewport::State::placeLight()
+void Viewport::State::placeHighlight()
 {
     if (!pointed)
-        return light->place({});
+        return highlight->place({});
     const OrbitCamera::Pixel at = camera.project(pointed->position);
-    light->place(QPointF(at.x(), at.y()));
+    highlight->place(QPointF(at.x(), at.y()));
 }
 
 void Viewport::preparePointing()
 {
-    m_state->pointRest.setSingleShot(true);
-    m_state->pointRest.setInterval(shownAtRest);
-    connect(&m_state->pointRest, &QTimer::timeout, this, &Viewport::tellPointed);
-    connect(&m_state->input, &PointerInput::hoverChanged, this, &Viewport::tellPointed);
+    m_state->pointingTimer.setSingleShot(true);
+    m_state->pointingTimer.setInterval(pointingTimeout);
+    connect(&m_state->pointingTimer, &QTimer::timeout, this, &Viewport::emitPointed);
+    connect(&m_state->input, &PointerInput::hoverChanged, this, &Viewport::emitPointed);
     connect(&m_state->input, &PointerInput::pointingChanged, this, &Viewport::pointingChanged);
 }
 
 /// The pointer moves.
-void Viewport::wakePointing()
+void Viewport::restartPointingTimer()
 {
     if (m_state->input.isPointing())
-        m_state->pointRest.start();
+        m_state->pointingTimer.start();
 }
 
 void Viewport::setPointing(bool on)
@@ -44,7 +44,7 @@ void Viewport::setPointing(bool on)
         return;
     finish();
     if (on)
-        m_state->pointRest.start();
+        m_state->pointingTimer.start();
     m_state->input.setPointing(on);
 }
 
@@ -53,10 +53,10 @@ bool Viewport::isPointing() const
     return m_state->input.isPointing();
 }
 
-void Viewport::tellPointed()
+void Viewport::emitPointed()
 {
     State& s = *m_state;
-    const std::optional<core::SurfaceHit> place = s.pointRest.isActive() ? s.input.pointed() : std::nullopt;
+    const std::optional<core::SurfaceHit> place = s.pointingTimer.isActive() ? s.input.pointed() : std::nullopt;
     if (isSamePlace(place, s.pointed))
         return;
     s.pointed = place;

@@ -16,9 +16,9 @@
 
 namespace ui
 {
-/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does, viewport_keys.cpp
-/// what keys do, viewport_navigation.cpp goes where somebody wants to look, viewport_avatar.cpp to where the headset
-/// is, and viewport_pointing.cpp shows somebody where to look.
+/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp handles pointer events, viewport_keys.cpp
+/// keys, viewport_navigation.cpp goes where somebody wants to look, viewport_avatar.cpp follows the headset, and
+/// viewport_pointing.cpp shows somebody where to look.
 struct Viewport::State
 {
     explicit State(BrushSettings* settings) : brush(settings) {}
@@ -27,16 +27,16 @@ struct Viewport::State
     OrbitCamera camera;
     PointerInput input{brush, &camera};
     TouchInput touch{&input};
-    KeyHand keys{&input};
+    KeyboardCursor keyboardCursor{&input};
     std::unique_ptr<Scene> scene;
     core::Box box;
-    ViewLook look;
+    ViewAppearance appearance;
     References references;
     ScaleBar* scaleBar = nullptr;
-    StringLine* string = nullptr;
-    KeyCross* cross = nullptr; ///< where the hand of the keys is
-    PointLight* light = nullptr;
-    std::function<std::optional<core::MeshPatch>()> take;
+    StabilizerLine* stabilizerLine = nullptr;
+    KeyboardCursorOverlay* keyboardOverlay = nullptr; ///< shows the keyboard cursor
+    PointerHighlight* highlight = nullptr;
+    std::function<std::optional<core::MeshPatch>()> patchSource;
     struct Mark
     {
         core::Vec3 point, normal;
@@ -46,24 +46,24 @@ struct Viewport::State
     std::shared_ptr<const core::Footprint> shades;
     OrbitCamera::Pose from, to; ///< of the flight
     QVariantAnimation flight;
-    bool isCalm = false; ///< there are none
-    std::optional<Wearer> wearer;
+    bool reducesMotion = false; ///< no flights
+    std::optional<HeadsetAvatar> avatar;
     std::optional<core::Sphere> teacher;
     std::optional<core::SurfaceHit> pointed; ///< as was told last
-    QTimer pointRest;                        ///< runs out: the light goes
+    QTimer pointingTimer;                    ///< hides the highlight when it runs out
     QTimer following;                        ///< runs while the view follows the head
     QElapsedTimer sinceFollowed;
-    bool patchWaiting = false;
+    bool patchPending = false;
     unsigned int readFramebuffer = 0;
     ViewportStats stats;
 
     bool applyPatch();
     void placeCursor();
-    void reachWithKeys(const QSize& view);
-    void spanString();
+    void updateKeyboardCursorBounds(const QSize& view);
+    void updateStabilizerLine();
     void placeMark();
-    void placeWearer();
-    void placeLight();
+    void placeAvatar();
+    void placeHighlight();
     void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
 };
 } // namespace ui

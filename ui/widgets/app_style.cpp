@@ -164,9 +164,9 @@ void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
 {
     if (element == PE_IndicatorToolBarSeparator) { // it stands across the bar
         const bool isUpright = option->state & State_Horizontal;
-        const QRect room =
+        const QRect area =
             isUpright ? option->rect.adjusted(0, gap / 2, 0, -gap / 2) : option->rect.adjusted(gap / 2, 0, -gap / 2, 0);
-        painter->fillRect(middleOf(room, isUpright ? Qt::Vertical : Qt::Horizontal), hairline(option->palette));
+        painter->fillRect(middleOf(area, isUpright ? Qt::Vertical : Qt::Horizontal), hairline(option->palette));
         return;
     }
     if (element == PE_PanelButtonTool && option->state & State_On) {

@@ -29,14 +29,14 @@ QLabel* dialogText(const QString& sentences, int width)
     return label;
 }
 
-QPushButton* addAnswers(QDialog* dialog, const QString& verb)
+QPushButton* addDialogButtons(QDialog* dialog, const QString& verb)
 {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    QPushButton* agree = buttons->addButton(verb, QDialogButtonBox::AcceptRole);
+    QPushButton* accept = buttons->addButton(verb, QDialogButtonBox::AcceptRole);
     dialog->layout()->addWidget(buttons);
-    agree->setDefault(true);
+    accept->setDefault(true);
     QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-    return agree;
+    return accept;
 }
 } // namespace ui

@@ -19,6 +19,6 @@ QVBoxLayout* beginDialog(QDialog* dialog, const char* name, const QString& title
 /// Sentences that break at `width`.
 QLabel* dialogText(const QString& sentences, int width);
 
-/// As the last row: Cancel, and what agrees, which is the default.
-QPushButton* addAnswers(QDialog* dialog, const QString& verb);
+/// Adds the last row: Cancel, and the accepting button, which is the default.
+QPushButton* addDialogButtons(QDialog* dialog, const QString& verb);
 } // namespace ui

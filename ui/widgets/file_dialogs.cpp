@@ -25,16 +25,16 @@ QString filterOf(const QString& ending)
     return QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending);
 }
 
-void show(QFileDialog* dialog, const PathAnswer& answer)
+void show(QFileDialog* dialog, const PathCallback& callback)
 {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [answer](const QString& path) { answer(path); });
+    QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [callback](const QString& path) { callback(path); });
     dialog->open();
 }
 
 /// The filter gives the ending if none is typed.
 void askForTarget(QWidget* parent, const QString& title, const QString& name, const QString& folder,
-                  const QString& modelName, const QStringList& endings, const PathAnswer& answer)
+                  const QString& modelName, const QStringList& endings, const PathCallback& callback)
 {
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(name);
@@ -50,11 +50,11 @@ void askForTarget(QWidget* parent, const QString& title, const QString& name, co
             if (filter == filterOf(ending))
                 dialog->setDefaultSuffix(ending);
     });
-    show(dialog, answer);
+    show(dialog, callback);
 }
 
 void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder,
-                 const QStringList& endings, const PathAnswer& answer)
+                 const QStringList& endings, const PathCallback& callback)
 {
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(name);
@@ -63,11 +63,11 @@ void askForImage(QWidget* parent, const QString& title, const QString& name, con
     for (const QString& ending : endings)
         patterns << QStringLiteral("*.") + ending;
     dialog->setNameFilters({FileDialogs::tr("Images (%1)").arg(patterns.join(u' ')), FileDialogs::tr("All files (*)")});
-    show(dialog, answer);
+    show(dialog, callback);
 }
 } // namespace
 
-void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer)
+void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathCallback callback)
 {
     const QString title = use == ModelUse::Insert  ? FileDialogs::tr("Insert a Model")
                           : use == ModelUse::Brush ? FileDialogs::tr("Choose the Brush's Shape")
@@ -78,39 +78,39 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
     dialog->setOption(QFileDialog::HideNameFilterDetails); // there are too many to be read
     const QString patterns = QStringLiteral("*.") + modelEndings().join(QStringLiteral(" *."));
     dialog->setNameFilters({FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")});
-    show(dialog, answer);
+    show(dialog, callback);
 }
 
-void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
+void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathCallback callback)
 {
     QStringList all = writtenEndings();
     std::ranges::stable_partition(all, [](const QString& ending) { return ending == QLatin1StringView("glb"); });
     askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all,
-                 answer);
+                 callback);
 }
 
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
-                  PathAnswer answer)
+                  PathCallback callback)
 {
     askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName,
-                 endings, answer);
+                 endings, callback);
 }
 
-void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer)
+void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathCallback callback)
 {
-    askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, endings, answer);
+    askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, endings, callback);
 }
 
-void askForLesson(QWidget* parent, PathAnswer answer)
+void askForLesson(QWidget* parent, PathCallback callback)
 {
     auto* dialog = new QFileDialog(parent, FileDialogs::tr("Open a Lesson"));
     dialog->setObjectName(QStringLiteral("lessonDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(FileDialogs::tr("Lessons (%1)").arg(QStringLiteral("*.zip lesson.json")));
-    show(dialog, answer);
+    show(dialog, callback);
 }
 
-void askForLessonTarget(QWidget* parent, const QString& title, PathAnswer answer)
+void askForLessonTarget(QWidget* parent, const QString& title, PathCallback callback)
 {
     const QString zip = QStringLiteral("zip"), file = FileDialogs::tr("One file (%1)").arg(QStringLiteral("*.zip")),
                   folder = FileDialogs::tr("A folder (*)");
@@ -123,43 +123,43 @@ void askForLessonTarget(QWidget* parent, const QString& title, PathAnswer answer
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, zip, file](const QString& filter) {
         dialog->setDefaultSuffix(filter == file ? zip : QString());
     });
-    show(dialog, answer);
+    show(dialog, callback);
 }
 
-void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
+void askForPicture(QWidget* parent, const QString& folder, PathCallback callback)
 {
     QStringList endings;
     for (const QByteArray& ending : QImageReader::supportedImageFormats())
         endings << QLatin1StringView(ending);
     askForImage(parent, FileDialogs::tr("Choose a Reference Image"), QStringLiteral("pictureDialog"), folder, endings,
-                answer);
+                callback);
 }
 
-void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer)
+void askForFolder(QWidget* parent, const QString& folder, PathCallback callback)
 {
     auto* dialog = new QFileDialog(parent, FileDialogs::tr("Choose a Folder"), folder);
     dialog->setObjectName(QStringLiteral("folderDialog"));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    show(dialog, answer);
+    show(dialog, callback);
 }
 
-void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer)
+void askForClassFile(QWidget* parent, const QString& folder, PathCallback callback)
 {
     askForTarget(parent, FileDialogs::tr("Save the Class"), QStringLiteral("classDialog"), folder,
-                 FileDialogs::tr("class"), {QStringLiteral("ini")}, answer);
+                 FileDialogs::tr("class"), {QStringLiteral("ini")}, callback);
 }
 
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
-                   PathAnswer answer)
+                   PathCallback callback)
 {
     askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName,
-                 endings, answer);
+                 endings, callback);
 }
 
-void askForReport(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer)
+void askForReport(QWidget* parent, const QString& folder, const QStringList& endings, PathCallback callback)
 {
     askForTarget(parent, FileDialogs::tr("Write the Class Report"), QStringLiteral("reportDialog"), folder,
-                 FileDialogs::tr("Class report"), endings, answer);
+                 FileDialogs::tr("Class report"), endings, callback);
 }
 } // namespace ui

@@ -13,10 +13,10 @@ namespace ui
 {
 namespace
 {
-constexpr int mostNameWidth = 240;
+constexpr int maxNameWidth = 240;
 } // namespace
 
-OfferBar::OfferBar(const char* name, const QString& title, QMainWindow* window) : QToolBar(title, window)
+MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* window) : QToolBar(title, window)
 {
     setObjectName(QLatin1StringView(name));
     setMovable(false);
@@ -26,7 +26,7 @@ OfferBar::OfferBar(const char* name, const QString& title, QMainWindow* window) 
     window->addToolBar(this);
 }
 
-void OfferBar::say(const char* name, const QString& sentence, const QString& tip)
+void MessageBar::setMessage(const char* name, const QString& sentence, const QString& tip)
 {
     auto* words = new QLabel(sentence);
     words->setObjectName(QLatin1StringView(name));
@@ -38,7 +38,7 @@ void OfferBar::say(const char* name, const QString& sentence, const QString& tip
 }
 
 /// Return presses it, as Space does.
-QPushButton* OfferBar::addButton(const char* name, const QString& text, const QString& tip)
+QPushButton* MessageBar::addButton(const char* name, const QString& text, const QString& tip)
 {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1StringView(name));
@@ -53,12 +53,12 @@ QPushButton* OfferBar::addButton(const char* name, const QString& text, const QS
     return button;
 }
 
-QString OfferBar::shortened(const QString& fileName) const
+QString MessageBar::shortened(const QString& fileName) const
 {
-    return fontMetrics().elidedText(fileName, Qt::ElideMiddle, mostNameWidth);
+    return fontMetrics().elidedText(fileName, Qt::ElideMiddle, maxNameWidth);
 }
 
-void OfferBar::leave()
+void MessageBar::dismiss()
 {
     const auto* window = qobject_cast<QMainWindow*>(parentWidget());
     if (isAncestorOf(QApplication::focusWidget()) && window->centralWidget())

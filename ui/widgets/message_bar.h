@@ -10,20 +10,20 @@ namespace ui
 {
 /// A sentence and a few buttons under the window's tool bar, while work goes on: a question that waits. It stays until
 /// somebody chooses, or whoever made it takes it away. Gui thread.
-class OfferBar : public QToolBar
+class MessageBar : public QToolBar
 {
     Q_OBJECT
 
 public:
-    /// It is of no use any more: it hides, and deletes itself.
-    void leave();
+    /// Hides the bar and deletes it.
+    void dismiss();
 
 protected:
     /// Shows itself in the window.
-    OfferBar(const char* name, const QString& title, QMainWindow* window);
+    MessageBar(const char* name, const QString& title, QMainWindow* window);
 
     /// `tip`: what the sentence had no room for.
-    void say(const char* name, const QString& sentence, const QString& tip);
+    void setMessage(const char* name, const QString& sentence, const QString& tip);
     QPushButton* addButton(const char* name, const QString& text, const QString& tip);
     /// As much of it as there is room for.
     QString shortened(const QString& fileName) const;

@@ -15,7 +15,7 @@ constexpr int between = 8;   ///< from the sibling
 constexpr int baseMs = 2500, msPerCharacter = 60;
 } // namespace
 
-Banner::Banner(QWidget* parent) : QLabel(parent)
+NotificationBanner::NotificationBanner(QWidget* parent) : QLabel(parent)
 {
     setObjectName(QStringLiteral("banner"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -30,13 +30,13 @@ Banner::Banner(QWidget* parent) : QLabel(parent)
     parent->installEventFilter(this);
 }
 
-void Banner::keepOff(QWidget* sibling)
+void NotificationBanner::stayAbove(QWidget* sibling)
 {
     m_sibling = sibling;
     sibling->installEventFilter(this);
 }
 
-void Banner::say(const QString& sentence)
+void NotificationBanner::showMessage(const QString& sentence)
 {
     setText(sentence);
     place();
@@ -45,7 +45,7 @@ void Banner::say(const QString& sentence)
     m_timer.start(baseMs + msPerCharacter * static_cast<int>(sentence.size()));
 }
 
-bool Banner::eventFilter(QObject* watched, QEvent* event)
+bool NotificationBanner::eventFilter(QObject* watched, QEvent* event)
 {
     constexpr std::array placing{QEvent::Resize, QEvent::Move, QEvent::Show, QEvent::Hide};
     if (std::ranges::count(placing, event->type()) > 0)
@@ -53,11 +53,11 @@ bool Banner::eventFilter(QObject* watched, QEvent* event)
     return QLabel::eventFilter(watched, event);
 }
 
-void Banner::place()
+void NotificationBanner::place()
 {
-    const int most = std::max(parentWidget()->width() - 2 * distance, 100);
+    const int max = std::max(parentWidget()->width() - 2 * distance, 100);
     const int oneLine = fontMetrics().horizontalAdvance(text()) + 2 * 16 + 4;
-    const int width = std::min(oneLine, most);
+    const int width = std::min(oneLine, max);
     const int height = heightForWidth(width);
     QRect where((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
     if (m_sibling && !m_sibling->isHidden() &&

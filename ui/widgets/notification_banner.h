@@ -5,18 +5,18 @@
 
 namespace ui
 {
-/// A sentence over the lower edge of its parent, which goes by itself. The mouse goes through it.
-class Banner : public QLabel
+/// A message over the lower edge of its parent that disappears after a while. Transparent for the mouse.
+class NotificationBanner : public QLabel
 {
     Q_OBJECT
 
 public:
-    explicit Banner(QWidget* parent);
+    explicit NotificationBanner(QWidget* parent);
 
     /// Stands above that sibling, which must outlive this, where it would cover it.
-    void keepOff(QWidget* sibling);
+    void stayAbove(QWidget* sibling);
     /// Replaces what is shown.
-    void say(const QString& sentence);
+    void showMessage(const QString& sentence);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -10,7 +10,7 @@ namespace ui
 // What the lessons' panels have in common. Gui thread.
 
 /// All that stands in it, one below the other.
-inline QVBoxLayout* panelColumn(QWidget* page)
+inline QVBoxLayout* panelLayout(QWidget* page)
 {
     auto* rows = new QVBoxLayout(page);
     rows->setContentsMargins(gap, gap, gap, gap);
@@ -19,7 +19,7 @@ inline QVBoxLayout* panelColumn(QWidget* page)
 }
 
 /// To be scrolled up and down where there is little room.
-inline QScrollArea* scrolledPanel(QWidget* page)
+inline QScrollArea* scrollablePanel(QWidget* page)
 {
     auto* area = new QScrollArea;
     area->setWidget(page);

@@ -7,7 +7,7 @@ namespace ui
 {
 namespace
 {
-bool leaves(const QKeyEvent& event)
+bool endsEditing(const QKeyEvent& event)
 {
     return event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab || event.key() == Qt::Key_Escape;
 }
@@ -24,13 +24,13 @@ QKeySequence keyOf(const QKeyEvent& event)
 }
 } // namespace
 
-KeyEdit::KeyEdit(QWidget* parent) : QKeySequenceEdit(parent)
+ShortcutEdit::ShortcutEdit(QWidget* parent) : QKeySequenceEdit(parent)
 {
     setKey({});
 }
 
 /// The words of an empty field are Qt's again after each change, and in some languages too long for it.
-void KeyEdit::setKey(const QKeySequence& key)
+void ShortcutEdit::setKey(const QKeySequence& key)
 {
     const QSignalBlocker quiet(this);
     setKeySequence(key);
@@ -38,24 +38,24 @@ void KeyEdit::setKey(const QKeySequence& key)
 }
 
 /// Qt's own would take Tab and Escape for keys like others.
-bool KeyEdit::event(QEvent* event)
+bool ShortcutEdit::event(QEvent* event)
 {
     if ((event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&
-        leaves(*static_cast<QKeyEvent*>(event)))
+        endsEditing(*static_cast<QKeyEvent*>(event)))
         return QWidget::event(event);
     return QKeySequenceEdit::event(event);
 }
 
-void KeyEdit::keyPressEvent(QKeyEvent* event)
+void ShortcutEdit::keyPressEvent(QKeyEvent* event)
 {
-    if (leaves(*event))
+    if (endsEditing(*event))
         return QWidget::keyPressEvent(event);
     const bool clears =
         event->modifiers() == Qt::NoModifier && (event->key() == Qt::Key_Backspace || event->key() == Qt::Key_Delete);
     Q_EMIT entered(clears ? QKeySequence() : keyOf(*event));
 }
 
-void KeyEdit::keyReleaseEvent(QKeyEvent* event)
+void ShortcutEdit::keyReleaseEvent(QKeyEvent* event)
 {
     event->accept();
 }

@@ -6,12 +6,12 @@ namespace ui
 {
 /// Takes one key with what is held, those of the number pad as such, and tells; nothing is shown before setKey().
 /// Backspace and Delete take the key away. Tab and Escape move on and close, as everywhere. Gui thread.
-class KeyEdit : public QKeySequenceEdit
+class ShortcutEdit : public QKeySequenceEdit
 {
     Q_OBJECT
 
 public:
-    explicit KeyEdit(QWidget* parent = nullptr);
+    explicit ShortcutEdit(QWidget* parent = nullptr);
 
     void setKey(const QKeySequence& key);
 

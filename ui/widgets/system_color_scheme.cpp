@@ -30,7 +30,7 @@ QVariant unwrapped(QVariant value)
 }
 } // namespace
 
-SystemScheme::SystemScheme(QObject* parent) : QObject(parent)
+SystemColorScheme::SystemColorScheme(QObject* parent) : QObject(parent)
 {
     QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected())
@@ -41,10 +41,10 @@ SystemScheme::SystemScheme(QObject* parent) : QObject(parent)
     QDBusMessage question = QDBusMessage::createMethodCall(service, path, interface, QStringLiteral("Read"));
     question << appearance << colorScheme;
     connect(new QDBusPendingCallWatcher(bus.asyncCall(question), this), &QDBusPendingCallWatcher::finished, this,
-            &SystemScheme::answered);
+            &SystemColorScheme::answered);
 }
 
-void SystemScheme::answered(QDBusPendingCallWatcher* call)
+void SystemColorScheme::answered(QDBusPendingCallWatcher* call)
 {
     const QDBusPendingReply<QDBusVariant> reply = *call;
     if (reply.isValid())
@@ -52,13 +52,13 @@ void SystemScheme::answered(QDBusPendingCallWatcher* call)
     call->deleteLater();
 }
 
-void SystemScheme::settingChanged(const QString& group, const QString& key, const QDBusVariant& value)
+void SystemColorScheme::settingChanged(const QString& group, const QString& key, const QDBusVariant& value)
 {
     if (group == appearance && key == colorScheme)
         set(value.variant());
 }
 
-void SystemScheme::set(const QVariant& value)
+void SystemColorScheme::set(const QVariant& value)
 {
     bool ok = false;
     const uint number = unwrapped(value).toUInt(&ok);

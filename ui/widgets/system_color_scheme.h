@@ -9,14 +9,14 @@ namespace ui
 {
 /// Whether the desktop is light or dark, as its portal says (org.freedesktop.portal.Settings, color-scheme). Asked once
 /// without waiting, then told. Where there is no session bus or no portal nothing is ever known. Gui thread.
-class SystemScheme : public QObject
+class SystemColorScheme : public QObject
 {
     Q_OBJECT
 
 public:
     enum class Scheme { Unknown, Light, Dark };
 
-    explicit SystemScheme(QObject* parent = nullptr);
+    explicit SystemColorScheme(QObject* parent = nullptr);
 
     Scheme scheme() const { return m_scheme; }
 

@@ -77,7 +77,7 @@ Theme::Theme(ThemeChoice choice, QObject* parent)
     , m_choice(choice)
     , m_startedDark(ui::isDark(QApplication::palette()))
 {
-    connect(&m_system, &SystemScheme::changed, this, &Theme::apply);
+    connect(&m_system, &SystemColorScheme::changed, this, &Theme::apply);
     QApplication::setStyle(new AppStyle);
     apply();
 }
@@ -92,8 +92,9 @@ bool Theme::isDark() const
 {
     if (m_choice != ThemeChoice::System)
         return m_choice == ThemeChoice::Dark;
-    return m_system.scheme() == SystemScheme::Scheme::Unknown ? m_startedDark
-                                                              : m_system.scheme() == SystemScheme::Scheme::Dark;
+    return m_system.scheme() == SystemColorScheme::Scheme::Unknown
+               ? m_startedDark
+               : m_system.scheme() == SystemColorScheme::Scheme::Dark;
 }
 
 void Theme::apply()

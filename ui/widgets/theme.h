@@ -30,7 +30,7 @@ public:
 private:
     void apply();
 
-    SystemScheme m_system;
+    SystemColorScheme m_system;
     ThemeChoice m_choice;
     bool m_startedDark;
 };

@@ -8,7 +8,7 @@
 
 namespace ui
 {
-FactsBar::FactsBar(const BrushSettings* brush, QWidget* parent)
+InfoBar::InfoBar(const BrushSettings* brush, QWidget* parent)
     : QWidget(parent)
     , m_brush(brush)
     , m_name(new QLabel)
@@ -27,19 +27,20 @@ FactsBar::FactsBar(const BrushSettings* brush, QWidget* parent)
         label->setTextFormat(Qt::PlainText);
         row->addWidget(label);
     }
-    connect(brush, &BrushSettings::changed, this, &FactsBar::showRadius);
+    connect(brush, &BrushSettings::changed, this, &InfoBar::showRadius);
     showRadius();
 }
 
-void FactsBar::setFacts(const ModelFacts& facts)
+void InfoBar::setModelInfo(const ModelInfo& modelInfo)
 {
-    m_name->setText(facts.name);
-    m_vertices->setText(tr("%Ln vertices", nullptr, static_cast<int>(facts.vertices)));
-    m_size->setText(tr("%1 × %2 × %3 mm")
-                        .arg(millimetres(facts.size.x()), millimetres(facts.size.y()), millimetres(facts.size.z())));
+    m_name->setText(modelInfo.name);
+    m_vertices->setText(tr("%Ln vertices", nullptr, static_cast<int>(modelInfo.vertices)));
+    m_size->setText(
+        tr("%1 × %2 × %3 mm")
+            .arg(millimetres(modelInfo.size.x()), millimetres(modelInfo.size.y()), millimetres(modelInfo.size.z())));
 }
 
-void FactsBar::showRadius()
+void InfoBar::showRadius()
 {
     m_radius->setText(tr("Radius %1 mm").arg(millimetres(m_brush->value(core::Parameter::Radius))));
 }

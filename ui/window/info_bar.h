@@ -10,14 +10,14 @@ class QLabel;
 namespace ui
 {
 /// The right end of the status bar: the model's name, vertices and size, and the brush's radius.
-class FactsBar : public QWidget
+class InfoBar : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit FactsBar(const BrushSettings* brush, QWidget* parent = nullptr);
+    explicit InfoBar(const BrushSettings* brush, QWidget* parent = nullptr);
 
-    void setFacts(const ModelFacts& facts);
+    void setModelInfo(const ModelInfo& modelInfo);
 
 private:
     void showRadius();

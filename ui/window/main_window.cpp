@@ -35,7 +35,7 @@ void MainWindow::State::showName()
 
 void MainWindow::State::restore()
 {
-    restorePlace(q, settings);
+    restoreWindowGeometry(q, settings);
     for (const core::Parameter parameter : storedParameters)
         brush.setValue(parameter, settings.value(parameter));
     shapes->restore();
@@ -43,7 +43,7 @@ void MainWindow::State::restore()
 
 void MainWindow::State::save()
 {
-    keepPlace(*q, settings);
+    saveWindowGeometry(*q, settings);
     for (const core::Parameter parameter : storedParameters)
         settings.setValue(parameter, brush.value(parameter));
     if (model.size.maxCoeff() > 0)
@@ -110,9 +110,9 @@ core::StrokeSettings MainWindow::strokeSettings() const
     return m_state->brush.stroke();
 }
 
-void MainWindow::setMayClose(std::function<bool()> mayClose)
+void MainWindow::setCanClose(std::function<bool()> canClose)
 {
-    m_state->mayClose = std::move(mayClose);
+    m_state->canClose = std::move(canClose);
 }
 
 void MainWindow::setIsSettled(std::function<bool()> isSettled)
@@ -135,17 +135,17 @@ const Actions& MainWindow::commands() const
     return m_state->actions;
 }
 
-bool MainWindow::askToDiscard(const std::function<void()>& goOn)
+bool MainWindow::askToDiscard(const std::function<void()>& proceed)
 {
-    return m_state->files.askToDiscard(goOn);
+    return m_state->files.askToDiscard(proceed);
 }
 
-void MainWindow::showSaved(const ModelFacts& facts)
+void MainWindow::showSaved(const ModelInfo& modelInfo)
 {
-    m_state->model = facts;
+    m_state->model = modelInfo;
     m_state->showName();
-    showExported(facts.path);
-    m_state->files.setSaved(facts);
+    showExported(modelInfo.path);
+    m_state->files.setSaved(modelInfo);
 }
 
 void MainWindow::showExported(const QString& path, const QString& verdict)
@@ -154,26 +154,26 @@ void MainWindow::showExported(const QString& path, const QString& verdict)
     m_state->files.setExported(path);
 }
 
-void MainWindow::setModel(const ModelFacts& facts)
+void MainWindow::setModel(const ModelInfo& modelInfo)
 {
-    m_state->model = facts;
+    m_state->model = modelInfo;
     m_state->showName();
     setModified(false);
-    if (facts.size.maxCoeff() > 0)
-        m_state->brush.fitTo(facts, m_state->settings.radiusShare());
-    m_state->files.setOpened(facts);
-    m_state->facts->setFacts(facts);
-    m_state->viewport->showModel(facts.box);
+    if (modelInfo.size.maxCoeff() > 0)
+        m_state->brush.fitTo(modelInfo, m_state->settings.radiusShare());
+    m_state->files.setOpened(modelInfo);
+    m_state->infoBar->setModelInfo(modelInfo);
+    m_state->viewport->showModel(modelInfo.box);
 }
 
-void MainWindow::updateFacts(const ModelFacts& facts)
+void MainWindow::updateModelInfo(const ModelInfo& modelInfo)
 {
-    m_state->model = facts;
+    m_state->model = modelInfo;
     m_state->showName();
-    m_state->facts->setFacts(facts);
-    m_state->viewport->setBox(facts.box);
-    if (!m_state->brush.fits(facts)) {
-        m_state->brush.fitTo(facts, m_state->brush.radiusShare());
+    m_state->infoBar->setModelInfo(modelInfo);
+    m_state->viewport->setBox(modelInfo.box);
+    if (!m_state->brush.fits(modelInfo)) {
+        m_state->brush.fitTo(modelInfo, m_state->brush.radiusShare());
         if (!m_state->viewport->isFollowing())
             m_state->viewport->frame();
     }
@@ -198,10 +198,10 @@ void MainWindow::showProblem(const QString& sentence)
 
 void MainWindow::showNotice(const QString& sentence)
 {
-    m_state->banner->say(sentence);
+    m_state->banner->showMessage(sentence);
 }
 
-void MainWindow::takeBrushModel(const QString& path)
+void MainWindow::setBrushModel(const QString& path)
 {
     m_state->shapes->chooseModel(path);
     m_state->brush.setTool(core::Tool::Stamp);
@@ -210,23 +210,23 @@ void MainWindow::takeBrushModel(const QString& path)
 
 void MainWindow::setBusy(const QString& what)
 {
-    m_state->busy->begin(what);
+    m_state->progressBar->begin(what);
     m_state->setBusy(true);
 }
 
 void MainWindow::setProgress(double share)
 {
-    m_state->busy->setProgress(share);
+    m_state->progressBar->setProgress(share);
 }
 
 void MainWindow::setStoppable(bool canStop)
 {
-    m_state->busy->setStoppable(canStop);
+    m_state->progressBar->setStoppable(canStop);
 }
 
 void MainWindow::setIdle()
 {
-    m_state->busy->end();
+    m_state->progressBar->end();
     m_state->setBusy(false);
 }
 
@@ -237,7 +237,7 @@ void MainWindow::setHeadset(HeadsetState state, const QString& sentence)
     m_state->headsetText->setVisible(state != HeadsetState::Out);
 }
 
-void MainWindow::settle()
+void MainWindow::continueClosing()
 {
     if (std::exchange(m_state->closesLater, false))
         close();
@@ -250,7 +250,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_state->closesLater = m_state->isSettled && !m_state->isSettled();
-    if (m_state->closesLater || (m_state->mayClose && !m_state->mayClose())) {
+    if (m_state->closesLater || (m_state->canClose && !m_state->canClose())) {
         event->ignore();
         return;
     }

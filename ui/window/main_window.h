@@ -48,9 +48,10 @@ public:
     core::StrokeSettings strokeSettings() const;
 
     /// Asked before the window closes: false keeps it open. Without one it closes.
-    void setMayClose(std::function<bool()> mayClose);
+    void setCanClose(std::function<bool()> canClose);
 
-    /// Asked before that: false while what the hand did is still on its way. The window then closes after settle().
+    /// Asked before that: false while what the hand did is still on its way. The window then closes after
+    /// continueClosing().
     void setIsSettled(std::function<bool()> isSettled);
 
     /// Asked first of all when the window is to be closed: false keeps it open, and everything as it is.
@@ -66,25 +67,25 @@ public:
     const Actions& commands() const;
 
     /// Asks what becomes of changes that no file holds: true if they may be lost. If the person would rather save them,
-    /// `goOn` is called when that is done.
-    bool askToDiscard(const std::function<void()>& goOn);
+    /// `proceed` is called when that is done.
+    bool askToDiscard(const std::function<void()>& proceed);
 
 public Q_SLOTS:
     /// Another model is shown from now on: title, figures, ground, default radius, and the view frames it.
-    void setModel(const ui::ModelFacts& facts);
+    void setModel(const ui::ModelInfo& modelInfo);
     /// The same model changed: figures; and if it is of quite another size now, the brush keeps its proportion to it.
-    void updateFacts(const ui::ModelFacts& facts);
+    void updateModelInfo(const ui::ModelInfo& modelInfo);
     void setModified(bool modified);
 
     /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the
     /// first.
     void showProblem(const QString& sentence);
     /// The model has that file now.
-    void showSaved(const ui::ModelFacts& facts);
+    void showSaved(const ui::ModelInfo& modelInfo);
     /// It was written; the verdict, one line, is what the file was found to be.
     void showExported(const QString& path, const QString& verdict = {});
     /// Stamp becomes the tool, with the model of that file.
-    void takeBrushModel(const QString& path);
+    void setBrushModel(const QString& path);
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);
     /// Something long is going on, in the status bar; Open, Save, Export and the model's menu rest meanwhile.
@@ -95,8 +96,8 @@ public Q_SLOTS:
     void setIdle();
     /// What the VR menu offers; the sentence stands in the status bar while nobody is quite out.
     void setHeadset(ui::HeadsetState state, const QString& sentence);
-    /// Something that closing may wait for is done.
-    void settle();
+    /// Retries closing, if that waits: something that it may wait for is done.
+    void continueClosing();
 
 Q_SIGNALS:
     /// By dialog, menu, or drag and drop. A local path; nothing about it is checked.
@@ -104,18 +105,18 @@ Q_SIGNALS:
     void starterRequested(core::Starter starter);
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
     void saveRequested(const QString& path);
-    void exportRequested(const QString& path, quint64 mostTriangles = 0, bool slices = false);
+    void exportRequested(const QString& path, quint64 maxTriangles = 0, bool slices = false);
     /// Of the models in a folder; the ending says the format.
     void reportRequested(const QString& folder, const QString& path);
     /// By dialog or menu.
     void commandRequested(const core::ModelCommand& command);
-    void insertRequested(const ui::Insertion& insertion);
-    /// The model as it is now shall be Stamp's: takeBrushModel() with a file of it.
+    void insertRequested(const ui::InsertRequest& insertion);
+    /// The model as it is now shall be Stamp's: setBrushModel() with a file of it.
     void brushModelRequested();
     /// The model's own file is called so now.
     void modelRenamed(const QString& path);
     /// The model's own file is not there any more.
-    void modelFileGone();
+    void modelFileDeleted();
     void stopRequested();
     /// By dialog: a class is to be written to a file.
     void classroomDrafted(const ui::ClassroomDraft& draft);

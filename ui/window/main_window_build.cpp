@@ -53,9 +53,9 @@ void MainWindow::State::buildView()
         sentence->setWordWrap(true);
         q->setCentralWidget(sentence);
     }
-    banner = new Banner(q->centralWidget());
+    banner = new NotificationBanner(q->centralWidget());
     if (q->centralWidget() == viewport)
-        banner->keepOff(viewport->scaleBar());
+        banner->stayAbove(viewport->scaleBar());
 }
 
 void MainWindow::State::buildBars()
@@ -73,7 +73,7 @@ void MainWindow::State::buildBars()
         if (id != MenuId::View)
             continue;
         actions.fill(menu->addMenu(actions.menuTitle(MenuId::Turn)), MenuId::Turn);
-        addLooks(actions, viewport, &settings, menu);
+        addAppearanceActions(actions, viewport, &settings, menu);
         buildPanels(menu->addMenu(tr("&Panels")));
     }
 
@@ -105,8 +105,8 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     shapes = new BrushShapes(&brush, &settings, q);
     connect(shapes, &BrushShapes::refused, q, &MainWindow::showNotice);
     addBrushPanels({q, toggles, [this] { viewport->setFocus(); }}, &brush, shapes);
-    connectHand({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings,
-                actions);
+    connectInputActions({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings,
+                        actions);
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions,
                   [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
@@ -114,7 +114,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addPrintPanel({q, toggles, viewport}, &settings, actions);
     addLessonPanel({q, toggles}, actions);
     addLessonEditor({q, toggles}, actions);
-    addFilesPanel({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    addFileBrowser({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     addReferences({q, toggles, viewport, &files}, &settings, actions,
                   [this](const QString& word) { q->showNotice(word); });
     addPreview(
@@ -123,16 +123,16 @@ void MainWindow::State::buildPanels(QMenu* toggles)
 
 void MainWindow::State::buildStatusBar()
 {
-    busy = new BusyBar(actions.get(QStringLiteral("edit.stop")));
-    facts = new FactsBar(&brush);
+    progressBar = new ProgressBar(actions.get(QStringLiteral("edit.stop")));
+    infoBar = new InfoBar(&brush);
     headsetText = new QLabel;
     headsetText->setObjectName(QStringLiteral("headsetText"));
     headsetText->setTextFormat(Qt::PlainText);
     headsetText->setContentsMargins(8, 0, 8, 0);
     headsetText->hide();
     q->statusBar()->addPermanentWidget(headsetText);
-    q->statusBar()->addPermanentWidget(busy);
-    q->statusBar()->addPermanentWidget(facts);
+    q->statusBar()->addPermanentWidget(progressBar);
+    q->statusBar()->addPermanentWidget(infoBar);
 }
 
 template <class What> void MainWindow::State::on(const char* id, What what)
@@ -144,7 +144,7 @@ void MainWindow::State::connectActions()
 {
     connectFiles();
     connectModel(
-        actions, q, [this]() -> const ModelFacts& { return model; }, &brush,
+        actions, q, [this]() -> const ModelInfo& { return model; }, &brush,
         [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
     connectTools();
     connectHeadset();
@@ -173,7 +173,7 @@ void MainWindow::State::connectFiles()
     connect(&files, &ModelFiles::reportRequested, q, &MainWindow::reportRequested);
     connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
     connect(&files, &ModelFiles::renamed, q, &MainWindow::modelRenamed);
-    connect(&files, &ModelFiles::gone, q, &MainWindow::modelFileGone);
+    connect(&files, &ModelFiles::fileDeleted, q, &MainWindow::modelFileDeleted);
     connect(&files, &ModelFiles::noticed, q, &MainWindow::showNotice);
 }
 
@@ -181,9 +181,9 @@ void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
     on("brush.fromModel", [this] { Q_EMIT q->brushModelRequested(); });
-    connect(shapes, &BrushShapes::ownModelWanted, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
+    connect(shapes, &BrushShapes::ownModelRequested, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
-        q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
+        q->showNotice(ErrorMessages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });
 }
 

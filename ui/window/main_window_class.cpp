@@ -17,22 +17,22 @@ void MainWindow::setClassroom(const Classroom& classroom)
     m_state->shapes->setMayLoad(false);
     m_state->brush.offerTools(classroom.tools);
     lockWindow(this, m_state->actions, classroom);
-    m_state->beginning = {switchesOf(m_state->actions), findChild<ColorPanel*>()->swatches(), saveState(),
-                          m_state->viewport->camera().saved()};
+    m_state->turnDefaults = {switchesOf(m_state->actions), findChild<ColorPanel*>()->swatches(), saveState(),
+                             m_state->viewport->camera().saved()};
 }
 
 /// The settings first: they bring panels and switches of their own, of which a class has less.
 void MainWindow::beginTurn()
 {
-    const ClassBeginning& beginning = m_state->beginning;
+    const TurnDefaults& turnDefaults = m_state->turnDefaults;
     m_state->viewport->finish();
     m_state->settings.reset();
-    restoreState(beginning.bars);
+    restoreState(turnDefaults.bars);
     m_state->brush.reset();
     m_state->brush.setRadiusShare(m_state->settings.radiusShare());
-    findChild<ColorPanel*>()->reset(beginning.swatches);
-    setSwitches(m_state->actions, beginning.switches);
-    m_state->viewport->setView(beginning.view);
+    findChild<ColorPanel*>()->reset(turnDefaults.swatches);
+    setSwitches(m_state->actions, turnDefaults.switches);
+    m_state->viewport->setView(turnDefaults.view);
     m_state->viewport->frame();
 }
 } // namespace ui

@@ -19,13 +19,13 @@ class QMessageBox;
 
 namespace ui
 {
-class Banner;
+class NotificationBanner;
 class BrushShapes;
-class BusyBar;
-class FactsBar;
+class ProgressBar;
+class InfoBar;
 
-/// What each turn of a class begins with.
-struct ClassBeginning
+/// The state that each turn of a class begins with.
+struct TurnDefaults
 {
     QHash<QString, bool> switches;
     QList<core::Rgb> swatches;
@@ -46,19 +46,19 @@ struct MainWindow::State
     std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
     Viewport* viewport = nullptr;
     BrushShapes* shapes = nullptr;
-    Banner* banner = nullptr;
-    FactsBar* facts = nullptr;
+    NotificationBanner* banner = nullptr;
+    InfoBar* infoBar = nullptr;
     HistoryPanel* history = nullptr;
     ModelPanel* modelPanel = nullptr;
-    BusyBar* busy = nullptr;
+    ProgressBar* progressBar = nullptr;
     QLabel* headsetText = nullptr;
     HeadsetActions* headset = nullptr;
     QPointer<QMessageBox> problem;
-    std::function<bool()> guard, mayClose, isSettled;
+    std::function<bool()> guard, canClose, isSettled;
     bool closesLater = false;
-    ModelFacts model;
+    ModelInfo model;
     std::optional<Classroom> classroom;
-    ClassBeginning beginning; ///< of the class
+    TurnDefaults turnDefaults; ///< of the class
 
     void buildView();
     void buildBars();

@@ -13,7 +13,7 @@ namespace
 constexpr int progressSteps = 100;
 } // namespace
 
-BusyBar::BusyBar(QAction* stop, QWidget* parent)
+ProgressBar::ProgressBar(QAction* stop, QWidget* parent)
     : QWidget(parent)
     , m_what(new QLabel)
     , m_progress(new QProgressBar)
@@ -31,7 +31,7 @@ BusyBar::BusyBar(QAction* stop, QWidget* parent)
     end();
 }
 
-void BusyBar::begin(const QString& what)
+void ProgressBar::begin(const QString& what)
 {
     m_what->setText(what);
     if (!isHidden())
@@ -40,19 +40,19 @@ void BusyBar::begin(const QString& what)
     show();
 }
 
-void BusyBar::setProgress(double share)
+void ProgressBar::setProgress(double share)
 {
     m_progress->setRange(0, progressSteps);
     m_progress->setValue(static_cast<int>(share * progressSteps));
 }
 
-void BusyBar::setStoppable(bool canStop)
+void ProgressBar::setStoppable(bool canStop)
 {
     m_stop->defaultAction()->setEnabled(canStop);
     m_stop->setVisible(canStop);
 }
 
-void BusyBar::end()
+void ProgressBar::end()
 {
     setStoppable(false);
     hide();

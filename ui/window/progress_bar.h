@@ -10,13 +10,13 @@ class QToolButton;
 namespace ui
 {
 /// Something long that is going on: what, how far it is, and a button that ends it. Hidden while nothing is.
-class BusyBar : public QWidget
+class ProgressBar : public QWidget
 {
     Q_OBJECT
 
 public:
     /// `stop` ends it; enabled while it can be ended. Not owned.
-    explicit BusyBar(QAction* stop, QWidget* parent = nullptr);
+    explicit ProgressBar(QAction* stop, QWidget* parent = nullptr);
 
     /// How far it is, is not known at first, nor whether it can be ended. While it goes on: it is called otherwise now.
     void begin(const QString& what);

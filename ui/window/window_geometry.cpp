@@ -19,11 +19,11 @@ void keepOnScreen(QMainWindow* window)
 {
     if (window->isMaximized() || window->isFullScreen())
         return;
-    const QRect room = window->screen()->availableGeometry();
+    const QRect available = window->screen()->availableGeometry();
     const int title = window->style()->pixelMetric(QStyle::PM_TitleBarHeight);
-    if (window->width() > room.width() || window->height() > room.height() - title)
+    if (window->width() > available.width() || window->height() > available.height() - title)
         window->setGeometry(
-            {room.topLeft() + QPoint(0, title), window->size().boundedTo(room.size() - QSize(0, title))});
+            {available.topLeft() + QPoint(0, title), window->size().boundedTo(available.size() - QSize(0, title))});
 }
 /// Qt puts a bar that the state does not know below the others, where it has no room.
 void restoreBars(QMainWindow* window, const QByteArray& state)
@@ -33,7 +33,7 @@ void restoreBars(QMainWindow* window, const QByteArray& state)
 }
 } // namespace
 
-void restorePlace(QMainWindow* window, const Settings& settings)
+void restoreWindowGeometry(QMainWindow* window, const Settings& settings)
 {
     window->resize(firstSize);
     window->restoreGeometry(settings.windowGeometry());
@@ -41,7 +41,7 @@ void restorePlace(QMainWindow* window, const Settings& settings)
     restoreBars(window, settings.windowState());
 }
 
-void keepPlace(const QMainWindow& window, Settings& settings)
+void saveWindowGeometry(const QMainWindow& window, Settings& settings)
 {
     settings.setWindowGeometry(window.saveGeometry());
     settings.setWindowState(window.saveState(barsVersion));

@@ -8,6 +8,6 @@ class Settings;
 
 /// Where the window stands, and its panels within it, as they were kept; the first time in a size of our own. Never
 /// larger than the screen. Before the window is shown.
-void restorePlace(QMainWindow* window, const Settings& settings);
-void keepPlace(const QMainWindow& window, Settings& settings);
+void restoreWindowGeometry(QMainWindow* window, const Settings& settings);
+void saveWindowGeometry(const QMainWindow& window, Settings& settings);
 } // namespace ui

@@ -14,10 +14,10 @@ void addMetadata(const MainWindow& window, core::DocumentMetadata& metadata)
     metadata.brush = window.brush()->stroke();
 }
 
-void takeNotes(MainWindow& window, const core::DocumentMetadata& metadata)
+void applyMetadata(MainWindow& window, const core::DocumentMetadata& metadata)
 {
     if (metadata.brush)
-        window.brush()->take(*metadata.brush);
+        window.brush()->apply(*metadata.brush);
     if (!metadata.view)
         return;
     window.action(QStringLiteral("view.orthographic"))->setChecked(metadata.view->orthographic);

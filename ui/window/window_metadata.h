@@ -11,5 +11,5 @@ class MainWindow;
 
 void addMetadata(const MainWindow& window, core::DocumentMetadata& metadata);
 /// Of a model that the window shows already. What is not noted stays as it is.
-void takeNotes(MainWindow& window, const core::DocumentMetadata& metadata);
+void applyMetadata(MainWindow& window, const core::DocumentMetadata& metadata);
 } // namespace ui

@@ -121,7 +121,7 @@ struct Class
     {
         return !program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0;
     }
-    bool asks() const { return part<ui::NamePanel>("namePanel")->isVisible(); }
+    bool asks() const { return part<ui::PupilNamePanel>("namePanel")->isVisible(); }
 
     void begin()
     {
@@ -164,7 +164,7 @@ struct Class
     std::uint64_t hash()
     {
         std::optional<std::uint64_t> answer;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         program.worker.post([&](core::Sculptor& sculptor) {
             mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
         });
@@ -720,7 +720,7 @@ int runVictim(const QString& root, int afterNextMs)
     c.sculpt({-60, 40});
     const std::uint64_t hash = c.hash();
     bool isRecorded = false;
-    ui::Mailbox mail;
+    ui::ThreadMailbox mail;
     c.program.document.journal()->after([&] { mail.post([&isRecorded] { isRecorded = true; }); });
     while (!isRecorded)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);

@@ -43,7 +43,7 @@ struct Session
     {
         for (int i = 0; i < 3; ++i) {
             bool reached = false;
-            ui::Mailbox mail;
+            ui::ThreadMailbox mail;
             worker.post([&](core::Sculptor&) { mail.post([&reached] { reached = true; }); });
             QTRY_VERIFY_WITH_TIMEOUT(reached, 60'000);
             QCoreApplication::processEvents();
@@ -54,7 +54,7 @@ struct Session
     {
         settle();
         std::optional<std::uint64_t> hash;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             const std::uint64_t value = sculptor.mesh().stateHash();
             mail.post([&hash, value] { hash = value; });
@@ -67,7 +67,7 @@ struct Session
     void verifyWhole()
     {
         std::optional<bool> isSound;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             const bool value = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
             mail.post([&isSound, value] { isSound = value; });
@@ -392,7 +392,7 @@ void TestDocument::strokeThatFellShort_isSaidOnce()
     session.document.endStroke();
     session.wait();
     QCOMPARE(noticed.size(), 1);
-    QCOMPARE(noticed[0][0].toString(), ui::Messages::shortfall(shortfall));
+    QCOMPARE(noticed[0][0].toString(), ui::ErrorMessages::shortfall(shortfall));
     session.verifyWhole();
 }
 
@@ -418,7 +418,7 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
         noticed.clear();
         add(position);
         return session.state() == start && !session.document.canUndo() && noticed.size() == 1 &&
-               noticed[0][0].toString() == ui::Messages::shortfall(why);
+               noticed[0][0].toString() == ui::ErrorMessages::shortfall(why);
     };
     QVERIFY(refuses({0, 0, 0}, Shortfall::Inside));
     QVERIFY(refuses({0, 45, 0}, Shortfall::TooClose)); // where a pull would have pulled
@@ -460,7 +460,7 @@ void TestDocument::mirroredStroke_saysWhereTheModelIsNotSymmetric()
     QVERIFY(noticed.isEmpty());
     stroke(core::Symmetry::X, {30, -40, 0});
     QCOMPARE(noticed.size(), 1);
-    QCOMPARE(noticed[0][0].toString(), ui::Messages::asymmetric());
+    QCOMPARE(noticed[0][0].toString(), ui::ErrorMessages::asymmetric());
 }
 
 void TestDocument::radialStroke_saysWhereTheSectorsAreNotAlike()
@@ -484,7 +484,7 @@ void TestDocument::radialStroke_saysWhereTheSectorsAreNotAlike()
     QVERIFY(noticed.isEmpty());
     stroke(2, {3, 50, 0}); // over the axis
     QCOMPARE(noticed.size(), 1);
-    QCOMPARE(noticed[0][0].toString(), ui::Messages::apart());
+    QCOMPARE(noticed[0][0].toString(), ui::ErrorMessages::sequentialSectors());
 }
 
 void TestDocument::strokeThatDidAll_isNotTalkedAbout()
@@ -630,7 +630,7 @@ void TestDocument::open_takesAModelAndCentresIt()
     session.document.open(path);
     session.wait();
     QCOMPARE(opened.size(), 1);
-    const auto facts = opened.at(0).at(0).value<ui::ModelFacts>();
+    const auto facts = opened.at(0).at(0).value<ui::ModelInfo>();
     QCOMPARE(facts.name, QStringLiteral("ball.ply"));
     QCOMPARE(facts.vertices, quint64(162));
     QVERIFY(facts.box.center().norm() < 1e-3);

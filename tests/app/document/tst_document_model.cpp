@@ -56,7 +56,7 @@ struct Session
     {
         for (int i = 0; i < 3; ++i) {
             bool reached = false;
-            ui::Mailbox mail;
+            ui::ThreadMailbox mail;
             worker.post([&](core::Sculptor&) { mail.post([&reached] { reached = true; }); });
             QTRY_VERIFY_WITH_TIMEOUT(reached, longestWait);
             QCoreApplication::processEvents();
@@ -69,7 +69,7 @@ struct Session
         settle();
         std::optional<std::uint64_t> hash;
         core::MeshPatch whole;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             whole = sculptor.wholePatch();
             const std::uint64_t value = sculptor.mesh().stateHash();
@@ -404,9 +404,9 @@ void TestDocumentModel::insert_brokenIsMendedAsOneStep()
     QCOMPARE(mendable.size(), 1);
     QVERIFY(mendable[0][1].toString().contains(QStringLiteral("broken.ply")));
     QCOMPARE(session.state(), start);
-    auto insertion = mendable[0][0].value<ui::Insertion>();
+    auto insertion = mendable[0][0].value<ui::InsertRequest>();
     QCOMPARE(insertion.path, path);
-    insertion.mend.emplace();
+    insertion.repair.emplace();
     session.document.insert(insertion);
     session.wait();
     QVERIFY(refused.isEmpty());

@@ -26,7 +26,7 @@ struct Opened
         program.window.activateWindow();
         program.document.open(path);
         program.window.action(QStringLiteral("file.browse"))->trigger();
-        program.window.findChild<ui::FilesPanel*>()->goTo(folder.path());
+        program.window.findChild<ui::FileBrowser*>()->goTo(folder.path());
     }
     void wait()
     {

@@ -121,7 +121,7 @@ void TestOpening::aFileOfThePanelWins()
     Program program;
     program.window.show();
     program.window.action(QStringLiteral("file.browse"))->trigger();
-    program.window.findChild<ui::FilesPanel*>()->goTo(files.folder.path());
+    program.window.findChild<ui::FileBrowser*>()->goTo(files.folder.path());
     auto* grid = program.window.findChild<ui::FileGrid*>();
     const auto press = [grid](const QString& name) {
         for (int row = 0; row < grid->model()->rowCount(); ++row)

@@ -22,7 +22,7 @@ struct MeshState
 MeshState stateOf(Program& program)
 {
     std::optional<MeshState> answer;
-    ui::Mailbox mail;
+    ui::ThreadMailbox mail;
     program.worker.post([&](core::Sculptor& sculptor) {
         mail.post(
             [&answer, state = MeshState{sculptor.mesh().meshHash(), sculptor.mesh().frame()}] { answer = state; });

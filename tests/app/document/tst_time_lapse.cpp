@@ -66,7 +66,7 @@ struct Studio
     {
         rest();
         std::optional<std::uint64_t> hash;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         program.worker.post([&](core::Sculptor& sculptor) {
             mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
         });

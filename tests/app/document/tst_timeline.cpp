@@ -53,7 +53,7 @@ struct Desk
     {
         rest();
         std::optional<std::uint64_t> hash;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         program.worker.post([&](core::Sculptor& sculptor) {
             const bool isSound = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
             mail.post([&hash, value = isSound ? sculptor.mesh().stateHash() : 0] { hash = value; });
@@ -77,7 +77,7 @@ struct Desk
     {
         return program.window.findChild<Widget*>(QLatin1StringView(name));
     }
-    ui::StrokeBar* bar() { return program.window.findChild<ui::StrokeBar*>(); }
+    ui::StrokeEditBar* bar() { return program.window.findChild<ui::StrokeEditBar*>(); }
     void showHistory()
     {
         auto* dock = find<QWidget>("historyPanel");

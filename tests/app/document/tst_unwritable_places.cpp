@@ -98,7 +98,7 @@ struct Spoilt
     std::uint64_t state()
     {
         std::optional<std::uint64_t> answer;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         program.worker.post([&](core::Sculptor& sculptor) {
             mail.post([&answer, value = sculptor.mesh().stateHash()] { answer = value; });
         });
@@ -141,7 +141,7 @@ struct Spoilt
     void browse()
     {
         press("file.browse");
-        program.window.findChild<ui::FilesPanel*>()->goTo(place.folder());
+        program.window.findChild<ui::FileBrowser*>()->goTo(place.folder());
         auto* grid = program.window.findChild<ui::FileGrid*>();
         QTRY_COMPARE(grid->model()->rowCount(), 1);
         grid->setCurrentIndex(grid->model()->index(0, 0));

@@ -69,7 +69,7 @@ struct Visit
     std::uint64_t hash()
     {
         std::optional<std::uint64_t> answer;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         program.worker.post([&](core::Sculptor& sculptor) {
             mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
         });
@@ -81,7 +81,7 @@ struct Visit
     std::size_t masked()
     {
         std::optional<std::size_t> answer;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         program.worker.post([&](core::Sculptor& sculptor) {
             std::size_t count = 0;
             for (core::Slot v = 0; v < sculptor.mesh().slots().vertices; ++v)
@@ -157,7 +157,7 @@ void TestHeadsetWishes::news_areWholeAtFirst()
     const auto news = visit.port->takeUpdate();
     QVERIFY(news);
     QVERIFY(news->box.sizes().isApprox(core::Vec3(100, 100, 100), 0.02));
-    QVERIFY(news->shading == ui::shadingOf(visit.program.window.viewport()->look().material));
+    QVERIFY(news->shading == ui::shadingOf(visit.program.window.viewport()->appearance().material));
     QVERIFY(!news->canUndo && !news->canRedo && !news->isModified && !news->isBusy);
     QCOMPARE(news->plane, core::Symmetry::Y);
     QVERIFY(!news->swatches.isEmpty());

@@ -164,7 +164,7 @@ void TestHeadsetPartner::pointing_isALightInBoth()
     const QImage before = v.hand.picture();
     QCOMPARE(countLight(before), 0);
     v.pointAt(middle(&v.viewport()) + QPoint(12, -8));
-    auto* light = v.program.window.findChild<ui::PointLight*>();
+    auto* light = v.program.window.findChild<ui::PointerHighlight*>();
     QTRY_VERIFY(light->isVisible());
     QVERIFY((light->geometry().center() - (middle(&v.viewport()) + QPoint(12, -8))).manhattanLength() < 6);
 
@@ -203,11 +203,11 @@ void TestHeadsetPartner::pointing_pulsesUnlessCalm()
 {
     QFETCH(bool, isCalm);
     Pair v(HeadsetHand::enough);
-    v.viewport().setCalm(isCalm);
+    v.viewport().setReducesMotion(isCalm);
     v.hand.put(Side::Right, {0.5, 1.0, -0.1});
     v.hand.put(Side::Left, {-0.5, 1.0, -0.1});
     v.pointAt(middle(&v.viewport()));
-    auto* light = v.program.window.findChild<ui::PointLight*>();
+    auto* light = v.program.window.findChild<ui::PointerHighlight*>();
     QSet<int> eye;
     QSet<QByteArray> window;
     const auto bytes = [](const QImage& image) {
@@ -400,16 +400,16 @@ void TestHeadsetPartner::caption_tellsTheBrush()
     Pair v;
     QVERIFY(v.bar().isVisible() && v.caption().isVisible());
     const double mm = v.hand.seen().radius / v.scale();
-    QCOMPARE(v.caption().words().tool, QStringLiteral("Pull"));
-    QVERIFY(v.caption().words().radius.startsWith(QString::number(static_cast<int>(mm))));
-    QVERIFY(v.caption().words().time.isEmpty());
+    QCOMPARE(v.caption().text().tool, QStringLiteral("Pull"));
+    QVERIFY(v.caption().text().radius.startsWith(QString::number(static_cast<int>(mm))));
+    QVERIFY(v.caption().text().time.isEmpty());
     v.trigger("tool.crease");
     v.program.window.brush()->setValue(core::Parameter::Radius, 12);
     v.hand.frames(3);
-    QCOMPARE(v.caption().words().tool, QStringLiteral("Crease"));
-    QTRY_COMPARE(v.caption().words().radius, QStringLiteral("12 mm"));
+    QCOMPARE(v.caption().text().tool, QStringLiteral("Crease"));
+    QTRY_COMPARE(v.caption().text().radius, QStringLiteral("12 mm"));
     v.hand.slide(Side::Right, {0.8, 0});
-    QTRY_VERIFY(v.caption().words().radius != QStringLiteral("12 mm")); // the wearer's
+    QTRY_VERIFY(v.caption().text().radius != QStringLiteral("12 mm")); // the wearer's
     v.keep("caption");
     v.trigger("view.caption");
     QTRY_VERIFY(!v.caption().isVisible() && v.bar().isVisible());
@@ -474,7 +474,7 @@ void TestHeadsetPartner::classTime_isToldInBoth()
                        [&now] { return now; });
     wireClassroom(desk.program.window, mode);
     mode.begin();
-    auto* panel = desk.program.window.findChild<ui::NamePanel*>();
+    auto* panel = desk.program.window.findChild<ui::PupilNamePanel*>();
     const auto rests = [&] { return desk.program.document.isSettled() && !desk.program.document.isBusy(); };
     QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && rests(), 60'000);
     auto* name = desk.program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
@@ -507,7 +507,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     v.hand.lookAgain();
     v.hand.waitForPanels();
     const auto content = [&] {
-        const ui::LessonShown& shown = *panel->shown();
+        const ui::LessonPanelState& shown = *panel->shown();
         vr::LessonPanel lesson{shown.page.lesson,  shown.page.title, shown.page.text,
                                shown.page.step,    shown.page.steps, {},
                                shown.page.isShown, shown.isPlaying};

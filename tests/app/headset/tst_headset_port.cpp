@@ -55,7 +55,7 @@ struct Visit
     std::uint64_t stateHash()
     {
         std::optional<std::uint64_t> hash;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
         });
@@ -66,7 +66,7 @@ struct Visit
     Viewer mesh()
     {
         std::optional<Viewer> viewer;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             mail.post([&viewer, whole = sculptor.wholePatch()] { viewer = viewerOf(whole); });
         });

@@ -74,7 +74,8 @@ struct Desk
     Eigen::Vector2d placeOf(const Vec3& point) const
     {
         const Vec3 own = view->person().head().inverse() * point;
-        return Eigen::Vector2d(own.x() / ui::SimulatedPerson::sideTangent, own.y() / ui::SimulatedPerson::upTangent) /
+        return Eigen::Vector2d(own.x() / ui::SimulatorControls::sideTangent,
+                               own.y() / ui::SimulatorControls::upTangent) /
                -own.z();
     }
     /// Over the middle of the model's front, the tip a little inside.

@@ -285,7 +285,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("cube.stl"));
         core::writeMesh(toPath(path), core::starterModel(core::Starter::Cube));
-        ui::Insertion insertion;
+        ui::InsertRequest insertion;
         insertion.path = path;
         program.document.insert(insertion);
         QTRY_COMPARE_WITH_TIMEOUT(notice(program).isEmpty(), false, 60'000);

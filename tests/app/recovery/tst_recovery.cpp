@@ -118,7 +118,7 @@ struct Session
     void randomStroke(StrokeFuzzer& random)
     {
         core::Stroke made;
-        ui::Mailbox fromMesh;
+        ui::ThreadMailbox fromMesh;
         bool isMade = false;
         worker.post([&](core::Sculptor& sculptor) {
             made = random.stroke(sculptor.mesh());
@@ -208,7 +208,7 @@ struct Session
     }
 
     fs::path home;
-    ui::Mailbox mail;
+    ui::ThreadMailbox mail;
     JournalShelf shelf;
     SculptWorker worker;
     Document document;
@@ -703,7 +703,7 @@ void TestRecovery::earlierVersions_areKeptIfAskedFor()
     Session session(newRoot());
     session.openBall();
     for (int i = 0; i < 6; ++i) { // the last four with the wish
-        ui::Settings().setPreferences({.hand = {}, .keepsVersions = i >= 2});
+        ui::Settings().setPreferences({.input = {}, .keepsBackups = i >= 2});
         session.apply(core::Fill{{static_cast<std::uint8_t>(i), 0, 0}});
         session.document.save(file);
         session.wait();

@@ -119,7 +119,7 @@ void TestEndToEnd::sculptedByKeysAlone()
     const QUndoStack& steps = program.document.undoStack();
 
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
-    QVERIFY(view->hasKeyHand() && view->hasFocus());
+    QVERIFY(view->hasKeyboardCursor() && view->hasFocus());
     QVERIFY(program.window.findChild<QWidget*>(QStringLiteral("keyCross"))->isVisible());
     QTest::keyClick(view, Qt::Key_1); // Pull
     QTest::keyPress(view, Qt::Key_Space);
@@ -139,7 +139,7 @@ void TestEndToEnd::sculptedByKeysAlone()
     QVERIFY(steps.text(0) != steps.text(1)); // Push
 
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
-    QVERIFY(!view->hasKeyHand());
+    QVERIFY(!view->hasKeyboardCursor());
     QTest::keyClick(view, Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), 60'000);
     QCOMPARE(steps.count(), 2);
@@ -228,7 +228,7 @@ void TestEndToEnd::closing_waitsForThePress()
     int asked = 0;
     program.document.setMayDiscard([&](const std::function<void()>&) { return ++asked > 1; });
     QTest::mousePress(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
-    QVERIFY(program.window.viewport()->pressWaits());
+    QVERIFY(program.window.viewport()->isPressPending());
     QVERIFY(!program.window.close());
     QCOMPARE(asked, 0);
     QTRY_COMPARE(asked, 1);
@@ -365,7 +365,7 @@ void TestEndToEnd::tooMuchWork_isSaid()
     QSignalSpy noticed(&program.document, &Document::noticed);
     QTest::mouseClick(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, 60'000); // a sanitizer is ten times slower
-    QCOMPARE(notice(program), ui::Messages::shortfall(core::Shortfall::Capped));
+    QCOMPARE(notice(program), ui::ErrorMessages::shortfall(core::Shortfall::Capped));
     QTRY_VERIFY(program.document.isSettled());
     QCOMPARE(noticed.size(), 1);
 }

@@ -229,7 +229,7 @@ void TestRandomHand::theModelStaysSound()
 
     const auto ask = [&](auto question) {
         std::optional<decltype(question(std::declval<core::Sculptor&>()))> answer;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         program.worker.post([&, question](core::Sculptor& sculptor) {
             mail.post([&answer, value = question(sculptor)] { answer = value; });
         });

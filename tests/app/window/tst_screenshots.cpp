@@ -150,7 +150,7 @@ private:
     void takeMending(Program& program);
     void takeExport(Program& program);
     void takePanels(Program& program);
-    void showModels(ui::FilesPanel* panel);
+    void showModels(ui::FileBrowser* panel);
     void takeMenus(Program& program);
     void takeDialogs(Program& program);
     void takeHelp(Program& program);
@@ -240,7 +240,7 @@ void TestScreenshots::largerTexts_data()
 {
     QTest::addColumn<ui::TextSize>("size");
     for (const ui::Named<ui::TextSize>& row : ui::textSizes)
-        if (row.value != ui::TextSize::Usual)
+        if (row.value != ui::TextSize::Normal)
             QTest::addRow("%s percent", row.key) << row.value;
 }
 
@@ -285,13 +285,13 @@ void TestScreenshots::takeRecovery(Program& program)
 
 void TestScreenshots::takeStrokeBar(Program& program)
 {
-    ui::ModelFacts facts;
+    ui::ModelInfo facts;
     facts.size = {100, 100, 100};
-    QList<ui::OfferedTool> tools;
+    QList<ui::ToolOption> tools;
     for (const core::Tool tool : {core::Tool::Pull, core::Tool::Flatten, core::Tool::Smooth})
         tools.append(
             {tool, program.window.action(QStringLiteral("tool.") + QLatin1StringView(core::name(tool).data()))});
-    auto* bar = new ui::StrokeBar({core::Tool::Flatten, 12.5, 0.8}, facts, tools, &program.window);
+    auto* bar = new ui::StrokeEditBar({core::Tool::Flatten, 12.5, 0.8}, facts, tools, &program.window);
     bar->setHint(QCoreApplication::translate("app::StrokeEdit", "With this brush it does nothing."));
     take(program.window, QStringLiteral("stroke-bar"));
     bar->leave();
@@ -340,10 +340,10 @@ void TestScreenshots::takeMending(Program& program)
     report.misorientedEdges.count = 345;
     report.intersections.count = 6789;
     const QString problem =
-        ui::Messages::refusal(QStringLiteral("/home/someone/Models/scans/a-scan-with-a-long-name.obj"), report);
-    ui::askToMend(&program.window, ui::MendFor::Opening, problem, [](const auto&) {});
+        ui::ErrorMessages::refusal(QStringLiteral("/home/someone/Models/scans/a-scan-with-a-long-name.obj"), report);
+    ui::askToRepair(&program.window, ui::RepairUse::Opening, problem, [](const auto&) {});
     takeDialog(QStringLiteral("mend"));
-    ui::askToMend(&program.window, ui::MendFor::Insertion, problem, [](const auto&) {});
+    ui::askToRepair(&program.window, ui::RepairUse::Insertion, problem, [](const auto&) {});
     takeDialog(QStringLiteral("mend-and-insert"));
     core::RepairReport steps;
     steps.welded = 1234;
@@ -356,8 +356,8 @@ void TestScreenshots::takeMending(Program& program)
     steps.fromOld.largest = 0.123;
     steps.joined = 1234;
     steps.joinedWithin = 0.0123;
-    ui::showMended(&program.window, ui::MendFor::Opening, QStringLiteral("a-scan-with-a-long-name.obj"),
-                   ui::MendingWords::steps(steps) << ui::MendingWords::distance(steps));
+    ui::showRepaired(&program.window, ui::RepairUse::Opening, QStringLiteral("a-scan-with-a-long-name.obj"),
+                     ui::RepairMessages::steps(steps) << ui::RepairMessages::distance(steps));
     takeDialog(QStringLiteral("mended"));
 }
 
@@ -391,7 +391,7 @@ void TestScreenshots::takePanels(Program& program)
         const bool wasHidden = panel->isHidden();
         panel->show();
         panel->raise();
-        if (auto* files = panel->findChild<ui::FilesPanel*>())
+        if (auto* files = panel->findChild<ui::FileBrowser*>())
             showModels(files);
         if (auto* drawing = panel->findChild<ui::DrawingCanvas*>())
             QTRY_VERIFY(inked(drawing->picture()) > 0 &&
@@ -402,7 +402,7 @@ void TestScreenshots::takePanels(Program& program)
     }
 }
 
-void TestScreenshots::showModels(ui::FilesPanel* panel)
+void TestScreenshots::showModels(ui::FileBrowser* panel)
 {
     constexpr std::pair<const char*, core::Starter> models[] = {{"vase.stl", core::Starter::Vase},
                                                                 {"head.ply", core::Starter::Head},
@@ -486,7 +486,7 @@ void TestScreenshots::takeClass()
     program.window.resize(smallScreen);
     program.window.show();
     mode.begin();
-    const auto* panel = program.window.findChild<ui::NamePanel*>();
+    const auto* panel = program.window.findChild<ui::PupilNamePanel*>();
     auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
     QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);

@@ -94,7 +94,7 @@ private Q_SLOTS:
         QTRY_VERIFY(studio.height() > 101); // what happened before is there
         studio.drawings.watch(false, false);
         bool isDone = false;
-        ui::Mailbox mail;
+        ui::ThreadMailbox mail;
         studio.worker.post([&](core::Sculptor&) { mail.post([&isDone] { isDone = true; }); });
         QTRY_VERIFY(isDone);
         const int before = studio.count;

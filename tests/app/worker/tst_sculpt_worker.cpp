@@ -298,7 +298,7 @@ void TestSculptWorker::worker_saysWhatABrushWouldTake()
 void TestSculptWorker::worker_answersTheNewestQuestion()
 {
     QList<Answer> answered;
-    ui::Mailbox mail;
+    ui::ThreadMailbox mail;
     SculptWorker worker;
     Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
     connect(

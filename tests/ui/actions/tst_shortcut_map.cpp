@@ -3,11 +3,11 @@
 
 #include <QTest>
 
-using ui::KeyChoice;
-using ui::KeyMap;
-using ui::KeyPreset;
-using ui::KeyProblem;
 using ui::Keys;
+using ui::ShortcutMap;
+using ui::ShortcutPreset;
+using ui::ShortcutProblem;
+using ui::ShortcutSettings;
 
 namespace
 {
@@ -22,7 +22,7 @@ QString id(const ui::ActionInfo& row)
 }
 
 /// Whatever was asked for, no key has two commands, and the map's two ways agree.
-bool isSound(const KeyMap& map)
+bool isSound(const ShortcutMap& map)
 {
     QHash<QKeySequence, QString> owners;
     for (const ui::ActionInfo& row : ui::actionTable())
@@ -35,15 +35,15 @@ bool isSound(const KeyMap& map)
 }
 } // namespace
 
-class TestKeyMap : public QObject
+class TestShortcutMap : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void eachPresetIsWhole_data()
     {
-        QTest::addColumn<KeyPreset>("preset");
-        for (const auto& row : ui::keyPresets)
+        QTest::addColumn<ShortcutPreset>("preset");
+        for (const auto& row : ui::shortcutPresets)
             QTest::newRow(row.key) << row.value;
     }
 
@@ -51,15 +51,15 @@ private Q_SLOTS:
     /// here.
     void eachPresetIsWhole()
     {
-        QFETCH(KeyPreset, preset);
-        const KeyMap map({preset, {}});
+        QFETCH(ShortcutPreset, preset);
+        const ShortcutMap map({preset, {}});
         QVERIFY(isSound(map));
         for (const ui::ActionInfo& row : ui::actionTable()) {
             QVERIFY2(map.keys(id(row)) == ui::presetKeys(preset, id(row)), row.id);
             QVERIFY2(!*row.keys || !map.keys(id(row)).isEmpty(), row.id);
-            QVERIFY2(map.keys(id(row)).size() <= ui::mostKeys, row.id);
+            QVERIFY2(map.keys(id(row)).size() <= ui::maxKeys, row.id);
             for (const QKeySequence& key : map.keys(id(row)))
-                QVERIFY2(ui::problemOf(key, id(row)) == KeyProblem::None || ui::isFixed(id(row)), row.id);
+                QVERIFY2(ui::problemOf(key, id(row)) == ShortcutProblem::None || ui::isFixed(id(row)), row.id);
         }
     }
 
@@ -67,19 +67,19 @@ private Q_SLOTS:
     {
         const QString radius = QStringLiteral("brush.radius"), frame = QStringLiteral("view.frame"),
                       pull = QStringLiteral("tool.pull");
-        QCOMPARE(ui::presetKeys(KeyPreset::Fettle, radius), keys("F"));
-        QCOMPARE(ui::presetKeys(KeyPreset::ZBrush, radius), keys("S"));
-        QVERIFY(ui::presetKeys(KeyPreset::ZBrush, frame).contains(QKeySequence(Qt::Key_F)));
-        QVERIFY(ui::presetKeys(KeyPreset::Blender, pull).contains(QKeySequence(Qt::Key_V)));
-        QVERIFY(ui::presetKeys(KeyPreset::Fettle, QStringLiteral("no.such")).isEmpty());
-        QCOMPARE(ui::heldKeys(KeyPreset::Fettle).invert, Qt::ControlModifier);
-        QCOMPARE(ui::heldKeys(KeyPreset::Blender).invert, Qt::ControlModifier);
-        QCOMPARE(ui::heldKeys(KeyPreset::ZBrush).invert, Qt::AltModifier);
+        QCOMPARE(ui::presetKeys(ShortcutPreset::Fettle, radius), keys("F"));
+        QCOMPARE(ui::presetKeys(ShortcutPreset::ZBrush, radius), keys("S"));
+        QVERIFY(ui::presetKeys(ShortcutPreset::ZBrush, frame).contains(QKeySequence(Qt::Key_F)));
+        QVERIFY(ui::presetKeys(ShortcutPreset::Blender, pull).contains(QKeySequence(Qt::Key_V)));
+        QVERIFY(ui::presetKeys(ShortcutPreset::Fettle, QStringLiteral("no.such")).isEmpty());
+        QCOMPARE(ui::mouseModifiers(ShortcutPreset::Fettle).invert, Qt::ControlModifier);
+        QCOMPARE(ui::mouseModifiers(ShortcutPreset::Blender).invert, Qt::ControlModifier);
+        QCOMPARE(ui::mouseModifiers(ShortcutPreset::ZBrush).invert, Qt::AltModifier);
     }
 
     void aPersonsKeysGoFirst()
     {
-        const KeyMap map({KeyPreset::Fettle, {{QStringLiteral("view.ground"), QStringLiteral("F; Q")}}});
+        const ShortcutMap map({ShortcutPreset::Fettle, {{QStringLiteral("view.ground"), QStringLiteral("F; Q")}}});
         QVERIFY(isSound(map));
         QCOMPARE(map.keys(QStringLiteral("view.ground")), keys("F; Q"));
         QVERIFY(map.keys(QStringLiteral("brush.radius")).isEmpty());
@@ -87,9 +87,9 @@ private Q_SLOTS:
 
     void theTableDecidesAmongEquals()
     {
-        const KeyMap map({KeyPreset::Fettle,
-                          {{QStringLiteral("view.ground"), QStringLiteral("Q")},
-                           {QStringLiteral("tool.push"), QStringLiteral("Q; Q")}}});
+        const ShortcutMap map({ShortcutPreset::Fettle,
+                               {{QStringLiteral("view.ground"), QStringLiteral("Q")},
+                                {QStringLiteral("tool.push"), QStringLiteral("Q; Q")}}});
         QVERIFY(isSound(map));
         QCOMPARE(map.owner(QKeySequence(Qt::Key_Q)), QStringLiteral("tool.push"));
         QVERIFY(map.keys(QStringLiteral("view.ground")).isEmpty());
@@ -119,16 +119,16 @@ private Q_SLOTS:
     {
         QFETCH(QString, id);
         QFETCH(QString, text);
-        const KeyMap map({KeyPreset::Fettle, {{id, text}}});
+        const ShortcutMap map({ShortcutPreset::Fettle, {{id, text}}});
         QVERIFY(isSound(map));
         for (const ui::ActionInfo& row : ui::actionTable())
-            QVERIFY2(map.keys(::id(row)) == ui::presetKeys(KeyPreset::Fettle, ::id(row)), row.id);
+            QVERIFY2(map.keys(::id(row)) == ui::presetKeys(ShortcutPreset::Fettle, ::id(row)), row.id);
         QVERIFY(map.keys(QStringLiteral("tool.teleport")).isEmpty());
     }
 
     void anEmptyEntryIsNoKey()
     {
-        const KeyMap map({KeyPreset::Fettle, {{QStringLiteral("tool.pull"), QString()}}});
+        const ShortcutMap map({ShortcutPreset::Fettle, {{QStringLiteral("tool.pull"), QString()}}});
         QVERIFY(map.keys(QStringLiteral("tool.pull")).isEmpty());
         QVERIFY(map.owner(QKeySequence(Qt::Key_1)).isEmpty());
     }
@@ -136,11 +136,11 @@ private Q_SLOTS:
     void onlyDifferencesAreKept()
     {
         const QString pull = QStringLiteral("tool.pull");
-        KeyChoice choice = ui::withKeys({}, pull, keys("Q; Num+4"));
-        QCOMPARE(choice.own.size(), 1);
-        QCOMPARE(KeyMap(choice).keys(pull), keys("Q; Num+4"));
+        ShortcutSettings choice = ui::withKeys({}, pull, keys("Q; Num+4"));
+        QCOMPARE(choice.custom.size(), 1);
+        QCOMPARE(ShortcutMap(choice).keys(pull), keys("Q; Num+4"));
         choice = ui::withKeys(choice, pull, keys("1"));
-        QVERIFY(choice.own.isEmpty());
+        QVERIFY(choice.custom.isEmpty());
         QVERIFY(ui::withKeys({}, pull, {}).own.contains(pull));
     }
 
@@ -149,17 +149,17 @@ private Q_SLOTS:
         const auto problem = [](const char* key) { return ui::problemOf(QKeySequence(QLatin1StringView(key))); };
         for (const char* key : {"Esc", "Tab", "Shift+Tab", "Ctrl+Tab", "Return", "Space", "Up", "Shift+Left",
                                 "Backspace", "F10", "0", "Num+0"})
-            QVERIFY2(problem(key) == KeyProblem::Widgets, key);
+            QVERIFY2(problem(key) == ShortcutProblem::Widgets, key);
         for (const int key :
              {Qt::Key_Shift, Qt::Key_Control, Qt::Key_Alt, Qt::Key_Meta, Qt::Key_AltGr, Qt::Key_CapsLock})
-            QVERIFY(ui::problemOf(QKeySequence(key)) == KeyProblem::Held);
+            QVERIFY(ui::problemOf(QKeySequence(key)) == ShortcutProblem::Modifier);
         for (const char* key : {"Alt+F", "Alt+Z", "Alt+\xc3\x84"})
-            QVERIFY2(ui::problemOf(QKeySequence(QString::fromUtf8(key))) == KeyProblem::Menus, key);
+            QVERIFY2(ui::problemOf(QKeySequence(QString::fromUtf8(key))) == ShortcutProblem::Menus, key);
         for (const char* key :
              {"F", "1", "Num+1", "Alt+1", "Ctrl+Return", "Ctrl+Up", "Ctrl+0", "F5", "Home", "Ctrl+Alt+F", "."})
-            QVERIFY2(problem(key) == KeyProblem::None, key);
+            QVERIFY2(problem(key) == ShortcutProblem::None, key);
     }
 };
 
-QTEST_GUILESS_MAIN(TestKeyMap)
+QTEST_GUILESS_MAIN(TestShortcutMap)
 #include "tst_shortcut_map.moc"

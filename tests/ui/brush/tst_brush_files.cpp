@@ -286,7 +286,7 @@ void TestBrushFiles::window_takesItsOwnModel()
     window.setBusy(QStringLiteral("Saving"));
     QVERIFY(!window.action(QStringLiteral("brush.fromModel"))->isEnabled());
     window.setIdle();
-    window.takeBrushModel(path("own.glb"));
+    window.setBrushModel(path("own.glb"));
     QTRY_COMPARE(box->currentData().toString(), path("own.glb"));
     QCOMPARE(window.brush()->tool(), Tool::Stamp);
     QVERIFY(window.brush()->stroke().model);
@@ -407,7 +407,7 @@ void TestBrushFiles::aLaterAlphaWins()
     ui::MainWindow window;
     core::StrokeSettings noted = window.brush()->stroke();
     noted.alpha = core::builtInAlpha("star");
-    window.brush()->take(noted);
+    window.brush()->apply(noted);
     QTest::qWait(200);
     QCOMPARE(window.brush()->stroke().alpha, core::builtInAlpha("star"));
     QCOMPARE(ui::Settings().shapes().alpha, QStringLiteral("star"));

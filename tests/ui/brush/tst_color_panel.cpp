@@ -208,10 +208,10 @@ private Q_SLOTS:
     {
         Palette p;
         auto* swatches = p.child<ui::ColorSwatches>("swatches");
-        for (int i = 0; i <= ui::ColorSwatches::most; ++i)
+        for (int i = 0; i <= ui::ColorSwatches::maxSwatches; ++i)
             swatches->add({0, 0, static_cast<std::uint8_t>(i)});
-        QCOMPARE(swatches->colors().size(), ui::ColorSwatches::most);
-        QCOMPARE(swatches->colors().back(), (Rgb{0, 0, ui::ColorSwatches::most}));
+        QCOMPARE(swatches->colors().size(), ui::ColorSwatches::maxSwatches);
+        QCOMPARE(swatches->colors().back(), (Rgb{0, 0, ui::ColorSwatches::maxSwatches}));
     }
 
     void everyControlHasANameAndATip()

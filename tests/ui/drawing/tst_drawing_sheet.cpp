@@ -95,8 +95,8 @@ private Q_SLOTS:
         QPainter painter(&image);
         QFont font;
         font.setPixelSize(10);
-        const ui::DrawingLook look{Qt::black, Qt::white, 2, font};
-        ui::DrawingLayout(drawing, {ui::DrawnSides::Right, false, false}, look,
+        const ui::DrawingStyle style{Qt::black, Qt::white, 2, font};
+        ui::DrawingLayout(drawing, {ui::DrawnSides::Right, false, false}, style,
                           ui::DrawingLayout::Arrangement::Projection)
             .paint(painter, {400, 300}, 10);
         painter.end();
@@ -114,18 +114,18 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const ui::DrawingSheet sheet = sheetOf(40);
         const QImage image = QImage::fromData(written(folder.filePath(QStringLiteral("a.png")), sheet));
-        const double dotsAMm = image.dotsPerMeterX() / 1000.0;
-        QVERIFY(std::abs(image.width() / dotsAMm - 297) < 0.1 && std::abs(image.height() / dotsAMm - 210) < 0.1);
+        const double dotsPerMm = image.dotsPerMeterX() / 1000.0;
+        QVERIFY(std::abs(image.width() / dotsPerMm - 297) < 0.1 && std::abs(image.height() / dotsPerMm - 210) < 0.1);
         const QRectF bar = ui::sheetScaleBar(sheet);
-        const int row = static_cast<int>(bar.center().y() * dotsAMm);
+        const int row = static_cast<int>(bar.center().y() * dotsPerMm);
         int first = 0, last = 0;
-        for (int x = static_cast<int>((bar.left() - 1) * dotsAMm); x < static_cast<int>((bar.right() + 1) * dotsAMm);
-             ++x)
+        for (int x = static_cast<int>((bar.left() - 1) * dotsPerMm);
+             x < static_cast<int>((bar.right() + 1) * dotsPerMm); ++x)
             if (isDark(image, x, row)) {
                 first = first == 0 ? x : first;
                 last = x;
             }
-        QVERIFY(std::abs((last - first) / dotsAMm - bar.width()) < 0.3);
+        QVERIFY(std::abs((last - first) / dotsPerMm - bar.width()) < 0.3);
     }
 
     void thePdfIsOnePageOfA4()

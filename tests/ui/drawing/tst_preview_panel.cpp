@@ -43,7 +43,7 @@ struct Shown
 
     ui::MainWindow window;
     ui::PreviewPanel* panel = window.findChild<ui::PreviewPanel*>();
-    QSignalSpy wanted{panel, &ui::PreviewPanel::wanted};
+    QSignalSpy wanted{panel, &ui::PreviewPanel::drawingRequested};
     ui::DrawingCanvas* canvas = child<ui::DrawingCanvas>(window, "preview.canvas");
 };
 
@@ -68,7 +68,7 @@ private Q_SLOTS:
         window.show();
         auto* panel = window.findChild<ui::PreviewPanel*>();
         QVERIFY(panel && !panel->isVisible());
-        QSignalSpy wanted(panel, &ui::PreviewPanel::wanted);
+        QSignalSpy wanted(panel, &ui::PreviewPanel::drawingRequested);
         panel->toggleViewAction()->trigger();
         QTRY_COMPARE(wanted.size(), 1);
         QCOMPARE(wanted.takeFirst(), QVariantList({true, false}));

@@ -105,9 +105,9 @@ struct Shown
     }
 
     ui::MainWindow window;
-    ui::FilesPanel* panel = window.findChild<ui::FilesPanel*>();
+    ui::FileBrowser* panel = window.findChild<ui::FileBrowser*>();
     ui::FileGrid* grid = window.findChild<ui::FileGrid*>();
-    QSignalSpy noticed{panel, &ui::FilesPanel::noticed};
+    QSignalSpy noticed{panel, &ui::FileBrowser::noticed};
 };
 
 /// By the keys of the box.
@@ -119,7 +119,7 @@ void sortBy(const Shown& s, ui::FileOrder order)
 }
 } // namespace
 
-class TestFilesPanel : public QObject
+class TestFileBrowser : public QObject
 {
     Q_OBJECT
 
@@ -188,14 +188,14 @@ private Q_SLOTS:
             s.child<QSlider>("files.size")->setValue(160);
         }
         const ui::MainWindow window;
-        QCOMPARE(window.findChild<ui::FilesPanel*>()->folder(), models.folder.path());
+        QCOMPARE(window.findChild<ui::FileBrowser*>()->folder(), models.folder.path());
         QCOMPARE(window.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 2);
         QVERIFY(window.findChild<QToolButton*>(QStringLiteral("files.direction"))->isChecked());
         QCOMPARE(window.findChild<QSlider*>(QStringLiteral("files.size"))->value(), 160);
         QSettings().setValue(QStringLiteral("files/folder"), models.path("gone"));
         QSettings().setValue(QStringLiteral("files/order"), QStringLiteral("colour"));
         const ui::MainWindow other;
-        QVERIFY(QDir(other.findChild<ui::FilesPanel*>()->folder()).exists());
+        QVERIFY(QDir(other.findChild<ui::FileBrowser*>()->folder()).exists());
         QCOMPARE(other.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 0);
     }
 
@@ -307,7 +307,7 @@ private Q_SLOTS:
         const Shown s(models);
         QTRY_COMPARE(s.names().size(), 4);
         s.window.findChild<ui::Actions*>()->setKeys(
-            {ui::KeyPreset::Fettle,
+            {ui::ShortcutPreset::Fettle,
              {{QStringLiteral("files.rename"), QStringLiteral("Q")},
               {QStringLiteral("files.open"), QStringLiteral("Return; Ctrl+Return")}}});
         const QList<QKeySequence> opening =
@@ -479,5 +479,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestFilesPanel)
+UI_TEST_MAIN(TestFileBrowser)
 #include "tst_file_browser.moc"

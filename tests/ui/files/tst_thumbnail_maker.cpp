@@ -37,7 +37,7 @@ struct Maker
     Thumbnail one(const QString& path)
     {
         order.clear();
-        maker.want({FileJobs::entryOf(path)});
+        maker.request({FileJobs::entryOf(path)});
         [this] { QTRY_COMPARE(order.size(), 1); }();
         return last;
     }
@@ -95,7 +95,7 @@ private Q_SLOTS:
         write(gone, core::icosphere(2, 1));
         const FileEntry entry = FileJobs::entryOf(gone);
         QVERIFY(QFile::remove(gone));
-        m.maker.want({entry});
+        m.maker.request({entry});
         QTRY_COMPARE(m.order.size(), 1);
         QVERIFY(m.last.picture.isNull() && m.last.problem.contains(QStringLiteral("gone.stl")) &&
                 m.last.problem.endsWith(QLatin1Char('.')));
@@ -115,8 +115,8 @@ private Q_SLOTS:
             write(path, core::icosphere(2, 1 + i));
             files << FileJobs::entryOf(path);
         }
-        m.maker.want(files);
-        m.maker.want({files[5], files[2]});
+        m.maker.request(files);
+        m.maker.request({files[5], files[2]});
         QTRY_VERIFY(m.order.contains(QStringLiteral("2.stl")));
         m.order.removeAll(QStringLiteral("0.stl")); // it may have been done already
         QCOMPARE(m.order, QStringList({QStringLiteral("5.stl"), QStringLiteral("2.stl")}));
@@ -139,9 +139,9 @@ private Q_SLOTS:
         write(small, core::icosphere(2, 10));
         for (const int delayMs : {1, 40, 150}) {
             Maker m(folder.filePath(QStringLiteral("cache%1").arg(delayMs)));
-            m.maker.want({FileJobs::entryOf(large)});
+            m.maker.request({FileJobs::entryOf(large)});
             QTest::qWait(delayMs);
-            m.maker.want({FileJobs::entryOf(small)});
+            m.maker.request({FileJobs::entryOf(small)});
             QTRY_VERIFY(!m.order.isEmpty() && m.order.constLast() == QStringLiteral("small.stl"));
             QCOMPARE(m.maker.drawn(), m.order.size());
             QVERIFY(m.order.size() == 1 || delayMs > 1); // later the large one may have been done already

@@ -11,21 +11,21 @@
 using core::Vec3;
 using ui::SimulatedButtons;
 using ui::SimulatedHand;
-using ui::SimulatedPerson;
+using ui::SimulatorControls;
 using ui::SimulatorView;
 
 namespace
 {
 /// Where the eye sees a point: -1 to 1 from edge to edge, right and up.
-Eigen::Vector2d seen(const SimulatedPerson& person, const Vec3& point)
+Eigen::Vector2d seen(const SimulatorControls& controls, const Vec3& point)
 {
-    const Vec3 own = person.head().inverse() * point;
-    return Eigen::Vector2d(own.x() / SimulatedPerson::sideTangent, own.y() / SimulatedPerson::upTangent) / -own.z();
+    const Vec3 own = controls.head().inverse() * point;
+    return Eigen::Vector2d(own.x() / SimulatorControls::sideTangent, own.y() / SimulatorControls::upTangent) / -own.z();
 }
 
-double farFromEye(const SimulatedPerson& person)
+double farFromEye(const SimulatorControls& controls)
 {
-    return (person.tip(person.hand()).translation() - person.head().translation()).norm();
+    return (controls.tip(controls.hand()).translation() - controls.head().translation()).norm();
 }
 
 void move(SimulatorView& view, const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton,
@@ -44,10 +44,10 @@ void wheel(SimulatorView& view, int notches, Qt::KeyboardModifiers modifiers = {
 struct Seated
 {
     Seated() { view.resize(900, 600); }
-    const SimulatedPerson& person() const { return view.person(); }
-    const SimulatedButtons& right() const { return person().buttons(SimulatedHand::Right); }
-    const SimulatedButtons& left() const { return person().buttons(SimulatedHand::Left); }
-    Vec3 tip() const { return person().tip(person().hand()).translation(); }
+    const SimulatorControls& controls() const { return view.controls(); }
+    const SimulatedButtons& right() const { return controls().buttons(SimulatedHand::Right); }
+    const SimulatedButtons& left() const { return controls().buttons(SimulatedHand::Left); }
+    Vec3 tip() const { return controls().tip(controls().hand()).translation(); }
 
     SimulatorView view;
 };
@@ -64,31 +64,31 @@ private Q_SLOTS:
         for (const Eigen::Vector2d& place :
              {Eigen::Vector2d(0, 0), Eigen::Vector2d(-0.7, 0.4), Eigen::Vector2d(0.9, -0.8)}) {
             move(at.view, place);
-            QVERIFY((seen(at.person(), at.tip()) - place).norm() < 0.01);
+            QVERIFY((seen(at.controls(), at.tip()) - place).norm() < 0.01);
         }
         sendMouse(&at.view, QEvent::MouseMove, QPoint(-500, 2000)); // out of the window, a button held
-        QVERIFY((seen(at.person(), at.tip()) - Eigen::Vector2d(-1, -1)).norm() < 1e-9);
+        QVERIFY((seen(at.controls(), at.tip()) - Eigen::Vector2d(-1, -1)).norm() < 1e-9);
     }
 
     void wheel_reachesFartherAlongTheSight()
     {
         Seated at;
         move(at.view, {0.2, 0.1});
-        const double before = farFromEye(at.person());
-        const Eigen::Vector2d place = seen(at.person(), at.tip());
+        const double before = farFromEye(at.controls());
+        const Eigen::Vector2d place = seen(at.controls(), at.tip());
         wheel(at.view, 3);
-        QVERIFY(std::abs(farFromEye(at.person()) - before - 0.06) < 1e-9);
-        QVERIFY((seen(at.person(), at.tip()) - place).norm() < 1e-9);
+        QVERIFY(std::abs(farFromEye(at.controls()) - before - 0.06) < 1e-9);
+        QVERIFY((seen(at.controls(), at.tip()) - place).norm() < 1e-9);
         wheel(at.view, -200);
-        QVERIFY(farFromEye(at.person()) > 0.1);
+        QVERIFY(farFromEye(at.controls()) > 0.1);
     }
 
     void wheel_withShiftTurnsTheWandAboutItself()
     {
         Seated at;
-        const Eigen::Isometry3d before = at.person().tip(SimulatedHand::Right);
+        const Eigen::Isometry3d before = at.controls().tip(SimulatedHand::Right);
         wheel(at.view, 2, Qt::ShiftModifier);
-        const Eigen::Isometry3d turned = before.inverse() * at.person().tip(SimulatedHand::Right);
+        const Eigen::Isometry3d turned = before.inverse() * at.controls().tip(SimulatedHand::Right);
         QVERIFY(turned.translation().norm() < 1e-9 && (turned * Vec3::UnitZ() - Vec3::UnitZ()).norm() < 1e-9);
         QVERIFY((turned * Vec3::UnitX() - Vec3::UnitX()).norm() > 0.2);
     }
@@ -169,22 +169,22 @@ private Q_SLOTS:
     {
         Seated at;
         QSignalSpy hands(&at.view, &SimulatorView::handChanged);
-        const Vec3 leftAtRest = at.person().tip(SimulatedHand::Left).translation();
+        const Vec3 leftAtRest = at.controls().tip(SimulatedHand::Left).translation();
         move(at.view, {0.1, 0.1});
         const Vec3 place = at.tip();
         QTest::keyPress(&at.view, Qt::Key_G);
         QTest::keyClick(&at.view, Qt::Key_Tab);
-        QVERIFY(at.person().hand() == SimulatedHand::Left && hands.count() == 1);
+        QVERIFY(at.controls().hand() == SimulatedHand::Left && hands.count() == 1);
         move(at.view, {-0.4, 0});
         QVERIFY(at.right().squeezes && !at.left().squeezes);
-        QVERIFY((at.person().tip(SimulatedHand::Right).translation() - place).norm() < 1e-9);
+        QVERIFY((at.controls().tip(SimulatedHand::Right).translation() - place).norm() < 1e-9);
         QTest::keyRelease(&at.view, Qt::Key_G);
         QVERIFY(!at.right().squeezes);
         QTest::keyPress(&at.view, Qt::Key_Space);
         QVERIFY(at.left().trigger == 1 && at.right().trigger == 0);
         QTest::keyClick(&at.view, Qt::Key_Tab);
         QVERIFY(at.left() == SimulatedButtons());
-        QVERIFY((at.person().tip(SimulatedHand::Left).translation() - leftAtRest).norm() < 1e-9);
+        QVERIFY((at.controls().tip(SimulatedHand::Left).translation() - leftAtRest).norm() < 1e-9);
     }
 
     void head_looksAndWalks()
@@ -192,18 +192,18 @@ private Q_SLOTS:
         Seated at;
         sendMouse(&at.view, QEvent::MouseButtonPress, {400, 300}, Qt::RightButton);
         sendMouse(&at.view, QEvent::MouseMove, {400 - 393, 300}, Qt::RightButton);
-        const Vec3 ahead = at.person().head().linear() * Vec3(0, 0, -1);
+        const Vec3 ahead = at.controls().head().linear() * Vec3(0, 0, -1);
         QVERIFY(ahead.x() < -0.9);
-        const Vec3 from = at.person().head().translation();
+        const Vec3 from = at.controls().head().translation();
         QTest::keyPress(&at.view, Qt::Key_W);
         at.view.advance(0.5);
         QTest::keyRelease(&at.view, Qt::Key_W);
         at.view.advance(0.5);
-        const Vec3 way = at.person().head().translation() - from;
+        const Vec3 way = at.controls().head().translation() - from;
         QVERIFY(way.x() < -0.39 && std::abs(way.y()) < 1e-9 && way.norm() < 0.41);
         QTest::keyPress(&at.view, Qt::Key_Q);
         at.view.advance(60);
-        QVERIFY(at.person().head().translation().y() > 0.2); // not through the floor
+        QVERIFY(at.controls().head().translation().y() > 0.2); // not through the floor
     }
 
     void focus_thatIsLostLetsGo()
@@ -214,9 +214,9 @@ private Q_SLOTS:
         QFocusEvent lost(QEvent::FocusOut);
         QCoreApplication::sendEvent(&at.view, &lost);
         QCOMPARE(at.right(), SimulatedButtons());
-        const Vec3 from = at.person().head().translation();
+        const Vec3 from = at.controls().head().translation();
         at.view.advance(1);
-        QCOMPARE(at.person().head().translation(), from);
+        QCOMPARE(at.controls().head().translation(), from);
     }
 
     void window_saysItsKeysAndCloses()

@@ -36,7 +36,7 @@ QStringList found(const QString& text, const QString& pattern)
 }
 
 /// The guide in a window of its own.
-struct Desk
+struct Fixture
 {
     QMainWindow window;
     ui::Actions actions{&window};
@@ -119,13 +119,14 @@ private Q_SLOTS:
         for (const QString& language : languages) {
             QLocale::setDefault(QLocale(language));
             QCOMPARE(ui::helpFolder(QLocale()), QStringLiteral(":/help/") + language);
-            Desk desk;
-            for (int i = 0; i < desk.contents()->count(); ++i) {
-                desk.contents()->setCurrentRow(i);
-                const QString where = language + u' ' + desk.contents()->item(i)->text();
-                QVERIFY2(desk.text().size() > 100 && !desk.contents()->item(i)->text().isEmpty(), qPrintable(where));
+            Fixture fixture;
+            for (int i = 0; i < fixture.contents()->count(); ++i) {
+                fixture.contents()->setCurrentRow(i);
+                const QString where = language + u' ' + fixture.contents()->item(i)->text();
+                QVERIFY2(fixture.text().size() > 100 && !fixture.contents()->item(i)->text().isEmpty(),
+                         qPrintable(where));
                 for (const char* mark : {"**", "{", "}", "](", "`", "|--"})
-                    QVERIFY2(!desk.text().contains(QLatin1StringView(mark)),
+                    QVERIFY2(!fixture.text().contains(QLatin1StringView(mark)),
                              qPrintable(where + QLatin1StringView(mark)));
             }
         }
@@ -135,52 +136,53 @@ private Q_SLOTS:
 
     void keysAreThoseOfNow()
     {
-        Desk desk;
-        desk.guide.openPage(QStringLiteral("tools"));
-        QVERIFY(!desk.text().contains(QStringLiteral("Alt")));
-        desk.actions.setKeys(
-            {ui::KeyPreset::ZBrush,
+        Fixture fixture;
+        fixture.guide.openPage(QStringLiteral("tools"));
+        QVERIFY(!fixture.text().contains(QStringLiteral("Alt")));
+        fixture.actions.setKeys(
+            {ui::ShortcutPreset::ZBrush,
              {{QStringLiteral("tool.pull"), QStringLiteral("Ctrl+Alt+9")}, {QStringLiteral("tool.push"), {}}}});
-        desk.guide.openPage(QStringLiteral("tools"));
-        QVERIFY(desk.text().contains(QStringLiteral("Ctrl+Alt+9")) && desk.text().contains(QStringLiteral("no key")));
-        QVERIFY(ui::helpText(QStringLiteral("tools"), desk.actions).contains(QStringLiteral("`Alt`")));
+        fixture.guide.openPage(QStringLiteral("tools"));
+        QVERIFY(fixture.text().contains(QStringLiteral("Ctrl+Alt+9")) &&
+                fixture.text().contains(QStringLiteral("no key")));
+        QVERIFY(ui::helpText(QStringLiteral("tools"), fixture.actions).contains(QStringLiteral("`Alt`")));
     }
 
     void wordsAreSought()
     {
-        Desk desk;
-        desk.guide.openPage({});
-        auto* words = desk.child<QLineEdit>("guideWords");
-        QCOMPARE(desk.shown(), int(ui::helpPages().size()));
+        Fixture fixture;
+        fixture.guide.openPage({});
+        auto* words = fixture.child<QLineEdit>("guideWords");
+        QCOMPARE(fixture.shown(), int(ui::helpPages().size()));
         QTest::keyClicks(words, QStringLiteral("groove"));
-        QVERIFY(desk.shown() > 0 && desk.shown() < 5 && !desk.contents()->currentItem()->isHidden());
-        QVERIFY(desk.text().contains(QStringLiteral("groove")));
-        auto* text = desk.child<QTextBrowser>("guideText");
+        QVERIFY(fixture.shown() > 0 && fixture.shown() < 5 && !fixture.contents()->currentItem()->isHidden());
+        QVERIFY(fixture.text().contains(QStringLiteral("groove")));
+        auto* text = fixture.child<QTextBrowser>("guideText");
         QCOMPARE(text->textCursor().selectedText(), QStringLiteral("groove"));
         QVERIFY(!text->extraSelections().isEmpty());
         QTest::keyClick(words, Qt::Key_Return);
         QCOMPARE(text->textCursor().selectedText(), QStringLiteral("groove"));
-        QVERIFY(desk.guide.isVisible());
+        QVERIFY(fixture.guide.isVisible());
         QTest::keyClicks(words, QStringLiteral(" xyzzy"));
-        QCOMPARE(desk.shown(), 0);
-        QVERIFY(desk.child<QLabel>("guideNothing")->isVisible());
+        QCOMPARE(fixture.shown(), 0);
+        QVERIFY(fixture.child<QLabel>("guideNothing")->isVisible());
         words->clear();
-        QCOMPARE(desk.shown(), int(ui::helpPages().size()));
+        QCOMPARE(fixture.shown(), int(ui::helpPages().size()));
         QVERIFY(text->extraSelections().isEmpty());
     }
 
     void pagesAreTurnedByKeysAndLinks()
     {
-        Desk desk;
-        desk.guide.openPage({});
-        const QString first = desk.text();
-        QTest::keyClick(desk.child<QLineEdit>("guideWords"), Qt::Key_Down);
-        QVERIFY(desk.text() != first);
-        desk.guide.openPage(QStringLiteral("symmetry"));
-        Q_EMIT desk.child<QTextBrowser>("guideText")->anchorClicked(QUrl(QStringLiteral("lesson-vase")));
-        QCOMPARE(desk.contents()->currentRow(), 1);
-        QTest::keyClick(&desk.guide, Qt::Key_Escape);
-        QVERIFY(!desk.guide.isVisible());
+        Fixture fixture;
+        fixture.guide.openPage({});
+        const QString first = fixture.text();
+        QTest::keyClick(fixture.child<QLineEdit>("guideWords"), Qt::Key_Down);
+        QVERIFY(fixture.text() != first);
+        fixture.guide.openPage(QStringLiteral("symmetry"));
+        Q_EMIT fixture.child<QTextBrowser>("guideText")->anchorClicked(QUrl(QStringLiteral("lesson-vase")));
+        QCOMPARE(fixture.contents()->currentRow(), 1);
+        QTest::keyClick(&fixture.guide, Qt::Key_Escape);
+        QVERIFY(!fixture.guide.isVisible());
     }
 };
 

@@ -130,7 +130,7 @@ private Q_SLOTS:
         ui::History history = fourSteps();
         s.panel.setHistory(history);
         auto* slider = s.panel.findChild<QSlider*>();
-        QSignalSpy wanted(&s.panel, &ui::HistoryPanel::stateWanted);
+        QSignalSpy wanted(&s.panel, &ui::HistoryPanel::stateRequested);
         const auto comeTo = [&](int present) {
             history.present = present;
             s.panel.setHistory(history);

@@ -50,7 +50,7 @@ void TestRecoveryBar::offer_saysWhatWhenAndHowMuch()
 
 void TestRecoveryBar::longNames_leaveRoomForTheButtons()
 {
-    m_bar->leave();
+    m_bar->dismiss();
     m_bar = new RecoveryBar({QString(300, QLatin1Char('m')), QDateTime::currentDateTime(), 1}, m_window.get());
     QTRY_VERIFY(m_bar->isVisible());
     QCOMPARE(m_window->width(), 1280);

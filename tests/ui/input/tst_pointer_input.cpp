@@ -95,7 +95,7 @@ private Q_SLOTS:
         const auto farthestAside = [](bool steady) {
             Recorder r;
             r.brush.setSteady(steady);
-            r.brush.setStringLength(40);
+            r.brush.setStabilizerLength(40);
             r.rest({200, 300}, somewhere);
             r.send(Kind::Press, {200, 300});
             for (int x = 1; x <= 100; ++x)
@@ -115,7 +115,7 @@ private Q_SLOTS:
     {
         Recorder r;
         r.brush.setSteady(true);
-        r.brush.setStringLength(40);
+        r.brush.setStabilizerLength(40);
         r.rest({400, 300}, somewhere);
         const auto stroke = [&](const Pixel& to, const std::function<void()>& end) {
             r.log.clear();
@@ -321,8 +321,8 @@ private Q_SLOTS:
         QTest::addColumn<Qt::MouseButton>("button");
         QTest::addColumn<Qt::KeyboardModifiers>("keys");
         QTest::addColumn<QString>("expected");
-        QTest::addColumn<ui::KeyPreset>("preset");
-        ui::KeyPreset preset = ui::KeyPreset::Fettle;
+        QTest::addColumn<ui::ShortcutPreset>("preset");
+        ui::ShortcutPreset preset = ui::ShortcutPreset::Fettle;
         const auto row = [&preset](const char* name, Qt::MouseButton button, Qt::KeyboardModifiers keys,
                                    const char* expected) {
             QTest::newRow(name) << button << keys << QString::fromLatin1(expected) << preset;
@@ -335,7 +335,7 @@ private Q_SLOTS:
         row("alt, middle", Qt::MiddleButton, Qt::AltModifier, "pan");
         row("alt, right", Qt::RightButton, Qt::AltModifier, "zoom");
         row("back", Qt::BackButton, Qt::NoModifier, "nothing");
-        preset = ui::KeyPreset::ZBrush;
+        preset = ui::ShortcutPreset::ZBrush;
         row("ZBrush: right", Qt::RightButton, Qt::NoModifier, "orbit");
         row("ZBrush: alt, right", Qt::RightButton, Qt::AltModifier, "pan");
         row("ZBrush: ctrl, right", Qt::RightButton, Qt::ControlModifier, "zoom");
@@ -348,10 +348,10 @@ private Q_SLOTS:
         QFETCH(Qt::MouseButton, button);
         QFETCH(Qt::KeyboardModifiers, keys);
         QFETCH(QString, expected);
-        QFETCH(ui::KeyPreset, preset);
+        QFETCH(ui::ShortcutPreset, preset);
         for (const bool isKnown : {false, true}) {
             Recorder r;
-            r.input.setHabits({.held = ui::heldKeys(preset)});
+            r.input.setInputPreferences({.modifiers = ui::mouseModifiers(preset)});
             if (isKnown)
                 r.rest({400, 300}, somewhere);
             const ui::OrbitCamera before = r.camera;
@@ -414,7 +414,7 @@ private Q_SLOTS:
     void altMeansNothingWhereItIsNotWanted()
     {
         Recorder r;
-        r.input.setHabits({.altMovesView = false});
+        r.input.setInputPreferences({.altMovesView = false});
         r.rest({400, 300}, somewhere);
         r.input.setModifiers(Qt::AltModifier);
         QVERIFY(r.input.hover());
@@ -437,7 +437,7 @@ private Q_SLOTS:
         QFETCH(bool, strength);
         QFETCH(bool, radius);
         Recorder r;
-        r.input.setHabits({.pressureToStrength = strength, .pressureToRadius = radius});
+        r.input.setInputPreferences({.pressureToStrength = strength, .pressureToRadius = radius});
         r.rest({400, 300}, somewhere);
         for (const Kind kind : {Kind::Press, Kind::Release}) {
             ui::PointerEvent event{kind, {400, 300}, Qt::LeftButton, {}};
@@ -468,11 +468,11 @@ private Q_SLOTS:
         r.send(Kind::Move, {100, 100}); // in flight
         r.send(Kind::Press, {400, 300});
         r.send(Kind::Release, {400, 300});
-        r.input.leave();
+        r.input.pointerLeft();
         r.input.setHover({});
         r.input.setHover(somewhere);
         QCOMPARE(r.log, strokeOf(1));
-        QVERIFY(!r.input.pressWaits());
+        QVERIFY(!r.input.isPressPending());
     }
 
     void rightMoves()
@@ -528,7 +528,7 @@ private Q_SLOTS:
     {
         for (const bool isAlt : {true, false}) {
             Recorder r;
-            r.input.setHabits({.held = ui::heldKeys(ui::KeyPreset::ZBrush)});
+            r.input.setInputPreferences({.modifiers = ui::mouseModifiers(ui::ShortcutPreset::ZBrush)});
             const Qt::KeyboardModifiers keys = isAlt ? Qt::AltModifier : Qt::ControlModifier;
             r.send(Kind::Press, {400, 300}, Qt::LeftButton, keys);
             r.input.setHover(somewhere);
@@ -538,7 +538,7 @@ private Q_SLOTS:
             r.send(Kind::Release, {400, 300}, Qt::LeftButton, keys);
 
             Recorder beside;
-            beside.input.setHabits({.held = ui::heldKeys(ui::KeyPreset::ZBrush)});
+            beside.input.setInputPreferences({.modifiers = ui::mouseModifiers(ui::ShortcutPreset::ZBrush)});
             const ui::OrbitCamera before = beside.camera;
             beside.send(Kind::Press, {30, 30}, Qt::LeftButton, keys);
             beside.input.setHover({});
@@ -586,7 +586,7 @@ private Q_SLOTS:
         QVERIFY(!r.input.footprint());
         r.input.setAdding(false);
         QCOMPARE(r.input.footprint(), footprint);
-        r.input.leave();
+        r.input.pointerLeft();
         QVERIFY(!r.input.footprint());
     }
 
@@ -637,22 +637,22 @@ private Q_SLOTS:
 
     void pressureGoesThroughTheCurve()
     {
-        const auto sampleOf = [](const ui::HandHabits& habits, double pressure) {
+        const auto sampleOf = [](const ui::InputPreferences& preferences, double pressure) {
             Recorder r;
-            r.input.setHabits(habits);
+            r.input.setInputPreferences(preferences);
             r.rest({400, 300}, somewhere);
             ui::PointerEvent press{Kind::Press, {400, 300}, Qt::LeftButton, {}};
             press.pressure = pressure;
             r.input.handle(press);
             return r.samples.front();
         };
-        ui::HandHabits habits;
-        QCOMPARE(sampleOf(habits, 0.3).pressure, 0.3);
-        habits.penExponent = 2;
-        QCOMPARE(sampleOf(habits, 0.5).pressure, 0.25);
-        QCOMPARE(sampleOf(habits, 1).pressure, 1.0); // a mouse
-        habits.pressureToRadius = true;
-        QCOMPARE(*sampleOf(habits, 0.5).radius, 0.25 * ui::BrushSettings().stroke().radius);
+        ui::InputPreferences preferences;
+        QCOMPARE(sampleOf(preferences, 0.3).pressure, 0.3);
+        preferences.penExponent = 2;
+        QCOMPARE(sampleOf(preferences, 0.5).pressure, 0.25);
+        QCOMPARE(sampleOf(preferences, 1).pressure, 1.0); // a mouse
+        preferences.pressureToRadius = true;
+        QCOMPARE(*sampleOf(preferences, 0.5).radius, 0.25 * ui::BrushSettings().stroke().radius);
     }
 
     /// It ends in the hand and at the brush, and there is none without a stroke or without a string.
@@ -660,26 +660,26 @@ private Q_SLOTS:
     {
         Recorder r;
         r.brush.setSteady(true);
-        r.brush.setStringLength(40);
+        r.brush.setStabilizerLength(40);
         r.rest({400, 300}, somewhere);
-        QVERIFY(!r.input.string());
+        QVERIFY(!r.input.stabilizer());
         r.send(Kind::Press, {400, 300});
         r.send(Kind::Move, {500, 300});
-        QVERIFY(r.input.string());
-        QCOMPARE(r.input.string()->hand, Pixel(500, 300));
-        QCOMPARE(r.input.string()->brush, Pixel(460, 300));
+        QVERIFY(r.input.stabilizer());
+        QCOMPARE(r.input.stabilizer()->pointer, Pixel(500, 300));
+        QCOMPARE(r.input.stabilizer()->brush, Pixel(460, 300));
         r.send(Kind::Move, {470, 310}); // slack
-        QCOMPARE(r.input.string()->hand, Pixel(470, 310));
-        QCOMPARE(r.input.string()->brush, Pixel(460, 300));
+        QCOMPARE(r.input.stabilizer()->pointer, Pixel(470, 310));
+        QCOMPARE(r.input.stabilizer()->brush, Pixel(460, 300));
         r.send(Kind::Release, {470, 310});
-        QVERIFY(!r.input.string());
+        QVERIFY(!r.input.stabilizer());
 
         Recorder free;
         free.rest({400, 300}, somewhere);
         free.send(Kind::Press, {400, 300});
         free.send(Kind::Move, {500, 300});
-        QVERIFY(free.input.string());
-        QCOMPARE(free.input.string()->hand, free.input.string()->brush);
+        QVERIFY(free.input.stabilizer());
+        QCOMPARE(free.input.stabilizer()->pointer, free.input.stabilizer()->brush);
     }
 
     void onlyOneQuestionIsInFlight()
@@ -725,7 +725,7 @@ private Q_SLOTS:
         Recorder r;
         r.rest({400, 300}, somewhere);
         QVERIFY(r.input.hover());
-        r.input.leave();
+        r.input.pointerLeft();
         QVERIFY(!r.input.hover());
     }
 

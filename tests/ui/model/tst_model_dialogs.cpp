@@ -21,7 +21,7 @@ struct Asking
 {
     QWidget window;
     std::optional<ModelCommand> command;
-    ui::CommandAnswer answer = [this](const ModelCommand& given) { command = given; };
+    ui::CommandCallback answer = [this](const ModelCommand& given) { command = given; };
 
     QDialog* dialog(const char* name) { return window.findChild<QDialog*>(QLatin1StringView(name)); }
     template <class Widget> Widget* in(const char* name, const char* child)
@@ -31,7 +31,7 @@ struct Asking
     void type(const char* name, const char* box, double value) { in<QDoubleSpinBox>(name, box)->setValue(value); }
 };
 
-ui::ModelFacts ball()
+ui::ModelInfo ball()
 {
     return {QStringLiteral("Ball"), 2562, 5120, {100, 50, 20}, Box(Vec3(-50, -25, -10), Vec3(50, 25, 10)), 31400, 5};
 }
@@ -157,9 +157,9 @@ void TestModelDialogs::remesh_untouchedIsTheDefault()
 void TestModelDialogs::insert_givesThePlace()
 {
     Asking asking;
-    std::optional<ui::Insertion> insertion;
+    std::optional<ui::InsertRequest> insertion;
     ui::askForPlace(&asking.window, QStringLiteral("/models/part.stl"),
-                    [&insertion](const ui::Insertion& given) { insertion = given; });
+                    [&insertion](const ui::InsertRequest& given) { insertion = given; });
     QVERIFY(
         asking.dialog("insertDialog")->findChildren<QLabel*>().first()->text().startsWith(QStringLiteral("part.stl")));
     QVERIFY(!asking.in<QDoubleSpinBox>("insertDialog", "x")->isEnabled());

@@ -24,7 +24,7 @@ private Q_SLOTS:
     {
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const PreferencesDialog dialog({.theme = theme.value, .language = language.value, .hand = {}},
+                const PreferencesDialog dialog({.theme = theme.value, .language = language.value, .input = {}},
                                                m_actions, nullptr);
                 QCOMPARE(child<QComboBox>(dialog, "theme")->currentData().toInt(), static_cast<int>(theme.value));
                 QCOMPARE(child<QComboBox>(dialog, "language")->currentData().toInt(), static_cast<int>(language.value));
@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(changed.count(), 4);
         QCOMPARE(dialog.preferences().theme, ui::ThemeChoice::Light);
         QCOMPARE(dialog.preferences().language, ui::Language::Chinese);
-        QVERIFY(dialog.preferences().textSize == ui::TextSize::Larger && dialog.preferences().isCalm);
+        QVERIFY(dialog.preferences().textSize == ui::TextSize::Larger && dialog.preferences().reducesMotion);
     }
 
     void habitsAreSwitched()
@@ -51,15 +51,15 @@ private Q_SLOTS:
         PreferencesDialog dialog({}, m_actions, nullptr);
         for (const char* name : {"pressureToStrength", "pressureToRadius", "altMovesView"})
             QTest::keyClick(child<QCheckBox>(dialog, name), Qt::Key_Space);
-        QCOMPARE(dialog.preferences().hand, (ui::HandHabits{false, true, false}));
+        QCOMPARE(dialog.preferences().input, (ui::InputPreferences{false, true, false}));
     }
 
     void earlierVersionsAreAskedFor()
     {
         PreferencesDialog dialog({}, m_actions, nullptr);
-        QVERIFY(!dialog.preferences().keepsVersions);
+        QVERIFY(!dialog.preferences().keepsBackups);
         QTest::keyClick(child<QCheckBox>(dialog, "keepsVersions"), Qt::Key_Space);
-        QVERIFY(dialog.preferences().keepsVersions);
+        QVERIFY(dialog.preferences().keepsBackups);
         dialog.setPreferences({});
         QVERIFY(!child<QCheckBox>(dialog, "keepsVersions")->isChecked());
     }
@@ -67,10 +67,10 @@ private Q_SLOTS:
     void thePensCurveIsBent()
     {
         PreferencesDialog dialog({}, m_actions, nullptr);
-        auto* curve = child<ui::PenCurve>(dialog, "penCurve");
+        auto* curve = child<ui::PressureCurve>(dialog, "penCurve");
         QTest::keyClick(curve, Qt::Key_Up);
-        QVERIFY(dialog.preferences().hand.penExponent < 1);
-        QCOMPARE(dialog.preferences().hand.penExponent, curve->exponent());
+        QVERIFY(dialog.preferences().input.penExponent < 1);
+        QCOMPARE(dialog.preferences().input.penExponent, curve->exponent());
         dialog.setPreferences({});
         QCOMPARE(curve->exponent(), 1);
     }
@@ -79,14 +79,14 @@ private Q_SLOTS:
     {
         PreferencesDialog dialog({}, m_actions, nullptr);
         QTest::keyClick(child<QComboBox>(dialog, "keyPreset"), Qt::Key_End);
-        QCOMPARE(dialog.preferences().keys.preset, ui::KeyPreset::ZBrush);
-        QCOMPARE(dialog.preferences().habits().held, ui::heldKeys(ui::KeyPreset::ZBrush));
+        QCOMPARE(dialog.preferences().keys.preset, ui::ShortcutPreset::ZBrush);
+        QCOMPARE(dialog.preferences().effectiveInput().modifiers, ui::mouseModifiers(ui::ShortcutPreset::ZBrush));
     }
 
     void resettingIsAskedAbout()
     {
         const Preferences all{
-            .theme = ui::ThemeChoice::Dark, .language = ui::Language::German, .hand = {false, true, false}};
+            .theme = ui::ThemeChoice::Dark, .language = ui::Language::German, .input = {false, true, false}};
         PreferencesDialog dialog(all, m_actions, nullptr);
         dialog.show();
         const QSignalSpy changed(&dialog, &PreferencesDialog::changed),

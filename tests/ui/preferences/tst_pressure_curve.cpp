@@ -4,16 +4,16 @@
 
 #include <QSignalSpy>
 
-using ui::PenCurve;
+using ui::PressureCurve;
 
-class TestPenCurve : public QObject
+class TestPressureCurve : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void passesWhereItIsDragged()
     {
-        PenCurve curve;
+        PressureCurve curve;
         curve.resize(216, 116); // 200 x 100 within its margin
         for (const double x : {0.25, 0.5, 0.75})
             for (const double y : {0.3, 0.5, 0.7}) {
@@ -28,9 +28,9 @@ private Q_SLOTS:
 
     void staysInItsRangeWhereverTheHandGoes()
     {
-        PenCurve curve;
+        PressureCurve curve;
         curve.resize(216, 116);
-        QSignalSpy bent(&curve, &PenCurve::bent);
+        QSignalSpy bent(&curve, &PressureCurve::bent);
         for (const QPoint at :
              {QPoint(0, 0), QPoint(215, 0), QPoint(0, 115), QPoint(215, 115), QPoint(-500, 60), QPoint(100, 900)}) {
             sendMouse(&curve, QEvent::MouseMove, at, Qt::LeftButton);
@@ -43,7 +43,7 @@ private Q_SLOTS:
 
     void keysMakeItSofterAndFirmer()
     {
-        PenCurve curve;
+        PressureCurve curve;
         curve.show();
         QTest::keyClick(&curve, Qt::Key_Up);
         QVERIFY(ui::penPressure(0.5, curve.exponent()) > 0.5);
@@ -53,5 +53,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestPenCurve)
+UI_TEST_MAIN(TestPressureCurve)
 #include "tst_pressure_curve.moc"

@@ -4,11 +4,12 @@
 
 #include <QTabletEvent>
 
-using ui::PenTest;
+using ui::PressureTest;
 
 namespace
 {
-void drawAcross(PenTest& field, double pressure, QPointingDevice::PointerType type = QPointingDevice::PointerType::Pen)
+void drawAcross(PressureTest& field, double pressure,
+                QPointingDevice::PointerType type = QPointingDevice::PointerType::Pen)
 {
     const QPointingDevice pen(QStringLiteral("pen"), 1, QInputDevice::DeviceType::Stylus, type,
                               QInputDevice::Capability::Pressure, 1, 1);
@@ -23,7 +24,7 @@ void drawAcross(PenTest& field, double pressure, QPointingDevice::PointerType ty
 }
 
 /// Of the line in the middle of the field, in pixels.
-int width(PenTest& field)
+int width(PressureTest& field)
 {
     const QImage picture = field.grab().toImage();
     const QRgb base = field.palette().base().color().rgb();
@@ -34,14 +35,14 @@ int width(PenTest& field)
 }
 } // namespace
 
-class TestPenTest : public QObject
+class TestPressureTest : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void saysWhichDeviceDraws()
     {
-        PenTest field;
+        PressureTest field;
         const QString invitation = field.words();
         drawAcross(field, 0.5);
         QCOMPARE(field.words(), QStringLiteral("Pen: 0.50"));
@@ -56,7 +57,7 @@ private Q_SLOTS:
     void theLineIsAsWideAsWhatThePressureCounts()
     {
         const auto widthOf = [](double pressure, double exponent) {
-            PenTest field;
+            PressureTest field;
             field.resize(200, 140);
             field.setExponent(exponent);
             drawAcross(field, pressure);
@@ -70,5 +71,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestPenTest)
+UI_TEST_MAIN(TestPressureTest)
 #include "tst_pressure_test.moc"

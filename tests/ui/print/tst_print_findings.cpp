@@ -59,11 +59,11 @@ private Q_SLOTS:
         const core::PrintBed bed{250, 210, 220};
         const QString printer = QStringLiteral("Printer");
         QVERIFY(worstOf(findingsOf(shapes::cube(20), {.bed = bed}, printer)) == PrintVerdict::Good);
-        QVERIFY(worstOf(findingsOf(core::icosphere(4, 20), {.bed = bed}, printer)) == PrintVerdict::Care);
+        QVERIFY(worstOf(findingsOf(core::icosphere(4, 20), {.bed = bed}, printer)) == PrintVerdict::Warning);
         QVERIFY(worstOf(findingsOf(shapes::cube(300), {.bed = bed}, printer)) == PrintVerdict::Bad);
         QVERIFY(worstOf(findingsOf(clay::slab(20, 0.5, 4), {.bed = bed}, printer)) == PrintVerdict::Bad);
         QVERIFY(worstOf(findingsOf(shapes::cubeWithFlippedFace(), {.bed = bed}, printer)) == PrintVerdict::Bad);
-        QVERIFY(worstOf(findingsOf(shapes::cube(1.5F), {.bed = bed}, printer)) == PrintVerdict::Care); // in inches?
+        QVERIFY(worstOf(findingsOf(shapes::cube(1.5F), {.bed = bed}, printer)) == PrintVerdict::Warning); // in inches?
     }
 
     void places_haveWords()
@@ -89,7 +89,7 @@ private Q_SLOTS:
     {
         QSettings().clear();
         ui::Settings settings;
-        QCOMPARE(settings.printers().size(), ui::usualPrinters().size());
+        QCOMPARE(settings.printers().size(), ui::defaultPrinters().size());
         settings.setPrinters({{QStringLiteral("A; \"b\", c"), {100.5, 200, 300}}});
         QCOMPARE(settings.printers().size(), 1);
         QCOMPARE(settings.printers()[0].name, QStringLiteral("A; \"b\", c"));

@@ -88,7 +88,7 @@ struct Shown
         window.show();
         patch = model.whole();
         window.viewport()->setPatchSource([this] { return std::exchange(patch, std::nullopt); });
-        ui::ModelFacts facts;
+        ui::ModelInfo facts;
         facts.box = model.box();
         facts.size = facts.box.sizes();
         window.setModel(facts);

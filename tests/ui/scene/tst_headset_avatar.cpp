@@ -9,9 +9,9 @@
 
 #include <numbers>
 
+using ui::HeadsetAvatar;
 using ui::OrbitCamera;
 using ui::Viewport;
-using ui::Wearer;
 
 namespace
 {
@@ -76,7 +76,7 @@ Eigen::Isometry3d lookingAtOrigin(const core::Vec3& place)
 }
 
 /// A ball of 5 cm.
-ui::Ghost ballAt(const core::Vec3& place)
+ui::GhostMesh ballAt(const core::Vec3& place)
 {
     static const auto shape = [] {
         const SphereModel ball(0.05, 3);
@@ -89,12 +89,12 @@ ui::Ghost ballAt(const core::Vec3& place)
     return {shape, poseAt(place)};
 }
 
-Wearer wearerAt(const core::Vec3& place)
+HeadsetAvatar avatarAt(const core::Vec3& place)
 {
-    Wearer wearer;
-    wearer.head = lookingAtOrigin(place);
-    wearer.metre = metre;
-    return wearer;
+    HeadsetAvatar avatar;
+    avatar.head = lookingAtOrigin(place);
+    avatar.metre = metre;
+    return avatar;
 }
 
 QRect around(QPoint pixel, int distance)
@@ -117,7 +117,7 @@ OrbitCamera cameraOnBall()
 } // namespace
 
 /// Whoever wears the headset, as those at the window see them.
-class TestWearer : public QObject
+class TestHeadsetAvatar : public QObject
 {
     Q_OBJECT
 
@@ -137,15 +137,15 @@ private Q_SLOTS:
     void following_standsStraightUpAndDown();
     void following_goesWhereTheHeadIs();
     void following_showsNoHead();
-    void following_needsAWearer();
+    void following_needsAnAvatar();
     void following_ends_data();
     void following_ends();
     void following_goesOnWithAnotherModel();
     void following_waitsForAStroke();
-    void lookChanges_areTold();
+    void appearanceChanges_areReported();
 };
 
-void TestWearer::ghosts_areWhereTheyShouldBe_data()
+void TestHeadsetAvatar::ghosts_areWhereTheyShouldBe_data()
 {
     QTest::addColumn<QString>("what");
     QTest::addColumn<int>("reach"); // mm, of what is seen of it
@@ -155,42 +155,42 @@ void TestWearer::ghosts_areWhereTheyShouldBe_data()
     QTest::newRow("brush") << QStringLiteral("brush") << 11;
 }
 
-void TestWearer::ghosts_areWhereTheyShouldBe()
+void TestHeadsetAvatar::ghosts_areWhereTheyShouldBe()
 {
     QFETCH(QString, what);
     QFETCH(int, reach);
     Stage s;
     const QImage bare = s.picture();
     const QPoint pixel(60, 100);
-    Wearer wearer;
-    wearer.metre = metre;
+    HeadsetAvatar avatar;
+    avatar.metre = metre;
     if (what == QStringLiteral("head"))
-        wearer.head = lookingAtOrigin(s.at(pixel));
+        avatar.head = lookingAtOrigin(s.at(pixel));
     else if (what == QStringLiteral("brush"))
-        wearer.brush = core::Sphere{s.at(pixel), 10};
+        avatar.brush = core::Sphere{s.at(pixel), 10};
     else
-        wearer.hands[what == QStringLiteral("left") ? 0 : 1] = ballAt(s.at(pixel));
+        avatar.hands[what == QStringLiteral("left") ? 0 : 1] = ballAt(s.at(pixel));
 
-    s.viewport.showWearer(wearer);
+    s.viewport.showAvatar(avatar);
     const QRect area = changed(bare, s.picture());
     QVERIFY(around(pixel, qCeil(reach * s.camera().pixelsPerMm(s.at(pixel))) + 1).contains(area));
     QVERIFY(area.contains(pixel) && area.width() > 10 && area.height() > 10);
 
-    s.viewport.showWearer({});
+    s.viewport.showAvatar({});
     QCOMPARE(changed(bare, s.picture()), QRect());
 }
 
-void TestWearer::clay_hidesThem()
+void TestHeadsetAvatar::clay_hidesThem()
 {
     Stage s;
     const QImage bare = s.picture();
-    s.viewport.showWearer(wearerAt(85 * s.camera().viewDirection()));
+    s.viewport.showAvatar(avatarAt(85 * s.camera().viewDirection()));
     QCOMPARE(changed(bare, s.picture()), QRect());
-    s.viewport.showWearer(wearerAt(-85 * s.camera().viewDirection()));
+    s.viewport.showAvatar(avatarAt(-85 * s.camera().viewDirection()));
     QVERIFY(changed(bare, s.picture()).contains(onModel));
 }
 
-void TestWearer::layers_showThem()
+void TestHeadsetAvatar::layers_showThem()
 {
     constexpr QSize size(400, 300);
     const SphereModel model;
@@ -212,63 +212,63 @@ void TestWearer::layers_showThem()
             return read;
         };
         const QImage bare = picture();
-        scene.showWearer(wearerAt(-85 * camera.viewDirection()));
+        scene.showAvatar(avatarAt(-85 * camera.viewDirection()));
         QVERIFY(changed(bare, picture()).width() > 20);
-        scene.showWearer({});
+        scene.showAvatar({});
         QCOMPARE(changed(bare, picture()), QRect());
     }
 }
 
 /// A second of a headset's frames while the window is at something else.
-void TestWearer::drawing_isCoalesced()
+void TestHeadsetAvatar::drawing_isCoalesced()
 {
     Stage s;
     QCoreApplication::processEvents();
     const quint64 frames = s.viewport.stats().frames;
     for (int i = 0; i < 90; ++i)
-        s.viewport.showWearer(wearerAt({100, i / 10.0, 0}));
+        s.viewport.showAvatar(avatarAt({100, i / 10.0, 0}));
     QTRY_VERIFY(s.viewport.stats().frames > frames);
     QTest::qWait(50);
     QVERIFY(s.viewport.stats().frames <= frames + 2);
 }
 
-void TestWearer::pressOnAGhost_isAPressBesideTheModel()
+void TestHeadsetAvatar::pressOnAGhost_isAPressBesideTheModel()
 {
     Stage s;
     QSignalSpy began(&s.viewport, &Viewport::strokeBegan);
-    s.viewport.showWearer(wearerAt(s.at(besideModel)));
+    s.viewport.showAvatar(avatarAt(s.at(besideModel)));
     s.picture();
     const core::Vec3 direction = s.camera().viewDirection();
     s.drag(besideModel, Qt::LeftButton);
     QTRY_VERIFY(s.camera().viewDirection() != direction);
     QCOMPARE(began.size(), 0);
 
-    s.viewport.showWearer(wearerAt(-85 * s.camera().viewDirection())); // between the eye and the model
+    s.viewport.showAvatar(avatarAt(-85 * s.camera().viewDirection())); // between the eye and the model
     s.picture();
     s.drag(onModel, Qt::LeftButton);
     QTRY_COMPARE(began.size(), 1);
 }
 
-void TestWearer::modelAndView_areNotTheirs()
+void TestHeadsetAvatar::modelAndView_areNotTheirs()
 {
     Stage s;
     const core::Box box = s.viewport.box();
     const core::Vec3 eye = s.camera().eye();
-    s.viewport.showWearer(wearerAt({900, 0, 0}));
+    s.viewport.showAvatar(avatarAt({900, 0, 0}));
     s.picture();
     QVERIFY(s.viewport.box().isApprox(box));
     s.viewport.frame();
     QVERIFY(s.camera().eye().isApprox(eye));
 }
 
-void TestWearer::following_isTheSameInFewStepsAndInMany()
+void TestHeadsetAvatar::following_isTheSameInFewStepsAndInMany()
 {
     const Eigen::Isometry3d head = lookingAtOrigin({200, 150, -90});
     OrbitCamera few = cameraOnBall(), many = cameraOnBall();
     for (int i = 0; i < 5; ++i)
-        few.setPose(ui::followed(few, head, 1.0 / 5));
+        few.setPose(ui::headTrackingStep(few, head, 1.0 / 5));
     for (int i = 0; i < 144; ++i)
-        many.setPose(ui::followed(many, head, 1.0 / 144));
+        many.setPose(ui::headTrackingStep(many, head, 1.0 / 144));
     QVERIFY(few.eye().isApprox(many.eye(), 1e-9));
     QVERIFY(few.viewDirection().isApprox(many.viewDirection(), 1e-9));
 
@@ -277,40 +277,40 @@ void TestWearer::following_isTheSameInFewStepsAndInMany()
 }
 
 /// A head that is tilted to its shoulder.
-void TestWearer::following_staysLevel()
+void TestHeadsetAvatar::following_staysLevel()
 {
     Eigen::Isometry3d head = lookingAtOrigin({0, 40, 200});
     const core::Vec3 ahead = -head.linear().col(2);
     head.linear() = head.linear() * Eigen::AngleAxisd(0.5, core::Vec3::UnitZ());
     OrbitCamera camera = cameraOnBall();
-    camera.setPose(ui::followed(camera, head, 60));
+    camera.setPose(ui::headTrackingStep(camera, head, 60));
     QVERIFY(camera.viewDirection().isApprox(ahead, 1e-3));
     QCOMPARE(camera.right().y(), 0.0);
 }
 
-void TestWearer::following_standsStraightUpAndDown()
+void TestHeadsetAvatar::following_standsStraightUpAndDown()
 {
     for (const double pitch : {-0.5 * std::numbers::pi, 0.5 * std::numbers::pi}) {
         Eigen::Isometry3d head = poseAt({0, 200, 0});
         head.linear() = (Eigen::AngleAxisd(0.7, core::Vec3::UnitY()) * Eigen::AngleAxisd(pitch, core::Vec3::UnitX()))
                             .toRotationMatrix();
         OrbitCamera camera = cameraOnBall();
-        camera.setPose(ui::followed(camera, head, 60));
+        camera.setPose(ui::headTrackingStep(camera, head, 60));
         QVERIFY(camera.viewDirection().isApprox(-head.linear().col(2), 1e-6));
         QVERIFY(camera.up().isApprox(head.linear().col(1), 1e-6)); // the face's side is where it was
     }
 }
 
-void TestWearer::following_goesWhereTheHeadIs()
+void TestHeadsetAvatar::following_goesWhereTheHeadIs()
 {
     Stage s;
-    const Wearer wearer = wearerAt({180, 120, 100});
-    s.viewport.showWearer(wearer);
+    const HeadsetAvatar avatar = avatarAt({180, 120, 100});
+    s.viewport.showAvatar(avatar);
     QSignalSpy changes(&s.viewport, &Viewport::followingChanged);
     s.viewport.setFollowing(true);
     QVERIFY(s.viewport.isFollowing());
-    QTRY_VERIFY((s.camera().eye() - wearer.head->translation()).norm() < 0.5);
-    QVERIFY(turnOf(s.camera(), *wearer.head) < 0.01);
+    QTRY_VERIFY((s.camera().eye() - avatar.head->translation()).norm() < 0.5);
+    QVERIFY(turnOf(s.camera(), *avatar.head) < 0.01);
 
     s.viewport.setFollowing(false);
     QCOMPARE(changes.size(), 2);
@@ -323,41 +323,41 @@ void TestWearer::following_goesWhereTheHeadIs()
     QVERIFY(s.camera().eye().isApprox(framed.eye(), 1e-6));
 }
 
-void TestWearer::following_showsNoHead()
+void TestHeadsetAvatar::following_showsNoHead()
 {
     Stage s;
     const QImage bare = s.picture();
-    s.viewport.showWearer(wearerAt(s.at(besideModel)));
+    s.viewport.showAvatar(avatarAt(s.at(besideModel)));
     QVERIFY(changed(bare, s.picture()).isValid());
     s.viewport.setFollowing(true);
     QCOMPARE(changed(bare, s.picture()), QRect());
 }
 
-void TestWearer::following_needsAWearer()
+void TestHeadsetAvatar::following_needsAnAvatar()
 {
     Stage s;
     QSignalSpy changes(&s.viewport, &Viewport::followingChanged);
     s.viewport.setFollowing(true);
     QVERIFY(!s.viewport.isFollowing());
-    s.viewport.showWearer(wearerAt({100, 0, 0}));
+    s.viewport.showAvatar(avatarAt({100, 0, 0}));
     s.viewport.setFollowing(true);
-    s.viewport.showWearer({});
+    s.viewport.showAvatar({});
     QVERIFY(!s.viewport.isFollowing());
     QCOMPARE(changes.size(), 2);
 }
 
-void TestWearer::following_ends_data()
+void TestHeadsetAvatar::following_ends_data()
 {
     QTest::addColumn<QString>("by");
     for (const char* by : {"turn", "move", "wheel", "frame", "side", "flight"})
         QTest::newRow(by) << QString::fromLatin1(by);
 }
 
-void TestWearer::following_ends()
+void TestHeadsetAvatar::following_ends()
 {
     QFETCH(QString, by);
     Stage s;
-    s.viewport.showWearer(wearerAt({100, 0, 300}));
+    s.viewport.showAvatar(avatarAt({100, 0, 300}));
     s.viewport.setFollowing(true);
     if (by == QStringLiteral("turn"))
         s.drag(besideModel, Qt::MiddleButton);
@@ -376,10 +376,10 @@ void TestWearer::following_ends()
     QVERIFY(!s.viewport.isFollowing());
 }
 
-void TestWearer::following_goesOnWithAnotherModel()
+void TestHeadsetAvatar::following_goesOnWithAnotherModel()
 {
     Stage s;
-    s.viewport.showWearer(wearerAt({100, 0, 300}));
+    s.viewport.showAvatar(avatarAt({100, 0, 300}));
     s.viewport.setFollowing(true);
     s.viewport.showModel(s.model.box());
     s.viewport.setView({});
@@ -387,12 +387,12 @@ void TestWearer::following_goesOnWithAnotherModel()
 }
 
 /// Or the hand would lose its place.
-void TestWearer::following_waitsForAStroke()
+void TestHeadsetAvatar::following_waitsForAStroke()
 {
     Stage s;
     sendMouse(&s.viewport, QEvent::MouseButtonPress, onModel, Qt::LeftButton);
     QTRY_VERIFY(s.viewport.strokeOpen());
-    s.viewport.showWearer(wearerAt({300, 0, 0}));
+    s.viewport.showAvatar(avatarAt({300, 0, 0}));
     s.viewport.setFollowing(true);
     const core::Vec3 eye = s.camera().eye();
     QTest::qWait(100);
@@ -401,18 +401,18 @@ void TestWearer::following_waitsForAStroke()
     QTRY_VERIFY((s.camera().eye() - eye).norm() > 1);
 }
 
-void TestWearer::lookChanges_areTold()
+void TestHeadsetAvatar::appearanceChanges_areReported()
 {
     Stage s;
-    QSignalSpy changes(&s.viewport, &Viewport::lookChanged);
-    ui::ViewLook look = s.viewport.look();
-    s.viewport.setLook(look);
+    QSignalSpy changes(&s.viewport, &Viewport::appearanceChanged);
+    ui::ViewAppearance appearance = s.viewport.appearance();
+    s.viewport.setAppearance(appearance);
     QCOMPARE(changes.size(), 0);
-    look.material = ui::Material::Wax;
-    s.viewport.setLook(look);
+    appearance.material = ui::Material::Wax;
+    s.viewport.setAppearance(appearance);
     QCOMPARE(changes.size(), 1);
     QCOMPARE(s.viewport.shading(), ui::shadingOf(ui::Material::Wax));
 }
 
-UI_TEST_MAIN(TestWearer)
+UI_TEST_MAIN(TestHeadsetAvatar)
 #include "tst_headset_avatar.moc"

@@ -136,7 +136,7 @@ private Q_SLOTS:
         const SphereModel model;
         ui::OrbitCamera camera = cameraOn(model);
         Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
-        scene.setLook({}, dark);
+        scene.setAppearance({}, dark);
         scene.meshBuffer().apply(model.whole());
         const auto picture = [&] { return read(scene.render(camera, size, 1)); };
         const auto changes = [&](const QImage& a, const QImage& b, int x) { return a.pixel(x, 90) != b.pixel(x, 90); };
@@ -168,7 +168,7 @@ private Q_SLOTS:
         camera.setProjection(ui::OrbitCamera::Projection::Orthographic);
         camera.turnTo(ui::OrbitCamera::Side::Top);
         Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
-        scene.setLook({}, dark);
+        scene.setAppearance({}, dark);
         scene.meshBuffer().apply(model.whole());
         const auto picture = [&] { return read(scene.render(camera, size, 1)); };
         const QImage without = picture();
@@ -199,19 +199,19 @@ private Q_SLOTS:
         scene.meshBuffer().apply(model.whole());
         QSet<QRgb> clays, corners;
         for (const auto& row : ui::materials) {
-            scene.setLook({.material = row.value}, false);
+            scene.setAppearance({.material = row.value}, false);
             clays << read(scene.render(camera, size, 1)).pixel(105, 75);
         }
         QCOMPARE(clays.size(), qsizetype(ui::materials.size()));
         for (const auto& row : ui::backgrounds) {
-            scene.setLook({.background = row.value}, false);
+            scene.setAppearance({.background = row.value}, false);
             corners << read(scene.render(camera, size, 1)).pixel(2, 2);
         }
         QVERIFY(corners.contains(qRgb(255, 255, 255)) && corners.contains(qRgb(0, 0, 0)));
         QCOMPARE(corners.size(), qsizetype(ui::backgrounds.size() - 1)); // Theme is Light here
-        scene.setLook({}, true);
+        scene.setAppearance({}, true);
         const QRgb themed = read(scene.render(camera, size, 1)).pixel(2, 2);
-        scene.setLook({.background = ui::Background::Dark}, false);
+        scene.setAppearance({.background = ui::Background::Dark}, false);
         QCOMPARE(read(scene.render(camera, size, 1)).pixel(2, 2), themed);
     }
 
@@ -225,7 +225,7 @@ private Q_SLOTS:
         const ui::OrbitCamera camera = cameraOn(model);
         Scene scene;
         scene.meshBuffer().apply(patch);
-        scene.setLook({.material = ui::Material::Paint}, false);
+        scene.setAppearance({.material = ui::Material::Paint}, false);
         const QColor seen = read(scene.render(camera, size, 1)).pixelColor(size.width() / 2, size.height() / 2);
         QVERIFY(std::abs(seen.hsvHue() - QColor(40, 80, 220).hsvHue()) < 15);
     }
@@ -239,7 +239,7 @@ private Q_SLOTS:
         Scene scene;
         scene.meshBuffer().apply(model.whole());
         const auto steepest = [&](bool flat) {
-            scene.setLook({.flat = flat}, false);
+            scene.setAppearance({.flat = flat}, false);
             const QImage picture = read(scene.render(camera, size, 1));
             int most = 0;
             for (int y = 60; y < 120; ++y)
@@ -259,7 +259,7 @@ private Q_SLOTS:
         Scene scene;
         scene.meshBuffer().apply(model.whole());
         const QImage bare = read(scene.render(camera, size, 1));
-        scene.setLook({.wireframe = true}, false);
+        scene.setAppearance({.wireframe = true}, false);
         const QImage wired = read(scene.render(camera, size, 1));
         const auto darkerAt = [&](const core::Vec3& point) {
             const ui::OrbitCamera::Pixel at = camera.project(point);
@@ -324,7 +324,7 @@ private Q_SLOTS:
                              std::abs(one.blue() - other.blue())});
         };
         for (const auto& row : ui::materials) {
-            scene.setLook({.material = row.value}, false);
+            scene.setAppearance({.material = row.value}, false);
             const QImage bare = picture();
             scene.tintBall(at(20), brush);
             const QImage ball = picture();
@@ -382,7 +382,7 @@ private Q_SLOTS:
         Scene scene;
         scene.placeGround(model.box());
         const QImage with = read(scene.render(camera, size, 1));
-        scene.setLook({.ground = false}, false);
+        scene.setAppearance({.ground = false}, false);
         const QImage without = read(scene.render(camera, size, 1));
         QVERIFY(differing(with, without) > 1000);
         scene.placeGround(model.box());

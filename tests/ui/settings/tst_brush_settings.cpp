@@ -12,12 +12,12 @@ using core::Parameter;
 
 namespace
 {
-ui::ModelFacts model(double size)
+ui::ModelInfo model(double size)
 {
-    ui::ModelFacts facts;
-    facts.size = core::Vec3(size, size / 2, size / 3);
-    facts.leastDetail = core::Lattice::forExtent(size / 2).minDetail();
-    return facts;
+    ui::ModelInfo modelInfo;
+    modelInfo.size = core::Vec3(size, size / 2, size / 3);
+    modelInfo.minDetail = core::Lattice::forExtent(size / 2).minDetail();
+    return modelInfo;
 }
 } // namespace
 
@@ -55,18 +55,18 @@ private Q_SLOTS:
     void theRadiusStaysInTheModelsRange()
     {
         ui::BrushSettings brush;
-        const ui::ModelFacts facts = model(60);
-        brush.fitTo(facts, 0.1);
+        const ui::ModelInfo modelInfo = model(60);
+        brush.fitTo(modelInfo, 0.1);
         QCOMPARE(brush.value(Parameter::Radius), 6.0);
         brush.scaleRadius(1000);
         QCOMPARE(brush.value(Parameter::Radius), 30.0);
         brush.scaleRadius(1e-9);
         const double least = brush.value(Parameter::Radius);
-        QVERIFY(core::edgeBounds(least, 1).detail >= facts.leastDetail * (1 - 1e-12));
-        QVERIFY(core::edgeBounds(0.99 * least, 1).detail < facts.leastDetail);
-        brush.fitTo(facts, 1e-9);
+        QVERIFY(core::edgeBounds(least, 1).detail >= modelInfo.minDetail * (1 - 1e-12));
+        QVERIFY(core::edgeBounds(0.99 * least, 1).detail < modelInfo.minDetail);
+        brush.fitTo(modelInfo, 1e-9);
         QCOMPARE(brush.value(Parameter::Radius), least);
-        brush.fitTo(facts, 9);
+        brush.fitTo(modelInfo, 9);
         QCOMPARE(brush.value(Parameter::Radius), 30.0);
     }
 
@@ -104,8 +104,8 @@ private Q_SLOTS:
     void finerDetailNeedsALargerBrush()
     {
         ui::BrushSettings brush;
-        const ui::ModelFacts facts = model(60);
-        brush.fitTo(facts, 1e-9);
+        const ui::ModelInfo modelInfo = model(60);
+        brush.fitTo(modelInfo, 1e-9);
         const double least = brush.value(Parameter::Radius);
         brush.setValue(Parameter::Detail, 0.5);
         QVERIFY(qFuzzyCompare(brush.value(Parameter::Radius), 2 * least));
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QCOMPARE(brush.stroke().radial, 4);
         core::StrokeSettings other = brush.stroke();
         other.radial = 9;
-        brush.take(other);
+        brush.apply(other);
         brush.setRadial(false);
         brush.setRadial(true);
         QCOMPARE(brush.stroke().radial, 9);
@@ -150,13 +150,13 @@ private Q_SLOTS:
         const auto file = std::make_shared<const core::Alpha>(1, 1, std::vector<std::uint8_t>{200}, "mine.png");
         brush.set(&core::StrokeSettings::alpha, file);
         core::StrokeSettings other;
-        brush.take(other);
+        brush.apply(other);
         QCOMPARE(brush.stroke().alpha, file);
         other.alpha = core::builtInAlpha("star");
-        brush.take(other);
+        brush.apply(other);
         QCOMPARE(brush.stroke().alpha, other.alpha);
         other.alpha = nullptr;
-        brush.take(other);
+        brush.apply(other);
         QVERIFY(!brush.stroke().alpha);
     }
 
@@ -166,7 +166,7 @@ private Q_SLOTS:
         const auto with = [](Tool tool, Qt::KeyboardModifiers keys) {
             core::StrokeSettings stroke;
             stroke.tool = tool;
-            return ui::withKeysHeld(stroke, keys);
+            return ui::withModifiers(stroke, keys);
         };
         for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
             const auto tool = static_cast<Tool>(i);

@@ -26,7 +26,7 @@ private Q_SLOTS:
         for (const core::Parameter parameter :
              {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail})
             QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
-        QCOMPARE(settings.value(core::Parameter::Spacing), ui::handSpacing);
+        QCOMPARE(settings.value(core::Parameter::Spacing), ui::defaultSpacing);
         QVERIFY(settings.radiusShare() > ui::minRadiusShare && settings.radiusShare() < ui::maxRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
         QVERIFY(settings.windowGeometry().isEmpty() && settings.windowState().isEmpty());
@@ -58,9 +58,9 @@ private Q_SLOTS:
                 const ui::Preferences preferences{.theme = theme.value,
                                                   .language = language.value,
                                                   .textSize = ui::TextSize::Large,
-                                                  .isCalm = true,
-                                                  .hand = {false, true, false, 2.5},
-                                                  .keepsVersions = true};
+                                                  .reducesMotion = true,
+                                                  .input = {false, true, false, 2.5},
+                                                  .keepsBackups = true};
                 ui::Settings().setPreferences(preferences);
                 QCOMPARE(ui::Settings().preferences(), preferences);
             }
@@ -68,31 +68,31 @@ private Q_SLOTS:
 
     void exportsComeBack()
     {
-        QCOMPARE(ui::Settings().exporting(), ui::ExportChoice());
+        QCOMPARE(ui::Settings().exporting(), ui::ExportSettings());
         for (const auto& use : ui::exportUses)
             for (const quint64 triangles :
-                 {quint64(0), quint64(ui::leastExportTriangles), quint64(ui::mostExportTriangles)})
+                 {quint64(0), quint64(ui::minExportTriangles), quint64(ui::maxExportTriangles)})
                 for (const bool slices : {false, true}) {
-                    const ui::ExportChoice choice{use.value, triangles, slices};
+                    const ui::ExportSettings choice{use.value, triangles, slices};
                     ui::Settings().setExporting(choice);
                     QCOMPARE(ui::Settings().exporting(), choice);
                 }
         QSettings().setValue(QStringLiteral("export/mostTriangles"), 3);
         QSettings().setValue(QStringLiteral("export/use"), QStringLiteral("gcode"));
-        QCOMPARE(ui::Settings().exporting(), (ui::ExportChoice{ui::ExportUse::Print, 0, true}));
+        QCOMPARE(ui::Settings().exporting(), (ui::ExportSettings{ui::ExportUse::Print, 0, true}));
         ui::Settings().reset();
-        QCOMPARE(ui::Settings().exporting(), ui::ExportChoice());
+        QCOMPARE(ui::Settings().exporting(), ui::ExportSettings());
     }
 
     void keysComeBack()
     {
         ui::Preferences preferences;
         preferences.keys = {
-            ui::KeyPreset::Blender,
+            ui::ShortcutPreset::Blender,
             {{QStringLiteral("tool.pull"), QStringLiteral("Q; Ctrl+,")}, {QStringLiteral("tool.push"), {}}}};
         ui::Settings().setPreferences(preferences);
         QCOMPARE(ui::Settings().preferences(), preferences);
-        preferences.keys.own.remove(QStringLiteral("tool.push"));
+        preferences.keys.custom.remove(QStringLiteral("tool.push"));
         ui::Settings().setPreferences(preferences);
         QCOMPARE(ui::Settings().preferences(), preferences);
     }
@@ -100,7 +100,7 @@ private Q_SLOTS:
     void resettingKeepsWhatAPersonMade()
     {
         ui::Settings settings;
-        settings.setLook({ui::Material::Wax, ui::Background::Sky, true, true, false, false});
+        settings.setAppearance({ui::Material::Wax, ui::Background::Sky, true, true, false, false});
         settings.setHistoryMegabytes(99);
         settings.setRadiusShare(0.3);
         settings.setWindowState("state");
@@ -108,10 +108,10 @@ private Q_SLOTS:
         settings.setLastFolder(m_home.path());
         settings.setSwatches({{1, 2, 3}});
         int told = 0;
-        settings.onReset([&] { told += settings.look() == ui::ViewLook() ? 1 : 100; });
+        settings.onReset([&] { told += settings.appearance() == ui::ViewAppearance() ? 1 : 100; });
         settings.reset();
         QCOMPARE(told, 1);
-        QCOMPARE(settings.look(), ui::ViewLook());
+        QCOMPARE(settings.appearance(), ui::ViewAppearance());
         QCOMPARE(settings.historyMegabytes(), ui::defaultHistoryMegabytes);
         QVERIFY(settings.radiusShare() != 0.3 && settings.windowState().isEmpty());
         QCOMPARE(settings.recentFiles(), QStringList{QStringLiteral("/a.stl")});
@@ -121,12 +121,12 @@ private Q_SLOTS:
 
     void theLookComesBack()
     {
-        QCOMPARE(ui::Settings().look(), ui::ViewLook());
+        QCOMPARE(ui::Settings().appearance(), ui::ViewAppearance());
         for (const auto& material : ui::materials)
             for (const auto& background : ui::backgrounds) {
-                const ui::ViewLook look{material.value, background.value, true, true, false, false};
-                ui::Settings().setLook(look);
-                QCOMPARE(ui::Settings().look(), look);
+                const ui::ViewAppearance appearance{material.value, background.value, true, true, false, false};
+                ui::Settings().setAppearance(appearance);
+                QCOMPARE(ui::Settings().appearance(), appearance);
             }
     }
 
@@ -168,7 +168,7 @@ private Q_SLOTS:
             QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
         QVERIFY(settings.radiusShare() <= ui::maxRadiusShare && settings.radiusShare() >= ui::minRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
-        QCOMPARE(settings.look(), ui::ViewLook());
+        QCOMPARE(settings.appearance(), ui::ViewAppearance());
         QCOMPARE(settings.preferences(), ui::Preferences());
     }
 

@@ -31,7 +31,7 @@ void verifySentence(const QString& words)
 }
 } // namespace
 
-class TestMessages : public QObject
+class TestErrorMessages : public QObject
 {
     Q_OBJECT
 
@@ -42,7 +42,7 @@ private Q_SLOTS:
     {
         QSet<QString> seen;
         for (int k = 0; k <= static_cast<int>(FileErrorKind::WriteFailed); ++k) {
-            const QString words = ui::Messages::sentence(error(static_cast<FileErrorKind>(k)));
+            const QString words = ui::ErrorMessages::sentence(error(static_cast<FileErrorKind>(k)));
             verifySentence(words);
             QVERIFY2(words.contains(QStringLiteral("Löwe.stl")), qPrintable(words));
             QVERIFY2(!words.contains(QStringLiteral("cannot be used.")), qPrintable(words));
@@ -54,23 +54,23 @@ private Q_SLOTS:
     void missingDataLeavesWholeSentences()
     {
         for (int k = 0; k <= static_cast<int>(FileErrorKind::WriteFailed); ++k)
-            verifySentence(ui::Messages::sentence(FileError(static_cast<FileErrorKind>(k), path)));
+            verifySentence(ui::ErrorMessages::sentence(FileError(static_cast<FileErrorKind>(k), path)));
     }
 
     void thePlaceIsNamed()
     {
         FileError e = error(FileErrorKind::NotANumber);
         e.place = {core::FilePlace::Unit::Line, 42};
-        QVERIFY(ui::Messages::sentence(e).contains(QStringLiteral("line 42: \"tok\"")));
+        QVERIFY(ui::ErrorMessages::sentence(e).contains(QStringLiteral("line 42: \"tok\"")));
         e.place = {core::FilePlace::Unit::Byte, 80};
-        QVERIFY(ui::Messages::sentence(e).contains(QStringLiteral("byte 80:")));
+        QVERIFY(ui::ErrorMessages::sentence(e).contains(QStringLiteral("byte 80:")));
     }
 
     void theSystemsReasonIsGiven()
     {
         FileError e = error(FileErrorKind::NotWritable);
         e.systemError = EACCES;
-        QVERIFY(ui::Messages::sentence(e).contains(qt_error_string(EACCES)));
+        QVERIFY(ui::ErrorMessages::sentence(e).contains(qt_error_string(EACCES)));
     }
 
     /// What a file holds may not be taken for a place in our sentence.
@@ -78,11 +78,11 @@ private Q_SLOTS:
     {
         FileError e = error(FileErrorKind::IndexOutOfRange);
         e.token = "%1%2%3";
-        QVERIFY(ui::Messages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1,234")) ||
-                ui::Messages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1234")));
+        QVERIFY(ui::ErrorMessages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1,234")) ||
+                ui::ErrorMessages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1234")));
         FileError odd(FileErrorKind::CutOff, "100%1.stl");
         odd.expected = 10;
-        QVERIFY(ui::Messages::sentence(odd).contains(QStringLiteral("100%1.stl")));
+        QVERIFY(ui::ErrorMessages::sentence(odd).contains(QStringLiteral("100%1.stl")));
     }
 
     void aRefusalCountsEachFault()
@@ -90,7 +90,7 @@ private Q_SLOTS:
         core::MeshReport report;
         report.openEdges.count = 12;
         report.intersections.count = 3;
-        const QString words = ui::Messages::refusal(QStringLiteral("cup.obj"), report);
+        const QString words = ui::ErrorMessages::refusal(QStringLiteral("cup.obj"), report);
         verifySentence(words);
         QVERIFY(words.startsWith(QStringLiteral("cup.obj cannot be sculpted yet")));
         QVERIFY(words.contains(QStringLiteral("open edges: 12")));
@@ -102,21 +102,21 @@ private Q_SLOTS:
     {
         QSet<QString> seen;
         for (int k = 1; k <= static_cast<int>(core::Shortfall::Unfit); ++k) {
-            const QString words = ui::Messages::shortfall(static_cast<core::Shortfall>(k));
+            const QString words = ui::ErrorMessages::shortfall(static_cast<core::Shortfall>(k));
             verifySentence(words);
             QVERIFY2(!seen.contains(words), qPrintable(words));
             seen << words;
         }
-        QVERIFY(ui::Messages::shortfall(core::Shortfall::None).isEmpty());
+        QVERIFY(ui::ErrorMessages::shortfall(core::Shortfall::None).isEmpty());
     }
 
     void aRangeHasItsBoundsAndUnit()
     {
-        const QString radius = ui::Messages::range(core::Parameter::Radius, 0.27951, 50);
+        const QString radius = ui::ErrorMessages::range(core::Parameter::Radius, 0.27951, 50);
         verifySentence(radius);
         QVERIFY2(radius.contains(QStringLiteral("0.28")) && radius.contains(QStringLiteral("50 mm")),
                  qPrintable(radius));
-        const QString strength = ui::Messages::range(core::Parameter::Strength, 0, 10);
+        const QString strength = ui::ErrorMessages::range(core::Parameter::Strength, 0, 10);
         verifySentence(strength);
         QVERIFY2(strength.contains(QStringLiteral("10")) && !strength.contains(QStringLiteral("mm")),
                  qPrintable(strength));
@@ -124,12 +124,12 @@ private Q_SLOTS:
 
     void aRefusalWithoutCountsStillHasAReason()
     {
-        const QString words = ui::Messages::refusal(QStringLiteral("cup.obj"), {});
+        const QString words = ui::ErrorMessages::refusal(QStringLiteral("cup.obj"), {});
         verifySentence(words);
         QVERIFY(words.contains(QStringLiteral("inside out")));
-        verifySentence(ui::Messages::tooFine(QStringLiteral("cup.obj"), 5));
+        verifySentence(ui::ErrorMessages::tooFine(QStringLiteral("cup.obj"), 5));
     }
 };
 
-QTEST_APPLESS_MAIN(TestMessages)
+QTEST_APPLESS_MAIN(TestErrorMessages)
 #include "tst_error_messages.moc"

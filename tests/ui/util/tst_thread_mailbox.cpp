@@ -10,23 +10,23 @@
 #include <thread>
 #include <vector>
 
-using ui::Mailbox;
+using ui::ThreadMailbox;
 
-class TestMailbox : public QObject
+class TestThreadMailbox : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void opensHereInOrder();
+    void runsHereInOrder();
     void keepsOrderAmongOtherMail();
     void losesNothingOfManyPosters();
-    void opensOthersWhileOneWaits();
+    void runsOthersWhileOneWaits();
     void dropsWhatWaitsWhenItGoes();
 };
 
-void TestMailbox::opensHereInOrder()
+void TestThreadMailbox::runsHereInOrder()
 {
-    Mailbox mail;
+    ThreadMailbox mail;
     std::vector<int> opened; // only ever touched here, or the thread sanitizer tells
     std::thread poster([&] {
         for (int i = 0; i < 1000; ++i)
@@ -41,9 +41,9 @@ void TestMailbox::opensHereInOrder()
     QCOMPARE(opened, expected);
 }
 
-void TestMailbox::keepsOrderAmongOtherMail()
+void TestThreadMailbox::keepsOrderAmongOtherMail()
 {
-    Mailbox one, other;
+    ThreadMailbox one, other;
     QString opened;
     one.post([&] { opened += QLatin1Char('a'); });
     other.post([&] { opened += QLatin1Char('b'); });
@@ -54,10 +54,10 @@ void TestMailbox::keepsOrderAmongOtherMail()
     QTRY_COMPARE(opened, QStringLiteral("abcd"));
 }
 
-void TestMailbox::losesNothingOfManyPosters()
+void TestThreadMailbox::losesNothingOfManyPosters()
 {
     constexpr int posters = 4, letters = 500;
-    Mailbox mail;
+    ThreadMailbox mail;
     std::vector<std::vector<int>> opened(posters);
     std::vector<std::thread> threads;
     for (int p = 0; p < posters; ++p)
@@ -78,9 +78,9 @@ void TestMailbox::losesNothingOfManyPosters()
 }
 
 /// As a question to the person does.
-void TestMailbox::opensOthersWhileOneWaits()
+void TestThreadMailbox::runsOthersWhileOneWaits()
 {
-    Mailbox mail;
+    ThreadMailbox mail;
     QEventLoop question;
     bool isAnswered = false, isOver = false;
     mail.post([&] {
@@ -94,12 +94,12 @@ void TestMailbox::opensOthersWhileOneWaits()
     QTRY_VERIFY(isOver);
 }
 
-void TestMailbox::dropsWhatWaitsWhenItGoes()
+void TestThreadMailbox::dropsWhatWaitsWhenItGoes()
 {
     const auto page = std::make_shared<int>();
     bool isOpened = false;
     {
-        Mailbox mail;
+        ThreadMailbox mail;
         mail.post([&isOpened, page] { isOpened = true; });
         QCOMPARE(page.use_count(), 2L);
     }
@@ -108,5 +108,5 @@ void TestMailbox::dropsWhatWaitsWhenItGoes()
     QVERIFY(!isOpened);
 }
 
-QTEST_GUILESS_MAIN(TestMailbox)
+QTEST_GUILESS_MAIN(TestThreadMailbox)
 #include "tst_thread_mailbox.moc"

@@ -3,23 +3,23 @@
 #include <QKeyEvent>
 #include <QTest>
 
-using ui::KeyHand;
+using ui::KeyboardCursor;
 using ui::OrbitCamera;
 
 namespace
 {
 /// A hand over a view of 800 x 600 whose model answers every question: there is surface everywhere, or nowhere.
-struct Desk
+struct Fixture
 {
     ui::BrushSettings brush;
     OrbitCamera camera;
     ui::PointerInput input{&brush, &camera};
-    KeyHand hand{&input};
+    KeyboardCursor cursor{&input};
     int begun = 0, ended = 0, views = 0;
     std::vector<core::StrokeSample> samples;
     core::StrokeSettings settings;
 
-    explicit Desk(bool hasModel = true)
+    explicit Fixture(bool hasModel = true)
     {
         camera.setViewport(800, 600);
         QObject::connect(&input, &ui::PointerInput::hoverRequested, &input, [this, hasModel] {
@@ -36,8 +36,8 @@ struct Desk
                          [this](const core::StrokeSample& s) { samples.push_back(s); });
         QObject::connect(&input, &ui::PointerInput::strokeEnded, &input, [this] { ++ended; });
         QObject::connect(&input, &ui::PointerInput::viewChanged, &input, [this] { ++views; });
-        hand.setReach({{800, 600}, 40});
-        hand.setOn(true);
+        cursor.setBounds({{800, 600}, 40});
+        cursor.setOn(true);
         settle();
     }
 
@@ -48,12 +48,12 @@ struct Desk
     }
     void press(int key, Qt::KeyboardModifiers held = {}, bool again = false)
     {
-        QVERIFY(hand.press(QKeyEvent(QEvent::KeyPress, key, held, {}, again)));
+        QVERIFY(cursor.press(QKeyEvent(QEvent::KeyPress, key, held, {}, again)));
         settle();
     }
     void release(int key)
     {
-        hand.release(QKeyEvent(QEvent::KeyRelease, key, {}));
+        cursor.release(QKeyEvent(QEvent::KeyRelease, key, {}));
         settle();
     }
     void tap(int key, Qt::KeyboardModifiers held = {})
@@ -64,120 +64,120 @@ struct Desk
 };
 } // namespace
 
-class TestKeyHand : public QObject
+class TestKeyboardCursor : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void itBeginsInTheMiddleAndStaysInTheView()
     {
-        Desk desk;
-        QCOMPARE(desk.hand.at(), OrbitCamera::Pixel(400, 300));
-        desk.press(Qt::Key_Left);
+        Fixture fixture;
+        QCOMPARE(fixture.cursor.at(), OrbitCamera::Pixel(400, 300));
+        fixture.press(Qt::Key_Left);
         for (int i = 0; i < 200; ++i)
-            desk.press(Qt::Key_Left, {}, true);
-        QCOMPARE(desk.hand.at(), OrbitCamera::Pixel(0, 300));
-        desk.hand.setReach({{100, 100}, 40});
-        QCOMPARE(desk.hand.at(), OrbitCamera::Pixel(0, 99));
+            fixture.press(Qt::Key_Left, {}, true);
+        QCOMPARE(fixture.cursor.at(), OrbitCamera::Pixel(0, 300));
+        fixture.cursor.setBounds({{100, 100}, 40});
+        QCOMPARE(fixture.cursor.at(), OrbitCamera::Pixel(0, 99));
     }
 
     /// A tap is a fine step, a key that is held hurries.
     void aHeldKeyGoesFarther()
     {
-        Desk desk;
-        desk.tap(Qt::Key_Right);
-        const double first = desk.hand.at().x() - 400;
+        Fixture fixture;
+        fixture.tap(Qt::Key_Right);
+        const double first = fixture.cursor.at().x() - 400;
         QCOMPARE(first, 5.0);
-        desk.press(Qt::Key_Right);
+        fixture.press(Qt::Key_Right);
         for (int i = 0; i < 20; ++i)
-            desk.press(Qt::Key_Right, {}, true);
-        desk.release(Qt::Key_Right);
-        const double before = desk.hand.at().x();
+            fixture.press(Qt::Key_Right, {}, true);
+        fixture.release(Qt::Key_Right);
+        const double before = fixture.cursor.at().x();
         QVERIFY(before - 400 > 15 * 2 * first);
-        desk.tap(Qt::Key_Right);
-        QCOMPARE(desk.hand.at().x() - before, first);
+        fixture.tap(Qt::Key_Right);
+        QCOMPARE(fixture.cursor.at().x() - before, first);
     }
 
     void twoKeysGoAslant()
     {
-        Desk desk;
-        desk.press(Qt::Key_Right);
-        desk.press(Qt::Key_Up);
-        QCOMPARE(desk.hand.at(), OrbitCamera::Pixel(410, 295));
-        desk.release(Qt::Key_Right);
-        desk.press(Qt::Key_Up, {}, true);
-        QCOMPARE(desk.hand.at().x(), 410.0);
+        Fixture fixture;
+        fixture.press(Qt::Key_Right);
+        fixture.press(Qt::Key_Up);
+        QCOMPARE(fixture.cursor.at(), OrbitCamera::Pixel(410, 295));
+        fixture.release(Qt::Key_Right);
+        fixture.press(Qt::Key_Up, {}, true);
+        QCOMPARE(fixture.cursor.at().x(), 410.0);
     }
 
     void spaceSculptsWhileItIsHeld()
     {
-        Desk desk;
-        desk.press(Qt::Key_Space);
-        QCOMPARE(desk.begun, 1);
-        QVERIFY(desk.hand.isDown() && desk.ended == 0);
-        const std::size_t before = desk.samples.size();
-        desk.press(Qt::Key_Space, {}, true); // the keyboard says it again
-        desk.tap(Qt::Key_Right);
-        QVERIFY(desk.samples.size() > before);
-        desk.release(Qt::Key_Space);
-        QVERIFY(!desk.hand.isDown());
-        QCOMPARE(desk.ended, 1);
-        QCOMPARE(desk.begun, 1);
+        Fixture fixture;
+        fixture.press(Qt::Key_Space);
+        QCOMPARE(fixture.begun, 1);
+        QVERIFY(fixture.cursor.isDown() && fixture.ended == 0);
+        const std::size_t before = fixture.samples.size();
+        fixture.press(Qt::Key_Space, {}, true); // the keyboard says it again
+        fixture.tap(Qt::Key_Right);
+        QVERIFY(fixture.samples.size() > before);
+        fixture.release(Qt::Key_Space);
+        QVERIFY(!fixture.cursor.isDown());
+        QCOMPARE(fixture.ended, 1);
+        QCOMPARE(fixture.begun, 1);
     }
 
     void returnHoldsUntilTheNextReturn()
     {
-        Desk desk;
-        desk.tap(Qt::Key_Return);
-        QVERIFY(desk.hand.isDown() && desk.begun == 1 && desk.ended == 0);
-        desk.tap(Qt::Key_Down);
-        desk.tap(Qt::Key_Return);
-        QVERIFY(!desk.hand.isDown());
-        QCOMPARE(desk.ended, 1);
+        Fixture fixture;
+        fixture.tap(Qt::Key_Return);
+        QVERIFY(fixture.cursor.isDown() && fixture.begun == 1 && fixture.ended == 0);
+        fixture.tap(Qt::Key_Down);
+        fixture.tap(Qt::Key_Return);
+        QVERIFY(!fixture.cursor.isDown());
+        QCOMPARE(fixture.ended, 1);
     }
 
     void keysThatInvertAndSmoothCount()
     {
-        Desk desk;
-        desk.tap(Qt::Key_Space, Qt::ControlModifier);
-        QCOMPARE(desk.settings.tool, core::Tool::Push);
-        desk.tap(Qt::Key_Space, Qt::ShiftModifier);
-        QCOMPARE(desk.settings.tool, core::Tool::Smooth);
-        desk.brush.setTurnedRound(true);
-        desk.tap(Qt::Key_Space);
-        QCOMPARE(desk.settings.tool, core::Tool::Push);
-        desk.tap(Qt::Key_Space, Qt::ControlModifier);
-        QCOMPARE(desk.settings.tool, core::Tool::Pull);
+        Fixture fixture;
+        fixture.tap(Qt::Key_Space, Qt::ControlModifier);
+        QCOMPARE(fixture.settings.tool, core::Tool::Push);
+        fixture.tap(Qt::Key_Space, Qt::ShiftModifier);
+        QCOMPARE(fixture.settings.tool, core::Tool::Smooth);
+        fixture.brush.setInverted(true);
+        fixture.tap(Qt::Key_Space);
+        QCOMPARE(fixture.settings.tool, core::Tool::Push);
+        fixture.tap(Qt::Key_Space, Qt::ControlModifier);
+        QCOMPARE(fixture.settings.tool, core::Tool::Pull);
     }
 
     void besideTheModelTheViewTurns()
     {
-        Desk desk(false);
-        const core::Vec3 before = desk.camera.viewDirection();
-        desk.press(Qt::Key_Space);
-        desk.tap(Qt::Key_Right);
-        desk.release(Qt::Key_Space);
-        QCOMPARE(desk.begun, 0);
-        QVERIFY(desk.camera.viewDirection() != before);
+        Fixture fixture(false);
+        const core::Vec3 before = fixture.camera.viewDirection();
+        fixture.press(Qt::Key_Space);
+        fixture.tap(Qt::Key_Right);
+        fixture.release(Qt::Key_Space);
+        QCOMPARE(fixture.begun, 0);
+        QVERIFY(fixture.camera.viewDirection() != before);
     }
 
     void offItLetsGo()
     {
-        Desk desk;
-        desk.press(Qt::Key_Return);
-        desk.hand.setOn(false);
-        QCOMPARE(desk.ended, 1);
-        QVERIFY(!desk.hand.press(QKeyEvent(QEvent::KeyPress, Qt::Key_Left, {})));
-        QVERIFY(!desk.input.hover());
+        Fixture fixture;
+        fixture.press(Qt::Key_Return);
+        fixture.cursor.setOn(false);
+        QCOMPARE(fixture.ended, 1);
+        QVERIFY(!fixture.cursor.press(QKeyEvent(QEvent::KeyPress, Qt::Key_Left, {})));
+        QVERIFY(!fixture.input.hover());
     }
 
     void otherKeysAreOthers()
     {
-        Desk desk;
-        QVERIFY(!desk.hand.press(QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, {})));
-        QVERIFY(!desk.hand.press(QKeyEvent(QEvent::KeyPress, Qt::Key_P, {})));
+        Fixture fixture;
+        QVERIFY(!fixture.cursor.press(QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, {})));
+        QVERIFY(!fixture.cursor.press(QKeyEvent(QEvent::KeyPress, Qt::Key_P, {})));
     }
 };
 
-QTEST_GUILESS_MAIN(TestKeyHand)
+QTEST_GUILESS_MAIN(TestKeyboardCursor)
 #include "tst_keyboard_cursor.moc"

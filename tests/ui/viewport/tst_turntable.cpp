@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-using ui::TurntableMotor;
+using ui::Turntable;
 
 class TestTurntable : public QObject
 {
@@ -14,8 +14,8 @@ class TestTurntable : public QObject
 private Q_SLOTS:
     void itTurnsWhileItIsOn()
     {
-        TurntableMotor turntable;
-        QSignalSpy turned(&turntable, &TurntableMotor::turned);
+        Turntable turntable;
+        QSignalSpy turned(&turntable, &Turntable::turned);
         turntable.setSpeed(90);
         for (const bool clockwise : {false, true}) {
             turntable.setClockwise(clockwise);
@@ -37,8 +37,8 @@ private Q_SLOTS:
     /// A window that stood still for a second does not throw the model round.
     void aStallIsNoJump()
     {
-        TurntableMotor turntable;
-        QSignalSpy turned(&turntable, &TurntableMotor::turned);
+        Turntable turntable;
+        QSignalSpy turned(&turntable, &Turntable::turned);
         turntable.setSpeed(90);
         turntable.setOn(true);
         QTest::qSleep(1000);
@@ -48,8 +48,8 @@ private Q_SLOTS:
 
     void whatItIsToldStaysSensible()
     {
-        TurntableMotor turntable;
-        QSignalSpy changed(&turntable, &TurntableMotor::changed);
+        Turntable turntable;
+        QSignalSpy changed(&turntable, &Turntable::changed);
         turntable.setSpeed(-5);
         QCOMPARE(turntable.speed(), ui::minTurn);
         turntable.setSpeed(1e9);

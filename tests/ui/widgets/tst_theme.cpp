@@ -17,7 +17,7 @@
 
 #include <cmath>
 
-using ui::SystemScheme;
+using ui::SystemColorScheme;
 using ui::ThemeChoice;
 
 namespace
@@ -249,10 +249,10 @@ private Q_SLOTS:
         QVERIFY2(!m_bus.address().isEmpty(), "dbus-daemon is not installed");
         QFETCH(QVariant, value);
         Portal portal(m_bus.address());
-        const SystemScheme system;
-        QTRY_COMPARE(system.scheme(), SystemScheme::Scheme::Dark);
+        const SystemColorScheme system;
+        QTRY_COMPARE(system.scheme(), SystemColorScheme::Scheme::Dark);
         portal.tell(value);
-        QTRY_COMPARE(system.scheme(), SystemScheme::Scheme::Unknown);
+        QTRY_COMPARE(system.scheme(), SystemColorScheme::Scheme::Unknown);
     }
 
 private:

@@ -39,7 +39,7 @@ using ui::MainWindow;
 
 namespace
 {
-ui::ModelFacts facts(const QString& name, double size)
+ui::ModelInfo modelInfo(const QString& name, double size)
 {
     const core::Vec3 half = core::Vec3::Constant(size / 2);
     return {name, 2562, 5120, 2 * half, core::Box(-half, half)};
@@ -74,14 +74,14 @@ private Q_SLOTS:
         QCOMPARE(sentence != nullptr, !canDraw);
         if (sentence)
             QCOMPARE(sentence->text(), ui::graphicsProblem());
-        window.setModel(facts(QStringLiteral("ball"), 100));
+        window.setModel(modelInfo(QStringLiteral("ball"), 100));
         window.grab();
     }
 
     void aModelIsNamedAndMeasured()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("lion.stl"), 80));
+        window.setModel(modelInfo(QStringLiteral("lion.stl"), 80));
         QVERIFY(window.windowTitle().startsWith(QStringLiteral("lion.stl[*]")));
         QCOMPARE(child<QLabel>(window, "facts.name")->text(), QStringLiteral("lion.stl"));
         QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(2562)));
@@ -90,9 +90,9 @@ private Q_SLOTS:
         window.setModified(true);
         QVERIFY(window.isWindowModified());
 
-        ui::ModelFacts more = facts(QStringLiteral("lion.stl"), 80);
+        ui::ModelInfo more = modelInfo(QStringLiteral("lion.stl"), 80);
         more.vertices = 3000;
-        window.updateFacts(more);
+        window.updateModelInfo(more);
         QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(3000)));
         QVERIFY(window.isWindowModified());
     }
@@ -109,7 +109,7 @@ private Q_SLOTS:
     void whatNeedsAFile_restsWithoutOne()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 80));
+        window.setModel(modelInfo(QStringLiteral("a"), 80));
         window.setBusy(QStringLiteral("Thinking"));
         for (const char* id : {"file.save", "file.saveCopy", "file.revert", "model.reset"})
             QVERIFY2(!act(window, id)->isEnabled(), id);
@@ -124,7 +124,7 @@ private Q_SLOTS:
     void recentFilesAreOfferedTheLatestFirst()
     {
         const auto open = [](MainWindow& window, const QString& path) {
-            ui::ModelFacts model = facts(QFileInfo(path).fileName(), 80);
+            ui::ModelInfo model = modelInfo(QFileInfo(path).fileName(), 80);
             model.path = path;
             window.setModel(model);
         };
@@ -151,9 +151,9 @@ private Q_SLOTS:
     void theRadiusFitsTheModel()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         QCOMPARE(window.strokeSettings().radius, 10.0);
-        window.setModel(facts(QStringLiteral("b"), 2));
+        window.setModel(modelInfo(QStringLiteral("b"), 2));
         QCOMPARE(window.strokeSettings().radius, 0.2);
         window.brush()->scaleRadius(1e9);
         QCOMPARE(window.strokeSettings().radius, 1.0);
@@ -162,7 +162,7 @@ private Q_SLOTS:
     void bracketsScaleTheRadius()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         act(window, "brush.smaller")->trigger();
         QCOMPARE(window.strokeSettings().radius, 9.0);
         act(window, "brush.larger")->trigger();
@@ -188,7 +188,7 @@ private Q_SLOTS:
         QFETCH(bool, isKey);
         QFETCH(bool, keeps);
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -233,7 +233,7 @@ private Q_SLOTS:
     {
         {
             MainWindow window;
-            window.setModel(facts(QStringLiteral("a"), 100));
+            window.setModel(modelInfo(QStringLiteral("a"), 100));
             const core::Vec3 eye = window.viewport()->camera().eye();
             child<QDoubleSpinBox>(window, "turnSpeed")->setValue(200);
             auto* direction = child<QComboBox>(window, "turnDirection");
@@ -259,7 +259,7 @@ private Q_SLOTS:
     {
         SKIP_WITHOUT_GRAPHICS();
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -294,7 +294,7 @@ private Q_SLOTS:
         }
         MainWindow window;
         QVERIFY(window.brush()->isSteady() && act(window, "brush.steady")->isChecked());
-        QCOMPARE(window.brush()->stringLength(), 77.0);
+        QCOMPARE(window.brush()->stabilizerLength(), 77.0);
         child<QCheckBox>(window, "steady")->click();
         QVERIFY(!window.brush()->isSteady() && !act(window, "brush.steady")->isChecked());
     }
@@ -302,7 +302,7 @@ private Q_SLOTS:
     void theBarAndTheBrushAreOne()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         auto* box = child<QDoubleSpinBox>(window, "radius.box");
         auto* slider = child<QSlider>(window, "radius.slider");
         QVERIFY(box && slider);
@@ -633,7 +633,7 @@ private Q_SLOTS:
     void theNumberPadTurnsTheView()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -664,7 +664,7 @@ private Q_SLOTS:
     void theNumberPadTypesNumbers()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -682,7 +682,7 @@ private Q_SLOTS:
     void theMenuTurnsTheView()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         const ui::OrbitCamera& camera = window.viewport()->camera();
         QList<core::Vec3> seen;
         for (const char* id : {"view.front", "view.back", "view.right", "view.left", "view.top", "view.bottom"}) {
@@ -701,30 +701,30 @@ private Q_SLOTS:
     /// By key and by menu; it is there again at the next start.
     void theLookIsChosenAndRemembered()
     {
-        ui::ViewLook look;
+        ui::ViewAppearance appearance;
         {
             MainWindow window;
             window.show();
             window.activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(&window));
-            look = window.viewport()->look();
-            QCOMPARE(look, ui::ViewLook());
+            appearance = window.viewport()->appearance();
+            QCOMPARE(appearance, ui::ViewAppearance());
             QTest::keyClick(&window, Qt::Key_W);
             QTest::keyClick(&window, Qt::Key_G);
-            look.wireframe = true;
-            look.ground = false;
-            QCOMPARE(window.viewport()->look(), look);
+            appearance.wireframe = true;
+            appearance.ground = false;
+            QCOMPARE(window.viewport()->appearance(), appearance);
             for (const auto& row : ui::materials) {
-                look.material = row.value;
+                appearance.material = row.value;
                 window.action(QStringLiteral("material.") + QLatin1StringView(row.key))->trigger();
-                QCOMPARE(window.viewport()->look(), look);
+                QCOMPARE(window.viewport()->appearance(), appearance);
             }
-            look.background = ui::Background::Sky;
+            appearance.background = ui::Background::Sky;
             window.action(QStringLiteral("background.sky"))->trigger();
-            QCOMPARE(window.viewport()->look(), look);
+            QCOMPARE(window.viewport()->appearance(), appearance);
         }
         const MainWindow again;
-        QCOMPARE(again.viewport()->look(), look);
+        QCOMPARE(again.viewport()->appearance(), appearance);
         QVERIFY(again.action(QStringLiteral("material.paint"))->isChecked());
         QVERIFY(!again.action(QStringLiteral("material.clay"))->isChecked());
         QVERIFY(again.action(QStringLiteral("view.wireframe"))->isChecked());
@@ -745,12 +745,12 @@ private Q_SLOTS:
             QTest::keyClick(dialog, Qt::Key_Escape);
             QTRY_VERIFY(!window.findChild<QDialog*>(QStringLiteral("preferences")));
         }
-        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Light, .hand = {}});
+        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Light, .input = {}});
         {
             const MainWindow light;
             QVERIFY(!isDark());
         }
-        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Dark, .hand = {}});
+        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Dark, .input = {}});
         const MainWindow dark;
         QVERIFY(isDark());
     }
@@ -796,9 +796,10 @@ private Q_SLOTS:
     {
         const auto isAsAtFirst = [](const MainWindow& window) {
             const QDockWidget* brushDock = child<QDockWidget>(window, "brushPanel");
-            return window.viewport()->look() == ui::ViewLook() && window.brush()->value(Parameter::Strength) == 1 &&
-                   window.brush()->value(Parameter::Radius) == 10 && !window.brush()->isSteady() &&
-                   !brushDock->isHidden() && act(window, "view.wireframe")->shortcut() == QKeySequence(Qt::Key_W) &&
+            return window.viewport()->appearance() == ui::ViewAppearance() &&
+                   window.brush()->value(Parameter::Strength) == 1 && window.brush()->value(Parameter::Radius) == 10 &&
+                   !window.brush()->isSteady() && !brushDock->isHidden() &&
+                   act(window, "view.wireframe")->shortcut() == QKeySequence(Qt::Key_W) &&
                    !act(window, "view.wireframe")->isChecked() && act(window, "material.clay")->isChecked() &&
                    child<QSpinBox>(window, "historyCap")->value() == ui::defaultHistoryMegabytes &&
                    child<QComboBox>(window, "preview.style")->currentIndex() == 0 &&
@@ -806,7 +807,7 @@ private Q_SLOTS:
         };
         {
             MainWindow window;
-            window.setModel(facts(QStringLiteral("a"), 100));
+            window.setModel(modelInfo(QStringLiteral("a"), 100));
             window.show();
             QVERIFY(isAsAtFirst(window));
             act(window, "material.wax")->trigger();
@@ -833,7 +834,7 @@ private Q_SLOTS:
             window.close();
         }
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         QVERIFY(isAsAtFirst(window));
     }
 
@@ -876,7 +877,7 @@ private Q_SLOTS:
         file.close();
         {
             MainWindow window;
-            window.setModel(facts(QStringLiteral("a"), 100));
+            window.setModel(modelInfo(QStringLiteral("a"), 100));
             window.show();
             QVERIFY(QTest::qWaitForWindowExposed(&window));
             QVERIFY(window.screen()->geometry().intersects(window.geometry()) && window.width() >= 200);
@@ -966,7 +967,7 @@ private Q_SLOTS:
     {
         QTemporaryDir folder;
         MainWindow window;
-        window.setModel(facts(QStringLiteral("cup.obj"), 10));
+        window.setModel(modelInfo(QStringLiteral("cup.obj"), 10));
         window.show();
         act(window, "file.exportAs")->trigger();
         auto* dialog = child<QFileDialog>(window, "exportDialog");
@@ -1105,9 +1106,9 @@ private Q_SLOTS:
         QAction* follow = act(window, "vr.follow");
         follow->trigger();
         QVERIFY(!follow->isChecked()); // nobody is there yet
-        ui::Wearer wearer;
-        wearer.head = Eigen::Isometry3d::Identity();
-        window.viewport()->showWearer(wearer);
+        ui::HeadsetAvatar avatar;
+        avatar.head = Eigen::Isometry3d::Identity();
+        window.viewport()->showAvatar(avatar);
         follow->trigger();
         QVERIFY(follow->isChecked() && window.viewport()->isFollowing());
         act(window, "view.frame")->trigger();
@@ -1122,7 +1123,7 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         bool may = false;
-        window.setMayClose([&may] { return may; });
+        window.setCanClose([&may] { return may; });
         QVERIFY(!window.close());
         QVERIFY(window.isVisible());
         may = true;
@@ -1136,14 +1137,14 @@ private Q_SLOTS:
         bool settled = false;
         int asked = 0;
         window.setIsSettled([&settled] { return settled; });
-        window.setMayClose([&asked] { return ++asked > 1; });
+        window.setCanClose([&asked] { return ++asked > 1; });
         QVERIFY(!window.close());
-        window.settle();
+        window.continueClosing();
         QCOMPARE(asked, 0);
         settled = true;
-        window.settle();
+        window.continueClosing();
         QCOMPARE(asked, 1);
-        window.settle(); // the person chose to stay
+        window.continueClosing(); // the person chose to stay
         QVERIFY(window.isVisible());
         QCOMPARE(asked, 1);
     }
@@ -1152,7 +1153,7 @@ private Q_SLOTS:
     {
         SKIP_WITHOUT_GRAPHICS();
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -1187,8 +1188,8 @@ private Q_SLOTS:
         QFETCH(double, typed);
         QFETCH(double, becomes);
         MainWindow window;
-        ui::ModelFacts model = facts(QStringLiteral("a"), 100);
-        model.leastDetail = core::edgeBounds(0.5, 1).detail;
+        ui::ModelInfo model = modelInfo(QStringLiteral("a"), 100);
+        model.minDetail = core::edgeBounds(0.5, 1).detail;
         window.setModel(model);
         window.show();
         window.activateWindow();
@@ -1210,7 +1211,7 @@ private Q_SLOTS:
     void whatIsNoNumberCannotBeTyped()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         auto* box = child<QDoubleSpinBox>(window, "radius.box");
         for (const char* text : {"nan", "inf", "1e400", "x"}) {
@@ -1224,7 +1225,7 @@ private Q_SLOTS:
     void bracketsSayWhereTheyEnd()
     {
         MainWindow window;
-        window.setModel(facts(QStringLiteral("a"), 100));
+        window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         const auto* banner = child<QLabel>(window, "banner");
         for (int i = 0; i < 15; ++i)
@@ -1241,21 +1242,21 @@ private Q_SLOTS:
         big.resize(big.screen()->availableSize() * 2);
         big.close(); // remembers it
         MainWindow window;
-        const QSize room = window.screen()->availableSize();
-        QVERIFY(window.width() <= room.width() && window.height() <= room.height());
+        const QSize available = window.screen()->availableSize();
+        QVERIFY(window.width() <= available.width() && window.height() <= available.height());
     }
 
     void theBrushIsRemembered()
     {
         {
             MainWindow window;
-            window.setModel(facts(QStringLiteral("a"), 100));
+            window.setModel(modelInfo(QStringLiteral("a"), 100));
             window.brush()->setValue(Parameter::Radius, 20);
             window.brush()->setValue(Parameter::Strength, 0.75);
             window.close();
         }
         MainWindow window;
-        window.setModel(facts(QStringLiteral("b"), 50));
+        window.setModel(modelInfo(QStringLiteral("b"), 50));
         QCOMPARE(window.strokeSettings().radius, 10.0);
         QCOMPARE(window.strokeSettings().strength, 0.75);
     }
