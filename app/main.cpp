@@ -155,16 +155,16 @@ std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
 int showWindow(const app::WindowStart& start)
 {
     std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
-    app::JournalShelf shelf;
+    app::RecoveryStore recoveryStore;
     app::SculptWorker worker;
     const auto inbox = std::make_shared<app::PatchInbox>();
     app::Document document(&worker);
     ui::MainWindow window;
-    app::wire(window, document, worker, inbox);
-    app::wireRecovery(window, document, shelf);
-    app::wireLessonKeeping(document, app::JournalShelf::usualRoot().parent_path() / "lessons");
+    app::connectAll(window, document, worker, inbox);
+    app::connectRecovery(window, document, recoveryStore);
+    app::connectLessonAutosave(document, app::RecoveryStore::defaultRoot().parent_path() / "lessons");
     if (simulator)
-        new app::SimulatorDesk(&window, std::move(simulator));
+        new app::SimulatorController(&window, std::move(simulator));
     window.show();
     if (start.entersVr)
         enterVrOnce(document, window);
@@ -182,7 +182,7 @@ int showWindow(const app::WindowStart& start)
 int showClass(QApplication& application, const app::WindowStart& start)
 {
     const ui::Classroom classroom = app::ClassFile::read(start.classFile);
-    const app::ClassPlaces places = app::ClassPlaces::of(start.classFile);
+    const app::ClassPaths paths = app::ClassPaths::of(start.classFile);
     QCoreApplication::setApplicationName(QStringLiteral("FettleClass"));
     QSettings().clear();
     if (classroom.language != ui::Language::System) {
@@ -190,17 +190,17 @@ int showClass(QApplication& application, const app::WindowStart& start)
         loadTranslations(application);
     }
     std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
-    app::JournalShelf shelf(places.journals);
+    app::RecoveryStore recoveryStore(paths.journals);
     app::SculptWorker worker;
     const auto inbox = std::make_shared<app::PatchInbox>();
     app::Document document(&worker);
     ui::MainWindow window;
-    app::wire(window, document, worker, inbox);
-    document.keepJournals(&shelf);
-    app::ClassroomMode mode({&window, &document, &shelf}, classroom, places);
-    app::wireClassroom(window, mode);
+    app::connectAll(window, document, worker, inbox);
+    document.keepJournals(&recoveryStore);
+    app::ClassroomMode mode({&window, &document, &recoveryStore}, classroom, paths);
+    app::connectClassroom(window, mode);
     if (simulator)
-        new app::SimulatorDesk(&window, std::move(simulator));
+        new app::SimulatorController(&window, std::move(simulator));
     if (classroom.fullScreen)
         window.showFullScreen();
     else
@@ -218,7 +218,7 @@ int runWindow(int argc, char* argv[])
         return app::BadInput;
     }
     app::surviveBrokenPipes();
-    if (hasWord(argc, argv, app::simulatorWord))
+    if (hasWord(argc, argv, app::simulatorOption))
         preferX11();
     ui::prepareGraphics();
     const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
@@ -250,11 +250,11 @@ int runWindow(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-    if (argc == 3 && qstrcmp(argv[1], app::foreignWord) == 0)
-        return app::importForeign(argv[2]);
+    if (argc == 3 && qstrcmp(argv[1], app::importWord) == 0)
+        return app::runImport(argv[2]);
     nameProgram();
     app::surviveFileSizeLimit();
-    app::installForeignReader();
+    app::installSandboxedImporter();
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>app::BrushKeeper</name>
+    <name>app::BrushExport</name>
     <message>
         <source>There is not enough memory to make a brush of this model.</source>
         <translation>Der Speicher reicht nicht, um aus diesem Modell einen Pinsel zu machen.</translation>
@@ -104,7 +104,7 @@
     </message>
 </context>
 <context>
-    <name>app::ClassArchive</name>
+    <name>app::WorkArchive</name>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
         <translation>%1: Der Arbeitsspeicher reicht nicht, um dieses Modell zu schreiben.</translation>
@@ -461,7 +461,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::HeadsetDesk</name>
+    <name>app::HeadsetController</name>
     <message>
         <source>%1 It can be mended at the window.</source>
         <translation>%1 Im Fenster lässt es sich reparieren.</translation>
@@ -525,14 +525,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::HeadsetInquiry</name>
+    <name>app::RuntimeProbe</name>
     <message>
         <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
         <translation>Das Programm der VR-Brille antwortet nicht. Falls es nicht gerade startet, bitte neu starten.</translation>
     </message>
 </context>
 <context>
-    <name>app::JournalShelf</name>
+    <name>app::RecoveryStore</name>
     <message>
         <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
         <translation>Das Programm wurde von außen beendet; die Änderungen an %1 sind aufbewahrt und werden beim nächsten Start angeboten.</translation>
@@ -662,7 +662,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::LessonDesk</name>
+    <name>app::LessonController</name>
     <message>
         <source>%1 (%2)</source>
         <comment>what is asked; what is</comment>
@@ -678,7 +678,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::LessonEditorDesk</name>
+    <name>app::LessonEditorController</name>
     <message>
         <source>This was taken back: a lesson cannot hold images and models from other files.</source>
         <translation>Das wurde zurückgenommen: Eine Lektion kann keine Bilder und Modelle aus anderen Dateien enthalten.</translation>
@@ -793,7 +793,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::LessonWords</name>
+    <name>app::LessonMessages</name>
     <message>
         <source>%1: %2</source>
         <comment>file: reason</comment>
@@ -1093,14 +1093,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::ModelTrial</name>
+    <name>app::ModelChangeJob</name>
     <message>
         <source>There is not enough memory for that; the model stays as it is.</source>
         <translation>Dafür reicht der Speicher nicht; das Modell bleibt, wie es ist.</translation>
     </message>
 </context>
 <context>
-    <name>app::ModelWords</name>
+    <name>app::CommandNames</name>
     <message>
         <source>Move</source>
         <comment>undo step</comment>
@@ -1401,7 +1401,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::ReportDesk</name>
+    <name>app::ReportController</name>
     <message>
         <source>The class report has to wait until this is done; ask for it again then.</source>
         <translation>Der Klassenbericht muss warten, bis dies fertig ist; fordern Sie ihn dann noch einmal an.</translation>
@@ -1420,7 +1420,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::ReportMaker</name>
+    <name>app::ReportWriter</name>
     <message>
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
@@ -1465,7 +1465,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::SlicerTrial</name>
+    <name>app::SlicerCheck</name>
     <message>
         <source>PrusaSlicer was stopped.</source>
         <translation>PrusaSlicer wurde angehalten.</translation>
@@ -1584,7 +1584,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::StrokeShapes</name>
+    <name>app::StrokeAssets</name>
     <message>
         <source>%1: %2: %3</source>
         <comment>file: place: reason</comment>
@@ -1596,7 +1596,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::StrokeWords</name>
+    <name>app::StrokeFileMessages</name>
     <message>
         <source>%1: %2</source>
         <comment>file: reason</comment>
@@ -1705,7 +1705,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::TimeLapseDesk</name>
+    <name>app::TimeLapseController</name>
     <message>
         <source>Drawing the time-lapse</source>
         <translation>Der Zeitraffer wird gezeichnet</translation>

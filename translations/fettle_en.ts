@@ -32,7 +32,7 @@
     </message>
 </context>
 <context>
-    <name>app::LessonEditorDesk</name>
+    <name>app::LessonEditorController</name>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>
@@ -52,7 +52,7 @@
     </message>
 </context>
 <context>
-    <name>app::TimeLapseDesk</name>
+    <name>app::TimeLapseController</name>
     <message numerus="yes">
         <source>%1: %Ln pictures were written.</source>
         <translation>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>app::BrushKeeper</name>
+    <name>app::BrushExport</name>
     <message>
         <source>There is not enough memory to make a brush of this model.</source>
         <translation>内存不足，无法把这个模型做成笔刷。</translation>
@@ -104,7 +104,7 @@
     </message>
 </context>
 <context>
-    <name>app::ClassArchive</name>
+    <name>app::WorkArchive</name>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
         <translation>%1：内存不足，无法写入此模型。</translation>
@@ -458,7 +458,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::HeadsetDesk</name>
+    <name>app::HeadsetController</name>
     <message>
         <source>%1 It can be mended at the window.</source>
         <translation>%1 可以在窗口中修复。</translation>
@@ -522,14 +522,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::HeadsetInquiry</name>
+    <name>app::RuntimeProbe</name>
     <message>
         <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
         <translation>头显的程序没有响应。如果它不是正在启动，请重新启动它。</translation>
     </message>
 </context>
 <context>
-    <name>app::JournalShelf</name>
+    <name>app::RecoveryStore</name>
     <message>
         <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
         <translation>程序被外部结束；对 %1 的更改已保留，下次启动时提供。</translation>
@@ -659,7 +659,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::LessonDesk</name>
+    <name>app::LessonController</name>
     <message>
         <source>%1 (%2)</source>
         <comment>what is asked; what is</comment>
@@ -675,7 +675,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::LessonEditorDesk</name>
+    <name>app::LessonEditorController</name>
     <message>
         <source>This was taken back: a lesson cannot hold images and models from other files.</source>
         <translation>已撤回：课程不能包含其他文件中的图片和模型。</translation>
@@ -789,7 +789,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::LessonWords</name>
+    <name>app::LessonMessages</name>
     <message>
         <source>%1: %2</source>
         <comment>file: reason</comment>
@@ -1089,14 +1089,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::ModelTrial</name>
+    <name>app::ModelChangeJob</name>
     <message>
         <source>There is not enough memory for that; the model stays as it is.</source>
         <translation>内存不足，无法完成；模型保持不变。</translation>
     </message>
 </context>
 <context>
-    <name>app::ModelWords</name>
+    <name>app::CommandNames</name>
     <message>
         <source>Move</source>
         <comment>undo step</comment>
@@ -1396,7 +1396,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::ReportDesk</name>
+    <name>app::ReportController</name>
     <message>
         <source>The class report has to wait until this is done; ask for it again then.</source>
         <translation>班级报告要等当前工作完成；请届时再次选择。</translation>
@@ -1415,7 +1415,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::ReportMaker</name>
+    <name>app::ReportWriter</name>
     <message>
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1：内存不足，无法载入此模型。</translation>
@@ -1460,7 +1460,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::SlicerTrial</name>
+    <name>app::SlicerCheck</name>
     <message>
         <source>PrusaSlicer was stopped.</source>
         <translation>PrusaSlicer 已停止。</translation>
@@ -1579,7 +1579,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::StrokeShapes</name>
+    <name>app::StrokeAssets</name>
     <message>
         <source>%1: %2: %3</source>
         <comment>file: place: reason</comment>
@@ -1591,7 +1591,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::StrokeWords</name>
+    <name>app::StrokeFileMessages</name>
     <message>
         <source>%1: %2</source>
         <comment>file: reason</comment>
@@ -1700,7 +1700,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::TimeLapseDesk</name>
+    <name>app::TimeLapseController</name>
     <message>
         <source>Drawing the time-lapse</source>
         <translation>正在画延时图片</translation>

@@ -104,8 +104,8 @@ public:
         for (const qsizetype i : choices("tools", toolWords()))
             read.tools << static_cast<core::Tool>(i);
         read.turnMinutes = minutes("turn_minutes", read.turnMinutes, ui::maxTurnMinutes);
-        const int most = read.turnMinutes;
-        read.warningMinutes = minutes("warning_minutes", std::min(read.warningMinutes, most), most);
+        const int max = read.turnMinutes;
+        read.warningMinutes = minutes("warning_minutes", std::min(read.warningMinutes, max), max);
         read.fullScreen = choice("full_screen", {QStringLiteral("yes"), QStringLiteral("no")}) == 0;
         read.language = ui::languages[static_cast<std::size_t>(choice("language", wordsOf(ui::languages)))].value;
         read.pin = text("pin");
@@ -131,7 +131,7 @@ private:
     }
 
     /// Empty if the key is not there.
-    QString take(const char* key)
+    QString takeValue(const char* key)
     {
         const Entry entry = m_entries.take(QLatin1StringView(key));
         m_line = entry.line;
@@ -140,7 +140,7 @@ private:
 
     QString text(const char* key)
     {
-        const QString value = take(key);
+        const QString value = takeValue(key);
         if (m_line == 0)
             fail(ClassFile::tr("%1: %2 is missing.").arg(QDir::toNativeSeparators(m_path), QLatin1StringView(key)));
         if (value.isEmpty())
@@ -148,15 +148,15 @@ private:
         return value;
     }
 
-    int minutes(const char* key, int otherwise, int most)
+    int minutes(const char* key, int otherwise, int max)
     {
-        const QString value = take(key);
+        const QString value = takeValue(key);
         bool isNumber = false;
         const int number = value.toInt(&isNumber);
         if (m_line == 0)
             return otherwise;
-        if (!isNumber || number < 0 || number > most)
-            failAt(key, ClassFile::tr("\"%1\" is no whole number from 0 to %2.").arg(value, QString::number(most)));
+        if (!isNumber || number < 0 || number > max)
+            failAt(key, ClassFile::tr("\"%1\" is no whole number from 0 to %2.").arg(value, QString::number(max)));
         return number;
     }
 
@@ -171,7 +171,7 @@ private:
     /// The first of the words if the key is not there.
     qsizetype choice(const char* key, const QStringList& words)
     {
-        const QString value = take(key);
+        const QString value = takeValue(key);
         return m_line == 0 ? 0 : indexOf(key, value, words);
     }
 

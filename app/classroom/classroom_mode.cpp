@@ -25,8 +25,8 @@ namespace app
 {
 namespace
 {
-constexpr int tickMs = 1000, deliverAgainMs = 60'000;
-constexpr qint64 msAMinute = 60'000;
+constexpr int tickMs = 1000, retryMs = 60'000;
+constexpr qint64 minuteMs = 60'000;
 constexpr int keyLength = 16; ///< digits that tell class files from each other
 
 /// As a part of a sentence.
@@ -36,14 +36,14 @@ QString nameOf(const ClassTurn& turn)
 }
 } // namespace
 
-ClassPlaces ClassPlaces::of(const QString& classFile)
+ClassPaths ClassPaths::of(const QString& classFile)
 {
     const QByteArray path = QFileInfo(classFile).canonicalFilePath().toUtf8();
     const QString key =
         QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(keyLength));
     const QString own = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
                         QStringLiteral("/fettle/classes/") + key;
-    return {JournalShelf::usualRoot().parent_path() / "class-journals" / key.toStdString(),
+    return {RecoveryStore::defaultRoot().parent_path() / "class-journals" / key.toStdString(),
             own + QStringLiteral("/waiting"), own + QStringLiteral("/turn.json")};
 }
 
@@ -57,20 +57,20 @@ qint64 ClassroomMode::monotonicMs()
     return clock.elapsed();
 }
 
-ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places,
+ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, ClassPaths paths,
                              std::function<qint64()> nowMs)
     : m_program(program)
     , m_classroom(std::move(classroom))
-    , m_places(std::move(places))
+    , m_paths(std::move(paths))
     , m_nowMs(std::move(nowMs))
     , m_bar(new ui::ClassBar(m_classroom.title, program.window))
     , m_panel(new ui::PupilNamePanel(m_classroom.starters, program.window->commands(), program.window->centralWidget()))
-    , m_gate(new ui::PinPrompt([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
-                               program.window))
+    , m_pinPrompt(new ui::PinPrompt([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
+                                    program.window))
 {
     program.window->setClassroom(m_classroom);
     program.window->installEventFilter(this);
-    m_deliverAgain.setSingleShot(true);
+    m_retryTimer.setSingleShot(true);
     connectAll();
 }
 
@@ -82,35 +82,35 @@ void ClassroomMode::connectAll()
     connect(m_bar, &ui::ClassBar::nextRequested, this, &ClassroomMode::next);
     connect(m_bar, &ui::ClassBar::resumeRequested, this, &ClassroomMode::resume);
     connect(m_bar, &ui::ClassBar::leaveRequested, this, &ClassroomMode::leave);
-    connect(m_panel, &ui::PupilNamePanel::begun, this, &ClassroomMode::prepare);
-    connect(m_program.shelf, &JournalShelf::offered, this, &ClassroomMode::takeOffer);
-    connect(document, &Document::stepped, this, &ClassroomMode::noteStep);
+    connect(m_panel, &ui::PupilNamePanel::begun, this, &ClassroomMode::prepareTurn);
+    connect(m_program.recoveryStore, &RecoveryStore::offered, this, &ClassroomMode::onRecoveryOffered);
+    connect(document, &Document::stepped, this, &ClassroomMode::onStep);
     connect(document, &Document::busy, m_bar, [this] { m_bar->setBusy(true); });
     connect(document, &Document::idle, m_bar, [this] { m_bar->setBusy(false); });
     connect(document, &Document::opened, this, [this] { m_isOpened = true; });
-    connect(document, &Document::opened, this, &ClassroomMode::goOn, Qt::QueuedConnection);
-    connect(document, &Document::idle, this, &ClassroomMode::lookWhetherOpened, Qt::QueuedConnection);
+    connect(document, &Document::opened, this, &ClassroomMode::proceed, Qt::QueuedConnection);
+    connect(document, &Document::idle, this, &ClassroomMode::checkOpened, Qt::QueuedConnection);
     connect(&m_clock, &QTimer::timeout, this, &ClassroomMode::tick);
-    connect(&m_deliverAgain, &QTimer::timeout, this, &ClassroomMode::deliver);
-    document->setMayDiscard([this](const std::function<void()>& goOn) {
-        keepThen(m_stage == Stage::Sculpting ? turnNow() : ClassTurn{newId(), {}, {}, 0}, goOn);
+    connect(&m_retryTimer, &QTimer::timeout, this, &ClassroomMode::deliver);
+    document->setDiscardPrompt([this](const std::function<void()>& proceed) {
+        saveThen(m_stage == Stage::Sculpting ? turnNow() : ClassTurn{newId(), {}, {}, 0}, proceed);
         return false;
     });
-    m_program.window->setGuard([this] { return mayClose(); });
+    m_program.window->setGuard([this] { return canClose(); });
 }
 
 void ClassroomMode::begin()
 {
     m_clock.start(tickMs);
-    m_aside.run([archive = archive()] { archive.sweep(); });
+    m_background.run([archive = archive()] { archive.removeUnfinished(); });
     deliver();
     show();
-    m_program.shelf->look();
+    m_program.recoveryStore->findAbandoned();
 }
 
-ClassArchive ClassroomMode::archive() const
+WorkArchive ClassroomMode::archive() const
 {
-    return {m_classroom.folder, m_places.waiting};
+    return {m_classroom.folder, m_paths.outbox};
 }
 
 QString ClassroomMode::newId()
@@ -120,39 +120,39 @@ QString ClassroomMode::newId()
 
 // --- what a program before left
 
-/// The first says what there is; the others come while the shelf's are taken.
-void ClassroomMode::takeOffer(const RecoveryOffer& offer)
+/// The first says what there is; the others come while the store's are taken.
+void ClassroomMode::onRecoveryOffered(const RecoveryOffer& offer)
 {
     m_offer = offer;
-    if (m_stage == Stage::Recovering && !std::exchange(m_hasLooked, true))
+    if (m_stage == Stage::Recovering && !std::exchange(m_hasStartedRecovery, true))
         recoverNext();
 }
 
 void ClassroomMode::recoverNext()
 {
     if (m_offer.id == 0)
-        return ask();
+        return askForPupil();
     const RecoveryOffer offer = m_offer;
     openThen([this, offer] { m_program.document->recover(offer.id, offer.name); },
-             [this, offer] { keepRecovered(offer); });
+             [this, offer] { saveRecovered(offer); });
 }
 
 /// Of one that was resumed what came before is not known any more.
-void ClassroomMode::keepRecovered(const RecoveryOffer& offer)
+void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 {
-    const auto note = readTurnNote(m_places.turnNote);
+    const auto note = readTurnNote(m_paths.turnNote);
     ClassTurn turn = note && note->pupil == offer.name ? *note : ClassTurn{newId(), offer.name, {}, 0};
     turn.ended = offer.changed;
     m_recordBefore.reset();
     if (note && note->pupil == offer.name && !note->isResumed)
         m_recordBefore.emplace();
-    keepThen(turn, [this] { recoverNext(); });
+    saveThen(turn, [this] { recoverNext(); });
 }
 
 // --- turns
 
-/// The next turn's clay is there at once; who works with it, and whether it is to be another, is asked over it.
-void ClassroomMode::ask()
+/// Opens the first starter model at once and asks for the pupil's name, and optionally another starter, in an overlay.
+void ClassroomMode::askForPupil()
 {
     m_stage = Stage::Asking;
     m_turn = {};
@@ -163,7 +163,7 @@ void ClassroomMode::ask()
     show();
 }
 
-void ClassroomMode::prepare(const QString& pupil, core::Starter starter)
+void ClassroomMode::prepareTurn(const QString& pupil, core::Starter starter)
 {
     if (m_stage != Stage::Asking)
         return;
@@ -182,7 +182,7 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
     m_startMs = m_nowMs();
     m_isWarned = m_isOver = false;
     m_recordBefore = before;
-    writeTurnNote(m_places.turnNote, turn);
+    writeTurnNote(m_paths.turnNote, turn);
     m_panel->close();
     show();
 }
@@ -190,7 +190,7 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
 void ClassroomMode::next()
 {
     if (m_stage == Stage::Sculpting)
-        keepThen(turnNow(), [this] { ask(); });
+        saveThen(turnNow(), [this] { askForPupil(); });
 }
 
 void ClassroomMode::resume()
@@ -203,7 +203,7 @@ void ClassroomMode::resume()
         LoadedModel model;
         for (int attempt = 0; attempt < 2 && !model.sculptor && !control.isCancelled();
              ++attempt) // between look and reading it may be delivered
-            model = ModelLoader::load(archive.whereIs(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {},
+            model = ModelLoader::load(archive.locate(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {},
                                       control);
         model.path.clear();
         model.name = ended.turn.pupil;
@@ -230,7 +230,7 @@ void ClassroomMode::openThen(const std::function<void()>& open, const std::funct
     open();
 }
 
-void ClassroomMode::goOn()
+void ClassroomMode::proceed()
 {
     m_isOpened = false;
     if (const auto then = std::exchange(m_then, nullptr))
@@ -238,13 +238,13 @@ void ClassroomMode::goOn()
 }
 
 /// What was to be opened could not be, which the window has said, or somebody stopped it: a class goes on all the same.
-void ClassroomMode::lookWhetherOpened()
+void ClassroomMode::checkOpened()
 {
     if (!m_isOpened && !m_program.document->isBusy() && std::exchange(m_then, nullptr))
-        ask();
+        askForPupil();
 }
 
-void ClassroomMode::noteStep()
+void ClassroomMode::onStep()
 {
     if (m_stage == Stage::Sculpting)
         m_ended.reset();
@@ -254,9 +254,9 @@ void ClassroomMode::noteStep()
 // --- keeping the work
 
 /// `then` only if it is safe; else the model stays open, and that is said.
-void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
+void ClassroomMode::saveThen(const ClassTurn& turn, std::function<void()> then)
 {
-    if (m_stage == Stage::Keeping)
+    if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->finish();
     const auto ended = std::make_shared<Ended>(Ended{turn, {}, {}});
@@ -264,34 +264,34 @@ void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
     const auto keep = [archive = archive(), turn, before = m_recordBefore, ended,
                        problem](const Document::Present& present) {
         const QDateTime end = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
-        ended->record = joined(before, present.deeds);
-        const KeptWork kept = archive.keep({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh,
-                                            present.hash, present.metadata, ended->record});
+        ended->record = joined(before, present.steps);
+        const ArchivedWork kept = archive.add({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh,
+                                               present.hash, present.metadata, ended->record});
         ended->folder = kept.folder;
         *problem = kept.problem;
         return kept.problem.isEmpty();
     };
     const auto done = [self = QPointer(this), ended, problem, then = std::move(then)](bool) {
         if (self)
-            self->takeKept(*ended, *problem, then);
+            self->onSaved(*ended, *problem, then);
     };
-    if (m_program.document->handOver(tr("Keeping the work of %1").arg(nameOf(turn)), keep, done))
-        m_before = std::exchange(m_stage, Stage::Keeping);
+    if (m_program.document->saveExternally(tr("Keeping the work of %1").arg(nameOf(turn)), keep, done))
+        m_before = std::exchange(m_stage, Stage::Saving);
     else
         refuseForNow();
 }
 
 void ClassroomMode::refuseForNow()
 {
-    m_mayLeave = false;
+    m_canLeave = false;
     Q_EMIT noticed(tr("Not yet: other work on the model is not done."));
 }
 
-void ClassroomMode::takeKept(const Ended& ended, const QString& problem, const std::function<void()>& then)
+void ClassroomMode::onSaved(const Ended& ended, const QString& problem, const std::function<void()>& then)
 {
     m_stage = m_before;
     if (!problem.isEmpty()) {
-        m_mayLeave = false;
+        m_canLeave = false;
         return m_program.window->showProblem(
             tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(problem, nameOf(ended.turn)));
     }
@@ -303,41 +303,41 @@ void ClassroomMode::takeKept(const Ended& ended, const QString& problem, const s
 
 void ClassroomMode::deliver()
 {
-    m_aside.run(
+    m_background.run(
         [archive = archive()] { return archive.deliver(); },
         [this](const Delivery& delivery) {
             if (m_ended)
                 m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
             m_bar->setUndelivered(
-                delivery.waiting,
-                tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_places.waiting)));
-            const bool isNews = std::exchange(m_waiting, delivery.waiting) != delivery.waiting;
-            if (delivery.waiting == 0)
+                delivery.undelivered,
+                tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_paths.outbox)));
+            const bool hasChanged = std::exchange(m_undelivered, delivery.undelivered) != delivery.undelivered;
+            if (delivery.undelivered == 0)
                 return;
-            if (isNews)
+            if (hasChanged)
                 Q_EMIT noticed(tr("%1 The work is kept on this computer and goes there as soon as that is possible.")
                                    .arg(delivery.problem));
-            m_deliverAgain.start(deliverAgainMs);
+            m_retryTimer.start(retryMs);
         });
 }
 
 // --- the way out
 
-bool ClassroomMode::mayClose()
+bool ClassroomMode::canClose()
 {
-    if (!m_mayLeave)
+    if (!m_canLeave)
         leave();
-    return m_mayLeave;
+    return m_canLeave;
 }
 
 void ClassroomMode::leave()
 {
-    m_gate->ask(tr("This ends the class. The work of the present turn is kept."), [this] {
-        m_mayLeave = true;
+    m_pinPrompt->ask(tr("This ends the class. The work of the present turn is kept."), [this] {
+        m_canLeave = true;
         if (m_stage != Stage::Sculpting)
             m_program.window->close();
         else
-            keepThen(turnNow(), [this] {
+            saveThen(turnNow(), [this] {
                 m_stage = Stage::Asking;
                 m_program.window->close();
             });
@@ -356,9 +356,9 @@ bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
 
 // --- the clock
 
-qint64 ClassroomMode::leftMs() const
+qint64 ClassroomMode::remainingMs() const
 {
-    return std::max<qint64>(m_classroom.turnMinutes * msAMinute - turnNow().usedMs, 0);
+    return std::max<qint64>(m_classroom.turnMinutes * minuteMs - turnNow().usedMs, 0);
 }
 
 ClassTurn ClassroomMode::turnNow() const
@@ -371,13 +371,13 @@ ClassTurn ClassroomMode::turnNow() const
 void ClassroomMode::tick()
 {
     if (m_stage == Stage::Sculpting && m_classroom.turnMinutes > 0) {
-        const qint64 left = leftMs();
+        const qint64 left = remainingMs();
         if (left == 0 && !std::exchange(m_isOver, true)) {
             m_isWarned = true;
             Q_EMIT noticed(tr("The time is up. Finish what you are doing; then it is the next one's turn."));
-        } else if (left <= m_classroom.warningMinutes * msAMinute && !std::exchange(m_isWarned, true)) {
+        } else if (left <= m_classroom.warningMinutes * minuteMs && !std::exchange(m_isWarned, true)) {
             Q_EMIT noticed(tr("%n minutes are left: come to an end soon.", nullptr,
-                              static_cast<int>((left + msAMinute - 1) / msAMinute)));
+                              static_cast<int>((left + minuteMs - 1) / minuteMs)));
         }
     }
     show();
@@ -385,11 +385,11 @@ void ClassroomMode::tick()
 
 void ClassroomMode::show()
 {
-    const bool isTurn = m_stage == Stage::Sculpting || (m_stage == Stage::Keeping && m_before == Stage::Sculpting);
+    const bool isTurn = m_stage == Stage::Sculpting || (m_stage == Stage::Saving && m_before == Stage::Sculpting);
     m_bar->setPupil(isTurn ? std::optional(m_turn.pupil) : std::nullopt);
     m_bar->setResumable(m_ended && m_stage != Stage::Recovering ? std::optional(nameOf(m_ended->turn)) : std::nullopt);
     const bool hasEnd = isTurn && m_classroom.turnMinutes > 0;
-    m_bar->setTime(hasEnd ? std::optional(ui::TurnTime{static_cast<int>((leftMs() + 999) / 1000), m_isWarned})
+    m_bar->setTime(hasEnd ? std::optional(ui::TurnTime{static_cast<int>((remainingMs() + 999) / 1000), m_isWarned})
                           : std::nullopt);
 }
 } // namespace app

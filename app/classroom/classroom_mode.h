@@ -24,17 +24,17 @@ namespace app
 {
 class Document;
 
-/// Where this computer keeps what is a class's, until it is in the class's folder. A class is known by its file.
-struct ClassPlaces
+/// Where this computer keeps a class's files until they are in the class's folder. A class is known by its file.
+struct ClassPaths
 {
     std::filesystem::path journals;
-    QString waiting;
+    QString outbox;
     QString turnNote;
 
-    static ClassPlaces of(const QString& classFile);
+    static ClassPaths of(const QString& classFile);
 };
 
-/// A class in the window: turn after turn, each kept before the next begins. Gui thread.
+/// A class in the window: turn after turn, each saved before the next begins. Gui thread.
 ///
 /// A turn's work is in its journal, which is the class's own, until it is in the archive; what a program that ended
 /// otherwise left there is archived before the first turn.
@@ -47,12 +47,12 @@ public:
     {
         ui::MainWindow* window;
         Document* document;
-        JournalShelf* shelf; ///< of ClassPlaces::journals
+        RecoveryStore* recoveryStore; ///< of ClassPaths::journals
     };
 
     /// None is owned, and all outlive the mode but the window, which may be just going. Of `nowMs` only differences
     /// count.
-    ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places,
+    ClassroomMode(const Program& program, ui::Classroom classroom, ClassPaths paths,
                   std::function<qint64()> nowMs = monotonicMs);
     ~ClassroomMode() override;
 
@@ -71,7 +71,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class Stage { Recovering, Asking, Sculpting, Keeping };
+    enum class Stage { Recovering, Asking, Sculpting, Saving };
     struct Ended
     {
         ClassTurn turn;
@@ -80,51 +80,51 @@ private:
     };
 
     void connectAll();
-    ClassArchive archive() const;
-    void takeOffer(const RecoveryOffer& offer);
+    WorkArchive archive() const;
+    void onRecoveryOffered(const RecoveryOffer& offer);
     void recoverNext();
-    void keepRecovered(const RecoveryOffer& offer);
-    void ask();
-    void prepare(const QString& pupil, core::Starter starter);
+    void saveRecovered(const RecoveryOffer& offer);
+    void askForPupil();
+    void prepareTurn(const QString& pupil, core::Starter starter);
     void startTurn(const ClassTurn& turn, const TurnRecord& before);
     void next();
     void resume();
     void openThen(const std::function<void()>& open, const std::function<void()>& then);
-    void goOn();
-    void lookWhetherOpened();
-    bool mayClose();
+    void proceed();
+    void checkOpened();
+    bool canClose();
     void leave();
-    void keepThen(const ClassTurn& turn, std::function<void()> then);
+    void saveThen(const ClassTurn& turn, std::function<void()> then);
     void refuseForNow();
-    void takeKept(const Ended& ended, const QString& problem, const std::function<void()>& then);
-    void noteStep();
+    void onSaved(const Ended& ended, const QString& problem, const std::function<void()>& then);
+    void onStep();
     void deliver();
     void show();
-    qint64 leftMs() const;
+    qint64 remainingMs() const;
     ClassTurn turnNow() const;
     static QString newId();
 
     Program m_program;
     ui::Classroom m_classroom;
-    ClassPlaces m_places;
+    ClassPaths m_paths;
     std::function<qint64()> m_nowMs;
     ui::ClassBar* m_bar;
     ui::PupilNamePanel* m_panel;
-    ui::PinPrompt* m_gate;
+    ui::PinPrompt* m_pinPrompt;
     Stage m_stage = Stage::Recovering;
-    Stage m_before = Stage::Recovering; ///< of Keeping
+    Stage m_before = Stage::Recovering; ///< of Saving
     RecoveryOffer m_offer;
-    bool m_hasLooked = false; ///< for what was left
-    ClassTurn m_turn;         ///< of Sculpting; else nobody's
+    bool m_hasStartedRecovery = false; ///< for works that an earlier run left
+    ClassTurn m_turn;                  ///< of Sculpting; else nobody's
     qint64 m_startMs = 0;
     bool m_isWarned = false, m_isOver = false;
-    bool m_mayLeave = false;
+    bool m_canLeave = false;
     TurnRecord m_recordBefore;    ///< of what was done before the document's history begins
     std::optional<Ended> m_ended; ///< the turn before, while it can be resumed
     std::function<void()> m_then; ///< when the model is there that is being opened
     bool m_isOpened = false;      ///< it is there, and that goes on next
-    int m_waiting = 0;            ///< works that could not be delivered
-    QTimer m_clock, m_deliverAgain;
-    ui::BackgroundThread m_aside; ///< last
+    int m_undelivered = 0;        ///< works that could not be delivered
+    QTimer m_clock, m_retryTimer;
+    ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

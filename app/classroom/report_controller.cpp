@@ -16,10 +16,10 @@ namespace app
 {
 namespace
 {
-ReportOutcome outcomeOf(const ReportOrder& order, const core::JobControl& control)
+ReportOutcome outcomeOf(const ReportRequest& request, const core::JobControl& control)
 {
     try {
-        ReportMaker::run(order, control);
+        ReportWriter::run(request, control);
         return {{}, true};
     } catch (const core::FileError& error) {
         return {ui::ErrorMessages::sentence(error), false};
@@ -29,27 +29,29 @@ ReportOutcome outcomeOf(const ReportOrder& order, const core::JobControl& contro
 }
 } // namespace
 
-ReportDesk::ReportDesk(LongWork* work, QObject* parent) : QObject(parent), m_work(work) {}
+ReportController::ReportController(BackgroundJob* job, QObject* parent) : QObject(parent), m_job(job) {}
 
-void ReportDesk::write(const QString& folder, const QString& path)
+void ReportController::write(const QString& folder, const QString& path)
 {
     if (!ui::reportEndings().contains(QFileInfo(path).suffix().toLower()))
         return Q_EMIT refused(ui::ErrorMessages::notAReport(path));
-    if (m_work->isBusy()) // it began while the dialogs were open
+    if (m_job->isBusy()) // it began while the dialogs were open
         return Q_EMIT noticed(tr("The class report has to wait until this is done; ask for it again then."));
     const core::JobControl control =
-        m_work->beginStoppable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));
-    auto work = [order = ReportOrder{toPath(folder), toPath(path)}, control] { return outcomeOf(order, control); };
-    m_work->run(work, [self = QPointer(this), path](const ReportOutcome& outcome) {
+        m_job->beginCancellable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));
+    auto work = [request = ReportRequest{toPath(folder), toPath(path)}, control] {
+        return outcomeOf(request, control);
+    };
+    m_job->run(work, [self = QPointer(this), path](const ReportOutcome& outcome) {
         if (self)
             self->finish(path, outcome);
     });
 }
 
-void ReportDesk::finish(const QString& path, const ReportOutcome& outcome)
+void ReportController::finish(const QString& path, const ReportOutcome& outcome)
 {
-    m_work->keep();
-    m_work->end();
+    m_job->commit();
+    m_job->end();
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
     Q_EMIT noticed(

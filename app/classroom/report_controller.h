@@ -5,26 +5,27 @@
 
 namespace app
 {
-class LongWork;
+class BackgroundJob;
 
-/// What became of a report: neither if it was stopped.
+/// The outcome of a report; neither if it was cancelled.
 struct ReportOutcome
 {
     QString problem; ///< one sentence
     bool isWritten = false;
 };
 
-/// Class reports at the window, aside as its long work. Gui thread.
-class ReportDesk : public QObject
+/// Writes class reports for the window, as the document's background job. Thread: gui.
+class ReportController : public QObject
 {
     Q_OBJECT
 
 public:
     /// Not owned: it must outlive this.
-    explicit ReportDesk(LongWork* work, QObject* parent = nullptr);
+    explicit ReportController(BackgroundJob* job, QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// Of the models in `folder`, to `path`, whose ending says the format. Who stops it has no file.
+    /// Writes a report on the models in `folder` to `path`, whose ending gives the format. If it is cancelled, there is
+    /// no file.
     void write(const QString& folder, const QString& path);
 
 Q_SIGNALS:
@@ -34,6 +35,6 @@ Q_SIGNALS:
 private:
     void finish(const QString& path, const ReportOutcome& outcome);
 
-    LongWork* m_work;
+    BackgroundJob* m_job;
 };
 } // namespace app

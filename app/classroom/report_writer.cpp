@@ -24,13 +24,13 @@ QString folderName(const std::filesystem::path& folder)
 }
 } // namespace
 
-void ReportMaker::run(const ReportOrder& order, const core::JobControl& control)
+void ReportWriter::run(const ReportRequest& request, const core::JobControl& control)
 {
-    core::AtomicFile file(order.file); // where nothing can be written, nothing is looked at
-    const QList<std::filesystem::path> models = ui::modelsIn(order.folder);
-    ui::ClassReport report{folderName(order.folder), QDate::currentDate(), {}};
+    core::AtomicFile file(request.file); // where nothing can be written, nothing is looked at
+    const QList<std::filesystem::path> models = ui::modelsIn(request.folder);
+    ui::ClassReport report{folderName(request.folder), QDate::currentDate(), {}};
     for (const std::filesystem::path& model : models) {
-        report.rows << rowOf(model, order.unit, control);
+        report.rows << rowOf(model, request.unit, control);
         control.reportProgress(static_cast<double>(report.rows.size()) / static_cast<double>(models.size()));
     }
     ui::writeReport(file, report);
@@ -40,11 +40,11 @@ void ReportMaker::run(const ReportOrder& order, const core::JobControl& control)
 }
 
 /// In its sentence a file is called by its name alone: that is what the row is called, too.
-ui::ReportRow ReportMaker::rowOf(const std::filesystem::path& file, double unit, const core::JobControl& control)
+ui::ReportRow ReportWriter::rowOf(const std::filesystem::path& file, double unit, const core::JobControl& control)
 {
     ui::ReportRow row{file, {}, {}, {}, {}};
     try {
-        lookAt(row, unit, control);
+        examine(row, unit, control);
     } catch (core::FileError& error) {
         error.path = error.path.filename();
         row.problem = ui::ErrorMessages::sentence(error);
@@ -55,7 +55,7 @@ ui::ReportRow ReportMaker::rowOf(const std::filesystem::path& file, double unit,
     return row;
 }
 
-void ReportMaker::lookAt(ui::ReportRow& row, double unit, const core::JobControl& control)
+void ReportWriter::examine(ui::ReportRow& row, double unit, const core::JobControl& control)
 {
     core::TriangleMesh mesh = core::readMesh(row.file, {.stop = control.stop});
     if (unit != 1 && !core::scaleMesh(mesh, unit)) {

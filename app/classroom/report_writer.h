@@ -7,7 +7,7 @@
 
 namespace app
 {
-struct ReportOrder
+struct ReportRequest
 {
     std::filesystem::path folder;
     std::filesystem::path file; ///< its ending is one of ui::reportEndings()
@@ -16,17 +16,17 @@ struct ReportOrder
 
 /// Looks at every model of a folder and writes the class report. Any thread; as long as `check` takes, and a picture
 /// for each. Needs a QGuiApplication, whose fonts a PDF uses.
-class ReportMaker
+class ReportWriter
 {
-    Q_DECLARE_TR_FUNCTIONS(app::ReportMaker)
+    Q_DECLARE_TR_FUNCTIONS(app::ReportWriter)
 
 public:
     /// A model that cannot be read has its row, too. Throws core::FileError if the folder cannot be read or the report
     /// not be written, and core::ReadingCancelled if it was stopped: then nothing is written.
-    static void run(const ReportOrder& order, const core::JobControl& control = {});
+    static void run(const ReportRequest& request, const core::JobControl& control = {});
 
 private:
     static ui::ReportRow rowOf(const std::filesystem::path& file, double unit, const core::JobControl& control);
-    static void lookAt(ui::ReportRow& row, double unit, const core::JobControl& control);
+    static void examine(ui::ReportRow& row, double unit, const core::JobControl& control);
 };
 } // namespace app

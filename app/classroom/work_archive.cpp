@@ -25,9 +25,9 @@ namespace app
 {
 namespace
 {
-constexpr int pictureSize = 512;   ///< pixels a side
-constexpr int mostNameLength = 40; ///< characters of a nickname in a folder's name
-constexpr int mostNumber = 10'000;
+constexpr int pictureSize = 512;  ///< pixels a side
+constexpr int maxNameLength = 40; ///< characters of a nickname in a folder's name
+constexpr int maxNumber = 10'000;
 constexpr int staleHours = 24;
 const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json");
@@ -120,9 +120,9 @@ public:
     const QString& path() const { return m_path; }
 
     /// This one, or with the first free number behind it.
-    QString giveName(const QString& name)
+    QString renameTo(const QString& name)
     {
-        for (int number = 1; number < mostNumber; ++number) {
+        for (int number = 1; number < maxNumber; ++number) {
             const QString path = m_root + u'/' + numbered(name, number);
             if (!QFileInfo::exists(path) && core::renameFolder(toPath(m_path), toPath(path))) {
                 m_path.clear();
@@ -147,28 +147,28 @@ template <class Fill> QString makeFolder(const QString& root, const QString& nam
     try {
         HiddenFolder folder(root);
         fill(folder.path());
-        return folder.giveName(name);
+        return folder.renameTo(name);
     } catch (core::FileError& error) {
         error.path = toPath(root + u'/' + name);
         throw;
     }
 }
 
-KeptWork keepIn(const QString& root, const QString& name, const TurnWork& work)
+ArchivedWork addTo(const QString& root, const QString& name, const TurnWork& work)
 {
     try {
         return {makeFolder(root, name, [&work](const QString& folder) { writeWork(folder, work); }), {}};
     } catch (const core::FileError& error) {
         return {{}, ui::ErrorMessages::sentence(error)};
     } catch (const std::bad_alloc&) {
-        return {{}, ClassArchive::tr("%1: there is not enough memory to write this model.").arg(root)};
+        return {{}, WorkArchive::tr("%1: there is not enough memory to write this model.").arg(root)};
     }
 }
 
 /// Where the work of that turn is, by what its turn.json holds, under whatever number; empty: nowhere.
-template <class IsTurn> QString placeOf(const QString& root, const QString& name, IsTurn isTurn)
+template <class IsTurn> QString findWork(const QString& root, const QString& name, IsTurn isTurn)
 {
-    for (int number = 1; number < mostNumber; ++number) {
+    for (int number = 1; number < maxNumber; ++number) {
         const QString folder = root + u'/' + HiddenFolder::numbered(name, number);
         if (!QFileInfo::exists(folder))
             break;
@@ -187,31 +187,31 @@ void removeWork(const QString& root, const QString& name)
         QDir(hidden).removeRecursively();
 }
 
-QString deliverOne(const QString& waiting, const QString& classFolder, const QString& name)
+QString deliverOne(const QString& outbox, const QString& classFolder, const QString& name)
 {
-    const QString from = waiting + u'/' + name;
-    QString to = placeOf(classFolder, name,
-                         [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
+    const QString from = outbox + u'/' + name;
+    QString to = findWork(classFolder, name,
+                          [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
     if (to.isEmpty())
         to = makeFolder(classFolder, name, [&from](const QString& folder) { copyWork(from, folder); });
-    removeWork(waiting, name);
+    removeWork(outbox, name);
     return to;
 }
 
-bool isSign(char32_t c)
+bool isAllowedInName(char32_t c)
 {
     return QChar::isLetterOrNumber(c) || QChar::isMark(c) || QChar::category(c) == QChar::Symbol_Other || c == U'-' ||
            c == U'_';
 }
 } // namespace
 
-QString ClassArchive::folderName(const QDateTime& begun, const QString& pupil)
+QString WorkArchive::folderName(const QDateTime& begun, const QString& pupil)
 {
     QString name;
     int length = 0;
     for (const char32_t c : pupil.normalized(QString::NormalizationForm_C).simplified().toUcs4()) {
         const char32_t sign = c == U' ' ? U'-' : c;
-        if (isSign(sign) && length++ < mostNameLength)
+        if (isAllowedInName(sign) && length++ < maxNameLength)
             name += QString::fromUcs4(&sign, 1);
     }
     if (name.isEmpty())
@@ -219,25 +219,25 @@ QString ClassArchive::folderName(const QDateTime& begun, const QString& pupil)
     return begun.toString(QStringLiteral("yyyy-MM-dd-HHmm-")) + name;
 }
 
-KeptWork ClassArchive::keep(const TurnWork& work) const
+ArchivedWork WorkArchive::add(const TurnWork& work) const
 {
     const QString name = folderName(work.begun.isValid() ? work.begun : work.ended, work.pupil);
-    QDir().mkpath(m_waiting);
-    const KeptWork here = keepIn(m_waiting, name, work);
+    QDir().mkpath(m_outbox);
+    const ArchivedWork here = addTo(m_outbox, name, work);
     if (here.problem.isEmpty())
         return here;
-    const KeptWork there = keepIn(m_classFolder, name, work);
+    const ArchivedWork there = addTo(m_classFolder, name, work);
     return there.problem.isEmpty() ? there : here;
 }
 
-Delivery ClassArchive::deliver() const
+Delivery WorkArchive::deliver() const
 {
     Delivery delivery;
-    for (const QString& name : QDir(m_waiting).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+    for (const QString& name : QDir(m_outbox).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
         try {
-            delivery.moved.insert(m_waiting + u'/' + name, deliverOne(m_waiting, m_classFolder, name));
+            delivery.moved.insert(m_outbox + u'/' + name, deliverOne(m_outbox, m_classFolder, name));
         } catch (const core::FileError& error) {
-            ++delivery.waiting;
+            ++delivery.undelivered;
             if (delivery.problem.isEmpty())
                 delivery.problem = ui::ErrorMessages::sentence(error);
         }
@@ -245,24 +245,24 @@ Delivery ClassArchive::deliver() const
     return delivery;
 }
 
-QString ClassArchive::whereIs(const QString& folder, const QString& id) const
+QString WorkArchive::locate(const QString& folder, const QString& id) const
 {
     if (QFileInfo::exists(folder))
         return folder;
     const auto isTurn = [&id](const QByteArray& turn) {
         return QJsonDocument::fromJson(turn).object().value(turnIdKey).toString() == id;
     };
-    const QString delivered = placeOf(m_classFolder, QFileInfo(folder).fileName(), isTurn);
+    const QString delivered = findWork(m_classFolder, QFileInfo(folder).fileName(), isTurn);
     return delivered.isEmpty() ? folder : delivered;
 }
 
-void ClassArchive::sweep() const
+void WorkArchive::removeUnfinished() const
 {
     const QDateTime stale = QDateTime::currentDateTime().addSecs(-3600 * staleHours);
-    for (const QString& root : {m_waiting, m_classFolder})
+    for (const QString& root : {m_outbox, m_classFolder})
         for (const QFileInfo& part :
              QDir(root).entryInfoList({unfinished + u'*'}, QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot))
-            if (root == m_waiting || part.lastModified() < stale)
+            if (root == m_outbox || part.lastModified() < stale)
                 QDir(part.filePath()).removeRecursively();
 }
 } // namespace app

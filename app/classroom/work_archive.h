@@ -28,8 +28,8 @@ struct TurnWork
     TurnRecord record; ///< step by step, without what was undone
 };
 
-/// Where a turn's work went.
-struct KeptWork
+/// Where a turn's work was archived.
+struct ArchivedWork
 {
     QString folder;  ///< empty: nowhere
     QString problem; ///< then: one sentence
@@ -38,7 +38,7 @@ struct KeptWork
 struct Delivery
 {
     QHash<QString, QString> moved; ///< folders: where they were, and where they are
-    int waiting = 0;               ///< that could not be moved
+    int undelivered = 0;           ///< that could not be moved
     QString problem;               ///< then: one sentence about the first
 };
 
@@ -46,36 +46,37 @@ struct Delivery
 /// and turn.json. A folder is there whole or not at all, after a power cut too. A work is kept on this computer first,
 /// which is quick, and from there goes to the class's folder, which may be far away, full or gone. Any thread; never
 /// throws.
-class ClassArchive
+class WorkArchive
 {
-    Q_DECLARE_TR_FUNCTIONS(app::ClassArchive)
+    Q_DECLARE_TR_FUNCTIONS(app::WorkArchive)
 
 public:
-    /// Local paths. `waiting` is made if it is missing; `classFolder` is not: it may be a share that is not mounted
+    /// Local paths. `outbox` is made if it is missing; `classFolder` is not: it may be a share that is not mounted
     /// just now.
-    ClassArchive(QString classFolder, QString waiting)
+    WorkArchive(QString classFolder, QString outbox)
         : m_classFolder(std::move(classFolder))
-        , m_waiting(std::move(waiting))
+        , m_outbox(std::move(outbox))
     {}
 
-    /// In the waiting folder, else, if that has no room, in the class's own.
-    KeptWork keep(const TurnWork& work) const;
-    /// All that waits goes to the class's folder; what cannot stays. A work that is there already is not doubled.
+    /// Adds the work to the outbox or, if that has no room, to the class's folder.
+    ArchivedWork add(const TurnWork& work) const;
+    /// Moves all works from the outbox to the class's folder; those that cannot be moved stay. A work that is there
+    /// already is not added twice.
     Delivery deliver() const;
-    /// Parts of works that a power cut left: in the waiting folder all, in the class's, where others may be writing,
-    /// those of another day.
-    void sweep() const;
+    /// Removes parts of works that a power cut left: all of them in the outbox; in the class's folder, where others may
+    /// be writing, those older than a day.
+    void removeUnfinished() const;
 
     /// Of the turn with that id, whose work was kept in that folder: where it is now, since it may have been delivered.
-    QString whereIs(const QString& folder, const QString& id) const;
+    QString locate(const QString& folder, const QString& id) const;
 
-    const QString& waiting() const { return m_waiting; }
+    const QString& outbox() const { return m_outbox; }
 
     /// "2026-11-24-1015-Anna": letters, digits and signs of the nickname, nothing that means something to a file
     /// system.
     static QString folderName(const QDateTime& begun, const QString& pupil);
 
 private:
-    QString m_classFolder, m_waiting;
+    QString m_classFolder, m_outbox;
 };
 } // namespace app

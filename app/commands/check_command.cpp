@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double minLength = 1e-6; ///< mm, of what is typed
 
-class CheckWords
+class CheckMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::CheckCommand)
 };
@@ -179,7 +179,7 @@ QString page(const QString& file, const Json& json, const core::MeshReport& repo
     QString text;
     for (const auto& [key, value] : json.items())
         text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(word(value));
-    text += report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file)
+    text += report.printReady() ? CheckMessages::tr("%1 is in fine fettle.").arg(file)
                                 : ui::ErrorMessages::refusal(file, report);
     if (report.volume)
         if (const QString doubt = ui::ErrorMessages::unitDoubt(*report.volume); !doubt.isEmpty())
@@ -194,12 +194,12 @@ QString rowOf(const CheckOptions& options, const QStringList& fields)
 
 QStringList tableHead(const CheckOptions& options)
 {
-    QStringList head = {CheckWords::tr("file"), CheckWords::tr("faces"), CheckWords::tr("size, mm"),
-                        CheckWords::tr("print-ready")};
+    QStringList head = {CheckMessages::tr("file"), CheckMessages::tr("faces"), CheckMessages::tr("size, mm"),
+                        CheckMessages::tr("print-ready")};
     if (options.print)
-        head << CheckWords::tr("wall, mm") << CheckWords::tr("overhang") << CheckWords::tr("base, mm²");
+        head << CheckMessages::tr("wall, mm") << CheckMessages::tr("overhang") << CheckMessages::tr("base, mm²");
     if (options.print && options.hasBed)
-        head << CheckWords::tr("fits");
+        head << CheckMessages::tr("fits");
     return head;
 }
 
@@ -251,11 +251,11 @@ Checked check(const CheckOptions& options, const std::filesystem::path& file)
     return checked;
 }
 
-double numberOf(const QString& text, double least, double most, const QString& problem)
+double numberOf(const QString& text, double min, double max, const QString& problem)
 {
     bool ok = false;
     const double number = text.toDouble(&ok);
-    if (!ok || !(number >= least && number <= most))
+    if (!ok || !(number >= min && number <= max))
         CommandLine::fail(problem.arg(text));
     return number;
 }
@@ -263,7 +263,7 @@ double numberOf(const QString& text, double least, double most, const QString& p
 PrintBed bedOf(const QString& text)
 {
     constexpr double maxSide = 1e5;
-    const QString problem = CheckWords::tr("check: --bed needs three lengths in mm, as in 250,210,220, and not %1.");
+    const QString problem = CheckMessages::tr("check: --bed needs three lengths in mm, as in 250,210,220, and not %1.");
     const QStringList sides = text.split(QLatin1Char(','));
     if (sides.size() != 3)
         CommandLine::fail(problem.arg(text));
@@ -273,23 +273,23 @@ PrintBed bedOf(const QString& text)
 
 std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
 {
-    constexpr double mostNozzle = core::PrintLimits::maxWall / core::PrintLimits::linesPerWall;
+    constexpr double maxNozzle = core::PrintLimits::maxWall / core::PrintLimits::linesPerWall;
     const QString nozzle = parser.value(QStringLiteral("nozzle")), bed = parser.value(QStringLiteral("bed")),
                   overhang = parser.value(QStringLiteral("overhang"));
     if (!parser.isSet(QStringLiteral("print"))) {
         if (parser.isSet(QStringLiteral("nozzle")) || parser.isSet(QStringLiteral("bed")) ||
             parser.isSet(QStringLiteral("overhang")))
-            CommandLine::fail(CheckWords::tr("check: --nozzle, --overhang and --bed need --print."));
+            CommandLine::fail(CheckMessages::tr("check: --nozzle, --overhang and --bed need --print."));
         return std::nullopt;
     }
     core::PrintLimits limits;
     if (parser.isSet(QStringLiteral("nozzle")))
         limits.minWall =
             core::PrintLimits::linesPerWall *
-            numberOf(nozzle, minLength, mostNozzle, CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
+            numberOf(nozzle, minLength, maxNozzle, CheckMessages::tr("check: --nozzle %1 is no width in mm up to 5."));
     if (parser.isSet(QStringLiteral("overhang")))
         limits.overhang =
-            numberOf(overhang, 0, 90, CheckWords::tr("check: --overhang %1 is no angle from 0 to 90 degrees."));
+            numberOf(overhang, 0, 90, CheckMessages::tr("check: --overhang %1 is no angle from 0 to 90 degrees."));
     if (parser.isSet(QStringLiteral("bed")))
         limits.bed = bedOf(bed);
     return limits;
@@ -298,30 +298,30 @@ std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
 void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(
-        CheckWords::tr("Says whether models are closed, manifold, oriented, free of self-intersections, "
-                       "and bound a solid. Status 0: all are; 1: not all."));
-    parser.addPositionalArgument(QStringLiteral("FILE..."), CheckWords::tr("Models, or folders of models."));
+        CheckMessages::tr("Says whether models are closed, manifold, oriented, free of self-intersections, "
+                          "and bound a solid. Status 0: all are; 1: not all."));
+    parser.addPositionalArgument(QStringLiteral("FILE..."), CheckMessages::tr("Models, or folders of models."));
     parser.addOptions(
-        {{QStringLiteral("unit"), CheckWords::tr("What the files are measured in; else mm."), CommandUnit::words()},
-         {QStringLiteral("json"), CheckWords::tr("One JSON object per file, each on its line.")},
-         {QStringLiteral("csv"), CheckWords::tr("Comma-separated values, with a head line.")},
-         {QStringLiteral("print"), CheckWords::tr("Measures walls, overhangs, and what stands on the bed, too.")},
-         {QStringLiteral("nozzle"), CheckWords::tr("Walls are to be two lines of this width thick; else of 0.4."),
+        {{QStringLiteral("unit"), CheckMessages::tr("What the files are measured in; else mm."), CommandUnit::words()},
+         {QStringLiteral("json"), CheckMessages::tr("One JSON object per file, each on its line.")},
+         {QStringLiteral("csv"), CheckMessages::tr("Comma-separated values, with a head line.")},
+         {QStringLiteral("print"), CheckMessages::tr("Measures walls, overhangs, and what stands on the bed, too.")},
+         {QStringLiteral("nozzle"), CheckMessages::tr("Walls are to be two lines of this width thick; else of 0.4."),
           QStringLiteral("MM")},
-         {QStringLiteral("overhang"), CheckWords::tr("So far faces may lean out from the vertical; else 45."),
+         {QStringLiteral("overhang"), CheckMessages::tr("So far faces may lean out from the vertical; else 45."),
           QStringLiteral("DEGREES")},
-         {QStringLiteral("bed"), CheckWords::tr("Width, depth and height that the printer holds."),
+         {QStringLiteral("bed"), CheckMessages::tr("Width, depth and height that the printer holds."),
           QStringLiteral("X,Y,Z")}});
 }
 
 /// As many as the longest name needs, but few enough that the rest is seen, too.
 int nameColumns(const QList<std::filesystem::path>& files)
 {
-    constexpr int least = 32, most = 64;
-    int columns = least;
+    constexpr int minColumns = 32, maxColumns = 64;
+    int columns = minColumns;
     for (const std::filesystem::path& file : files)
         columns = std::max(columns, columnsOf(ui::displayName(file)));
-    return std::min(columns, most);
+    return std::min(columns, maxColumns);
 }
 
 std::optional<CheckOptions> parseCheckOptions(const QStringList& arguments)
@@ -334,7 +334,7 @@ std::optional<CheckOptions> parseCheckOptions(const QStringList& arguments)
     options.json = parser.isSet(QStringLiteral("json"));
     options.csv = parser.isSet(QStringLiteral("csv"));
     if (options.json && options.csv)
-        CommandLine::fail(CheckWords::tr("check: --json and --csv exclude each other."));
+        CommandLine::fail(CheckMessages::tr("check: --json and --csv exclude each other."));
     if (parser.isSet(QStringLiteral("unit")))
         options.unit = CommandUnit::named(QStringLiteral("check"), parser.value(QStringLiteral("unit")));
     options.print = printLimits(parser);

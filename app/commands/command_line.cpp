@@ -121,7 +121,7 @@ WindowStart CommandLine::windowStart(QStringList arguments)
             onlyFiles = true;
         else if (!onlyFiles && argument == QLatin1String("--vr"))
             start.entersVr = true;
-        else if (!onlyFiles && argument == QLatin1String(simulatorWord))
+        else if (!onlyFiles && argument == QLatin1String(simulatorOption))
             start.entersVr = start.simulatesVr = true;
         else if (!onlyFiles && argument.size() > 1 && argument.startsWith(QLatin1Char('-')))
             fail(tr("Unknown option %1; fettle --help lists them.").arg(argument));

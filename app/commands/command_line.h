@@ -19,7 +19,7 @@ struct CommandFailure
     ExitStatus status = BadInput;
 };
 
-inline constexpr const char* simulatorWord = "--vr-simulator";
+inline constexpr const char* simulatorOption = "--vr-simulator";
 
 /// What `fettle` without a subcommand begins with.
 struct WindowStart

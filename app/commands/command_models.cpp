@@ -11,7 +11,7 @@ namespace app
 {
 namespace
 {
-class CommandWords
+class CommandModelsMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::CommandModels)
 };
@@ -20,7 +20,7 @@ class CommandWords
 CommandModels commandModels(const QString& command, const QStringList& arguments)
 {
     if (arguments.isEmpty())
-        CommandLine::fail(CommandWords::tr("%1: no file was given.").arg(command));
+        CommandLine::fail(CommandModelsMessages::tr("%1: no file was given.").arg(command));
     CommandModels models;
     for (const QString& name : arguments) {
         if (!QFileInfo(name).isDir()) {

@@ -1,5 +1,5 @@
-// convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written, or
-// legalised if asked to.
+// convert: read, check, scale if asked to, check again, write. A model that is not sound is not written, or is repaired
+// if asked to.
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
 #include "app/model/model_loader.h"
@@ -22,7 +22,7 @@ namespace
 {
 using core::UpAxis; // lupdate would lose its place at a function that returns a core::UpAxis
 
-class ConvertWords
+class ConvertMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::ConvertCommand)
 };
@@ -34,7 +34,7 @@ struct ConvertOptions
     std::optional<double> size; ///< of OUT's longest side, mm
     std::optional<UpAxis> up;   ///< of IN
     std::size_t triangles = 0;  ///< OUT has at most so many; 0: all
-    std::optional<core::RepairOptions> legalise;
+    std::optional<core::RepairOptions> repair;
 };
 
 double sizeFrom(const QString& word)
@@ -43,7 +43,7 @@ double sizeFrom(const QString& word)
     const double size = QLocale::c().toDouble(word, &isNumber);
     if (!isNumber || !std::isfinite(size) || size <= 0)
         CommandLine::fail(
-            ConvertWords::tr("convert: --size is a length in millimetres, more than 0, not %1.").arg(word));
+            ConvertMessages::tr("convert: --size is a length in millimetres, more than 0, not %1.").arg(word));
     return size;
 }
 
@@ -52,14 +52,14 @@ unsigned trianglesFrom(const QString& word)
     bool isNumber = false;
     const unsigned triangles = QLocale::c().toUInt(word, &isNumber);
     if (!isNumber || triangles < 4)
-        CommandLine::fail(ConvertWords::tr("convert: --triangles is a whole number, at least 4, not %1.").arg(word));
+        CommandLine::fail(ConvertMessages::tr("convert: --triangles is a whole number, at least 4, not %1.").arg(word));
     return triangles;
 }
 
 UpAxis upNamed(const QString& word)
 {
     if (word != QLatin1String("y") && word != QLatin1String("z"))
-        CommandLine::fail(ConvertWords::tr("convert: --up is y or z, not %1.").arg(word));
+        CommandLine::fail(ConvertMessages::tr("convert: --up is y or z, not %1.").arg(word));
     return word == QLatin1String("y") ? UpAxis::Y : UpAxis::Z;
 }
 
@@ -67,39 +67,40 @@ UpAxis upNamed(const QString& word)
 bool isFirstOf(const QString& option, const QString& first, const QString& second, const QString& word)
 {
     if (word != first && word != second)
-        CommandLine::fail(ConvertWords::tr("convert: --%1 is %2 or %3, not %4.").arg(option, first, second, word));
+        CommandLine::fail(ConvertMessages::tr("convert: --%1 is %2 or %3, not %4.").arg(option, first, second, word));
     return word == first;
 }
 
 std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
 {
     const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
-                  triangles = QStringLiteral("triangles"), legalise = QStringLiteral("legalise"),
+                  triangles = QStringLiteral("triangles"), legaliseOption = QStringLiteral("legalise"),
                   largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts"),
                   fill = QStringLiteral("fill"), refuse = QStringLiteral("refuse"), hollow = QStringLiteral("hollow");
     QCommandLineParser parser;
-    parser.setApplicationDescription(ConvertWords::tr("Writes a model in another format, unit or size."));
-    parser.addPositionalArgument(QStringLiteral("IN"), ConvertWords::tr("The model to read."));
-    parser.addPositionalArgument(QStringLiteral("OUT"), ConvertWords::tr("Where it goes; the ending says the format."));
+    parser.setApplicationDescription(ConvertMessages::tr("Writes a model in another format, unit or size."));
+    parser.addPositionalArgument(QStringLiteral("IN"), ConvertMessages::tr("The model to read."));
+    parser.addPositionalArgument(QStringLiteral("OUT"),
+                                 ConvertMessages::tr("Where it goes; the ending says the format."));
     parser.addOptions(
-        {{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
-         {size, ConvertWords::tr("How long the longest side becomes."), QStringLiteral("MM")},
-         {up, ConvertWords::tr("Which axis of IN points up; else z for STL and 3MF, y for others."),
+        {{unit, ConvertMessages::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
+         {size, ConvertMessages::tr("How long the longest side becomes."), QStringLiteral("MM")},
+         {up, ConvertMessages::tr("Which axis of IN points up; else z for STL and 3MF, y for others."),
           QStringLiteral("y|z")},
          {triangles,
-          ConvertWords::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
+          ConvertMessages::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
           QStringLiteral("N")},
-         {legalise, ConvertWords::tr("Mends a model that is not in order, and says what changed.")},
-         {largeHoles, ConvertWords::tr("With --legalise: holes longer than a quarter of the model; else fill."),
+         {legaliseOption, ConvertMessages::tr("Mends a model that is not in order, and says what changed.")},
+         {largeHoles, ConvertMessages::tr("With --legalise: holes longer than a quarter of the model; else fill."),
           QStringLiteral("fill|refuse")},
-         {innerParts, ConvertWords::tr("With --legalise: parts inside of others that face outwards; else fill."),
+         {innerParts, ConvertMessages::tr("With --legalise: parts inside of others that face outwards; else fill."),
           QStringLiteral("fill|hollow")}});
     if (!CommandLine::parse(parser, QStringLiteral("convert"), arguments))
         return std::nullopt;
     const QStringList files = parser.positionalArguments();
     if (files.size() != 2)
-        CommandLine::fail(ConvertWords::tr("convert: two files are needed, IN and OUT, but %n were given.", nullptr,
-                                           static_cast<int>(files.size())));
+        CommandLine::fail(ConvertMessages::tr("convert: two files are needed, IN and OUT, but %n were given.", nullptr,
+                                              static_cast<int>(files.size())));
     ConvertOptions options{files[0], files[1], {}, {}, {}, 0, {}};
     if (parser.isSet(unit))
         options.unit = CommandUnit::named(QStringLiteral("convert"), parser.value(unit));
@@ -109,14 +110,14 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
         options.up = upNamed(parser.value(up));
     if (parser.isSet(triangles))
         options.triangles = trianglesFrom(parser.value(triangles));
-    if (parser.isSet(legalise))
-        options.legalise.emplace();
+    if (parser.isSet(legaliseOption))
+        options.repair.emplace();
     else if (parser.isSet(largeHoles) || parser.isSet(innerParts))
-        CommandLine::fail(ConvertWords::tr("convert: --large-holes and --inner-parts are for --legalise."));
+        CommandLine::fail(ConvertMessages::tr("convert: --large-holes and --inner-parts are for --legalise."));
     if (parser.isSet(largeHoles))
-        options.legalise->fillLargeHoles = isFirstOf(largeHoles, fill, refuse, parser.value(largeHoles));
+        options.repair->fillLargeHoles = isFirstOf(largeHoles, fill, refuse, parser.value(largeHoles));
     if (parser.isSet(innerParts))
-        options.legalise->innerAreCavities = !isFirstOf(innerParts, fill, hollow, parser.value(innerParts));
+        options.repair->innerAreCavities = !isFirstOf(innerParts, fill, hollow, parser.value(innerParts));
     return options;
 }
 
@@ -124,8 +125,9 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
 {
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.printReady())
-        throw CommandFailure{
-            ui::ErrorMessages::refusal(file, report) + u' ' + ConvertWords::tr("--legalise may mend it."), AnswerIsNo};
+        throw CommandFailure{ui::ErrorMessages::refusal(file, report) + u' ' +
+                                 ConvertMessages::tr("--legalise may mend it."),
+                             AnswerIsNo};
 }
 
 /// What was done is the answer. A model that is in order stays as it is.
@@ -133,12 +135,12 @@ void makeSound(const QString& file, core::TriangleMesh& mesh, const core::Repair
 {
     if (core::checkMesh(mesh).printReady())
         return;
-    core::RepairResult legalised = core::repairMesh(mesh, options);
-    if (!legalised.mesh)
-        throw CommandFailure{ui::RepairMessages::refusal(file, legalised), AnswerIsNo};
-    mesh = std::move(*legalised.mesh);
-    QStringList steps = ui::RepairMessages::steps(legalised.report);
-    steps << ui::RepairMessages::distance(legalised.report);
+    core::RepairResult repaired = core::repairMesh(mesh, options);
+    if (!repaired.mesh)
+        throw CommandFailure{ui::RepairMessages::refusal(file, repaired), AnswerIsNo};
+    mesh = std::move(*repaired.mesh);
+    QStringList steps = ui::RepairMessages::steps(repaired.report);
+    steps << ui::RepairMessages::distance(repaired.report);
     CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
 }
 
@@ -174,15 +176,15 @@ ExitStatus convertCommand(const QStringList& arguments)
     CommandLine::requireMeshEnding(options->out);
     try {
         auto [mesh, remarks] = core::readModel(toPath(options->in), {options->up});
-        if (!options->legalise)
+        if (!options->repair)
             requireSound(options->in, mesh);
         if (const double factor = scaleFor(*options, mesh); factor != 1) {
             CommandUnit::scale(options->in, mesh, factor);
-            if (!options->legalise)
+            if (!options->repair)
                 requireSound(options->in, mesh);
         }
-        if (options->legalise)
-            makeSound(options->in, mesh, *options->legalise);
+        if (options->repair)
+            makeSound(options->in, mesh, *options->repair);
         if (options->triangles > 0 && mesh.triangles.size() > options->triangles)
             mesh = reduced(*options, mesh);
         core::writeMesh(toPath(options->out), mesh);

@@ -1,5 +1,5 @@
-// lesson: a lesson played to its end without a window, and each of its checkpoints judged; or a pupil's model judged by
-// one of them.
+// lesson: a lesson played to its end without a window, and each of its checkpoints evaluated; or one of them on a
+// pupil's model.
 #include "app/commands/command_line.h"
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_messages.h"
@@ -22,7 +22,7 @@ namespace app
 {
 namespace
 {
-class LessonCommandWords
+class LessonCommandMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonCommand)
 };
@@ -37,33 +37,34 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        LessonCommandWords::tr("Plays a lesson to its end and says whether each step meets its checkpoint. "
-                               "Status 0: all do; 1: not all. Without a lesson: lists those of the program."));
-    parser.addPositionalArgument(QStringLiteral("LESSON"),
-                                 LessonCommandWords::tr("A folder or a zip, or the name of a lesson of the program."),
-                                 QStringLiteral("[LESSON]"));
+        LessonCommandMessages::tr("Plays a lesson to its end and says whether each step meets its checkpoint. "
+                                  "Status 0: all do; 1: not all. Without a lesson: lists those of the program."));
+    parser.addPositionalArgument(
+        QStringLiteral("LESSON"),
+        LessonCommandMessages::tr("A folder or a zip, or the name of a lesson of the program."),
+        QStringLiteral("[LESSON]"));
     parser.addOptions(
-        {{QStringLiteral("language"), LessonCommandWords::tr("Of the lesson's titles; else as the system has it."),
+        {{QStringLiteral("language"), LessonCommandMessages::tr("Of the lesson's titles; else as the system has it."),
           QStringLiteral("CODE")},
-         {QStringLiteral("model"), LessonCommandWords::tr("Judges this model, a pupil's, instead of playing."),
+         {QStringLiteral("model"), LessonCommandMessages::tr("Judges this model, a pupil's, instead of playing."),
           QStringLiteral("FILE")},
-         {QStringLiteral("step"), LessonCommandWords::tr("By which step's checkpoint; else the last."),
+         {QStringLiteral("step"), LessonCommandMessages::tr("By which step's checkpoint; else the last."),
           QStringLiteral("N")},
-         {QStringLiteral("pack"), LessonCommandWords::tr("Where the lesson goes as one file, if all is well."),
+         {QStringLiteral("pack"), LessonCommandMessages::tr("Where the lesson goes as one file, if all is well."),
           QStringLiteral("OUT.zip")},
-         {QStringLiteral("unpack"), LessonCommandWords::tr("Where the lesson goes as a folder that can be changed."),
+         {QStringLiteral("unpack"), LessonCommandMessages::tr("Where the lesson goes as a folder that can be changed."),
           QStringLiteral("FOLDER")},
          {QStringLiteral("pictures"),
-          LessonCommandWords::tr("Where a picture of what each step leaves goes, as step-1.png and so on."),
+          LessonCommandMessages::tr("Where a picture of what each step leaves goes, as step-1.png and so on."),
           QStringLiteral("FOLDER")},
-         {QStringLiteral("out"), LessonCommandWords::tr("Where the model goes that the last step leaves."),
+         {QStringLiteral("out"), LessonCommandMessages::tr("Where the model goes that the last step leaves."),
           QStringLiteral("FILE")}});
     if (!CommandLine::parse(parser, QStringLiteral("lesson"), arguments))
         return std::nullopt;
     const QStringList lessons = parser.positionalArguments();
     if (lessons.size() > 1)
-        CommandLine::fail(
-            LessonCommandWords::tr("lesson: one lesson at a time can be played, not %1 as well.").arg(lessons.at(1)));
+        CommandLine::fail(LessonCommandMessages::tr("lesson: one lesson at a time can be played, not %1 as well.")
+                              .arg(lessons.at(1)));
     LessonOptions options{lessons.value(0),
                           parser.value(QStringLiteral("language")),
                           parser.value(QStringLiteral("model")),
@@ -79,20 +80,21 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
     const bool plays = std::ranges::any_of(ofPlaying, [&](const QString& option) { return parser.isSet(option); });
     if (options.lesson.isEmpty() &&
         (plays || parser.isSet(QStringLiteral("model")) || parser.isSet(QStringLiteral("step"))))
-        CommandLine::fail(LessonCommandWords::tr("lesson: no lesson was given."));
+        CommandLine::fail(LessonCommandMessages::tr("lesson: no lesson was given."));
     if (plays && !options.model.isEmpty())
-        CommandLine::fail(LessonCommandWords::tr("lesson: --model excludes --pack, --unpack, --pictures and --out."));
+        CommandLine::fail(
+            LessonCommandMessages::tr("lesson: --model excludes --pack, --unpack, --pictures and --out."));
     if (parser.isSet(QStringLiteral("step"))) {
         const uint number = parser.value(QStringLiteral("step")).toUInt();
         if (number == 0 || options.model.isEmpty())
-            CommandLine::fail(LessonCommandWords::tr("lesson: --step needs --model, and a step's number, from 1."));
+            CommandLine::fail(LessonCommandMessages::tr("lesson: --step needs --model, and a step's number, from 1."));
         options.step = number - 1;
     }
     if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
-        CommandLine::fail(LessonCommandWords::tr("lesson: %1 does not end in .zip.").arg(options.pack));
+        CommandLine::fail(LessonCommandMessages::tr("lesson: %1 does not end in .zip.").arg(options.pack));
     if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
         CommandLine::fail(
-            LessonCommandWords::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
+            LessonCommandMessages::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
     return options;
 }
 
@@ -103,7 +105,7 @@ QString inLanguage(const core::LessonText& text, const LessonOptions& options)
 
 void list(const LessonOptions& options)
 {
-    for (const QString& name : shippedLessons()) {
+    for (const QString& name : bundledLessons()) {
         const core::Lesson lesson = readLesson(name);
         CommandLine::print(QStringLiteral("%1  %2: %3\n")
                                .arg(name, -12)
@@ -116,14 +118,14 @@ bool print(const core::CheckpointVerdict& verdict)
 {
     const auto line = [](bool holds, const QString& asked, const QString& found) {
         CommandLine::print(QStringLiteral("   %1  %2 (%3)\n")
-                               .arg(holds ? LessonCommandWords::tr("yes") : LessonCommandWords::tr("no"), -4)
+                               .arg(holds ? LessonCommandMessages::tr("yes") : LessonCommandMessages::tr("no"), -4)
                                .arg(asked, found));
     };
     for (const core::FactVerdict& fact : verdict.facts)
-        line(fact.holds, LessonWords::asked(fact.asked), LessonWords::found(fact));
+        line(fact.holds, LessonMessages::asked(fact.asked), LessonMessages::found(fact));
     if (verdict.target)
-        line(verdict.target->holds, LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
-             LessonWords::found(*verdict.target));
+        line(verdict.target->holds, LessonMessages::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
+             LessonMessages::found(*verdict.target));
     return verdict.isMet();
 }
 
@@ -132,18 +134,18 @@ void printHead(const core::LessonStep& step, std::size_t index, const LessonOpti
     QStringList tools;
     for (const core::Tool tool : step.tools)
         tools << QString::fromUtf8(core::name(tool));
-    CommandLine::print(LessonCommandWords::tr("%1. %2 (strokes: %3; tools: %4)")
+    CommandLine::print(LessonCommandMessages::tr("%1. %2 (strokes: %3; tools: %4)")
                            .arg(index + 1)
                            .arg(inLanguage(step.title, options))
                            .arg(step.strokes.size())
-                           .arg(tools.isEmpty() ? LessonCommandWords::tr("all") : tools.join(QStringLiteral(", "))) +
+                           .arg(tools.isEmpty() ? LessonCommandMessages::tr("all") : tools.join(QStringLiteral(", "))) +
                        QLatin1Char('\n'));
 }
 
 void draw(const core::TriangleMesh& mesh, const QString& path)
 {
     if (!lessonPicture(mesh).save(path))
-        CommandLine::fail(LessonCommandWords::tr("%1: this picture cannot be written.").arg(path));
+        CommandLine::fail(LessonCommandMessages::tr("%1: this picture cannot be written.").arg(path));
 }
 
 ExitStatus play(const core::Lesson& lesson, core::LessonPlayback& playback, const LessonOptions& options)
@@ -170,15 +172,15 @@ ExitStatus play(const core::Lesson& lesson, core::LessonPlayback& playback, cons
     return isMet ? Done : AnswerIsNo;
 }
 
-ExitStatus judgeModel(const core::Lesson& lesson, core::LessonPlayback& playback, const LessonOptions& options)
+ExitStatus checkModel(const core::Lesson& lesson, core::LessonPlayback& playback, const LessonOptions& options)
 {
     const std::size_t step = options.step.value_or(lesson.steps.size() - 1);
     if (step >= lesson.steps.size())
-        CommandLine::fail(LessonCommandWords::tr("lesson: there is no step %1: the lesson has %2.")
+        CommandLine::fail(LessonCommandMessages::tr("lesson: there is no step %1: the lesson has %2.")
                               .arg(step + 1)
                               .arg(lesson.steps.size()));
     if (lesson.steps[step].checkpoint.asksNothing())
-        CommandLine::fail(LessonCommandWords::tr("lesson: step %1 has no checkpoint.").arg(step + 1));
+        CommandLine::fail(LessonCommandMessages::tr("lesson: step %1 has no checkpoint.").arg(step + 1));
     const core::TriangleMesh model = core::readMesh(toPath(options.model));
     playback.goTo(step);
     printHead(playback.step(), step, options);
@@ -202,9 +204,9 @@ ExitStatus lessonCommand(const QStringList& arguments)
         }
         const auto lesson = std::make_shared<const core::Lesson>(readLesson(options->lesson));
         core::LessonPlayback playback(lesson, toPath(options->lesson));
-        return options->model.isEmpty() ? play(*lesson, playback, *options) : judgeModel(*lesson, playback, *options);
+        return options->model.isEmpty() ? play(*lesson, playback, *options) : checkModel(*lesson, playback, *options);
     } catch (const core::LessonError& error) {
-        CommandLine::fail(LessonWords::sentence(error));
+        CommandLine::fail(LessonMessages::sentence(error));
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::ErrorMessages::sentence(error));
     }

@@ -1,5 +1,5 @@
 // replay: strokes and commands from a file on a model from a file, or on the paper's sphere; what came of it to files.
-// In order: judge all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing
+// In order: check all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing
 // is written when anything is wrong.
 #include "app/commands/command_line.h"
 #include "app/commands/replay_stats.h"
@@ -31,7 +31,7 @@ namespace
 constexpr double paperRadius = 1;
 constexpr int frameWidth = 1280, frameHeight = 720;
 
-class ReplayWords
+class ReplayMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::ReplayCommand)
 };
@@ -39,7 +39,7 @@ class ReplayWords
 /// The engine has no way around its own verification yet: None keeps its word about --out, and costs what Local does.
 enum class Verify { Local, Full, None };
 
-struct RecoveryOptions
+struct ReplayOptions
 {
     QString strokes, in, out, stats;
     QString frames; ///< a folder; empty: no pictures
@@ -54,7 +54,7 @@ Verify verifyNamed(const QString& word)
     if (word == QLatin1String("none"))
         return Verify::None;
     if (word != QLatin1String("local"))
-        CommandLine::fail(ReplayWords::tr("replay: --verify is local, full or none, not %1.").arg(word));
+        CommandLine::fail(ReplayMessages::tr("replay: --verify is local, full or none, not %1.").arg(word));
     return Verify::Local;
 }
 
@@ -63,54 +63,56 @@ int everyNamed(const QString& word)
     bool isNumber = true;
     const int every = word.isEmpty() ? 1 : word.toInt(&isNumber);
     if (!isNumber || every < 1)
-        CommandLine::fail(ReplayWords::tr("replay: --every is a whole number from 1 on, not %1.").arg(word));
+        CommandLine::fail(ReplayMessages::tr("replay: --every is a whole number from 1 on, not %1.").arg(word));
     return every;
 }
 
-std::optional<RecoveryOptions> parseReplayOptions(const QStringList& arguments)
+std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(ReplayWords::tr("Plays recorded strokes on a model, or on the paper's sphere."));
+    parser.setApplicationDescription(
+        ReplayMessages::tr("Plays recorded strokes on a model, or on the paper's sphere."));
     parser.addOptions(
-        {{QStringLiteral("strokes"), ReplayWords::tr("The strokes, JSON."), QStringLiteral("S.json")},
-         {QStringLiteral("in"), ReplayWords::tr("The model; without it, a sphere of 2562 vertices, radius 1."),
+        {{QStringLiteral("strokes"), ReplayMessages::tr("The strokes, JSON."), QStringLiteral("S.json")},
+         {QStringLiteral("in"), ReplayMessages::tr("The model; without it, a sphere of 2562 vertices, radius 1."),
           QStringLiteral("FILE")},
-         {QStringLiteral("out"), ReplayWords::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
-         {QStringLiteral("stats"), ReplayWords::tr("Where cost and outcome of each dab go, JSON."),
+         {QStringLiteral("out"), ReplayMessages::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
+         {QStringLiteral("stats"), ReplayMessages::tr("Where cost and outcome of each dab go, JSON."),
           QStringLiteral("T.json")},
          {QStringLiteral("frames"),
-          ReplayWords::tr("A folder for pictures of the model, PNG, at the start and after each stroke."),
+          ReplayMessages::tr("A folder for pictures of the model, PNG, at the start and after each stroke."),
           QStringLiteral("FOLDER")},
-         {QStringLiteral("every"), ReplayWords::tr("Strokes from one picture to the next."), QStringLiteral("N")},
+         {QStringLiteral("every"), ReplayMessages::tr("Strokes from one picture to the next."), QStringLiteral("N")},
          {QStringLiteral("verify"),
-          ReplayWords::tr("local: what changed (as in the window); full: the whole mesh after each dab as well; none: "
-                          "for measurements, excludes --out."),
+          ReplayMessages::tr(
+              "local: what changed (as in the window); full: the whole mesh after each dab as well; none: "
+              "for measurements, excludes --out."),
           QStringLiteral("local|full|none"), QStringLiteral("local")}});
     if (!CommandLine::parse(parser, QStringLiteral("replay"), arguments))
         return std::nullopt;
-    RecoveryOptions options{parser.value(QStringLiteral("strokes")),
-                            parser.value(QStringLiteral("in")),
-                            parser.value(QStringLiteral("out")),
-                            parser.value(QStringLiteral("stats")),
-                            parser.value(QStringLiteral("frames")),
-                            everyNamed(parser.value(QStringLiteral("every"))),
-                            verifyNamed(parser.value(QStringLiteral("verify")))};
+    ReplayOptions options{parser.value(QStringLiteral("strokes")),
+                          parser.value(QStringLiteral("in")),
+                          parser.value(QStringLiteral("out")),
+                          parser.value(QStringLiteral("stats")),
+                          parser.value(QStringLiteral("frames")),
+                          everyNamed(parser.value(QStringLiteral("every"))),
+                          verifyNamed(parser.value(QStringLiteral("verify")))};
     if (!parser.positionalArguments().isEmpty())
-        CommandLine::fail(ReplayWords::tr("replay: %1 is no option; the model is given with --in.")
+        CommandLine::fail(ReplayMessages::tr("replay: %1 is no option; the model is given with --in.")
                               .arg(parser.positionalArguments().first()));
     if (options.strokes.isEmpty())
-        CommandLine::fail(ReplayWords::tr("replay: --strokes is missing."));
+        CommandLine::fail(ReplayMessages::tr("replay: --strokes is missing."));
     if (options.frames.isEmpty() && parser.isSet(QStringLiteral("every")))
         CommandLine::fail(
-            ReplayWords::tr("replay: --every says how many strokes there are to a picture, and needs --frames."));
+            ReplayMessages::tr("replay: --every says how many strokes there are to a picture, and needs --frames."));
     if (options.verify == Verify::None && parser.isSet(QStringLiteral("out")))
-        CommandLine::fail(
-            ReplayWords::tr("replay: --verify none and --out exclude each other: what is not verified is not kept."));
+        CommandLine::fail(ReplayMessages::tr(
+            "replay: --verify none and --out exclude each other: what is not verified is not kept."));
     return options;
 }
 
 /// A slip that would cost the strokes or the model.
-void requireDifferentFiles(const RecoveryOptions& options)
+void requireDifferentFiles(const ReplayOptions& options)
 {
     const std::pair<QString, QString> files[] = {{QStringLiteral("--strokes"), options.strokes},
                                                  {QStringLiteral("--in"), options.in},
@@ -125,7 +127,7 @@ void requireDifferentFiles(const RecoveryOptions& options)
         const auto [other, isNew] = seen.emplace(path, option);
         if (!isNew && !path.empty())
             CommandLine::fail(
-                ReplayWords::tr("replay: %1 and %2 name the same file, %3.").arg(other->second, option, file));
+                ReplayMessages::tr("replay: %1 and %2 name the same file, %3.").arg(other->second, option, file));
     }
 }
 
@@ -134,7 +136,7 @@ std::vector<core::FileEntry> readStrokes(const QString& path)
     try {
         return core::readStrokes(QFile::encodeName(path).toStdString());
     } catch (const core::StrokeFileError& error) {
-        throw CommandFailure{StrokeWords::sentence(path, error)};
+        throw CommandFailure{StrokeFileMessages::sentence(path, error)};
     }
 }
 
@@ -158,7 +160,7 @@ void checkAgainst(const core::Lattice& lattice, const Entries& entries, std::siz
             core::requireFit(std::get<core::Stroke>(entries[i]), lattice);
         } catch (core::StrokeFileError& error) {
             error.stroke = i;
-            throw CommandFailure{StrokeWords::sentence(path, error)};
+            throw CommandFailure{StrokeFileMessages::sentence(path, error)};
         }
     }
 }
@@ -167,7 +169,7 @@ void checkAgainst(const core::Lattice& lattice, const Entries& entries, std::siz
 void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
 {
     if (!core::checkMesh(core::extractMesh(sculptor.mesh())).printReady())
-        throw CommandFailure{ReplayWords::tr("replay: the mesh is not in order in dab %1.").arg(dab), AnswerIsNo};
+        throw CommandFailure{ReplayMessages::tr("replay: the mesh is not in order in dab %1.").arg(dab), AnswerIsNo};
 }
 
 core::MeshDelta play(core::Sculptor& sculptor, const core::Stroke& stroke, double& dabStart)
@@ -194,9 +196,9 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
 void requireDone(const core::ModelChange& change, const core::FileCommand& entry, std::size_t index)
 {
     if (change.refusal != core::ModelRefusal::None)
-        throw CommandFailure{ReplayWords::tr("replay: strokes[%1]: %2")
+        throw CommandFailure{ReplayMessages::tr("replay: strokes[%1]: %2")
                                  .arg(index)
-                                 .arg(ModelWords::refusal(change, QFile::decodeName(entry.file.c_str()))),
+                                 .arg(CommandNames::refusal(change, QFile::decodeName(entry.file.c_str()))),
                              AnswerIsNo};
 }
 
@@ -215,11 +217,11 @@ struct Replayed
     std::vector<core::MeshDelta> changes; ///< of what changed anything, back to before; only for frames
 };
 
-Replayed play(core::Sculptor& sculptor, const Entries& entries, const RecoveryOptions& options)
+Replayed play(core::Sculptor& sculptor, const Entries& entries, const ReplayOptions& options)
 {
     Replayed replayed;
     std::vector<ReplayedDab>& dabs = replayed.dabs;
-    const auto keep = [&](core::MeshDelta change) {
+    const auto addChange = [&](core::MeshDelta change) {
         if (!options.frames.isEmpty() && !change.empty())
             replayed.changes.push_back(std::move(change));
     };
@@ -236,10 +238,10 @@ Replayed play(core::Sculptor& sculptor, const Entries& entries, const RecoveryOp
     checkAgainst(sculptor.mesh().lattice(), entries, 0, options.strokes);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (const auto* stroke = std::get_if<core::Stroke>(&entries[i])) {
-            keep(play(sculptor, *stroke, dabStart));
+            addChange(play(sculptor, *stroke, dabStart));
             continue;
         }
-        keep(play(sculptor, std::get<core::FileCommand>(entries[i]), i));
+        addChange(play(sculptor, std::get<core::FileCommand>(entries[i]), i));
         checkAgainst(sculptor.mesh().lattice(), entries, i + 1, options.strokes);
     }
     sculptor.setBetweenSubsteps({});
@@ -248,28 +250,28 @@ Replayed play(core::Sculptor& sculptor, const Entries& entries, const RecoveryOp
 }
 
 /// As large as the model is at its start or at its end, so that all is in one view.
-void writeFrames(const RecoveryOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes,
+void writeFrames(const ReplayOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes,
                  const core::Box& box)
 {
-    const ModelPast past{ModelTrial::copyOf(mesh), 0, static_cast<int>(changes.size()), [&changes](int index) {
-                             return std::optional(std::move(changes[static_cast<std::size_t>(index)]));
-                         }};
+    const ModelHistory history{
+        ModelChangeJob::copyOf(mesh), 0, static_cast<int>(changes.size()),
+        [&changes](int index) { return std::optional(std::move(changes[static_cast<std::size_t>(index)])); }};
     const TimeLapseOutcome outcome =
-        TimeLapse::run({options.frames, options.every, core::viewOf(box, frameWidth, frameHeight)}, past, {});
+        TimeLapse::run({options.frames, options.every, core::viewOf(box, frameWidth, frameHeight)}, history, {});
     if (!outcome.problem.isEmpty())
         CommandLine::fail(outcome.problem);
 }
 
-void run(const RecoveryOptions& options, Entries& entries)
+void run(const ReplayOptions& options, Entries& entries)
 {
     readInserted(entries, options.strokes);
-    readShapes(entries, options.strokes);
+    readStrokeAssets(entries, options.strokes);
     // What cannot be written is told before the work, not after it.
     std::optional<core::AtomicFile> stats;
     if (!options.stats.isEmpty())
         stats.emplace(toPath(options.stats));
     if (!options.out.isEmpty())
-        core::AtomicFile trial(toPath(options.out));
+        core::AtomicFile probe(toPath(options.out));
     if (!options.frames.isEmpty()) {
         const QString obstacle = TimeLapse::obstacle(
             options.frames, TimeLapse::frameNames(0, static_cast<int>(entries.size()), options.every));
@@ -299,7 +301,7 @@ void run(const RecoveryOptions& options, Entries& entries)
 
 ExitStatus replayCommand(const QStringList& arguments)
 {
-    const std::optional<RecoveryOptions> options = parseReplayOptions(arguments);
+    const std::optional<ReplayOptions> options = parseReplayOptions(arguments);
     if (!options)
         return Done;
     requireDifferentFiles(*options);

@@ -1,4 +1,4 @@
-// report: a page for whoever judges a folder of models.
+// report: a page that shows and checks the models of a folder.
 #include "app/classroom/report_writer.h"
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
@@ -13,44 +13,45 @@ namespace app
 {
 namespace
 {
-class ReportWords
+class ReportCommandMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::ReportCommand)
 };
 
-std::optional<ReportOrder> parseReportOrder(const QStringList& arguments)
+std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
 {
     const QString name = QStringLiteral("report"), unit = QStringLiteral("unit");
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        ReportWords::tr("Writes a class report: of each model in a folder its picture, size and volume, whether it is "
-                        "print-ready or why not, and, of GLB files, the strokes and the time that it took."));
+    parser.setApplicationDescription(ReportCommandMessages::tr(
+        "Writes a class report: of each model in a folder its picture, size and volume, whether it is "
+        "print-ready or why not, and, of GLB files, the strokes and the time that it took."));
     parser.addPositionalArgument(QStringLiteral("FOLDER"),
-                                 ReportWords::tr("The models; folders further down are not looked at."));
+                                 ReportCommandMessages::tr("The models; folders further down are not looked at."));
     CommandLine::addOutput(parser, QStringLiteral("OUT.html|OUT.pdf"));
-    parser.addOption({unit, ReportWords::tr("What the files are measured in; else mm."), CommandUnit::words()});
+    parser.addOption(
+        {unit, ReportCommandMessages::tr("What the files are measured in; else mm."), CommandUnit::words()});
     if (!CommandLine::parse(parser, name, arguments))
         return std::nullopt;
     if (parser.positionalArguments().size() != 1)
-        CommandLine::fail(ReportWords::tr("report: one folder is needed, but %n were given.", nullptr,
-                                          static_cast<int>(parser.positionalArguments().size())));
+        CommandLine::fail(ReportCommandMessages::tr("report: one folder is needed, but %n were given.", nullptr,
+                                                    static_cast<int>(parser.positionalArguments().size())));
     const QString out = CommandLine::output(parser, name);
     if (!ui::reportEndings().contains(QFileInfo(out).suffix().toLower()))
         CommandLine::fail(ui::ErrorMessages::notAReport(out));
-    ReportOrder order{toPath(parser.positionalArguments().constFirst()), toPath(out)};
+    ReportRequest request{toPath(parser.positionalArguments().constFirst()), toPath(out)};
     if (parser.isSet(unit))
-        order.unit = CommandUnit::named(name, parser.value(unit));
-    return order;
+        request.unit = CommandUnit::named(name, parser.value(unit));
+    return request;
 }
 } // namespace
 
 ExitStatus reportCommand(const QStringList& arguments)
 {
-    const std::optional<ReportOrder> order = parseReportOrder(arguments);
-    if (!order)
+    const std::optional<ReportRequest> request = parseReportRequest(arguments);
+    if (!request)
         return Done;
     try {
-        ReportMaker::run(*order);
+        ReportWriter::run(*request);
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::ErrorMessages::sentence(error));
     }

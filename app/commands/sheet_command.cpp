@@ -19,7 +19,7 @@ namespace
 {
 using ui::DrawingSheet; // lupdate would lose its place at a function that returns a ui::DrawingSheet
 
-class SheetWords
+class SheetMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::SheetCommand)
 };
@@ -37,12 +37,12 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     const QString name = QStringLiteral("sheet"), unit = QStringLiteral("unit"), shaded = QStringLiteral("shaded");
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        SheetWords::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. "
-                       "Status 1: not all of them have one."));
-    parser.addPositionalArgument(QStringLiteral("FILE..."), SheetWords::tr("Models, or folders of models."));
+        SheetMessages::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. "
+                          "Status 1: not all of them have one."));
+    parser.addPositionalArgument(QStringLiteral("FILE..."), SheetMessages::tr("Models, or folders of models."));
     CommandLine::addOutput(parser, QStringLiteral("OUT.pdf"));
-    parser.addOptions({{unit, SheetWords::tr("What the files are measured in; else mm."), CommandUnit::words()},
-                       {shaded, SheetWords::tr("Colours under the lines.")}});
+    parser.addOptions({{unit, SheetMessages::tr("What the files are measured in; else mm."), CommandUnit::words()},
+                       {shaded, SheetMessages::tr("Colours under the lines.")}});
     if (!CommandLine::parse(parser, name, arguments))
         return std::nullopt;
     SheetOptions options;
@@ -66,7 +66,7 @@ DrawingSheet sheetOf(const SheetOptions& options, const std::filesystem::path& f
         CommandUnit::scale(name, mesh, options.unit);
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.closed || !report.oriented)
-        CommandLine::fail(SheetWords::tr("%1 has no sheet, because its surface does not enclose anything (%2).")
+        CommandLine::fail(SheetMessages::tr("%1 has no sheet, because its surface does not enclose anything (%2).")
                               .arg(name, ui::ErrorMessages::faults(report)));
     auto drawing = core::drawLines(core::drawArraysOf(mesh), ui::sheetDetail(options.shaded), {});
     return {ui::displayName(file.filename()), QDate::currentDate(), *std::move(drawing), options.shaded};
@@ -102,7 +102,7 @@ ExitStatus sheetCommand(const QStringList& arguments)
         ui::SheetBook book(toPath(options->out), QFileInfo(options->out).completeBaseName());
         const ExitStatus status = addSheets(book, *options);
         if (book.isEmpty())
-            CommandLine::fail(SheetWords::tr("%1 was not written: there is no model that has a sheet.")
+            CommandLine::fail(SheetMessages::tr("%1 was not written: there is no model that has a sheet.")
                                   .arg(QDir::toNativeSeparators(options->out)));
         book.commit();
         return status;

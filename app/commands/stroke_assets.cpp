@@ -14,12 +14,12 @@ namespace app
 {
 namespace
 {
-class StrokeShapes
+class StrokeAssets
 {
-    Q_DECLARE_TR_FUNCTIONS(app::StrokeShapes)
+    Q_DECLARE_TR_FUNCTIONS(app::StrokeAssets)
 
 public:
-    explicit StrokeShapes(const QString& strokes) : m_strokes(strokes) {}
+    explicit StrokeAssets(const QString& strokes) : m_strokes(strokes) {}
 
     void read(core::Stroke& stroke, std::size_t index)
     {
@@ -35,7 +35,7 @@ private:
         core::StrokeFileError place(core::StrokeFileError::Kind::UnknownValue);
         place.stroke = index;
         const QString sentence =
-            tr("%1: %2: %3", "file: place: reason").arg(m_strokes, StrokeWords::place(place), reason);
+            tr("%1: %2: %3", "file: place: reason").arg(m_strokes, StrokeFileMessages::place(place), reason);
         CommandLine::fail(sentence);
     }
 
@@ -68,12 +68,12 @@ private:
 };
 } // namespace
 
-void readShapes(std::vector<core::FileEntry>& entries, const QString& strokes)
+void readStrokeAssets(std::vector<core::FileEntry>& entries, const QString& strokes)
 {
-    StrokeShapes shapes(strokes);
+    StrokeAssets assets(strokes);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (auto* const stroke = std::get_if<core::Stroke>(&entries[i]))
-            shapes.read(*stroke, i);
+            assets.read(*stroke, i);
     }
 }
 } // namespace app

@@ -9,5 +9,5 @@ namespace app
 /// Reads the images and models that strokes need into their settings; paths start from the stroke file. Each file is
 /// read once. Throws CommandFailure, with the stroke and the reason: a file that is no alpha or no brush, or not what
 /// it was when the stroke was recorded.
-void readShapes(std::vector<core::FileEntry>& entries, const QString& strokes);
+void readStrokeAssets(std::vector<core::FileEntry>& entries, const QString& strokes);
 } // namespace app

@@ -19,101 +19,102 @@ Document::Document(SculptWorker* worker, QObject* parent)
     , m_worker(worker)
     , m_history([worker](auto job) { worker->post(std::move(job)); })
 {
-    connect(&m_work, &LongWork::busy, this, &Document::busy);
-    connect(&m_work, &LongWork::stoppable, this, &Document::stoppable);
-    connect(&m_work, &LongWork::progressed, this, &Document::progressed);
-    connect(&m_work, &LongWork::idle, this, &Document::idle);
-    connect(&m_work, &LongWork::idle, this, &Document::openWaiting, Qt::QueuedConnection);
-    connect(worker, &SculptWorker::strokeFinished, this, &Document::takeReport);
+    connect(&m_job, &BackgroundJob::busy, this, &Document::busy);
+    connect(&m_job, &BackgroundJob::cancellable, this, &Document::cancellable);
+    connect(&m_job, &BackgroundJob::progressed, this, &Document::progressed);
+    connect(&m_job, &BackgroundJob::idle, this, &Document::idle);
+    connect(&m_job, &BackgroundJob::idle, this, &Document::openWaiting, Qt::QueuedConnection);
+    connect(worker, &SculptWorker::strokeFinished, this, &Document::onReport);
     connect(worker, &SculptWorker::modelSet, this, &Document::takeModel);
-    connect(worker, &SculptWorker::confirmed, this, &Document::takeConfirmation);
+    connect(worker, &SculptWorker::confirmed, this, &Document::onConfirmed);
     connect(worker, &SculptWorker::factsChanged, this, &Document::takeFacts);
     connect(worker, &SculptWorker::strokeRefused, this, [this] {
         if (m_isChanging)
             Q_EMIT noticed(tr("Sculpting rests until the model is ready."));
     });
-    connect(&m_stack, &QUndoStack::indexChanged, this, &Document::tellState);
-    connect(&m_stack, &QUndoStack::indexChanged, this, [this] { m_letGo = false; });
-    connect(&m_stack, &QUndoStack::cleanChanged, this, &Document::tellState);
-    connect(&m_history, &HistoryStore::expired, this, &Document::tellState);
+    connect(&m_stack, &QUndoStack::indexChanged, this, &Document::notifyStateChanged);
+    connect(&m_stack, &QUndoStack::indexChanged, this, [this] { m_isDiscardAgreed = false; });
+    connect(&m_stack, &QUndoStack::cleanChanged, this, &Document::notifyStateChanged);
+    connect(&m_history, &HistoryStore::expired, this, &Document::notifyStateChanged);
     connect(&m_history, &HistoryStore::lost, this, &Document::loseHistory);
 }
 
 Document::~Document()
 {
-    m_work.stop();
+    m_job.cancel();
     m_worker->stop();
     m_stack.disconnect(this);
 }
 
-void Document::setMayDiscard(MayDiscard mayDiscard)
+void Document::setDiscardPrompt(MayDiscard canDiscard)
 {
-    m_mayDiscard = std::move(mayDiscard);
+    m_mayDiscard = std::move(canDiscard);
 }
 
-void Document::setCompleteNotes(std::function<void(core::DocumentMetadata&)> complete)
+void Document::setCompleteMetadata(std::function<void(core::DocumentMetadata&)> complete)
 {
-    m_completeNotes = std::move(complete);
+    m_completeMetadata = std::move(complete);
 }
 
-bool Document::mayDiscard(const std::function<void()>& goOn) const
+bool Document::canDiscard(const std::function<void()>& proceed) const
 {
-    return !isModified() || !m_mayDiscard || m_mayDiscard(goOn);
+    return !isModified() || !m_mayDiscard || m_mayDiscard(proceed);
 }
 
 // --- the whole model
 
 void Document::apply(const core::ModelCommand& command)
 {
-    if (!m_work.isBusy())
+    if (!m_job.isBusy())
         request([this, command] { startChange(command, {}); });
 }
 
 void Document::insert(const ui::InsertRequest& insertion)
 {
-    if (!m_work.isBusy())
+    if (!m_job.isBusy())
         request([this, insertion] { startChange(core::Insert{{}, insertion.place, insertion.centre}, insertion); });
 }
 
-void Document::stop()
+void Document::cancelJob()
 {
     m_next.reset();
-    m_work.stop();
+    m_job.cancel();
 }
 
 /// Until it is finished, strokes are refused and undo waits: the mesh stays the one that was copied.
 void Document::startChange(core::ModelCommand command, const ui::InsertRequest& insertion)
 {
-    if (m_work.isBusy())
+    if (m_job.isBusy())
         return;
     if (!m_worker->hold()) // another hand was faster
         return request([this, command = std::move(command), insertion] { startChange(command, insertion); });
     if (auto* const reset = std::get_if<core::Reset>(&command))
         reset->start = m_start;
     m_isChanging = true;
-    const core::JobControl control = m_work.beginStoppable(ModelWords::doing(command));
+    const core::JobControl control = m_job.beginCancellable(CommandNames::progress(command));
     m_worker->post([this, command = std::move(command), insertion, control](core::Sculptor& sculptor) {
-        auto copy = ModelTrial::copyOf(sculptor.mesh());
+        auto copy = ModelChangeJob::copyOf(sculptor.mesh());
         auto work = [this, copy = std::move(copy), command, insertion, control]() mutable {
-            return ModelTrial::run(
-                copy, command, insertion, [this](const QString& what) { m_work.rename(what); }, control);
+            return ModelChangeJob::run(
+                copy, command, insertion, [this](const QString& what) { m_job.rename(what); }, control);
         };
-        m_work.run(std::move(work), [this, command, insertion](ModelOutcome outcome) {
+        m_job.run(std::move(work), [this, command, insertion](ModelChangeOutcome outcome) {
             finishChange(command, insertion, std::move(outcome));
         });
     });
 }
 
-void Document::finishChange(const core::ModelCommand& command, const ui::InsertRequest& insertion, ModelOutcome outcome)
+void Document::finishChange(const core::ModelCommand& command, const ui::InsertRequest& insertion,
+                            ModelChangeOutcome outcome)
 {
-    if (m_work.wasStopped() || !outcome.change.changes)
+    if (m_job.wasCancelled() || !outcome.change.changes)
         return endChange(command, insertion, outcome);
-    m_work.keep();
+    m_job.commit();
     auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
     const StepMarks marks{
-        ModelWords::icon(command), 0, 0,
+        CommandNames::icon(command), 0, 0,
         std::make_shared<const core::FileEntry>(core::FileCommand{command, insertion.path.toStdString()})};
-    m_worker->post([delta, step = StrokeStep::forJournal(ModelWords::name(command), marks),
+    m_worker->post([delta, step = StrokeStep::forJournal(CommandNames::name(command), marks),
                     journal = m_journal](core::Sculptor& sculptor) {
         sculptor.swap(*delta);
         if (journal)
@@ -122,52 +123,52 @@ void Document::finishChange(const core::ModelCommand& command, const ui::InsertR
     whenRecorded([this, command, insertion, outcome = std::move(outcome), delta, marks] {
         const int index = m_stack.index();
         m_history.add(index, delta);
-        m_stack.push(new StrokeCommand(ModelWords::name(command), marks, &m_history, index));
+        m_stack.push(new StrokeCommand(CommandNames::name(command), marks, &m_history, index));
         m_lastReport.reset();
-        Q_EMIT stepped(*marks.deed);
+        Q_EMIT stepped(*marks.recordedStep);
         endChange(command, insertion, outcome);
     });
 }
 
 /// What was posted before is told of then: not before it would survive the program.
-void Document::whenRecorded(std::function<void()> tell)
+void Document::whenRecorded(std::function<void()> done)
 {
-    m_unconfirmed.push_back(std::move(tell));
+    m_unconfirmed.push_back(std::move(done));
     m_worker->confirm();
 }
 
-void Document::takeConfirmation()
+void Document::onConfirmed()
 {
-    const auto tell = std::move(m_unconfirmed.front());
+    const auto done = std::move(m_unconfirmed.front());
     m_unconfirmed.pop_front();
-    tell();
+    done();
 }
 
 void Document::endChange(const core::ModelCommand& command, const ui::InsertRequest& insertion,
-                         const ModelOutcome& outcome)
+                         const ModelChangeOutcome& outcome)
 {
     m_isChanging = false;
     m_worker->release();
-    m_work.end();
-    if (!m_work.wasStopped())
-        tellOutcome(command, insertion, outcome);
-    tellState();
+    m_job.end();
+    if (!m_job.wasCancelled())
+        reportOutcome(command, insertion, outcome);
+    notifyStateChanged();
     runRequests();
 }
 
-void Document::tellOutcome(const core::ModelCommand& command, const ui::InsertRequest& insertion,
-                           const ModelOutcome& outcome)
+void Document::reportOutcome(const core::ModelCommand& command, const ui::InsertRequest& insertion,
+                             const ModelChangeOutcome& outcome)
 {
-    if (std::holds_alternative<core::Insert>(command) && outcome.isMendable && !insertion.repair)
-        return Q_EMIT insertionMendable(insertion, outcome.problem);
+    if (std::holds_alternative<core::Insert>(command) && outcome.isRepairable && !insertion.repair)
+        return Q_EMIT insertionRepairable(insertion, outcome.problem);
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
     if (!outcome.change.changes)
-        return Q_EMIT noticed(ModelWords::nothing(command));
+        return Q_EMIT noticed(CommandNames::unchanged(command));
     if (!outcome.notice.isEmpty())
         Q_EMIT noticed(outcome.notice);
-    if (!outcome.mended.isEmpty())
-        Q_EMIT insertedMended(QFileInfo(insertion.path).fileName(), outcome.mended);
+    if (!outcome.repairs.isEmpty())
+        Q_EMIT insertedRepaired(QFileInfo(insertion.path).fileName(), outcome.repairs);
 }
 
 // --- strokes and history
@@ -177,7 +178,7 @@ void Document::beginStroke(const core::StrokeSettings& settings)
     m_strokeOpen = true;
     m_lastStep = StrokeStep::textOf(settings.tool);
     strokeRequest([this, settings] { m_worker->beginStroke(Source::Desktop, settings); });
-    tellState();
+    notifyStateChanged();
 }
 
 void Document::addSample(const core::StrokeSample& sample)
@@ -198,7 +199,7 @@ void Document::addSphere(const core::StrokeSettings& settings, const core::Strok
 {
     m_lastStep = StrokeStep::textOfAdding(settings.model != nullptr);
     strokeRequest([this, settings, sample] { m_worker->addSphere(Source::Desktop, settings, sample); });
-    tellState();
+    notifyStateChanged();
 }
 
 void Document::undo()
@@ -236,7 +237,7 @@ void Document::comeTo(int index)
     m_stack.setIndex(index);
     whenRecorded([this] {
         --m_moves;
-        tellState();
+        notifyStateChanged();
     });
 }
 
@@ -268,21 +269,21 @@ bool Document::hasUnreported() const
     return m_reported < m_worker->strokesBegun();
 }
 
-void Document::takeReport(const StrokeReport& report)
+void Document::onReport(const StrokeReport& report)
 {
     ++m_reported;
     if (!m_isInstalling) {
         if (report.delta) {
             const int index = m_stack.index();
             m_history.add(index, report.delta);
-            const StepWords words = StrokeStep::wordsOf(report);
+            const StepDescription words = StrokeStep::descriptionOf(report);
             m_stack.push(new StrokeCommand(words.text, words.marks, &m_history, index));
             m_lastReport = report;
             m_lastReport->delta = nullptr;
             m_lastIndex = index;
-            if (!report.isAgain)
+            if (!report.isReplacement)
                 countWork();
-            Q_EMIT stepped(*report.deed);
+            Q_EMIT stepped(*report.recordedStep);
         }
         const bool isSeen = report.shortfall == core::Shortfall::Blocked && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
@@ -294,29 +295,29 @@ void Document::takeReport(const StrokeReport& report)
         takeFacts(report.facts);
         describeToJournal();
     }
-    takeAgain(report);
-    tellState();
+    onStrokeReplaced(report);
+    notifyStateChanged();
     runRequests();
 }
 
 void Document::countWork()
 {
-    core::WorkDone work = m_facts.metadata.work.value_or(core::WorkDone());
-    m_clock.count(work, steadyNs());
-    m_facts.metadata.work = work;
+    core::WorkDone work = m_modelInfo.metadata.work.value_or(core::WorkDone());
+    m_workTimer.count(work, steadyNs());
+    m_modelInfo.metadata.work = work;
 }
 
 void Document::takeFacts(const MeshFacts& facts)
 {
-    m_facts.vertices = facts.vertices;
-    m_facts.faces = facts.faces;
-    m_facts.box = facts.box;
-    m_facts.area = facts.area;
-    m_facts.uniformDetail = facts.uniformDetail;
-    m_facts.minDetail = facts.minDetail;
-    m_facts.size = facts.box.isEmpty() ? core::Vec3::Zero() : core::Vec3(facts.box.sizes());
+    m_modelInfo.vertices = facts.vertices;
+    m_modelInfo.faces = facts.faces;
+    m_modelInfo.box = facts.box;
+    m_modelInfo.area = facts.area;
+    m_modelInfo.uniformDetail = facts.uniformDetail;
+    m_modelInfo.minDetail = facts.minDetail;
+    m_modelInfo.size = facts.box.isEmpty() ? core::Vec3::Zero() : core::Vec3(facts.box.sizes());
     if (!m_isInstalling)
-        Q_EMIT factsChanged(m_facts);
+        Q_EMIT modelInfoChanged(m_modelInfo);
 }
 
 void Document::loseHistory()
@@ -329,7 +330,7 @@ void Document::loseHistory()
     if (m_journal)
         m_worker->post([journal = m_journal](core::Sculptor&) { journal->forget(); });
     describeToJournal();
-    tellState();
+    notifyStateChanged();
     Q_EMIT refused(
         tr("The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order."));
 }
@@ -366,7 +367,7 @@ QString Document::redoText() const
     return canRedo() ? m_stack.redoText() : QString();
 }
 
-void Document::tellState()
+void Document::notifyStateChanged()
 {
     Q_EMIT historyChanged();
     if (m_moves == 0 && std::exchange(m_toldModified, isModified()) != isModified())

@@ -23,31 +23,31 @@ namespace
 constexpr double startRadius = 50; ///< mm
 } // namespace
 
-Document::Choice Document::choiceOf(const QString& path, LongWork& work)
+Document::Choice Document::choiceOf(const QString& path, BackgroundJob& work)
 {
-    const auto tell = [&work](const QString& next) { work.rename(next); };
+    const auto onStage = [&work](const QString& next) { work.rename(next); };
     return {tr("Opening %1").arg(QFileInfo(path).fileName()),
-            [path, tell](const core::JobControl& control) { return ModelLoader::load(path, tell, control); }};
+            [path, onStage](const core::JobControl& control) { return ModelLoader::load(path, onStage, control); }};
 }
 
 void Document::open(const QString& path)
 {
-    openFrom(choiceOf(path, m_work));
+    openFrom(choiceOf(path, m_job));
 }
 
-void Document::openLosingChanges(const QString& path)
+void Document::openDiscardingChanges(const QString& path)
 {
-    Choice choice = choiceOf(path, m_work);
-    choice.losesChanges = true;
+    Choice choice = choiceOf(path, m_job);
+    choice.discardsChanges = true;
     openFrom(choice);
 }
 
-void Document::openMended(const QString& path, const core::RepairOptions& options)
+void Document::openRepaired(const QString& path, const core::RepairOptions& options)
 {
     const QString name = QFileInfo(path).fileName();
-    const auto tell = [this](const QString& next) { m_work.rename(next); };
-    openFrom({tr("Opening %1").arg(name), [path, options, tell](const core::JobControl& control) {
-                  return ModelLoader::loadMended(path, options, tell, control);
+    const auto onStage = [this](const QString& next) { m_job.rename(next); };
+    openFrom({tr("Opening %1").arg(name), [path, options, onStage](const core::JobControl& control) {
+                  return ModelLoader::loadRepaired(path, options, onStage, control);
               }});
 }
 
@@ -69,19 +69,19 @@ void Document::openMade(const Made& made)
                   model.mark = mark;
                   return model;
               },
-              made.losesChanges});
+              made.discardsChanges});
 }
 
 /// Changes are what they are when all strokes have reported. Who let them go for a model that does not come need not be
 /// asked again.
 void Document::openFrom(const Choice& choice)
 {
-    if (m_work.isBusy() && !m_isLoading)
+    if (m_job.isBusy() && !m_isLoading)
         Q_EMIT noticed(tr("The model that you chose opens as soon as this is done."));
     request([this, choice] {
-        if (m_work.isBusy())
+        if (m_job.isBusy())
             openNext(choice);
-        else if (choice.losesChanges || m_letGo || mayDiscard([this, choice] { openFrom(choice); }))
+        else if (choice.discardsChanges || m_isDiscardAgreed || canDiscard([this, choice] { openFrom(choice); }))
             load(choice.what, choice.make);
     });
 }
@@ -92,8 +92,8 @@ void Document::openNext(Choice choice)
     m_next = std::move(choice);
     if (!m_isLoading)
         return;
-    m_work.stop();
-    Q_EMIT stoppable(true); // the choice can still be taken back
+    m_job.cancel();
+    Q_EMIT cancellable(true); // the choice can still be taken back
 }
 
 void Document::openWaiting()
@@ -104,31 +104,31 @@ void Document::openWaiting()
 
 void Document::load(const QString& what, const Make& make)
 {
-    m_isLoading = m_letGo = true;
-    const core::JobControl control = m_work.beginStoppable(what);
+    m_isLoading = m_isDiscardAgreed = true;
+    const core::JobControl control = m_job.beginCancellable(what);
     const auto finish = [this, control](const std::shared_ptr<LoadedModel>& model) {
-        m_work.keep();
+        m_job.commit();
         if (!control.isCancelled() && model->sculptor)
             return request([this, model] { install(model); });
-        if (m_shelf)
-            m_shelf->discard(model->journal);
+        if (m_recoveryStore)
+            m_recoveryStore->discard(model->journal);
         m_isLoading = false;
-        m_letGo = m_letGo && m_next;
-        m_work.end();
-        if (!control.isCancelled() && model->isMendable)
-            Q_EMIT mendable(model->path, model->problem);
+        m_isDiscardAgreed = m_isDiscardAgreed && m_next;
+        m_job.end();
+        if (!control.isCancelled() && model->isRepairable)
+            Q_EMIT repairable(model->path, model->problem);
         else if (!control.isCancelled())
             Q_EMIT refused(model->problem);
-        if (m_facts.faces == 0 && !m_next) // never without a model
+        if (m_modelInfo.faces == 0 && !m_next) // never without a model
             openSphere();
     };
-    auto work = [make, control, shelf = m_shelf] {
+    auto work = [make, control, recoveryStore = m_recoveryStore] {
         auto model = std::make_shared<LoadedModel>(make(control));
-        if (shelf && model->sculptor && !model->recovered && !control.isCancelled())
-            model->journal = shelf->begin(*model);
+        if (recoveryStore && model->sculptor && !model->recovered && !control.isCancelled())
+            model->journal = recoveryStore->begin(*model);
         return model;
     };
-    m_work.run(std::move(work), finish);
+    m_job.run(std::move(work), finish);
 }
 
 void Document::install(std::shared_ptr<LoadedModel> model)
@@ -138,105 +138,106 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_stack.clear();
     m_lastReport.reset();
     m_isHistoryWhole = true;
-    m_changedBeyondHistory = model->isUnsaved || !model->mended.isEmpty();
+    m_changedBeyondHistory = model->isUnsaved || !model->repairs.isEmpty();
     m_mark = model->mark;
-    m_facts.name = model->name;
-    m_facts.path = model->path;
-    m_facts.metadata = model->metadata;
+    m_modelInfo.name = model->name;
+    m_modelInfo.path = model->path;
+    m_modelInfo.metadata = model->metadata;
     m_clock = {};
-    m_facts.unitGuess = model->unitGuess;
+    m_modelInfo.unitGuess = model->unitGuess;
     m_start = std::exchange(model->start, nullptr);
     m_recovered = std::exchange(model->recovered, nullptr);
     giveWorker(std::exchange(model->sculptor, nullptr),
-               m_recovered ? m_shelf->goOn(model->offer, *m_recovered) : model->journal);
+               m_recovered ? m_recoveryStore->resume(model->offer, *m_recovered) : model->journal);
     if (!model->notice.isEmpty())
         Q_EMIT noticed(model->notice);
-    if (!model->mended.isEmpty())
-        Q_EMIT mended(model->name, model->mended);
+    if (!model->repairs.isEmpty())
+        Q_EMIT repaired(model->name, model->repairs);
 }
 
 void Document::takeModel(const MeshFacts& facts)
 {
-    m_isInstalling = m_isLoading = m_letGo = false;
+    m_isInstalling = m_isLoading = m_isDiscardAgreed = false;
     takeFacts(facts);
-    m_work.end();
-    Q_EMIT opened(m_facts);
+    m_job.end();
+    Q_EMIT opened(m_modelInfo);
     if (const auto recovered = std::exchange(m_recovered, nullptr))
         restore(*recovered);
-    tellState();
+    notifyStateChanged();
     runRequests();
 }
 
 void Document::setPalette(std::vector<core::Rgb> palette)
 {
-    m_facts.metadata.palette = std::move(palette);
+    m_modelInfo.metadata.palette = std::move(palette);
     describeToJournal();
 }
 
 void Document::setPath(const QString& path)
 {
-    m_facts.path = path;
-    m_facts.name = QFileInfo(path).fileName();
+    m_modelInfo.path = path;
+    m_modelInfo.name = QFileInfo(path).fileName();
     describeToJournal();
-    Q_EMIT factsChanged(m_facts);
+    Q_EMIT modelInfoChanged(m_modelInfo);
 }
 
 void Document::setName(const QString& name)
 {
-    m_facts.name = name;
+    m_modelInfo.name = name;
     describeToJournal();
-    Q_EMIT factsChanged(m_facts);
+    Q_EMIT modelInfoChanged(m_modelInfo);
 }
 
-void Document::loseFile()
+void Document::onFileDeleted()
 {
     m_changedBeyondHistory = true;
     describeToJournal();
-    tellState();
+    notifyStateChanged();
 }
 
-core::DocumentMetadata Document::notesNow() const
+core::DocumentMetadata Document::presentMetadata() const
 {
-    core::DocumentMetadata metadata = m_facts.metadata;
-    if (m_completeNotes)
-        m_completeNotes(metadata);
+    core::DocumentMetadata metadata = m_modelInfo.metadata;
+    if (m_completeMetadata)
+        m_completeMetadata(metadata);
     return metadata;
 }
 
 void Document::save(const QString& path)
 {
-    const int kept = ui::Settings().preferences().keepsBackups ? ui::backupCount : 0;
+    const int backups = ui::Settings().preferences().keepsBackups ? ui::backupCount : 0;
     saveBy(QFileInfo(path).fileName(),
-           [path, kept](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
-               return ModelSaving::save(path, mesh, metadata, kept);
+           [path, backups](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
+               return ModelSaving::save(path, mesh, metadata, backups);
            });
 }
 
 void Document::saveNumbered(const QString& path)
 {
-    saveBy(m_facts.name, [path](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
+    saveBy(m_modelInfo.name, [path](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
         return ModelSaving::saveNumbered(path, mesh, metadata);
     });
 }
 
 void Document::saveBy(const QString& name, const Write& write)
 {
-    if (m_work.isBusy())
+    if (m_job.isBusy())
         return;
-    m_work.begin(tr("Saving %1").arg(name));
+    m_job.begin(tr("Saving %1").arg(name));
     request([this, write] {
-        m_worker->post([this, write, metadata = notesNow(), index = m_stack.index()](core::Sculptor& sculptor) mutable {
-            metadata.frame = sculptor.mesh().frame();
-            auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            auto work = [write, metadata, mesh = std::move(mesh)] { return write(*mesh, metadata); };
-            m_work.run(std::move(work), [this, index](const SavedFile& saved) { finishSaving(index, saved); });
-        });
+        m_worker->post(
+            [this, write, metadata = presentMetadata(), index = m_stack.index()](core::Sculptor& sculptor) mutable {
+                metadata.frame = sculptor.mesh().frame();
+                auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
+                auto work = [write, metadata, mesh = std::move(mesh)] { return write(*mesh, metadata); };
+                m_job.run(std::move(work), [this, index](const SavedFile& saved) { finishSaving(index, saved); });
+            });
     });
 }
 
 void Document::finishSaving(int index, const SavedFile& saved)
 {
-    m_work.end();
+    m_job.end();
     if (!saved.problem.isEmpty()) {
         Q_EMIT refused(saved.problem);
         return;
@@ -246,34 +247,34 @@ void Document::finishSaving(int index, const SavedFile& saved)
         Q_EMIT noticed(saved.notice);
 }
 
-void Document::exportTo(const QString& path, quint64 mostTriangles, bool slices)
+void Document::exportTo(const QString& path, quint64 maxTriangles, bool slices)
 {
-    if (m_work.isBusy())
+    if (m_job.isBusy())
         return;
-    const core::JobControl control = m_work.beginStoppable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
-    request([this, path, mostTriangles, slices, control] {
-        startExport({path, mostTriangles, slices, notesNow()}, control);
+    const core::JobControl control = m_job.beginCancellable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
+    request([this, path, maxTriangles, slices, control] {
+        startExport({path, maxTriangles, slices, presentMetadata()}, control);
     });
 }
 
-void Document::startExport(const ExportOrder& order, const core::JobControl& control)
+void Document::startExport(const ExportRequest& request, const core::JobControl& control)
 {
-    m_worker->post([this, order = order, control](core::Sculptor& sculptor) mutable {
-        order.mesh = ModelTrial::copyOf(sculptor.mesh());
-        order.metadata.frame = sculptor.mesh().frame();
-        auto work = [this, order, control] {
+    m_worker->post([this, request = request, control](core::Sculptor& sculptor) mutable {
+        request.mesh = ModelChangeJob::copyOf(sculptor.mesh());
+        request.metadata.frame = sculptor.mesh().frame();
+        auto work = [this, request, control] {
             return ModelExport::run(
-                order, [this](const QString& what) { m_work.rename(what); }, control);
+                request, [this](const QString& what) { m_job.rename(what); }, control);
         };
-        m_work.run(std::move(work),
-                   [this, path = order.path](const ExportOutcome& outcome) { finishExport(path, outcome); });
+        m_job.run(std::move(work),
+                  [this, path = request.path](const ExportOutcome& outcome) { finishExport(path, outcome); });
     });
 }
 
 void Document::finishExport(const QString& path, const ExportOutcome& outcome)
 {
-    m_work.keep();
-    m_work.end();
+    m_job.commit();
+    m_job.end();
     if (!outcome.problem.isEmpty())
         Q_EMIT refused(outcome.problem);
     else if (!outcome.verdict.isEmpty())
@@ -282,40 +283,40 @@ void Document::finishExport(const QString& path, const ExportOutcome& outcome)
         Q_EMIT noticed(tr("%1 was not written.").arg(QFileInfo(path).fileName()));
 }
 
-void Document::keepAsBrush()
+void Document::exportBrush()
 {
-    if (m_work.isBusy())
+    if (m_job.isBusy())
         return;
-    const core::JobControl control = m_work.beginStoppable(tr("Making a brush of %1").arg(m_facts.name));
+    const core::JobControl control = m_job.beginCancellable(tr("Making a brush of %1").arg(m_modelInfo.name));
     request([this, control] {
-        m_worker->post([this, control, name = m_facts.name](core::Sculptor& sculptor) {
-            auto work = [copy = ModelTrial::copyOf(sculptor.mesh()), name, control] {
-                return BrushKeeper::keep(copy, name, control);
+        m_worker->post([this, control, name = m_modelInfo.name](core::Sculptor& sculptor) {
+            auto work = [copy = ModelChangeJob::copyOf(sculptor.mesh()), name, control] {
+                return BrushExport::run(copy, name, control);
             };
-            m_work.run(std::move(work), [this](const KeptBrush& kept) { finishBrush(kept); });
+            m_job.run(std::move(work), [this](const ExportedBrush& brush) { finishBrush(brush); });
         });
     });
 }
 
-void Document::finishBrush(const KeptBrush& kept)
+void Document::finishBrush(const ExportedBrush& brush)
 {
-    m_work.keep();
-    m_work.end();
-    if (!kept.problem.isEmpty())
-        Q_EMIT refused(kept.problem);
-    else if (!kept.path.isEmpty())
-        Q_EMIT keptAsBrush(kept.path);
+    m_job.commit();
+    m_job.end();
+    if (!brush.problem.isEmpty())
+        Q_EMIT refused(brush.problem);
+    else if (!brush.path.isEmpty())
+        Q_EMIT brushExported(brush.path);
 }
 
 /// The file holds what the model was at that step. If others followed, it has changes that no file holds.
 void Document::takeSaved(const QString& path, int index)
 {
-    m_facts.path = path;
-    m_facts.name = QFileInfo(path).fileName();
+    m_modelInfo.path = path;
+    m_modelInfo.name = QFileInfo(path).fileName();
     describeToJournal();
     setSaved(index);
     Q_EMIT saved(path);
-    tellState();
+    notifyStateChanged();
 }
 
 void Document::setSaved(int index)
@@ -329,12 +330,12 @@ void Document::setSaved(int index)
         m_journal->saved(static_cast<std::uint32_t>(index));
 }
 
-bool Document::handOver(const QString& what, std::function<bool(const Present& present)> keep,
-                        std::function<void(bool isKept)> done)
+bool Document::saveExternally(const QString& what, std::function<bool(const Present& present)> keep,
+                              std::function<void(bool isKept)> done)
 {
-    if (m_work.isBusy())
+    if (m_job.isBusy())
         return false;
-    m_work.begin(what);
+    m_job.begin(what);
     request([this, keep = std::move(keep), done = std::move(done)] { startHandingOver(keep, done); });
     return true;
 }
@@ -345,25 +346,26 @@ void Document::startHandingOver(const std::function<bool(const Present& present)
     if (!m_worker->hold()) // another hand was faster
         return request([this, keep, done] { startHandingOver(keep, done); });
     m_isChanging = true; // what is asked for waits
-    m_worker->post([this, keep, done, present = Present{nullptr, 0, notesNow(), m_stack.index(), deedsNow()}](
-                       core::Sculptor& sculptor) mutable {
-        present.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-        present.hash = sculptor.mesh().meshHash();
-        present.metadata.frame = sculptor.mesh().frame();
-        m_work.run([keep, present] { return keep(present); },
-                   [this, done, index = present.step](bool isKept) { finishHandingOver(index, isKept, done); });
-    });
+    m_worker->post(
+        [this, keep, done, present = Present{nullptr, 0, presentMetadata(), m_stack.index(), recordedSteps()}](
+            core::Sculptor& sculptor) mutable {
+            present.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
+            present.hash = sculptor.mesh().meshHash();
+            present.metadata.frame = sculptor.mesh().frame();
+            m_job.run([keep, present] { return keep(present); },
+                      [this, done, index = present.step](bool isKept) { finishHandingOver(index, isKept, done); });
+        });
 }
 
 void Document::finishHandingOver(int index, bool isKept, const std::function<void(bool isKept)>& done)
 {
-    m_work.end();
+    m_job.end();
     m_isChanging = false;
     if (isKept)
         setSaved(index);
     done(isKept);
     m_worker->release();
-    tellState();
+    notifyStateChanged();
     runRequests();
 }
 } // namespace app

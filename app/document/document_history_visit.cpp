@@ -12,52 +12,51 @@ namespace app
 {
 namespace
 {
-constexpr std::chrono::milliseconds patience(50); ///< between two looks whether it was stopped
+constexpr std::chrono::milliseconds pollInterval(50); ///< between two looks whether it was stopped
 } // namespace
 
-bool Document::lookBack(const QString& what, LookBack look, std::function<void()> done)
+bool Document::visitHistory(const QString& what, Visit look, std::function<void()> done)
 {
-    if (m_work.isBusy())
+    if (m_job.isBusy())
         return false;
-    const core::JobControl control = m_work.beginStoppable(what);
-    request([this, look = std::move(look), done = std::move(done), control] { startLookingBack(look, done, control); });
+    const core::JobControl control = m_job.beginCancellable(what);
+    request([this, look = std::move(look), done = std::move(done), control] { startVisit(look, done, control); });
     return true;
 }
 
-void Document::startLookingBack(const LookBack& look, const std::function<void()>& done,
-                                const core::JobControl& control)
+void Document::startVisit(const Visit& look, const std::function<void()>& done, const core::JobControl& control)
 {
     if (!m_worker->hold()) // another hand was faster
-        return request([this, look, done, control] { startLookingBack(look, done, control); });
+        return request([this, look, done, control] { startVisit(look, done, control); });
     m_isChanging = true; // what is asked for waits
-    ModelPast past{nullptr, m_history.firstIndex(), m_stack.index(), {}};
+    ModelHistory history{nullptr, m_history.firstIndex(), m_stack.index(), {}};
     std::vector<std::shared_ptr<StoredDelta>> changes;
-    for (int i = past.first; i < past.present; ++i)
+    for (int i = history.first; i < history.present; ++i)
         changes.push_back(m_history.at(i));
-    past.change = [worker = m_worker, changes, first = past.first,
-                   stop = control.stop](int index) -> std::optional<core::MeshDelta> {
+    history.change = [worker = m_worker, changes, first = history.first,
+                      stop = control.stop](int index) -> std::optional<core::MeshDelta> {
         auto answer = std::make_shared<std::promise<std::optional<core::MeshDelta>>>();
         auto copied = answer->get_future();
         const auto change = changes.at(static_cast<std::size_t>(index - first));
         worker->post([answer = std::move(answer), change](core::Sculptor&) { answer->set_value(change->copy()); });
-        while (copied.wait_for(patience) != std::future_status::ready)
+        while (copied.wait_for(pollInterval) != std::future_status::ready)
             if (stop.stop_requested()) // the mesh thread may have ended
                 return std::nullopt;
         return copied.get();
     };
-    m_worker->post([this, look, done, control, past](core::Sculptor& sculptor) mutable {
-        past.mesh = ModelTrial::copyOf(sculptor.mesh());
-        auto work = [look, past, control] {
-            look(past, control);
+    m_worker->post([this, look, done, control, history](core::Sculptor& sculptor) mutable {
+        history.mesh = ModelChangeJob::copyOf(sculptor.mesh());
+        auto work = [look, history, control] {
+            look(history, control);
             return 0;
         };
-        m_work.run(std::move(work), [this, done](int) {
-            m_work.keep();
-            m_work.end();
+        m_job.run(std::move(work), [this, done](int) {
+            m_job.commit();
+            m_job.end();
             m_isChanging = false;
             m_worker->release();
             done();
-            tellState();
+            notifyStateChanged();
             runRequests();
         });
     });

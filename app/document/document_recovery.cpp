@@ -12,18 +12,19 @@
 
 namespace app
 {
-void Document::keepJournals(JournalShelf* shelf)
+void Document::keepJournals(RecoveryStore* recoveryStore)
 {
-    m_shelf = shelf;
-    connect(shelf, &JournalShelf::told, this, &Document::noticed);
-    connect(shelf, &JournalShelf::mayRecord, this, &Document::wantJournal);
-    connect(shelf, &JournalShelf::roomFound, this, &Document::recordLate);
+    m_recoveryStore = recoveryStore;
+    connect(recoveryStore, &RecoveryStore::noticed, this, &Document::noticed);
+    connect(recoveryStore, &RecoveryStore::retryDue, this, &Document::retryRecording);
+    connect(recoveryStore, &RecoveryStore::spaceFound, this, &Document::startRecording);
 }
 
 void Document::recover(quint64 offer, const QString& name)
 {
-    openFrom({tr("Recovering %1").arg(name),
-              [shelf = m_shelf, offer](const core::JobControl& control) { return shelf->recover(offer, control); }});
+    openFrom({tr("Recovering %1").arg(name), [recoveryStore = m_recoveryStore, offer](const core::JobControl& control) {
+                  return recoveryStore->recover(offer, control);
+              }});
 }
 
 /// With its journal, which may be none. That of the model before goes when nobody writes to it any more.
@@ -32,10 +33,10 @@ void Document::giveWorker(std::shared_ptr<core::Sculptor> sculptor, std::shared_
     const auto before = std::exchange(m_journal, std::move(journal));
     m_history.setJournal(m_journal);
     m_worker->setModel(std::move(sculptor), m_journal);
-    if (m_shelf)
-        m_shelf->setPresent(m_journal);
+    if (m_recoveryStore)
+        m_recoveryStore->setPresent(m_journal);
     if (before)
-        m_worker->post([shelf = m_shelf, before](core::Sculptor&) { shelf->discard(before); });
+        m_worker->post([recoveryStore = m_recoveryStore, before](core::Sculptor&) { recoveryStore->discard(before); });
 }
 
 /// The undo stack has its steps again, in names and places; the changes are the store's.
@@ -44,7 +45,7 @@ void Document::restore(const core::RecoveredDocument& recovered)
     const core::JournalHistory& history = recovered.history;
     const QSignalBlocker quiet(m_stack); // of steps that nobody takes
     for (int i = 0; i < static_cast<int>(history.steps.size()); ++i) {
-        const StepWords step = StrokeStep::fromJournal(history.steps[static_cast<std::size_t>(i)]);
+        const StepDescription step = StrokeStep::fromJournal(history.steps[static_cast<std::size_t>(i)]);
         m_stack.push(new StrokeCommand(step.text, step.marks, &m_history, i));
     }
     m_isHistoryWhole = history.isWhole;
@@ -63,27 +64,27 @@ void Document::restore(const core::RecoveredDocument& recovered)
 }
 
 /// Nothing is recorded of the model that is open, and that may be possible again.
-void Document::wantJournal()
+void Document::retryRecording()
 {
-    if (m_facts.faces > 0 && (!m_journal || m_journal->isBroken()))
-        m_shelf->findRoom(m_facts.faces);
+    if (m_modelInfo.faces > 0 && (!m_journal || m_journal->isBroken()))
+        m_recoveryStore->findSpace(m_modelInfo.faces);
 }
 
 /// From here on, on top of the model as it is: nobody waits for that to be written.
-void Document::recordLate(const std::shared_ptr<core::JournalFolder>& folder)
+void Document::startRecording(const std::shared_ptr<core::JournalFolder>& folder)
 {
     request([this, folder] {
         if (m_journal && !m_journal->isBroken())
             return;
         if (!m_worker->hold()) // another hand sculpts
-            return recordLate(folder);
+            return startRecording(folder);
         const core::BaseRecord base{forJournal(), historyNow()};
         const core::StartRecord start{m_start, base.document};
-        m_journal = m_shelf->beginDeferred(folder, base.history.present);
+        m_journal = m_recoveryStore->beginDeferred(folder, base.history.present);
         m_history.setJournal(m_journal);
         m_worker->setJournal(m_journal);
         m_worker->post([journal = m_journal, start, base](core::Sculptor& sculptor) {
-            journal->beginWith(ModelTrial::copyOf(sculptor.mesh()), start, base);
+            journal->beginWith(ModelChangeJob::copyOf(sculptor.mesh()), start, base);
         });
         m_worker->release();
     });
@@ -91,7 +92,7 @@ void Document::recordLate(const std::shared_ptr<core::JournalFolder>& folder)
 
 core::JournalDocument Document::forJournal() const
 {
-    return {m_facts.name.toStdString(), m_facts.path.toStdString(), notesNow(), m_changedBeyondHistory};
+    return {m_modelInfo.name.toStdString(), m_modelInfo.path.toStdString(), presentMetadata(), m_changedBeyondHistory};
 }
 
 core::JournalHistory Document::historyNow() const
@@ -109,16 +110,16 @@ core::JournalHistory Document::historyNow() const
 }
 
 /// Nothing if that of one step is not known.
-std::optional<std::vector<core::FileEntry>> Document::deedsNow() const
+std::optional<std::vector<core::FileEntry>> Document::recordedSteps() const
 {
-    std::vector<core::FileEntry> deeds;
+    std::vector<core::FileEntry> steps;
     for (int i = 0; i < m_stack.index(); ++i) {
-        const auto& deed = static_cast<const StrokeCommand*>(m_stack.command(i))->marks().deed;
-        if (!deed)
+        const auto& recordedStep = static_cast<const StrokeCommand*>(m_stack.command(i))->marks().recordedStep;
+        if (!recordedStep)
             return std::nullopt;
-        deeds.push_back(*deed);
+        steps.push_back(*recordedStep);
     }
-    return m_isHistoryWhole ? std::optional(std::move(deeds)) : std::nullopt;
+    return m_isHistoryWhole ? std::optional(std::move(steps)) : std::nullopt;
 }
 
 void Document::describeToJournal()

@@ -18,15 +18,15 @@ std::optional<Document::LastStroke> Document::lastStroke() const
 }
 
 /// From the one to the other nobody sculpts, and nobody sees the model without either.
-void Document::redoStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke,
-                          const std::stop_token& stop, TakeAgain done)
+void Document::replaceLastStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke,
+                                 const std::stop_token& stop, TakeAgain done)
 {
     request([this, last, stroke = std::move(stroke), stop, done = std::move(done)] {
         const bool isLast = m_stack.count() == last.index + 1 && m_stack.index() >= last.index;
         if (!isLast || !m_worker->hold())
             return done(std::nullopt);
         m_takeAgain = [this, last, done](const std::optional<StrokeReport>& report) {
-            if (report && report->deed == last.report.deed && last.saving == m_savings)
+            if (report && report->recordedStep == last.report.recordedStep && last.saving == m_savings)
                 setSaved(last.index + 1);
             done(report);
         };
@@ -34,18 +34,18 @@ void Document::redoStroke(const LastStroke& last, std::shared_ptr<const core::St
         m_worker->hidePatches();
         if (m_stack.index() > last.index)
             comeTo(last.index);
-        m_worker->redoStroke({last.report,
-                              [change = last.change](core::Sculptor& sculptor) { return change->swap(sculptor); },
-                              stroke, stop});
+        m_worker->replaceLastStroke(
+            {last.report, [change = last.change](core::Sculptor& sculptor) { return change->swap(sculptor); }, stroke,
+             stop});
         m_worker->release();
-        tellState();
+        notifyStateChanged();
     });
 }
 
 /// Also where the report came too late, for another model.
-void Document::takeAgain(const StrokeReport& report)
+void Document::onStrokeReplaced(const StrokeReport& report)
 {
-    if (!report.isAgain)
+    if (!report.isReplacement)
         return;
     const TakeAgain take = std::exchange(m_takeAgain, nullptr);
     take(m_isInstalling ? std::nullopt : std::optional(report));

@@ -8,32 +8,32 @@ namespace app
 {
 namespace
 {
-constexpr int stepsAtATime = 8; ///< of strokes, some ms
+constexpr int stepsPerMove = 8; ///< of strokes, some ms
 } // namespace
 
 HistoryScrubber::HistoryScrubber(Document* document) : QObject(document), m_document(document)
 {
-    connect(document, &Document::historyChanged, this, &HistoryScrubber::goOn);
-    connect(document, &Document::opened, this, [this] { m_wanted.reset(); });
+    connect(document, &Document::historyChanged, this, &HistoryScrubber::proceed);
+    connect(document, &Document::opened, this, [this] { m_target.reset(); });
 }
 
-void HistoryScrubber::want(int state)
+void HistoryScrubber::scrubTo(int state)
 {
-    if (!m_wanted)
+    if (!m_target)
         m_from = m_document->undoStack().index();
-    m_wanted = state;
-    goOn();
+    m_target = state;
+    proceed();
 }
 
-void HistoryScrubber::goOn()
+void HistoryScrubber::proceed()
 {
-    if (!m_wanted || !m_document->isSettled())
+    if (!m_target || !m_document->isSettled())
         return;
     const int present = m_document->undoStack().index();
-    const int wanted = std::clamp(*m_wanted, m_document->history().firstIndex(), m_document->history().lastIndex());
-    if (present != m_from || present == wanted) // there, or somebody else went elsewhere
-        return m_wanted.reset();
-    m_from = std::clamp(wanted, present - stepsAtATime, present + stepsAtATime);
+    const int target = std::clamp(*m_target, m_document->history().firstIndex(), m_document->history().lastIndex());
+    if (present != m_from || present == target) // there, or somebody else went elsewhere
+        return m_target.reset();
+    m_from = std::clamp(target, present - stepsPerMove, present + stepsPerMove);
     m_document->goTo(m_from);
 }
 } // namespace app

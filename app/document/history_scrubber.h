@@ -8,8 +8,8 @@ namespace app
 {
 class Document;
 
-/// Takes the document to the state that was wanted last, by a few steps at a time, so that one who drags and turns back
-/// does not wait for what is not wanted any more. Gui thread.
+/// Takes the document to the state that was requested last, a few steps at a time, so that a drag that turns back does
+/// not wait for steps that are no longer requested. Thread: gui.
 class HistoryScrubber : public QObject
 {
     Q_OBJECT
@@ -18,14 +18,14 @@ public:
     /// A child of the document.
     explicit HistoryScrubber(Document* document);
 
-    /// A state of the undo stack; the nearest that is kept is gone to.
-    void want(int state);
+    /// Goes to that state of the undo stack, or to the nearest one that is kept.
+    void scrubTo(int state);
 
 private:
-    void goOn();
+    void proceed();
 
     Document* m_document;
-    std::optional<int> m_wanted;
+    std::optional<int> m_target;
     int m_from = 0; ///< where the last steps lead
 };
 } // namespace app

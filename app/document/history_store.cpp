@@ -148,7 +148,7 @@ void HistoryStore::swap(int index)
         meshSide->broken = !swapped;
         if (swapped && journal)
             journal->swapped(sculptor.mesh(), *swapped, static_cast<std::uint32_t>(index));
-        m_mail.post([this, delta, bytes = delta->bytesInMemory(), isLost = meshSide->broken] {
+        m_mailbox.post([this, delta, bytes = delta->bytesInMemory(), isLost = meshSide->broken] {
             noteBytes(delta, bytes);
             if (isLost)
                 Q_EMIT lost();
@@ -212,7 +212,7 @@ void HistoryStore::spill(int position)
         makeOwnFolder();
     m_post([this, delta = entry.delta, folder = m_folder](core::Sculptor&) {
         if (!delta->spill(folder))
-            m_mail.post([this, delta] { spillFailed(delta); });
+            m_mailbox.post([this, delta] { spillFailed(delta); });
     });
 }
 

@@ -110,7 +110,7 @@ private:
     void noteBytes(const std::shared_ptr<StoredDelta>& delta, std::size_t bytes);
 
     Post m_post;
-    ui::ThreadMailbox m_mail; ///< from the jobs
+    ui::ThreadMailbox m_mailbox; ///< from the jobs
     std::shared_ptr<MeshSide> m_meshSide;
     std::shared_ptr<core::Journal> m_journal;
     std::unique_ptr<QTemporaryDir> m_ownFolder;

@@ -9,7 +9,7 @@ namespace app
 {
 namespace
 {
-constexpr int restMs = 700;
+constexpr int idleMs = 700;
 
 std::vector<core::Slot> liveVertices(const core::Mesh& mesh)
 {
@@ -22,59 +22,60 @@ std::vector<core::Slot> liveVertices(const core::Mesh& mesh)
 }
 } // namespace
 
-RestingModel::RestingModel(Document* document, SculptWorker* worker)
+IdleAnalysis::IdleAnalysis(Document* document, SculptWorker* worker)
     : QObject(document)
     , m_document(document)
     , m_worker(worker)
 {
-    m_rest.setSingleShot(true);
-    m_rest.setInterval(restMs);
-    connect(&m_rest, &QTimer::timeout, this, &RestingModel::ask);
-    connect(document, &Document::historyChanged, this, &RestingModel::forget);
-    connect(document, &Document::opened, this, &RestingModel::forget);
+    m_idleTimer.setSingleShot(true);
+    m_idleTimer.setInterval(idleMs);
+    connect(&m_idleTimer, &QTimer::timeout, this, &IdleAnalysis::run);
+    connect(document, &Document::historyChanged, this, &IdleAnalysis::invalidate);
+    connect(document, &Document::opened, this, &IdleAnalysis::invalidate);
 }
 
-void RestingModel::setWanted(bool wanted)
+void IdleAnalysis::setActive(bool active)
 {
-    m_isWanted = wanted;
-    if (wanted && !m_isAnswered)
-        return m_rest.start();
-    m_rest.stop();
-    if (!m_isAnswered)
+    m_isActive = active;
+    if (active && !m_isFinished)
+        return m_idleTimer.start();
+    m_idleTimer.stop();
+    if (!m_isFinished)
         m_stop.request_stop();
 }
 
-void RestingModel::askAgain()
+void IdleAnalysis::runNow()
 {
-    if (m_isWanted)
-        ask();
+    if (m_isActive)
+        run();
 }
 
-void RestingModel::stop()
+void IdleAnalysis::stop()
 {
-    m_rest.stop();
+    m_idleTimer.stop();
     m_stop.request_stop();
     Q_EMIT outdated();
 }
 
-void RestingModel::forget()
+void IdleAnalysis::invalidate()
 {
     m_stop.request_stop();
-    m_isAnswered = false;
+    m_isFinished = false;
     Q_EMIT outdated();
-    if (m_isWanted)
-        m_rest.start();
+    if (m_isActive)
+        m_idleTimer.start();
 }
 
-void RestingModel::ask()
+void IdleAnalysis::run()
 {
     if (!m_document->isSettled() || m_document->isBusy())
-        return m_rest.start();
+        return m_idleTimer.start();
     m_stop.request_stop();
     m_stop = {};
     m_worker->post([this, stop = m_stop.get_token()](core::Sculptor& sculptor) {
         if (!stop.stop_requested())
-            look(std::make_shared<ModelCopy>(core::extractMesh(sculptor.mesh()), liveVertices(sculptor.mesh())), stop);
+            analyse(std::make_shared<ModelCopy>(core::extractMesh(sculptor.mesh()), liveVertices(sculptor.mesh())),
+                    stop);
     });
 }
 } // namespace app

@@ -20,42 +20,42 @@ struct ModelCopy
     std::vector<core::Slot> slots;
 };
 
-/// Has the whole model looked at whenever somebody wants to know, after it has rested for a moment: a copy is made by
-/// the mesh thread, and a change of the model ends the looking. Gui thread. Must be gone after the worker has stopped:
-/// a child of the document is.
-class RestingModel : public QObject
+/// Analyses the whole model while it is active, once the model has not changed for a moment. The mesh thread makes a
+/// copy; a change of the model cancels the analysis. Must be destroyed after the worker has stopped, as a child of the
+/// document is. Thread: gui.
+class IdleAnalysis : public QObject
 {
     Q_OBJECT
 
 public:
-    RestingModel(Document* document, SculptWorker* worker);
+    IdleAnalysis(Document* document, SculptWorker* worker);
 
-    void setWanted(bool wanted);
-    /// At once, if it is wanted, though it was stopped before.
-    void askAgain();
-    /// What is being done ends; nothing begins before the next change.
+    void setActive(bool active);
+    /// Starts at once if it is active, even after stop().
+    void runNow();
+    /// Cancels the analysis; none starts before the next change.
     void stop();
 
 Q_SIGNALS:
-    /// What was answered is of another model now.
+    /// The last result is of another model now.
     void outdated();
 
 protected:
-    /// On the mesh thread: hands the copy on to another one.
-    virtual void look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) = 0;
-    void setAnswered() { m_isAnswered = true; }
-    /// First in the destructor of who looks.
-    void end() { m_stop.request_stop(); }
+    /// Starts the analysis of the copy on another thread. Thread: mesh.
+    virtual void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) = 0;
+    void setFinished() { m_isFinished = true; }
+    /// To be called first in the destructor of a derived class.
+    void cancel() { m_stop.request_stop(); }
 
 private:
-    void forget();
-    void ask();
+    void invalidate();
+    void run();
 
     Document* m_document;
     SculptWorker* m_worker;
-    QTimer m_rest;
-    bool m_isWanted = false;
-    bool m_isAnswered = false;
+    QTimer m_idleTimer;
+    bool m_isActive = false;
+    bool m_isFinished = false;
     std::stop_source m_stop;
 };
 } // namespace app

@@ -2,20 +2,20 @@
 
 namespace app
 {
-void ModelInquiry::look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop)
+void ModelAnalysis::analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop)
 {
-    m_aside.run(
+    m_background.run(
         [copy, stop] {
             return core::checkMesh(copy->mesh, {stop, {}});
         },
-        [this, stop](const core::MeshReport& report) { take(report, stop); });
+        [this, stop](const core::MeshReport& report) { onChecked(report, stop); });
 }
 
-void ModelInquiry::take(const core::MeshReport& report, const std::stop_token& stop)
+void ModelAnalysis::onChecked(const core::MeshReport& report, const std::stop_token& stop)
 {
     if (stop.stop_requested())
         return;
-    setAnswered();
-    Q_EMIT answered(report);
+    setFinished();
+    Q_EMIT finished(report);
 }
 } // namespace app

@@ -7,22 +7,22 @@
 
 namespace app
 {
-/// Measures and judges the whole model on a thread aside.
-class ModelInquiry : public RestingModel
+/// Measures and checks the whole model on a background thread.
+class ModelAnalysis : public IdleAnalysis
 {
     Q_OBJECT
 
 public:
-    using RestingModel::RestingModel;
-    ~ModelInquiry() override { end(); }
+    using IdleAnalysis::IdleAnalysis;
+    ~ModelAnalysis() override { cancel(); }
 
 Q_SIGNALS:
-    void answered(const core::MeshReport& report);
+    void finished(const core::MeshReport& report);
 
 private:
-    void look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
-    void take(const core::MeshReport& report, const std::stop_token& stop);
+    void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
+    void onChecked(const core::MeshReport& report, const std::stop_token& stop);
 
-    ui::BackgroundThread m_aside; ///< last
+    ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

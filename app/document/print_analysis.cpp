@@ -6,71 +6,71 @@
 
 namespace app
 {
-PrintInquiry::PrintInquiry(Document* document, SculptWorker* worker) : RestingModel(document, worker)
+PrintAnalysis::PrintAnalysis(Document* document, SculptWorker* worker) : IdleAnalysis(document, worker)
 {
-    connect(this, &RestingModel::outdated, this, [this] {
-        m_wish.request_stop();
+    connect(this, &IdleAnalysis::outdated, this, [this] {
+        m_stopEvaluation.request_stop();
         m_measured.reset();
     });
 }
 
-PrintInquiry::~PrintInquiry()
+PrintAnalysis::~PrintAnalysis()
 {
-    end();
+    cancel();
 }
 
-void PrintInquiry::setWishes(const Wishes& wishes)
+void PrintAnalysis::setOptions(const Options& options)
 {
-    m_wishes = wishes;
+    m_options = options;
     if (m_measured)
-        answer();
+        evaluateAgain();
 }
 
-void PrintInquiry::look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop)
+void PrintAnalysis::analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop)
 {
-    const auto tell = [this, stop](double share) {
+    const auto onProgress = [this, stop](double share) {
         const auto pass = [this, stop, share] {
             if (!stop.stop_requested())
                 Q_EMIT progressed(share);
         };
         QMetaObject::invokeMethod(this, pass, Qt::QueuedConnection);
     };
-    m_aside.run(
-        [copy, stop, tell] {
-            return std::make_shared<const Measured>(core::measureForPrint(std::move(copy->mesh), {stop, tell}),
-                                                    std::move(copy->slots));
+    m_background.run(
+        [copy, stop, onProgress] {
+            return std::make_shared<const Measurement>(core::measureForPrint(std::move(copy->mesh), {stop, onProgress}),
+                                                       std::move(copy->slots));
         },
-        [this, stop](std::shared_ptr<const Measured> measured) { take(std::move(measured), stop); });
+        [this, stop](std::shared_ptr<const Measurement> measured) { onMeasured(std::move(measured), stop); });
 }
 
-void PrintInquiry::take(std::shared_ptr<const Measured> measured, const std::stop_token& stop)
+void PrintAnalysis::onMeasured(std::shared_ptr<const Measurement> measured, const std::stop_token& stop)
 {
     if (stop.stop_requested())
         return;
-    setAnswered();
+    setFinished();
     m_measured = std::move(measured);
-    answer();
+    evaluateAgain();
 }
 
-void PrintInquiry::answer()
+void PrintAnalysis::evaluateAgain()
 {
-    m_wish.request_stop();
-    m_wish = {};
-    m_aside.run([measured = m_measured, wishes = m_wishes] { return judge(*measured, wishes); },
-                [this, measured = m_measured, stop = m_wish.get_token()](const Answer& answer) {
-                    if (!stop.stop_requested())
-                        Q_EMIT answered(measured->measures.report, answer.report, answer.shades);
-                });
+    m_stopEvaluation.request_stop();
+    m_stopEvaluation = {};
+    m_background.run([measured = m_measured, options = m_options] { return evaluate(*measured, options); },
+                     [this, measured = m_measured, stop = m_stopEvaluation.get_token()](const Result& result) {
+                         if (!stop.stop_requested())
+                             Q_EMIT finished(measured->measures.report, result.report, result.shades);
+                     });
 }
 
-PrintInquiry::Answer PrintInquiry::judge(const Measured& measured, const Wishes& wishes)
+PrintAnalysis::Result PrintAnalysis::evaluate(const Measurement& measured, const Options& options)
 {
-    Answer answer{core::checkForPrint(measured.measures, wishes.limits), {}};
-    if (!wishes.picture)
-        return answer;
-    const bool isThickness = *wishes.picture == core::PrintPicture::Thickness;
-    const ui::PrintScale scale{*wishes.picture, isThickness ? wishes.limits.minWall : wishes.limits.overhang};
-    answer.shades = ui::shadesOf(measured.slots, core::pictureOf(measured.measures, *wishes.picture), scale);
-    return answer;
+    Result result{core::checkForPrint(measured.measures, options.limits), {}};
+    if (!options.picture)
+        return result;
+    const bool isThickness = *options.picture == core::PrintPicture::Thickness;
+    const ui::PrintScale scale{*options.picture, isThickness ? options.limits.minWall : options.limits.overhang};
+    result.shades = ui::shadesOf(measured.slots, core::pictureOf(measured.measures, *options.picture), scale);
+    return result;
 }
 } // namespace app

@@ -10,50 +10,51 @@
 
 namespace app
 {
-/// Will the model print? What takes long is measured once a change; limits and pictures are answered from that.
-class PrintInquiry : public RestingModel
+/// Whether the model will print. Long measurements are made once per change; limits and pictures are evaluated from
+/// them.
+class PrintAnalysis : public IdleAnalysis
 {
     Q_OBJECT
 
 public:
-    struct Wishes
+    struct Options
     {
         core::PrintLimits limits;
         std::optional<core::PrintPicture> picture;
     };
 
-    PrintInquiry(Document* document, SculptWorker* worker);
-    ~PrintInquiry() override;
+    PrintAnalysis(Document* document, SculptWorker* worker);
+    ~PrintAnalysis() override;
 
-    void setWishes(const Wishes& wishes);
+    void setOptions(const Options& options);
 
 Q_SIGNALS:
     /// 0 to 1, while it is measured.
     void progressed(double share);
-    /// `shades`: of the vertices, as ui::PrintScale has them; null if no picture is wished for.
-    void answered(const core::MeshReport& mesh, const core::PrintReport& print,
+    /// `shades`: of the vertices, as ui::PrintScale has them; null if no picture is requested.
+    void finished(const core::MeshReport& mesh, const core::PrintReport& print,
                   const std::shared_ptr<const core::Footprint>& shades);
 
 private:
-    struct Measured
+    struct Measurement
     {
         core::PrintMeasures measures;
         std::vector<core::Slot> slots;
     };
-    struct Answer
+    struct Result
     {
         core::PrintReport report;
         std::shared_ptr<const core::Footprint> shades;
     };
-    static Answer judge(const Measured& measured, const Wishes& wishes);
+    static Result evaluate(const Measurement& measured, const Options& options);
 
-    void look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
-    void take(std::shared_ptr<const Measured> measured, const std::stop_token& stop);
-    void answer();
+    void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
+    void onMeasured(std::shared_ptr<const Measurement> measured, const std::stop_token& stop);
+    void evaluateAgain();
 
-    Wishes m_wishes;
-    std::shared_ptr<const Measured> m_measured; ///< null: of no model, or of one that has changed
-    std::stop_source m_wish;                    ///< of the latest wishes
-    ui::BackgroundThread m_aside;               ///< last
+    Options m_options;
+    std::shared_ptr<const Measurement> m_measured; ///< null: of no model, or of one that has changed
+    std::stop_source m_stopEvaluation;             ///< of the evaluation for the latest options
+    ui::BackgroundThread m_background;             ///< last
 };
 } // namespace app

@@ -12,8 +12,9 @@ namespace app
 {
 namespace
 {
-/// What has taken longer is given up for a newer wish; what is faster is shown, so that who drags sees something.
-constexpr int mostMs = 250;
+/// A replacement that takes longer is cancelled for a newer one; a faster one is shown, so that dragging has visible
+/// steps.
+constexpr int maxReplaceMs = 250;
 } // namespace
 
 StrokeEdit::StrokeEdit(ui::MainWindow& window, Document& document)
@@ -23,10 +24,10 @@ StrokeEdit::StrokeEdit(ui::MainWindow& window, Document& document)
 {
     QAction* action = window.action(QStringLiteral("edit.lastStroke"));
     action->setEnabled(false);
-    connect(action, &QAction::triggered, this, [this] { m_document->inTurn([this] { begin(); }); });
+    connect(action, &QAction::triggered, this, [this] { m_document->enqueue([this] { begin(); }); });
     connect(m_document, &Document::historyChanged, action,
             [this, action] { action->setEnabled(m_document->lastStroke().has_value()); });
-    connect(m_document, &Document::historyChanged, this, &StrokeEdit::watch);
+    connect(m_document, &Document::historyChanged, this, &StrokeEdit::checkHistory);
     connect(m_document, &Document::opened, this, &StrokeEdit::end);
     connect(window.viewport(), &ui::Viewport::strokeBegan, this, &StrokeEdit::finish);
 }
@@ -40,9 +41,9 @@ void StrokeEdit::begin()
     m_present = core::brushOf(stroke->report.stroke()->settings);
     m_index = stroke->index + 1;
     m_isClosing = false;
-    m_bar = new ui::StrokeEditBar(m_present, m_document->facts(), offeredTools(), m_window);
-    connect(m_bar, &ui::StrokeEditBar::changed, this, &StrokeEdit::want);
-    connect(m_bar, &ui::StrokeEditBar::accepted, this, &StrokeEdit::keep);
+    m_bar = new ui::StrokeEditBar(m_present, m_document->modelInfo(), offeredTools(), m_window);
+    connect(m_bar, &ui::StrokeEditBar::changed, this, &StrokeEdit::requestBrush);
+    connect(m_bar, &ui::StrokeEditBar::accepted, this, &StrokeEdit::accept);
     connect(m_bar, &ui::StrokeEditBar::cancelled, this, &StrokeEdit::cancel);
 }
 
@@ -59,18 +60,18 @@ QList<ui::ToolOption> StrokeEdit::offeredTools() const
     return tools;
 }
 
-void StrokeEdit::want(const core::BrushChange& brush)
+void StrokeEdit::requestBrush(const core::BrushChange& brush)
 {
-    m_wanted = brush;
-    if (m_isUnderWay && m_sinceBegin.elapsed() > mostMs)
+    m_requested = brush;
+    if (m_isReplacing && m_sinceBegin.elapsed() > maxReplaceMs)
         m_stop.request_stop();
-    goOn();
+    proceed();
 }
 
-void StrokeEdit::keep()
+void StrokeEdit::accept()
 {
     m_isClosing = true;
-    goOn();
+    proceed();
 }
 
 void StrokeEdit::cancel()
@@ -78,40 +79,40 @@ void StrokeEdit::cancel()
     if (!m_stroke)
         return;
     m_isClosing = true;
-    m_wanted = core::brushOf(m_stroke->report.stroke()->settings);
+    m_requested = core::brushOf(m_stroke->report.stroke()->settings);
     m_stop.request_stop();
-    goOn();
+    proceed();
 }
 
-void StrokeEdit::goOn()
+void StrokeEdit::proceed()
 {
-    if (!m_stroke || m_isUnderWay)
+    if (!m_stroke || m_isReplacing)
         return;
-    const auto wanted = std::exchange(m_wanted, std::nullopt);
-    if (wanted && *wanted != m_present)
-        redo(*wanted);
+    const auto requested = std::exchange(m_requested, std::nullopt);
+    if (requested && *requested != m_present)
+        replaceStroke(*requested);
     else if (m_isClosing)
         end();
 }
 
-void StrokeEdit::redo(const core::BrushChange& brush)
+void StrokeEdit::replaceStroke(const core::BrushChange& brush)
 {
     m_present = brush;
-    m_isUnderWay = true;
+    m_isReplacing = true;
     m_sinceBegin.start();
     m_stop = std::stop_source();
     if (m_bar)
         m_bar->setHint({});
     const core::Stroke& before = *m_stroke->report.stroke();
-    const bool isAsItWas = brush == core::brushOf(before.settings);
-    m_document->redoStroke(*m_stroke,
-                           isAsItWas ? nullptr : std::make_shared<const core::Stroke>(core::changed(before, brush)),
-                           m_stop.get_token(), [this](const std::optional<StrokeReport>& report) { take(report); });
+    const bool isUnchanged = brush == core::brushOf(before.settings);
+    m_document->replaceLastStroke(
+        *m_stroke, isUnchanged ? nullptr : std::make_shared<const core::Stroke>(core::changed(before, brush)),
+        m_stop.get_token(), [this](const std::optional<StrokeReport>& report) { onReplaced(report); });
 }
 
-void StrokeEdit::take(const std::optional<StrokeReport>& report)
+void StrokeEdit::onReplaced(const std::optional<StrokeReport>& report)
 {
-    m_isUnderWay = false;
+    m_isReplacing = false;
     if (!report || !m_stroke)
         return end();
     m_index = m_document->undoStack().index();
@@ -119,28 +120,28 @@ void StrokeEdit::take(const std::optional<StrokeReport>& report)
         m_present = core::brushOf(report->stroke()->settings); // it may have been stopped
     else if (m_bar)
         m_bar->setHint(tr("With this brush it does nothing."));
-    goOn();
+    proceed();
 }
 
-/// The hand begins the next stroke: what was wanted of this one comes before it.
+/// The next stroke begins: the requested change of this one comes before it.
 void StrokeEdit::finish()
 {
-    if (m_stroke && m_wanted && *m_wanted != m_present)
-        redo(*m_wanted);
+    if (m_stroke && m_requested && *m_requested != m_present)
+        replaceStroke(*m_requested);
     end();
 }
 
-/// What is not ours ends it.
-void StrokeEdit::watch()
+/// Ends the edit if somebody else changed the history.
+void StrokeEdit::checkHistory()
 {
-    if (m_stroke && !m_isUnderWay && m_document->undoStack().index() != m_index)
+    if (m_stroke && !m_isReplacing && m_document->undoStack().index() != m_index)
         end();
 }
 
 void StrokeEdit::end()
 {
     m_stroke.reset();
-    m_wanted.reset();
+    m_requested.reset();
     if (m_bar)
         m_bar->dismiss();
     m_bar = nullptr;

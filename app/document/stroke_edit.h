@@ -15,9 +15,9 @@ class MainWindow;
 
 namespace app
 {
-/// Changes the brush of the last stroke after the fact: Edit > Edit Last Stroke. Each change takes the stroke back and
-/// does it again, as one step; of those that come while one is under way only the newest is done. Whatever else is done
-/// to the model ends it. Gui thread.
+/// Changes the brush of the last stroke after the fact: Edit > Edit Last Stroke. Each change replaces the stroke, as
+/// one step; of the changes made meanwhile only the newest is applied. Any other change of the model ends the edit.
+/// Thread: gui.
 class StrokeEdit : public QObject
 {
     Q_OBJECT
@@ -29,25 +29,25 @@ public:
 private:
     void begin();
     QList<ui::ToolOption> offeredTools() const;
-    void want(const core::BrushChange& brush);
-    void keep();
+    void requestBrush(const core::BrushChange& brush);
+    void accept();
     void cancel();
-    void goOn();
-    void redo(const core::BrushChange& brush);
+    void proceed();
+    void replaceStroke(const core::BrushChange& brush);
     void finish();
-    void take(const std::optional<StrokeReport>& report);
-    void watch();
+    void onReplaced(const std::optional<StrokeReport>& report);
+    void checkHistory();
     void end();
 
     QPointer<ui::MainWindow> m_window;
     QPointer<ui::StrokeEditBar> m_bar;
     Document* m_document;
-    std::optional<Document::LastStroke> m_stroke; ///< as it was; nothing: none is edited
-    std::optional<core::BrushChange> m_wanted;    ///< still to be done
-    core::BrushChange m_present;                  ///< what the model shows, or will when what is under way is done
-    int m_index = 0;                              ///< of the undo stack, while nothing is under way
-    bool m_isUnderWay = false, m_isClosing = false;
-    std::stop_source m_stop; ///< of what is under way
+    std::optional<Document::LastStroke> m_stroke; ///< before the edit; none: no stroke is edited
+    std::optional<core::BrushChange> m_requested; ///< not applied yet
+    core::BrushChange m_present;                  ///< what the model shows, or will after the present replacement
+    int m_index = 0;                              ///< of the undo stack, between replacements
+    bool m_isReplacing = false, m_isClosing = false;
+    std::stop_source m_stop; ///< of the present replacement
     QElapsedTimer m_sinceBegin;
 };
 } // namespace app

@@ -22,7 +22,7 @@ namespace app
 {
 namespace
 {
-constexpr int leastDigits = 4;
+constexpr int minDigits = 4;
 constexpr int behind[] = {236, 238, 241}; ///< sRGB
 
 int framesBetween(int first, int last, int every)
@@ -56,7 +56,7 @@ void write(const QString& path, const QByteArray& bytes)
 QStringList TimeLapse::frameNames(int first, int last, int every)
 {
     const int frames = framesBetween(first, last, every);
-    const int digits = std::max(leastDigits, static_cast<int>(QString::number(frames).size()));
+    const int digits = std::max(minDigits, static_cast<int>(QString::number(frames).size()));
     QStringList names;
     for (int i = 1; i <= frames; ++i)
         names << QStringLiteral("frame-%1.png").arg(i, digits, 10, QLatin1Char('0'));
@@ -74,9 +74,10 @@ QString TimeLapse::obstacle(const QString& folder, const QStringList& frames)
     return {};
 }
 
-TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& past, const core::JobControl& control)
+TimeLapseOutcome TimeLapse::run(const TimeLapseRequest& request, const ModelHistory& history,
+                                const core::JobControl& control)
 {
-    const QStringList names = frameNames(past.first, past.present, order.every);
+    const QStringList names = frameNames(history.first, history.present, request.every);
     QStringList written;
     const auto without = [&written](const QString& problem) {
         for (const QString& path : written)
@@ -84,33 +85,33 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& pa
         return TimeLapseOutcome{problem, 0};
     };
     const QString noMemory = tr("There is not enough memory for a time-lapse of this model.");
-    const QString problem = obstacle(order.folder, names);
+    const QString problem = obstacle(request.folder, names);
     if (!problem.isEmpty())
         return {problem, 0};
-    if (!past.mesh)
+    if (!history.mesh)
         return {noMemory, 0};
     try {
-        for (int state = past.present; !control.isCancelled(); --state) {
-            if (state == past.present || (state - past.first) % order.every == 0) {
-                const auto picture = core::drawThumbnail(core::extractMesh(*past.mesh), order.view, control.stop);
+        for (int state = history.present; !control.isCancelled(); --state) {
+            if (state == history.present || (state - history.first) % request.every == 0) {
+                const auto picture = core::drawThumbnail(core::extractMesh(*history.mesh), request.view, control.stop);
                 if (!picture)
                     break;
                 const QString path =
-                    QDir(order.folder).filePath(names[framesBetween(past.first, state, order.every) - 1]);
+                    QDir(request.folder).filePath(names[framesBetween(history.first, state, request.every) - 1]);
                 if (QFileInfo::exists(path)) // since it began
-                    return without(obstacle(order.folder, {QFileInfo(path).fileName()}));
+                    return without(obstacle(request.folder, {QFileInfo(path).fileName()}));
                 write(path, pngOf(*picture));
                 written << path;
                 control.reportProgress(static_cast<double>(written.size()) / static_cast<double>(names.size()));
             }
-            if (state == past.first)
+            if (state == history.first)
                 return {{}, static_cast<int>(written.size())};
-            auto change = past.change(state - 1);
+            auto change = history.change(state - 1);
             if (!change && !control.isCancelled())
                 return without(
                     tr("The earlier steps of the model cannot be read any more, so there is no time-lapse of them."));
             if (change)
-                past.mesh->swap(*change);
+                history.mesh->swap(*change);
         }
     } catch (const core::FileError& error) {
         return without(ui::ErrorMessages::sentence(error));

@@ -11,7 +11,7 @@
 
 namespace app
 {
-struct TimeLapseOrder
+struct TimeLapseRequest
 {
     QString folder; ///< that is there
     int every = 1;  ///< steps from one picture to the next; the last state is always among them
@@ -37,7 +37,8 @@ public:
     /// One sentence if the frames cannot be written there: there is no such folder, or one of them is there already.
     /// Else empty.
     static QString obstacle(const QString& folder, const QStringList& frames);
-    /// Uses the past's mesh up.
-    static TimeLapseOutcome run(const TimeLapseOrder& order, const ModelPast& past, const core::JobControl& control);
+    /// Consumes the history's mesh.
+    static TimeLapseOutcome run(const TimeLapseRequest& request, const ModelHistory& history,
+                                const core::JobControl& control);
 };
 } // namespace app

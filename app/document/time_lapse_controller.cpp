@@ -19,52 +19,52 @@ namespace app
 namespace
 {
 /// All that the window shows of the model is in the picture.
-core::ThumbnailView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseSettings& choice)
+core::ThumbnailView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseSettings& settings)
 {
     core::ThumbnailView view;
     view.axes << camera.right().transpose(), camera.up().transpose(), -camera.viewDirection().transpose();
     view.target = camera.target();
     view.distance = camera.projection() == ui::OrbitCamera::Projection::Perspective ? camera.distance() : 0;
     const Eigen::Vector2d shown = camera.viewport() / camera.pixelsPerMm(camera.target());
-    view.extent = std::max(shown.y(), shown.x() * choice.height / choice.width);
-    view.width = choice.width;
-    view.height = choice.height;
+    view.extent = std::max(shown.y(), shown.x() * settings.height / settings.width);
+    view.width = settings.width;
+    view.height = settings.height;
     return view;
 }
 } // namespace
 
-TimeLapseDesk::TimeLapseDesk(ui::MainWindow& window, Document& document)
+TimeLapseController::TimeLapseController(ui::MainWindow& window, Document& document)
     : QObject(&document)
     , m_window(&window)
     , m_document(&document)
 {
-    connect(window.action(QStringLiteral("file.timeLapse")), &QAction::triggered, this, &TimeLapseDesk::ask);
+    connect(window.action(QStringLiteral("file.timeLapse")), &QAction::triggered, this, &TimeLapseController::ask);
 }
 
-void TimeLapseDesk::ask()
+void TimeLapseController::ask()
 {
     const int steps = m_document->undoStack().index() - m_document->history().firstIndex();
-    ui::askForTimeLapse(m_window, steps, [this](const ui::TimeLapseSettings& choice) {
+    ui::askForTimeLapse(m_window, steps, [this](const ui::TimeLapseSettings& settings) {
         ui::askForFolder(m_window, ui::Settings().lastFolder(),
-                         [this, choice](const QString& folder) { write(choice, folder); });
+                         [this, settings](const QString& folder) { write(settings, folder); });
     });
 }
 
-void TimeLapseDesk::write(const ui::TimeLapseSettings& choice, const QString& folder)
+void TimeLapseController::write(const ui::TimeLapseSettings& settings, const QString& folder)
 {
     if (!m_window)
         return;
-    const TimeLapseOrder order{folder, choice.every, viewOf(m_window->viewport()->camera(), choice)};
+    const TimeLapseRequest request{folder, settings.every, viewOf(m_window->viewport()->camera(), settings)};
     const auto outcome = std::make_shared<TimeLapseOutcome>();
-    const auto look = [order, outcome](const ModelPast& past, const core::JobControl& control) {
-        *outcome = TimeLapse::run(order, past, control);
+    const auto look = [request, outcome](const ModelHistory& history, const core::JobControl& control) {
+        *outcome = TimeLapse::run(request, history, control);
     };
-    if (!m_document->lookBack(tr("Drawing the time-lapse"), look,
-                              [this, folder, outcome] { finish(folder, *outcome); }))
+    if (!m_document->visitHistory(tr("Drawing the time-lapse"), look,
+                                  [this, folder, outcome] { finish(folder, *outcome); }))
         m_window->showNotice(tr("The time-lapse has to wait until this is done; ask for it again then."));
 }
 
-void TimeLapseDesk::finish(const QString& folder, const TimeLapseOutcome& outcome)
+void TimeLapseController::finish(const QString& folder, const TimeLapseOutcome& outcome)
 {
     if (!m_window)
         return;

@@ -17,17 +17,17 @@ class Document;
 
 /// File > Export Time-Lapse: the steps of the document as pictures, seen as the window sees the model. Nobody sculpts
 /// meanwhile. Gui thread.
-class TimeLapseDesk : public QObject
+class TimeLapseController : public QObject
 {
     Q_OBJECT
 
 public:
     /// All must outlive it but for the window: a child of the document.
-    TimeLapseDesk(ui::MainWindow& window, Document& document);
+    TimeLapseController(ui::MainWindow& window, Document& document);
 
 private:
     void ask();
-    void write(const ui::TimeLapseSettings& choice, const QString& folder);
+    void write(const ui::TimeLapseSettings& settings, const QString& folder);
     void finish(const QString& folder, const TimeLapseOutcome& outcome);
 
     QPointer<ui::MainWindow> m_window;

@@ -28,24 +28,24 @@ const std::shared_ptr<const core::DrawArrays>& wholeWand()
 }
 } // namespace
 
-ui::HeadsetAvatar wearerOf(const vr::AvatarState& presence)
+ui::HeadsetAvatar avatarOf(const vr::AvatarState& state)
 {
-    const Eigen::Affine3d toModel = presence.model.inverse();
+    const Eigen::Affine3d toModel = state.model.inverse();
     const double metre = toModel.linear().col(0).norm();
     const auto inModel = [&](const vr::Pose& pose) {
         return Eigen::Translation3d(toModel * pose.position) *
                Eigen::Isometry3d(Eigen::Quaterniond(toModel.linear() / metre) * pose.rotation);
     };
-    ui::HeadsetAvatar wearer;
-    wearer.metre = metre;
-    wearer.radius = presence.radius * metre;
-    if (presence.head)
-        wearer.head = inModel(*presence.head);
+    ui::HeadsetAvatar avatar;
+    avatar.metre = metre;
+    avatar.radius = state.radius * metre;
+    if (state.head)
+        avatar.head = inModel(*state.head);
     for (std::size_t i = 0; i < vr::sideCount; ++i)
-        if (presence.hands[i])
-            wearer.hands[i] = ui::GhostMesh{wholeWand(), inModel(*presence.hands[i])};
-    if (presence.brush)
-        wearer.brush = core::Sphere{toModel * presence.brush->center, presence.brush->radius * metre};
-    return wearer;
+        if (state.hands[i])
+            avatar.hands[i] = ui::GhostMesh{wholeWand(), inModel(*state.hands[i])};
+    if (state.brush)
+        avatar.brush = core::Sphere{toModel * state.brush->center, state.brush->radius * metre};
+    return avatar;
 }
 } // namespace app

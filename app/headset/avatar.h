@@ -5,6 +5,6 @@
 
 namespace app
 {
-/// Who is in the headset, as those at the window see them: room space becomes the document's. Gui thread.
-ui::HeadsetAvatar wearerOf(const vr::AvatarState& presence);
+/// Returns the avatar of the user in the headset in the document's space. Thread: gui.
+ui::HeadsetAvatar avatarOf(const vr::AvatarState& state);
 } // namespace app

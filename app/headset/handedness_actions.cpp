@@ -10,26 +10,26 @@
 
 namespace app
 {
-void wireHeadsetHands(ui::MainWindow& window, Headset* headset)
+void connectHandednessActions(ui::MainWindow& window, Headset* headset)
 {
     QAction* oneHand = window.action(QStringLiteral("vr.oneHand"));
     QAction* leftHanded = window.action(QStringLiteral("vr.leftHanded"));
     const auto show = [=] {
-        const vr::WandSettings hands = HeadsetSettings().choice().wands;
+        const vr::WandSettings hands = HeadsetSettings().load().wands;
         oneHand->setChecked(hands.preset == vr::ButtonPreset::OneHand);
         leftHanded->setChecked(hands.sculpting == vr::Side::Left);
         for (QAction* action : {oneHand, leftHanded})
-            action->setEnabled(!headset->isIn());
+            action->setEnabled(!headset->isActive());
     };
-    const auto choose = [=] {
-        vr::HeadsetSettings choice = HeadsetSettings().choice();
-        if (oneHand->isChecked() != (choice.wands.preset == vr::ButtonPreset::OneHand))
-            choice.wands.preset = oneHand->isChecked() ? vr::ButtonPreset::OneHand : vr::WandSettings().preset;
-        choice.wands.sculpting = leftHanded->isChecked() ? vr::Side::Left : vr::Side::Right;
-        HeadsetSettings().setChoice(choice);
+    const auto store = [=] {
+        vr::HeadsetSettings settings = HeadsetSettings().load();
+        if (oneHand->isChecked() != (settings.wands.preset == vr::ButtonPreset::OneHand))
+            settings.wands.preset = oneHand->isChecked() ? vr::ButtonPreset::OneHand : vr::WandSettings().preset;
+        settings.wands.sculpting = leftHanded->isChecked() ? vr::Side::Left : vr::Side::Right;
+        HeadsetSettings().save(settings);
     };
-    QObject::connect(oneHand, &QAction::triggered, headset, choose);
-    QObject::connect(leftHanded, &QAction::triggered, headset, choose);
+    QObject::connect(oneHand, &QAction::triggered, headset, store);
+    QObject::connect(leftHanded, &QAction::triggered, headset, store);
     for (QObject* place : oneHand->associatedObjects())
         if (auto* menu = qobject_cast<QMenu*>(place))
             QObject::connect(menu, &QMenu::aboutToShow, oneHand, show);

@@ -9,7 +9,7 @@ namespace app
 {
 class Headset;
 
-/// The VR menu's two words about hands, for who could not reach the panel in the headset that says the same: they hold
-/// from the next visit on. Gui thread.
-void wireHeadsetHands(ui::MainWindow& window, Headset* headset);
+/// Connects the two handedness actions of the VR menu, for users who cannot reach the same setting in the headset. They
+/// apply from the next visit on. Thread: gui.
+void connectHandednessActions(ui::MainWindow& window, Headset* headset);
 } // namespace app

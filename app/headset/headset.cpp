@@ -6,37 +6,37 @@
 
 namespace app
 {
-Headset::Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent)
+Headset::Headset(const HeadsetController::Program& program, MakeClient makeClient, QObject* parent)
     : QObject(parent)
     , m_makeClient(std::move(makeClient))
-    , m_desk(program)
+    , m_controller(program)
 {
-    connect(&m_desk, &HeadsetDesk::noticed, this, &Headset::noticed);
-    connect(&m_desk, &HeadsetDesk::seen, this, &Headset::seen);
-    connect(&m_thread, &vr::HeadsetThread::reported, this, &Headset::take);
+    connect(&m_controller, &HeadsetController::noticed, this, &Headset::noticed);
+    connect(&m_controller, &HeadsetController::avatarChanged, this, &Headset::avatarChanged);
+    connect(&m_thread, &vr::HeadsetThread::reported, this, &Headset::onReport);
 }
 
-/// The desk begins first: the model is on its way before the first frame.
+/// The controller starts first: the model is on its way before the first frame.
 void Headset::enter()
 {
     if (isStuck())
         Q_EMIT reported(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding));
-    else if (!isIn())
-        m_thread.enter(m_makeClient(m_desk.open(), HeadsetSettings().choice()));
+    else if (!isActive())
+        m_thread.enter(m_makeClient(m_controller.open(), HeadsetSettings().load()));
 }
 
 void Headset::leave()
 {
-    if (!isIn())
+    if (!isActive())
         return;
     m_thread.leave();
     Q_EMIT leaving();
 }
 
-void Headset::take(const vr::HeadsetReport& report)
+void Headset::onReport(const vr::HeadsetReport& report)
 {
     if (report.isEnded())
-        m_desk.close();
+        m_controller.close();
     Q_EMIT reported(report);
 }
 } // namespace app

@@ -15,24 +15,24 @@ class Headset : public QObject
     Q_OBJECT
 
 public:
-    /// Who shows the document to a person in the headset, and lets them sculpt.
+    /// Makes the client that shows the document to the user in the headset.
     using MakeClient = std::function<std::shared_ptr<vr::FrameClient>(const std::shared_ptr<vr::DocumentPort>& port,
-                                                                      const vr::HeadsetSettings& choice)>;
+                                                                      const vr::HeadsetSettings& settings)>;
 
-    /// See HeadsetDesk.
-    Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);
+    /// See HeadsetController.
+    Headset(const HeadsetController::Program& program, MakeClient makeClient, QObject* parent = nullptr);
 
-    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; that a visit is
-    /// stuck is told.
+    /// Both return at once; reported() says how it goes. No effect if that is the state already; a visit that does not
+    /// respond is reported.
     void enter();
     void leave();
-    /// One sentence, to be read in the headset; nowhere if nobody wears it.
-    void tell(const QString& sentence) { m_desk.tellNotice(sentence); }
-    /// As HeadsetDesk's.
-    void point(const std::optional<core::SurfaceHit>& place) { m_desk.point(place); }
-    void setTakenOver(bool isTakenOver) { m_desk.setTakenOver(isTakenOver); }
+    /// Shows one sentence in the headset, if it is in use.
+    void showNotice(const QString& sentence) { m_controller.showNotice(sentence); }
+    /// As HeadsetController's.
+    void point(const std::optional<core::SurfaceHit>& place) { m_controller.point(place); }
+    void setTakenOver(bool isTakenOver) { m_controller.setTakenOver(isTakenOver); }
     /// A visit has begun, and was neither ended nor given up.
-    bool isIn() const { return m_thread.isActive(); }
+    bool isActive() const { return m_thread.isActive(); }
     /// One was given up, and hinders others.
     bool isStuck() const { return m_thread.isStuck(); }
 
@@ -40,15 +40,15 @@ Q_SIGNALS:
     void reported(const vr::HeadsetReport& report);
     /// leave() has begun; the end may take its time.
     void leaving();
-    /// As HeadsetDesk's.
+    /// As HeadsetController's.
     void noticed(const QString& sentence);
-    void seen(const std::optional<vr::AvatarState>& presence);
+    void avatarChanged(const std::optional<vr::AvatarState>& avatar);
 
 private:
-    void take(const vr::HeadsetReport& report);
+    void onReport(const vr::HeadsetReport& report);
 
     MakeClient m_makeClient;
-    HeadsetDesk m_desk;
-    vr::HeadsetThread m_thread; ///< last: its visits use the desk's documents
+    HeadsetController m_controller;
+    vr::HeadsetThread m_thread; ///< last: its visits use the controller's documents
 };
 } // namespace app

@@ -19,9 +19,9 @@ namespace app
 namespace
 {
 std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port,
-                                            const vr::HeadsetSettings& choice)
+                                            const vr::HeadsetSettings& settings)
 {
-    return std::make_shared<vr::SculptClient>(port, choice);
+    return std::make_shared<vr::SculptClient>(port, settings);
 }
 
 /// A visit that has not quite begun can be left already: a runtime may wait for a headset that nobody puts on.
@@ -30,7 +30,7 @@ ui::HeadsetState stateOf(const vr::HeadsetReport& report)
     return report.isEnded() ? ui::HeadsetState::Out : ui::HeadsetState::In;
 }
 
-void wireVisits(ui::MainWindow& window, Headset* headset)
+void connectVisits(ui::MainWindow& window, Headset* headset)
 {
     using ui::MainWindow;
     QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
@@ -43,25 +43,25 @@ void wireVisits(ui::MainWindow& window, Headset* headset)
         if (report.isEnded() && !report.text.isEmpty())
             window.showNotice(report.text);
     });
-    QObject::connect(headset, &Headset::seen, window.viewport(),
-                     [&window](const std::optional<vr::AvatarState>& presence) {
-                         window.viewport()->showAvatar(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+    QObject::connect(headset, &Headset::avatarChanged, window.viewport(),
+                     [&window](const std::optional<vr::AvatarState>& avatar) {
+                         window.viewport()->showAvatar(avatar ? std::optional(avatarOf(*avatar)) : std::nullopt);
                      });
 }
 
 /// What the one at the desktop does for the one in the headset.
-void wirePartner(ui::MainWindow& window, Headset* headset)
+void connectPartner(ui::MainWindow& window, Headset* headset)
 {
     QObject::connect(window.viewport(), &ui::Viewport::pointed, headset, &Headset::point);
     QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, headset, &Headset::setTakenOver);
     auto* bar = window.findChild<ui::PartnerBar*>();
-    QObject::connect(headset, &Headset::seen, bar, [bar](const std::optional<vr::AvatarState>& presence) {
-        bar->setAvatar(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+    QObject::connect(headset, &Headset::avatarChanged, bar, [bar](const std::optional<vr::AvatarState>& avatar) {
+        bar->setAvatar(avatar ? std::optional(avatarOf(*avatar)) : std::nullopt);
     });
 }
 
 /// Who draws in the headset feels that somebody draws at the desktop, who in turn reads it.
-void wireRefusals(ui::MainWindow& window, const Document& document, SculptWorker& worker)
+void connectRefusals(ui::MainWindow& window, const Document& document, SculptWorker& worker)
 {
     QObject::connect(&worker, &SculptWorker::strokeRefused, &window, [&window, &document](Source source) {
         if (source == Source::Desktop && !document.isBusy())
@@ -71,22 +71,21 @@ void wireRefusals(ui::MainWindow& window, const Document& document, SculptWorker
 }
 } // namespace
 
-Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
+Headset* connectHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
     auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
-    auto* inquiry = new HeadsetInquiry(&window);
-    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry,
-                     [&window, headset, inquiry] {
-                         if (headset->isStuck())
-                             window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding).text);
-                         else
-                             inquiry->ask();
-                     });
-    QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
-    wireHeadsetHands(window, headset);
-    wireVisits(window, headset);
-    wirePartner(window, headset);
-    wireRefusals(window, document, worker);
+    auto* probe = new RuntimeProbe(&window);
+    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, probe, [&window, headset, probe] {
+        if (headset->isStuck())
+            window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding).text);
+        else
+            probe->start();
+    });
+    QObject::connect(probe, &RuntimeProbe::finished, &window, &ui::MainWindow::showNotice);
+    connectHandednessActions(window, headset);
+    connectVisits(window, headset);
+    connectPartner(window, headset);
+    connectRefusals(window, document, worker);
     return headset;
 }
 } // namespace app

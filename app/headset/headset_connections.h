@@ -11,7 +11,7 @@ class Document;
 class Headset;
 class SculptWorker;
 
-/// The lines between the window and who is in the headset. The window's own, so that it ends before the document. Gui
-/// thread.
-Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker);
+/// Makes the headset and connects it with the window, which owns it, so that it is destroyed before the document.
+/// Thread: gui.
+Headset* connectHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker);
 } // namespace app

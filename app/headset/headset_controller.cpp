@@ -20,7 +20,7 @@ namespace app
 namespace
 {
 /// What the headset takes from the window: not the radius, which is a length of its own there.
-auto chosen(const core::StrokeSettings& brush)
+auto sharedSettings(const core::StrokeSettings& brush)
 {
     return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.radial, brush.color.r,
                       brush.color.g, brush.color.b, brush.falloff, brush.strength, brush.detail, brush.fusion,
@@ -28,147 +28,147 @@ auto chosen(const core::StrokeSettings& brush)
 }
 } // namespace
 
-HeadsetDesk::HeadsetDesk(const Program& program, QObject* parent)
+HeadsetController::HeadsetController(const Program& program, QObject* parent)
     : QObject(parent)
     , m_document(program.document)
     , m_worker(program.worker)
     , m_window(program.window)
     , m_colors(program.window->findChild<ui::ColorPanel*>())
 {
-    takeBrush();
-    hear();
-    hearPartner();
+    onBrushChanged();
+    connectAll();
+    connectPartner();
 }
 
-HeadsetDesk::~HeadsetDesk()
+HeadsetController::~HeadsetController()
 {
     if (m_port)
         m_port->end();
 }
 
-void HeadsetDesk::hear()
+void HeadsetController::connectAll()
 {
     connect(m_document, &Document::opened, this, [this] {
-        ++m_news.model;
-        lookForFiles();
+        ++m_update.model;
+        updateFolder();
     });
-    connect(m_document, &Document::busy, this, &HeadsetDesk::takeBusy);
-    connect(m_document, &Document::idle, this, &HeadsetDesk::takeBusy);
-    connect(m_document, &Document::factsChanged, this, &HeadsetDesk::tellSoon);
-    connect(m_document, &Document::historyChanged, this, &HeadsetDesk::tellSoon);
-    connect(m_document, &Document::modifiedChanged, this, &HeadsetDesk::tellSoon);
-    connect(m_document, &Document::noticed, this, &HeadsetDesk::tellNotice);
-    connect(m_document, &Document::refused, this, &HeadsetDesk::tellNotice);
-    connect(m_document, &Document::mendable, this, [this](const QString&, const QString& problem) {
-        tellNotice(tr("%1 It can be mended at the window.").arg(problem));
+    connect(m_document, &Document::busy, this, &HeadsetController::onBusyChanged);
+    connect(m_document, &Document::idle, this, &HeadsetController::onBusyChanged);
+    connect(m_document, &Document::modelInfoChanged, this, &HeadsetController::scheduleUpdate);
+    connect(m_document, &Document::historyChanged, this, &HeadsetController::scheduleUpdate);
+    connect(m_document, &Document::modifiedChanged, this, &HeadsetController::scheduleUpdate);
+    connect(m_document, &Document::noticed, this, &HeadsetController::showNotice);
+    connect(m_document, &Document::refused, this, &HeadsetController::showNotice);
+    connect(m_document, &Document::repairable, this, [this](const QString&, const QString& problem) {
+        showNotice(tr("%1 It can be mended at the window.").arg(problem));
     });
     connect(m_document, &Document::saved, this, [this](const QString& path) {
-        m_news.saved = QFileInfo(path).fileName();
-        lookForFiles();
+        m_update.saved = QFileInfo(path).fileName();
+        updateFolder();
     });
-    connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetDesk::takeBrush);
-    connect(m_window->viewport(), &ui::Viewport::appearanceChanged, this, &HeadsetDesk::tellSoon);
-    connect(m_colors, &ui::ColorPanel::swatchesChanged, this, &HeadsetDesk::tellSoon);
-    connect(&m_files, &HeadsetFiles::changed, this, &HeadsetDesk::tellSoon);
+    connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetController::onBrushChanged);
+    connect(m_window->viewport(), &ui::Viewport::appearanceChanged, this, &HeadsetController::scheduleUpdate);
+    connect(m_colors, &ui::ColorPanel::swatchesChanged, this, &HeadsetController::scheduleUpdate);
+    connect(&m_files, &HeadsetFiles::changed, this, &HeadsetController::scheduleUpdate);
 }
 
-std::shared_ptr<HeadsetPort> HeadsetDesk::open()
+std::shared_ptr<HeadsetPort> HeadsetController::open()
 {
-    ++m_news.brushChange; // nothing of it is known there
-    m_news.saved.clear();
-    m_news.notice.clear();
-    m_news.noticeCount = 0;
+    ++m_update.brushChange; // nothing of it is known there
+    m_update.saved.clear();
+    m_update.notice.clear();
+    m_update.noticeCount = 0;
     beginPartner();
     m_port = std::make_shared<HeadsetPort>(m_worker);
-    connect(m_port.get(), &HeadsetPort::mailCame, this, &HeadsetDesk::takeMail, Qt::QueuedConnection);
+    connect(m_port.get(), &HeadsetPort::messagesArrived, this, &HeadsetController::takeMessages, Qt::QueuedConnection);
     m_port->begin();
-    lookForFiles();
-    takeBusy();
-    tell();
+    updateFolder();
+    onBusyChanged();
+    sendUpdate();
     return m_port;
 }
 
-void HeadsetDesk::close()
+void HeadsetController::close()
 {
     if (!m_port)
         return;
     m_port->end();
-    takeMail();
+    takeMessages();
     m_port.reset();
-    m_choice.stop();
+    m_choiceTimer.stop();
     m_files.stop();
-    Q_EMIT seen({});
+    Q_EMIT avatarChanged({});
 }
 
-void HeadsetDesk::tellNotice(const QString& sentence)
+void HeadsetController::showNotice(const QString& sentence)
 {
-    m_news.notice = sentence;
-    ++m_news.noticeCount;
-    tellSoon();
+    m_update.notice = sentence;
+    ++m_update.noticeCount;
+    scheduleUpdate();
 }
 
-void HeadsetDesk::takeBrush()
+void HeadsetController::onBrushChanged()
 {
     const core::StrokeSettings& brush = m_window->brush()->stroke();
     if (brush.symmetry != core::Symmetry::None)
-        m_news.plane = brush.symmetry;
-    if (!m_isChoosing && chosen(brush) != chosen(m_news.brush)) {
-        ++m_news.brushChange;
-        m_choice.start();
+        m_update.plane = brush.symmetry;
+    if (!m_isChoosing && sharedSettings(brush) != sharedSettings(m_update.brush)) {
+        ++m_update.brushChange;
+        m_choiceTimer.start();
     }
-    m_news.brush = brush;
-    tellSoon();
+    m_update.brush = brush;
+    scheduleUpdate();
 }
 
 /// Where the model lies now. A class is shown no files.
-void HeadsetDesk::lookForFiles()
+void HeadsetController::updateFolder()
 {
     if (m_port && !m_window->classroom())
-        m_files.look(folder());
-    tellSoon();
+        m_files.watch(folder());
+    scheduleUpdate();
 }
 
 /// At once: a stroke may begin at any moment.
-void HeadsetDesk::takeBusy()
+void HeadsetController::onBusyChanged()
 {
     if (m_port)
         m_port->setRefusing(m_document->isOpening());
-    tellSoon();
+    scheduleUpdate();
 }
 
 /// One of many changes that come together.
-void HeadsetDesk::tellSoon()
+void HeadsetController::scheduleUpdate()
 {
-    if (m_port && !std::exchange(m_tellsSoon, true))
-        QMetaObject::invokeMethod(this, "tell", Qt::QueuedConnection);
+    if (m_port && !std::exchange(m_isUpdateScheduled, true))
+        QMetaObject::invokeMethod(this, &HeadsetController::sendUpdate, Qt::QueuedConnection);
 }
 
-void HeadsetDesk::tell()
+void HeadsetController::sendUpdate()
 {
-    m_tellsSoon = false;
+    m_isUpdateScheduled = false;
     if (!m_port)
         return;
-    takeRadius();
-    vr::DocumentUpdate news = m_news;
+    checkRadius();
+    vr::DocumentUpdate update = m_update;
     const ui::Viewport& viewport = *m_window->viewport();
-    news.box = m_document->facts().box;
-    news.shading = viewport.shading();
-    news.isFlat = viewport.appearance().flat;
-    news.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
-    news.reducesMotion = viewport.reducesMotion();
-    news.canUndo = m_document->canUndo();
-    news.canRedo = m_document->canRedo();
+    update.box = m_document->modelInfo().box;
+    update.shading = viewport.shading();
+    update.isFlat = viewport.appearance().flat;
+    update.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
+    update.reducesMotion = viewport.reducesMotion();
+    update.canUndo = m_document->canUndo();
+    update.canRedo = m_document->canRedo();
     m_undoText = m_document->undoText();
     m_redoText = m_document->redoText();
-    news.isModified = m_document->isModified();
-    news.isBusy = m_document->isBusy();
-    news.swatches = m_colors->swatches();
-    news.folder = m_files.name();
-    news.files = m_files.tiles();
-    m_port->tell(std::move(news));
+    update.isModified = m_document->isModified();
+    update.isBusy = m_document->isBusy();
+    update.swatches = m_colors->swatches();
+    update.folder = m_files.name();
+    update.files = m_files.tiles();
+    m_port->setUpdate(std::move(update));
 }
 
-QString HeadsetDesk::folder() const
+QString HeadsetController::folder() const
 {
     const QString& path = m_document->path();
     return path.isEmpty() ? ui::Settings().lastFolder() : QFileInfo(path).absolutePath();

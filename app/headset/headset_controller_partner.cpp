@@ -21,7 +21,7 @@ namespace app
 {
 namespace
 {
-constexpr std::chrono::milliseconds choiceSettles(500); ///< a slider is told when it rests
+constexpr std::chrono::milliseconds choiceDelay(500); ///< a slider is told when it rests
 constexpr double sameShare = 1e-9;
 static_assert(static_cast<int>(vr::LessonRequest::Next) == static_cast<int>(ui::LessonButton::Next));
 
@@ -35,120 +35,120 @@ vr::LessonPanel lessonOf(const ui::LessonPanelState& shown)
 }
 } // namespace
 
-void HeadsetDesk::hearPartner()
+void HeadsetController::connectPartner()
 {
-    m_choice.setSingleShot(true);
-    m_choice.setInterval(choiceSettles);
-    connect(&m_choice, &QTimer::timeout, this, &HeadsetDesk::tellChoice);
+    m_choiceTimer.setSingleShot(true);
+    m_choiceTimer.setInterval(choiceDelay);
+    connect(&m_choiceTimer, &QTimer::timeout, this, &HeadsetController::announceChoice);
     connect(m_window->action(QStringLiteral("edit.undo")), &QAction::triggered, this,
-            [this] { tellHistory(tr("Your partner took back: %1.").arg(m_undoText)); });
+            [this] { announceHistory(tr("Your partner took back: %1.").arg(m_undoText)); });
     connect(m_window->action(QStringLiteral("edit.redo")), &QAction::triggered, this,
-            [this] { tellHistory(tr("Your partner did again: %1.").arg(m_redoText)); });
+            [this] { announceHistory(tr("Your partner did again: %1.").arg(m_redoText)); });
     m_lessons = m_window->findChild<ui::LessonPanel*>();
-    connect(m_lessons, &ui::LessonPanel::changed, this, &HeadsetDesk::takeLesson);
+    connect(m_lessons, &ui::LessonPanel::changed, this, &HeadsetController::onLessonChanged);
     connect(m_window->viewport(), &ui::Viewport::teacherShown, this, [this](const std::optional<core::Sphere>& brush) {
-        m_news.teacher = brush;
-        tellSoon();
+        m_update.teacher = brush;
+        scheduleUpdate();
     });
 }
 
 /// A visit begins.
-void HeadsetDesk::beginPartner()
+void HeadsetController::beginPartner()
 {
-    m_news.radiusChange = 0;
-    m_news.pointed.reset();
+    m_update.radiusChange = 0;
+    m_update.pointed.reset();
     m_isTakenOver = false;
     m_isRadiusNew = m_isStepNew = false;
-    m_wearerRadius = 0;
-    m_toldBrush = m_window->brush()->stroke();
-    m_radiusModel = m_news.model;
+    m_avatarRadius = 0;
+    m_knownBrush = m_window->brush()->stroke();
+    m_radiusModel = m_update.model;
     m_radiusShare = m_window->brush()->radiusShare();
-    m_choice.stop();
+    m_choiceTimer.stop();
 }
 
-void HeadsetDesk::point(const std::optional<core::SurfaceHit>& place)
+void HeadsetController::point(const std::optional<core::SurfaceHit>& place)
 {
-    m_news.pointed.reset();
+    m_update.pointed.reset();
     if (place && m_port)
-        m_news.pointed = vr::PointedPlace{place->position, place->normal};
-    tellSoon();
+        m_update.pointed = vr::PointedPlace{place->position, place->normal};
+    scheduleUpdate();
 }
 
 /// A radius that follows the model's size, or came with another model, is nobody's choice.
-void HeadsetDesk::takeRadius()
+void HeadsetController::checkRadius()
 {
     const double share = m_window->brush()->radiusShare();
-    if (m_radiusModel == m_news.model && std::abs(share - m_radiusShare) > sameShare * share) {
-        ++m_news.radiusChange;
+    if (m_radiusModel == m_update.model && std::abs(share - m_radiusShare) > sameShare * share) {
+        ++m_update.radiusChange;
         m_isRadiusNew = true;
-        m_choice.start();
+        m_choiceTimer.start();
     }
-    m_radiusModel = m_news.model;
+    m_radiusModel = m_update.model;
     m_radiusShare = share;
 }
 
 /// Of symmetry, topology and colour a tick in the hand is enough; the tools of a lesson's step are nobody's choice.
-void HeadsetDesk::tellChoice()
+void HeadsetController::announceChoice()
 {
     if (!m_port)
         return;
-    const core::StrokeSettings brush = m_window->brush()->stroke(), before = std::exchange(m_toldBrush, brush);
+    const core::StrokeSettings brush = m_window->brush()->stroke(), before = std::exchange(m_knownBrush, brush);
     const bool isRadiusNew = std::exchange(m_isRadiusNew, false);
     if (std::exchange(m_isStepNew, false))
         return;
-    const double radius = isRadiusNew || m_wearerRadius <= 0 ? brush.radius : m_wearerRadius;
+    const double radius = isRadiusNew || m_avatarRadius <= 0 ? brush.radius : m_avatarRadius;
     if (brush.tool != before.tool || isRadiusNew)
         //: %1: a tool; %2: a length
-        tellNotice(
+        showNotice(
             tr("Your partner chose %1, %2 mm.").arg(StrokeStep::textOf(brush.tool), ui::PartnerBar::figures(radius)));
     else if (brush.strength != before.strength)
-        tellNotice(tr("Your partner chose a strength of %1 %.").arg(std::lround(brush.strength * 100)));
+        showNotice(tr("Your partner chose a strength of %1 %.").arg(std::lround(brush.strength * 100)));
 }
 
-void HeadsetDesk::tellHistory(const QString& sentence)
+void HeadsetController::announceHistory(const QString& sentence)
 {
     if (m_port)
-        tellNotice(sentence);
+        showNotice(sentence);
 }
 
-void HeadsetDesk::setTakenOver(bool isTakenOver)
+void HeadsetController::setTakenOver(bool isTakenOver)
 {
     if (!m_port || isTakenOver == m_isTakenOver)
         return;
     m_isTakenOver = isTakenOver;
     m_port->setTakenOver(isTakenOver);
-    tellNotice(isTakenOver ? tr("Your partner sculpts now.") : tr("It is your turn again."));
+    showNotice(isTakenOver ? tr("Your partner sculpts now.") : tr("It is your turn again."));
 }
 
 /// What changes the model, or the brush that both have.
-bool HeadsetDesk::isForbidden(const vr::DocumentRequest& wish) const
+bool HeadsetController::isForbidden(const vr::DocumentRequest& request) const
 {
-    return m_isTakenOver && !std::holds_alternative<vr::HeadsetSettings>(wish) &&
-           !std::holds_alternative<vr::SaveModel>(wish);
+    return m_isTakenOver && !std::holds_alternative<vr::HeadsetSettings>(request) &&
+           !std::holds_alternative<vr::SaveModel>(request);
 }
 
 /// The brush is told back, too.
-void HeadsetDesk::forbid()
+void HeadsetController::rejectRequest()
 {
-    tellNotice(tr("Your partner sculpts now."));
-    ++m_news.brushChange;
+    showNotice(tr("Your partner sculpts now."));
+    ++m_update.brushChange;
 }
 
-void HeadsetDesk::takeLesson()
+void HeadsetController::onLessonChanged()
 {
-    const std::optional<vr::LessonPanel> before = std::exchange(m_news.lesson, std::nullopt);
+    const std::optional<vr::LessonPanel> before = std::exchange(m_update.lesson, std::nullopt);
     if (m_lessons && m_lessons->shown())
-        m_news.lesson = lessonOf(*m_lessons->shown());
-    if (m_news.lesson && (!before || before->step != m_news.lesson->step)) {
+        m_update.lesson = lessonOf(*m_lessons->shown());
+    if (m_update.lesson && (!before || before->step != m_update.lesson->step)) {
         m_isStepNew = true;
-        m_choice.start();
+        m_choiceTimer.start();
     }
-    tellSoon();
+    scheduleUpdate();
 }
 
-void HeadsetDesk::obey(vr::LessonRequest wish)
+void HeadsetController::handle(vr::LessonRequest request)
 {
     if (m_lessons)
-        m_lessons->press(static_cast<ui::LessonButton>(wish));
+        m_lessons->press(static_cast<ui::LessonButton>(request));
 }
 } // namespace app

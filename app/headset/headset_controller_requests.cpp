@@ -17,135 +17,135 @@
 
 namespace app
 {
-void HeadsetDesk::takeMail()
+void HeadsetController::takeMessages()
 {
     if (!m_port)
         return;
-    HeadsetMail mail = m_port->takeMail();
-    for (vr::DocumentRequest& wish : mail.wishes) {
-        const bool isRefused = isForbidden(wish);
-        if (HeadsetPort::holdsStrokes(wish))
-            m_turns.push_back({m_port, std::move(wish), isRefused});
+    HeadsetMessages messages = m_port->takeMessages();
+    for (vr::DocumentRequest& request : messages.requests) {
+        const bool isRefused = isForbidden(request);
+        if (HeadsetPort::holdsStrokes(request))
+            m_turns.push_back({m_port, std::move(request), isRefused});
         else if (isRefused)
-            forbid();
+            rejectRequest();
         else
-            std::visit([this](const auto& what) { obey(what); }, wish);
+            std::visit([this](const auto& what) { handle(what); }, request);
     }
-    obeyNext();
-    if (mail.wasRefused)
-        forbid();
-    if (!mail.presence)
+    handleNext();
+    if (messages.wasRefused)
+        rejectRequest();
+    if (!messages.avatar)
         return;
-    m_wearerRadius = wearerOf(*mail.presence).radius;
-    Q_EMIT seen(mail.presence);
+    m_avatarRadius = avatarOf(*messages.avatar).radius;
+    Q_EMIT avatarChanged(messages.avatar);
 }
 
 /// One at a time: strokes between two wishes come to the document before the second.
-void HeadsetDesk::obeyNext()
+void HeadsetController::handleNext()
 {
-    if (m_turns.empty() || std::exchange(m_isObeying, true))
+    if (m_turns.empty() || std::exchange(m_isHandling, true))
         return;
     const Turn turn = std::move(m_turns.front());
     m_turns.pop_front();
-    m_document->inTurn([self = QPointer(this), turn] {
+    m_document->enqueue([self = QPointer(this), turn] {
         if (!self)
             return;
         if (turn.isForbidden)
-            self->forbid();
+            self->rejectRequest();
         else
-            std::visit([self](const auto& wish) { self->obey(wish); }, turn.wish);
-        self->m_document->inTurn([self, port = turn.port] {
+            std::visit([self](const auto& request) { self->handle(request); }, turn.request);
+        self->m_document->enqueue([self, port = turn.port] {
             if (self)
                 self->finish(port);
         });
     });
 }
 
-void HeadsetDesk::finish(const std::shared_ptr<HeadsetPort>& port)
+void HeadsetController::finish(const std::shared_ptr<HeadsetPort>& port)
 {
-    port->wishDone();
-    m_isObeying = false;
-    obeyNext();
+    port->requestDone();
+    m_isHandling = false;
+    handleNext();
 }
 
-void HeadsetDesk::refuse(const QString& sentence)
+void HeadsetController::refuse(const QString& sentence)
 {
-    tellNotice(sentence);
+    showNotice(sentence);
     Q_EMIT noticed(sentence);
 }
 
-void HeadsetDesk::obey(const vr::ChooseBrush& wish)
+void HeadsetController::handle(const vr::ChooseBrush& request)
 {
     const QScopedValueRollback choosing(m_isChoosing, true);
     using core::StrokeSettings;
     ui::BrushSettings& brush = *m_window->brush();
-    brush.setTool(wish.brush.tool);
-    if (!brush.isOffered(wish.brush.tool))
+    brush.setTool(request.brush.tool);
+    if (!brush.isOffered(request.brush.tool))
         refuseTool();
-    brush.set(&StrokeSettings::brush, wish.brush.brush);
-    brush.set(&StrokeSettings::topology, wish.brush.topology);
-    brush.set(&StrokeSettings::symmetry, wish.brush.symmetry);
-    brush.set(&StrokeSettings::radial, wish.brush.radial);
-    brush.set(&StrokeSettings::color, wish.brush.color);
-    m_toldBrush = brush.stroke();
+    brush.set(&StrokeSettings::brush, request.brush.brush);
+    brush.set(&StrokeSettings::topology, request.brush.topology);
+    brush.set(&StrokeSettings::symmetry, request.brush.symmetry);
+    brush.set(&StrokeSettings::radial, request.brush.radial);
+    brush.set(&StrokeSettings::color, request.brush.color);
+    m_knownBrush = brush.stroke();
 }
 
 /// The headset is told which tool there is instead.
-void HeadsetDesk::refuseTool()
+void HeadsetController::refuseTool()
 {
     refuse(tr("This class does without that tool."));
-    ++m_news.brushChange;
+    ++m_update.brushChange;
 }
 
-void HeadsetDesk::obey(const vr::HeadsetSettings& choice)
+void HeadsetController::handle(const vr::HeadsetSettings& settings)
 {
-    HeadsetSettings().setChoice(choice);
+    HeadsetSettings().save(settings);
 }
 
-void HeadsetDesk::obey(const vr::Undo&)
+void HeadsetController::handle(const vr::Undo&)
 {
     m_document->undo();
 }
 
-void HeadsetDesk::obey(const vr::Redo&)
+void HeadsetController::handle(const vr::Redo&)
 {
     m_document->redo();
 }
 
-void HeadsetDesk::obey(const vr::RestoreModel&)
+void HeadsetController::handle(const vr::RestoreModel&)
 {
     if (m_document->isBusy())
         return refuse(tr("The model was not restored: other work on it is not done yet."));
     m_document->apply(core::Reset());
 }
 
-void HeadsetDesk::obey(const core::MaskOperation& change)
+void HeadsetController::handle(const core::MaskOperation& change)
 {
     if (m_document->isBusy())
         return refuse(tr("The mask was not changed: other work on the model is not done yet."));
     m_document->apply(change);
 }
 
-void HeadsetDesk::obey(const vr::SaveModel&)
+void HeadsetController::handle(const vr::SaveModel&)
 {
     if (m_window->classroom())
         return refuse(tr("In a class the work is kept by Next Pupil, at the window."));
     if (m_document->isBusy())
         return refuse(tr("The model was not saved: other work on it is not done yet."));
-    m_document->saveNumbered(QDir(folder()).filePath(m_document->facts().name));
+    m_document->saveNumbered(QDir(folder()).filePath(m_document->modelInfo().name));
 }
 
-void HeadsetDesk::obey(const vr::OpenModel& wish)
+void HeadsetController::handle(const vr::OpenModel& request)
 {
-    const QString name = QFileInfo(wish.path).fileName();
+    const QString name = QFileInfo(request.path).fileName();
     if (m_window->classroom())
         return refuse(tr("%1 was not opened: a class has its own models to begin with.").arg(name));
     if (m_document->isBusy())
         return refuse(tr("%1 was not opened: other work on the model is not done yet.").arg(name));
-    if (wish.discardsChanges)
-        return m_document->openLosingChanges(wish.path);
+    if (request.discardsChanges)
+        return m_document->openDiscardingChanges(request.path);
     if (m_document->isModified())
         return refuse(tr("%1 was not opened: the present model has changes that no file holds.").arg(name));
-    m_document->open(wish.path);
+    m_document->open(request.path);
 }
 } // namespace app

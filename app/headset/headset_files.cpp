@@ -9,7 +9,7 @@ namespace app
 {
 namespace
 {
-constexpr int restMs = 300; ///< a folder changes several times while a file is written
+constexpr int listDelayMs = 300; ///< a folder changes several times while a file is written
 
 vr::FileTile tileOf(const ui::FileEntry& entry)
 {
@@ -19,10 +19,10 @@ vr::FileTile tileOf(const ui::FileEntry& entry)
 
 HeadsetFiles::HeadsetFiles(QObject* parent) : QObject(parent)
 {
-    m_listSoon.setSingleShot(true);
-    m_listSoon.setInterval(restMs);
-    connect(&m_listSoon, &QTimer::timeout, this, &HeadsetFiles::list);
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_listSoon, qOverload<>(&QTimer::start));
+    m_listTimer.setSingleShot(true);
+    m_listTimer.setInterval(listDelayMs);
+    connect(&m_listTimer, &QTimer::timeout, this, &HeadsetFiles::list);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_listTimer, qOverload<>(&QTimer::start));
 }
 
 HeadsetFiles::~HeadsetFiles()
@@ -30,7 +30,7 @@ HeadsetFiles::~HeadsetFiles()
     m_listing.request_stop();
 }
 
-void HeadsetFiles::look(const QString& folder)
+void HeadsetFiles::watch(const QString& folder)
 {
     if (folder == m_folder)
         return;
@@ -43,7 +43,7 @@ void HeadsetFiles::look(const QString& folder)
 void HeadsetFiles::stop()
 {
     m_listing.request_stop();
-    m_listSoon.stop();
+    m_listTimer.stop();
     m_maker.reset();
     if (const QStringList watched = m_watcher.directories(); !watched.isEmpty())
         m_watcher.removePaths(watched);
@@ -66,38 +66,38 @@ void HeadsetFiles::list()
     m_disk.run([folder = m_folder, stop] { return ui::FileJobs::list(folder, stop); },
                [this, stop](const ui::FolderContent& content) {
                    if (!stop.stop_requested())
-                       take(content);
+                       setContent(content);
                });
 }
 
 /// A file that stayed as it was keeps its picture.
-void HeadsetFiles::take(const ui::FolderContent& content)
+void HeadsetFiles::setContent(const ui::FolderContent& content)
 {
     QList<ui::FileEntry> entries = content.entries;
     entries.removeIf([](const ui::FileEntry& entry) { return entry.isFolder; });
     std::ranges::sort(entries, [](const ui::FileEntry& a, const ui::FileEntry& b) {
         return a.modifiedMs != b.modifiedMs ? a.modifiedMs > b.modifiedMs : a.path < b.path;
     });
-    entries = entries.mid(0, most);
+    entries = entries.mid(0, maxFiles);
     QList<vr::FileTile> tiles;
-    QList<ui::FileEntry> wanted;
+    QList<ui::FileEntry> missing;
     for (const ui::FileEntry& entry : entries) {
         const qsizetype known = m_entries.indexOf(entry);
         tiles << (known < 0 ? tileOf(entry) : m_tiles[known]);
         if (tiles.last().picture.isNull() && !tiles.last().isBroken)
-            wanted << entry;
+            missing << entry;
     }
     m_entries = entries;
     m_tiles = tiles;
     if (!m_maker) {
         m_maker = std::make_unique<ui::ThumbnailMaker>();
-        connect(m_maker.get(), &ui::ThumbnailMaker::made, this, &HeadsetFiles::keep);
+        connect(m_maker.get(), &ui::ThumbnailMaker::made, this, &HeadsetFiles::setThumbnail);
     }
-    m_maker->want(wanted);
+    m_maker->request(missing);
     Q_EMIT changed();
 }
 
-void HeadsetFiles::keep(const ui::FileEntry& file, const ui::Thumbnail& thumbnail)
+void HeadsetFiles::setThumbnail(const ui::FileEntry& file, const ui::Thumbnail& thumbnail)
 {
     const qsizetype i = m_entries.indexOf(file);
     if (i < 0)

@@ -20,13 +20,13 @@ class HeadsetFiles : public QObject
     Q_OBJECT
 
 public:
-    static constexpr qsizetype most = 120; ///< the latest
+    static constexpr qsizetype maxFiles = 120; ///< the latest
 
     explicit HeadsetFiles(QObject* parent = nullptr);
     ~HeadsetFiles() override;
 
-    /// From now on into that folder; what changes there is seen.
-    void look(const QString& folder);
+    /// Lists that folder from now on, and watches it for changes.
+    void watch(const QString& folder);
     void stop();
 
     /// The latest first; a picture comes when it is made.
@@ -39,14 +39,14 @@ Q_SIGNALS:
 
 private:
     void list();
-    void take(const ui::FolderContent& content);
-    void keep(const ui::FileEntry& file, const ui::Thumbnail& thumbnail);
+    void setContent(const ui::FolderContent& content);
+    void setThumbnail(const ui::FileEntry& file, const ui::Thumbnail& thumbnail);
 
-    QString m_folder; ///< empty: nobody looks
+    QString m_folder; ///< empty: no folder is watched
     QList<ui::FileEntry> m_entries;
     QList<vr::FileTile> m_tiles; ///< of the entries
     QFileSystemWatcher m_watcher;
-    QTimer m_listSoon;
+    QTimer m_listTimer;
     std::unique_ptr<ui::ThumbnailMaker> m_maker;
     std::stop_source m_listing;
     ui::BackgroundThread m_disk; ///< last

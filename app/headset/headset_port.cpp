@@ -12,15 +12,15 @@ HeadsetPort::HeadsetPort(SculptWorker* worker) : m_worker(worker) {}
 void HeadsetPort::begin()
 {
     const auto self = shared_from_this();
-    m_answers = connect(
+    m_queryConnection = connect(
         m_worker, &SculptWorker::answeredHeadset, m_worker,
         [self](const auto& hit, const auto& footprint) {
-            self->keepAnswer({hit, footprint});
+            self->setQueryResult({hit, footprint});
         },
         Qt::DirectConnection);
-    m_samples = connect(
+    m_sampleConnection = connect(
         m_worker, &SculptWorker::sampledHeadset, m_worker,
-        [self](quint64 fusions, core::Shortfall shortfall) { self->keepEffect(fusions, shortfall); },
+        [self](quint64 fusions, core::Shortfall shortfall) { self->addEffect(fusions, shortfall); },
         Qt::DirectConnection);
     m_worker->setInbox(Source::Headset, m_inbox);
 }
@@ -29,39 +29,39 @@ void HeadsetPort::end()
 {
     const auto self = shared_from_this(); // the connections may be the last who know us
     m_worker->setInbox(Source::Headset, nullptr);
-    disconnect(m_answers);
-    disconnect(m_samples);
+    disconnect(m_queryConnection);
+    disconnect(m_sampleConnection);
     const std::lock_guard lock(m_mutex);
     m_hasEnded = true;
     endOpenStroke();
     postHeld();
 }
 
-void HeadsetPort::tell(vr::DocumentUpdate news)
+void HeadsetPort::setUpdate(vr::DocumentUpdate update)
 {
-    std::optional<vr::DocumentUpdate> next = std::move(news);
+    std::optional<vr::DocumentUpdate> next = std::move(update);
     const std::lock_guard lock(m_mutex);
-    std::swap(m_news, next); // an outdated one is freed after the lock
+    std::swap(m_update, next); // an outdated one is freed after the lock
 }
 
-HeadsetMail HeadsetPort::takeMail()
+HeadsetMessages HeadsetPort::takeMessages()
 {
     const std::lock_guard lock(m_mutex);
-    m_hasRung = false;
-    return std::exchange(m_mail, {});
+    m_isNotified = false;
+    return std::exchange(m_messages, {});
 }
 
-void HeadsetPort::wishDone()
+void HeadsetPort::requestDone()
 {
     const std::lock_guard lock(m_mutex);
     ++m_done;
     postHeld();
 }
 
-bool HeadsetPort::holdsStrokes(const vr::DocumentRequest& wish)
+bool HeadsetPort::holdsStrokes(const vr::DocumentRequest& request)
 {
-    return !std::holds_alternative<vr::ChooseBrush>(wish) && !std::holds_alternative<vr::HeadsetSettings>(wish) &&
-           !std::holds_alternative<vr::LessonRequest>(wish);
+    return !std::holds_alternative<vr::ChooseBrush>(request) && !std::holds_alternative<vr::HeadsetSettings>(request) &&
+           !std::holds_alternative<vr::LessonRequest>(request);
 }
 
 void HeadsetPort::setRefusing(bool refuses)
@@ -90,64 +90,63 @@ std::optional<core::MeshPatch> HeadsetPort::takePatch()
 std::optional<vr::DocumentUpdate> HeadsetPort::takeUpdate()
 {
     const std::lock_guard lock(m_mutex);
-    return std::exchange(m_news, std::nullopt);
+    return std::exchange(m_update, std::nullopt);
 }
 
-void HeadsetPort::querySurface(const vr::SurfaceQuery& question)
+void HeadsetPort::querySurface(const vr::SurfaceQuery& query)
 {
-    const bool isOfRay =
-        question.brush.brush == core::BrushShape::Ray; // which meets the surface alike without its brush
+    const bool isOfRay = query.brush.brush == core::BrushShape::Ray; // which meets the surface alike without its brush
     const std::lock_guard lock(m_mutex);
     if (m_hasEnded)
         return;
-    m_worker->ask(Source::Headset, question.ray,
-                  isOfRay && !question.wantsFootprint ? std::nullopt : std::optional(question.brush));
+    m_worker->ask(Source::Headset, query.ray,
+                  isOfRay && !query.wantsFootprint ? std::nullopt : std::optional(query.brush));
 }
 
-void HeadsetPort::keepAnswer(vr::SurfaceQueryResult answer)
+void HeadsetPort::setQueryResult(vr::SurfaceQueryResult result)
 {
-    std::optional<vr::SurfaceQueryResult> next = std::move(answer);
+    std::optional<vr::SurfaceQueryResult> next = std::move(result);
     const std::lock_guard lock(m_mutex);
-    std::swap(m_answer, next);
+    std::swap(m_queryResult, next);
 }
 
 std::optional<vr::SurfaceQueryResult> HeadsetPort::takeQueryResult()
 {
     const std::lock_guard lock(m_mutex);
-    return std::exchange(m_answer, std::nullopt);
+    return std::exchange(m_queryResult, std::nullopt);
 }
 
-void HeadsetPort::request(const vr::DocumentRequest& wish)
+void HeadsetPort::request(const vr::DocumentRequest& request)
 {
     bool isNew = false;
     {
         const std::lock_guard lock(m_mutex);
         if (m_hasEnded)
             return;
-        m_mail.wishes.push_back(wish);
-        m_wished += holdsStrokes(wish);
-        isNew = !std::exchange(m_hasRung, true);
+        m_messages.requests.push_back(request);
+        m_requested += holdsStrokes(request);
+        isNew = !std::exchange(m_isNotified, true);
     }
-    ring(isNew);
+    notify(isNew);
 }
 
-void HeadsetPort::show(const vr::AvatarState& presence)
+void HeadsetPort::show(const vr::AvatarState& avatar)
 {
     bool isNew = false;
     {
         const std::lock_guard lock(m_mutex);
         if (m_hasEnded)
             return;
-        m_mail.presence = presence;
-        isNew = !std::exchange(m_hasRung, true);
+        m_messages.avatar = avatar;
+        isNew = !std::exchange(m_isNotified, true);
     }
-    ring(isNew);
+    notify(isNew);
 }
 
-void HeadsetPort::ring(bool isNew)
+void HeadsetPort::notify(bool isNew)
 {
     if (isNew)
-        Q_EMIT mailCame();
+        Q_EMIT messagesArrived();
 }
 
 // --- strokes
@@ -157,11 +156,11 @@ bool HeadsetPort::beginStroke(const core::StrokeSettings& settings)
     const std::lock_guard lock(m_mutex);
     if (m_isRefusing || m_isTakenOver || m_hasEnded) {
         ++m_effect.refusals;
-        m_mail.wasRefused |= m_isTakenOver; // it is fetched with the frame's presence
+        m_messages.wasRefused |= m_isTakenOver; // it is fetched with the frame's avatar
         return false;
     }
-    if (m_done < m_wished) {
-        m_held.push_back({m_wished, settings, {}});
+    if (m_done < m_requested) {
+        m_held.push_back({m_requested, settings, {}});
         m_open = Stroke::Held;
         return true;
     }
@@ -194,7 +193,7 @@ vr::StrokeEffect HeadsetPort::takeEffect()
     return std::exchange(m_effect, {});
 }
 
-void HeadsetPort::keepEffect(quint64 fusions, core::Shortfall shortfall)
+void HeadsetPort::addEffect(quint64 fusions, core::Shortfall shortfall)
 {
     const std::lock_guard lock(m_mutex);
     m_effect.fusions += static_cast<int>(fusions);
@@ -210,7 +209,7 @@ void HeadsetPort::endOpenStroke()
     m_open = Stroke::None;
 }
 
-/// What waits for no wish any more. The last may still be open: then it goes on there.
+/// Posts the strokes that wait for no request any more. The last may still be open: then it continues there.
 void HeadsetPort::postHeld()
 {
     for (; !m_held.empty() && m_held.front().after <= m_done; m_held.pop_front())

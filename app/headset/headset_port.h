@@ -14,17 +14,17 @@
 
 namespace app
 {
-/// What a visit to the headset has left for the gui thread since it was last taken.
-struct HeadsetMail
+/// Messages of a visit to the gui thread since they were last taken.
+struct HeadsetMessages
 {
-    std::deque<vr::DocumentRequest> wishes;
-    std::optional<vr::AvatarState> presence; ///< the newest
-    bool wasRefused = false;                 ///< a stroke, because somebody at the window has taken over
+    std::deque<vr::DocumentRequest> requests;
+    std::optional<vr::AvatarState> avatar; ///< the newest
+    bool wasRefused = false;               ///< a stroke, because somebody at the window has taken over
 };
 
-/// The document of one visit to the headset. Strokes go straight to the mesh thread, wishes to the gui thread. A stroke
-/// that begins after a wish that changes or saves the model is held here until that is done, so that both come in the
-/// order in which they were made, and nobody waits.
+/// The document of one visit to the headset. Strokes go straight to the mesh thread, requests to the gui thread. A
+/// stroke that begins after a request that changes or saves the model is held here until the request is done, so that
+/// both arrive in the order in which they were made; nobody waits.
 class HeadsetPort : public QObject, public vr::DocumentPort, public std::enable_shared_from_this<HeadsetPort>
 {
     Q_OBJECT
@@ -37,14 +37,14 @@ public:
 
     /// From now on the worker's patches and answers come here.
     void begin();
-    /// A stroke that is open ends. What is held goes to the worker when its wish is done. Whatever the headset's thread
-    /// calls from now on, as that of a visit that was given up may, comes to nothing.
+    /// A stroke that is open ends. Held strokes go to the worker when their request is done. Later calls by the
+    /// headset's thread, as from an abandoned visit, have no effect.
     void end();
-    void tell(vr::DocumentUpdate news);
-    HeadsetMail takeMail();
-    /// One more of the wishes that hold strokes (holdsStrokes).
-    void wishDone();
-    static bool holdsStrokes(const vr::DocumentRequest& wish);
+    void setUpdate(vr::DocumentUpdate update);
+    HeadsetMessages takeMessages();
+    /// One more request that holds strokes (holdsStrokes) is done.
+    void requestDone();
+    static bool holdsStrokes(const vr::DocumentRequest& request);
     /// While another model is on its way: no stroke begins.
     void setRefusing(bool refuses);
     /// While somebody at the window has taken over: no stroke begins, and an open one ends as it is. What was drawn
@@ -59,29 +59,29 @@ public:
     void addSample(const core::StrokeSample& sample) override;
     void endStroke() override;
     vr::StrokeEffect takeEffect() override;
-    void querySurface(const vr::SurfaceQuery& question) override;
+    void querySurface(const vr::SurfaceQuery& query) override;
     std::optional<vr::SurfaceQueryResult> takeQueryResult() override;
-    void request(const vr::DocumentRequest& wish) override;
-    void show(const vr::AvatarState& presence) override;
+    void request(const vr::DocumentRequest& request) override;
+    void show(const vr::AvatarState& avatar) override;
 
 Q_SIGNALS:
-    /// Once until the mail is taken, on the headset's thread: connect it queued.
-    void mailCame();
+    /// Emitted once until the messages are taken, on the headset's thread: connect it queued.
+    void messagesArrived();
 
 private:
     enum class Stroke { None, Posted, Held };
 
     struct HeldStroke
     {
-        quint64 after; ///< so many wishes
+        quint64 after; ///< that many requests
         core::StrokeSettings settings;
         std::vector<core::StrokeSample> samples; ///< at most JobQueue::maxWaitingSamples
         bool hasEnded = false;
     };
 
-    void ring(bool isNew);
-    void keepAnswer(vr::SurfaceQueryResult answer);
-    void keepEffect(quint64 fusions, core::Shortfall shortfall);
+    void notify(bool isNew);
+    void setQueryResult(vr::SurfaceQueryResult result);
+    void addEffect(quint64 fusions, core::Shortfall shortfall);
     void endOpenStroke();
     void postHeld();
     void post(const HeldStroke& stroke);
@@ -89,17 +89,17 @@ private:
 
     SculptWorker* m_worker;
     std::shared_ptr<PatchInbox> m_inbox = std::make_shared<PatchInbox>();
-    QMetaObject::Connection m_answers, m_samples;
+    QMetaObject::Connection m_queryConnection, m_sampleConnection;
 
     std::mutex m_mutex; ///< of the rest
-    std::optional<vr::DocumentUpdate> m_news;
-    std::optional<vr::SurfaceQueryResult> m_answer;
+    std::optional<vr::DocumentUpdate> m_update;
+    std::optional<vr::SurfaceQueryResult> m_queryResult;
     vr::StrokeEffect m_effect;
-    HeadsetMail m_mail;
-    bool m_hasRung = false;
+    HeadsetMessages m_messages;
+    bool m_isNotified = false;
     bool m_isRefusing = false, m_isTakenOver = false;
     bool m_hasEnded = false;
-    quint64 m_wished = 0, m_done = 0; ///< of the wishes that hold strokes
+    quint64 m_requested = 0, m_done = 0; ///< requests that hold strokes
     Stroke m_open = Stroke::None;
     std::deque<HeldStroke> m_held;
 };

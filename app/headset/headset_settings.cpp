@@ -30,31 +30,31 @@ QString feelKey(std::size_t sensation)
 }
 } // namespace
 
-vr::HeadsetSettings HeadsetSettings::choice() const
+vr::HeadsetSettings HeadsetSettings::load() const
 {
-    vr::HeadsetSettings choice;
-    choice.wands.preset = stored::choice(m_settings, presetKey, presets, choice.wands.preset);
-    choice.wands.sculpting = stored::choice(m_settings, sculptingKey, sides, choice.wands.sculpting);
+    vr::HeadsetSettings settings;
+    settings.wands.preset = stored::choice(m_settings, presetKey, presets, settings.wands.preset);
+    settings.wands.sculpting = stored::choice(m_settings, sculptingKey, sides, settings.wands.sculpting);
     using Panel = vr::SettingsPanel;
-    choice.heightOffset =
-        number(m_settings, raisedKey, -Panel::maxHeightOffset, Panel::maxHeightOffset, choice.heightOffset);
-    choice.turnRate = number(m_settings, turnsKey, Panel::minTurnRate, Panel::maxTurnRate, choice.turnRate);
-    choice.showsFloor = yesNo(m_settings, floorKey, choice.showsFloor);
-    choice.showsPerformance = yesNo(m_settings, performanceKey, choice.showsPerformance);
+    settings.heightOffset =
+        number(m_settings, raisedKey, -Panel::maxHeightOffset, Panel::maxHeightOffset, settings.heightOffset);
+    settings.turnRate = number(m_settings, turnsKey, Panel::minTurnRate, Panel::maxTurnRate, settings.turnRate);
+    settings.showsFloor = yesNo(m_settings, floorKey, settings.showsFloor);
+    settings.showsPerformance = yesNo(m_settings, performanceKey, settings.showsPerformance);
     for (std::size_t i = 0; i < vr::sensationCount; ++i)
-        choice.hapticLevels.of[i] = number(m_settings, feelKey(i), 0, 1, choice.hapticLevels.of[i]);
-    return choice;
+        settings.hapticLevels.of[i] = number(m_settings, feelKey(i), 0, 1, settings.hapticLevels.of[i]);
+    return settings;
 }
 
-void HeadsetSettings::setChoice(const vr::HeadsetSettings& choice)
+void HeadsetSettings::save(const vr::HeadsetSettings& settings)
 {
-    m_settings.setValue(presetKey, wordFor(choice.wands.preset, presets));
-    m_settings.setValue(sculptingKey, wordFor(choice.wands.sculpting, sides));
-    m_settings.setValue(raisedKey, choice.heightOffset);
-    m_settings.setValue(turnsKey, choice.turnRate);
-    m_settings.setValue(floorKey, choice.showsFloor);
-    m_settings.setValue(performanceKey, choice.showsPerformance);
+    m_settings.setValue(presetKey, wordFor(settings.wands.preset, presets));
+    m_settings.setValue(sculptingKey, wordFor(settings.wands.sculpting, sides));
+    m_settings.setValue(raisedKey, settings.heightOffset);
+    m_settings.setValue(turnsKey, settings.turnRate);
+    m_settings.setValue(floorKey, settings.showsFloor);
+    m_settings.setValue(performanceKey, settings.showsPerformance);
     for (std::size_t i = 0; i < vr::sensationCount; ++i)
-        m_settings.setValue(feelKey(i), choice.hapticLevels.of[i]);
+        m_settings.setValue(feelKey(i), settings.hapticLevels.of[i]);
 }
 } // namespace app

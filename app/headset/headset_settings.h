@@ -6,13 +6,13 @@
 
 namespace app
 {
-/// What a person has chosen about the headset, stored beside the window's preferences (ui::Settings). What is missing
-/// or makes no sense is as it is at first. Gui thread.
+/// Stores the settings of the headset beside the window's preferences (ui::Settings). Missing or invalid values are
+/// replaced by the defaults. Thread: gui.
 class HeadsetSettings
 {
 public:
-    vr::HeadsetSettings choice() const;
-    void setChoice(const vr::HeadsetSettings& choice);
+    vr::HeadsetSettings load() const;
+    void save(const vr::HeadsetSettings& settings);
 
 private:
     QSettings m_settings;

@@ -4,30 +4,30 @@
 
 namespace app
 {
-HeadsetInquiry::HeadsetInquiry(QObject* parent) : QObject(parent)
+RuntimeProbe::RuntimeProbe(QObject* parent) : QObject(parent)
 {
-    m_patience.setSingleShot(true);
-    m_patience.setInterval(vr::RuntimeThread::responseTimeout);
-    connect(&m_patience, &QTimer::timeout, this, &HeadsetInquiry::tellOfSilence);
-    connect(&m_aside, &vr::RuntimeThread::ended, this, [this] {
-        m_patience.stop();
-        Q_EMIT answered(*m_answer);
+    m_timer.setSingleShot(true);
+    m_timer.setInterval(vr::RuntimeThread::responseTimeout);
+    connect(&m_timer, &QTimer::timeout, this, &RuntimeProbe::reportTimeout);
+    connect(&m_thread, &vr::RuntimeThread::ended, this, [this] {
+        m_timer.stop();
+        Q_EMIT finished(*m_result);
     });
 }
 
-void HeadsetInquiry::ask()
+void RuntimeProbe::start()
 {
-    if (!m_aside.isWorking()) {
-        m_answer = std::make_shared<QString>();
-        m_aside.start([answer = m_answer](const auto&) { *answer = vr::OpenXrRuntime::probe().text; });
-        m_patience.start();
-    } else if (!m_patience.isActive()) {
-        tellOfSilence();
+    if (!m_thread.isWorking()) {
+        m_result = std::make_shared<QString>();
+        m_thread.start([result = m_result](const auto&) { *result = vr::OpenXrRuntime::probe().text; });
+        m_timer.start();
+    } else if (!m_timer.isActive()) {
+        reportTimeout();
     }
 }
 
-void HeadsetInquiry::tellOfSilence()
+void RuntimeProbe::reportTimeout()
 {
-    Q_EMIT answered(tr("The headset's program does not answer. If it is not just starting, start it anew."));
+    Q_EMIT finished(tr("The headset's program does not answer. If it is not just starting, start it anew."));
 }
 } // namespace app

@@ -6,28 +6,28 @@
 
 namespace app
 {
-/// Asks for the headset without letting the window wait for a runtime to start, or the program for one that does not
-/// answer. Gui thread.
-class HeadsetInquiry : public QObject
+/// Probes the OpenXR runtime in the background, so that neither the window nor the end of the program waits for it.
+/// Thread: gui.
+class RuntimeProbe : public QObject
 {
     Q_OBJECT
 
 public:
-    explicit HeadsetInquiry(QObject* parent = nullptr);
+    explicit RuntimeProbe(QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// One inquiry at a time; others are dropped, but for a word if it takes long.
-    void ask();
+    /// One probe at a time; others are ignored, except for a message if it takes long.
+    void start();
 
 Q_SIGNALS:
-    /// Once or twice: it takes long, and the answer.
-    void answered(const QString& sentence);
+    /// Emitted once, or twice if it takes long: a message first, then the result.
+    void finished(const QString& sentence);
 
 private:
-    void tellOfSilence();
+    void reportTimeout();
 
-    std::shared_ptr<QString> m_answer; ///< the thread's until it has ended
-    QTimer m_patience;
-    vr::RuntimeThread m_aside; ///< last
+    std::shared_ptr<QString> m_result; ///< the thread's until it has ended
+    QTimer m_timer;
+    vr::RuntimeThread m_thread; ///< last
 };
 } // namespace app

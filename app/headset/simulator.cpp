@@ -19,7 +19,7 @@ namespace app
 namespace
 {
 /// One view, of as many pixels as the window has at first: a processor that draws in software does it, too.
-constexpr int pixelsUp = 720, pixelsAside = 810;
+constexpr int heightPixels = 720, widthPixels = 810;
 constexpr int hertz = 60;
 
 QByteArray text(const QJsonObject& object)
@@ -36,7 +36,7 @@ QJsonObject script()
                           {QStringLiteral("rotation"), QJsonArray{0, 0, 0, 1}}};
     return {{QStringLiteral("start"), QJsonObject{{QStringLiteral("pace"), QStringLiteral("live")},
                                                   {QStringLiteral("hz"), hertz},
-                                                  {QStringLiteral("size"), QJsonArray{pixelsAside, pixelsUp}},
+                                                  {QStringLiteral("size"), QJsonArray{widthPixels, heightPixels}},
                                                   {QStringLiteral("fov"), QJsonArray{-side, side, up, -up}},
                                                   {QStringLiteral("views"), QStringLiteral("mono")},
                                                   {QStringLiteral("aim"), aim}}}};
@@ -70,7 +70,7 @@ std::unique_ptr<Simulator> Simulator::open(const QString& program)
     QLibrary library(folder + QStringLiteral("/libfettle_simulator"));
     Functions functions;
     resolve(library, "fettle_xr_load", functions.load);
-    resolve(library, "fettle_xr_do", functions.obey);
+    resolve(library, "fettle_xr_do", functions.apply);
     resolve(library, "fettle_xr_picture", functions.picture);
     qputenv("XR_RUNTIME_JSON", QFile::encodeName(folder + QStringLiteral("/fettle_simulator.json")));
     if (const char* complaint = functions.load(text(script())))
@@ -78,9 +78,9 @@ std::unique_ptr<Simulator> Simulator::open(const QString& program)
     return std::unique_ptr<Simulator>(new Simulator(functions));
 }
 
-void Simulator::obey(const QJsonObject& step)
+void Simulator::apply(const QJsonObject& step)
 {
-    [[maybe_unused]] const char* complaint = m_functions.obey(text(step));
+    [[maybe_unused]] const char* complaint = m_functions.apply(text(step));
     Q_ASSERT(!complaint);
 }
 

@@ -23,7 +23,7 @@ public:
     static std::unique_ptr<Simulator> open(const QString& program = QCoreApplication::applicationDirPath());
 
     /// How head and wands are from the next frame on, in the words of vr/simulator/control_api.h.
-    void obey(const QJsonObject& step);
+    void apply(const QJsonObject& step);
     /// What the eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
     QImage picture();
 
@@ -31,7 +31,7 @@ private:
     struct Functions
     {
         const char* (*load)(const char* script) = nullptr;
-        const char* (*obey)(const char* step) = nullptr;
+        const char* (*apply)(const char* step) = nullptr;
         const FettleXrPicture* (*picture)() = nullptr;
     };
 

@@ -24,22 +24,22 @@ class Headset;
 
 /// The VR simulator's window during visits to VR: brings what mouse and keys do to the simulated headset, and its
 /// pictures back. Gui thread.
-class SimulatorDesk : public QObject
+class SimulatorController : public QObject
 {
     Q_OBJECT
 
 public:
-    /// After wire(). The window owns it and the simulator's window.
-    SimulatorDesk(ui::MainWindow* window, std::unique_ptr<Simulator> simulator);
+    /// After connectAll(). The window owns it and the simulator's window.
+    SimulatorController(ui::MainWindow* window, std::unique_ptr<Simulator> simulator);
 
 private:
     /// By ui::SimulatedHand.
     using Buttons = std::array<ui::SimulatedButtons, ui::simulatedHandCount>;
 
-    void take(const vr::HeadsetReport& report);
+    void onReport(const vr::HeadsetReport& report);
     void tick();
     void takePicture();
-    void noteButtons();
+    void queueButtons();
     void move();
 
     std::unique_ptr<Simulator> m_simulator;
@@ -47,8 +47,8 @@ private:
     ui::SimulatorWindow* m_window;
     QTimer m_timer; ///< runs during a visit
     QElapsedTimer m_clock;
-    std::deque<Buttons> m_waiting; ///< what buttons did, not yet told
-    Buttons m_told;
-    int m_picturesSince = 0; ///< the last was told
+    std::deque<Buttons> m_pendingButtons; ///< changes of buttons, not yet sent
+    Buttons m_sentButtons;
+    int m_picturesSince = 0; ///< since the last was sent
 };
 } // namespace app

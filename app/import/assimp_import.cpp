@@ -94,7 +94,7 @@ Eigen::Matrix4d placeOf(const aiScene& scene, const std::string& ending)
 class SceneReader
 {
 public:
-    SceneReader(const aiScene& scene, const ForeignLimits& limits) : m_scene(scene), m_limits(limits) {}
+    SceneReader(const aiScene& scene, const ImportLimits& limits) : m_scene(scene), m_limits(limits) {}
 
     void add(const aiNode& node, const Eigen::Matrix4d& above)
     {
@@ -106,25 +106,25 @@ public:
         const std::size_t before = mesh.triangles.size();
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
             addMesh(*m_scene.mMeshes[node.mMeshes[i]], transform);
-        head.objects += mesh.triangles.size() > before ? 1 : 0;
+        header.objects += mesh.triangles.size() > before ? 1 : 0;
         for (unsigned i = 0; i < node.mNumChildren; ++i)
             add(*node.mChildren[i], transform);
     }
 
     void addRemarks()
     {
-        head.objects = std::max<std::uint64_t>(head.objects, 1);
-        head.materials = m_scene.mNumMaterials > 1;
-        head.textures = m_scene.mNumTextures > 0;
+        header.objects = std::max<std::uint64_t>(header.objects, 1);
+        header.materials = m_scene.mNumMaterials > 1;
+        header.textures = m_scene.mNumTextures > 0;
         for (unsigned i = 0; i < m_scene.mNumMaterials; ++i)
             for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR})
-                head.textures = head.textures || m_scene.mMaterials[i]->GetTextureCount(type) > 0;
+                header.textures = header.textures || m_scene.mMaterials[i]->GetTextureCount(type) > 0;
         for (unsigned i = 0; i < m_scene.mNumMeshes; ++i)
-            head.poses = head.poses || m_scene.mMeshes[i]->HasBones() || m_scene.mMeshes[i]->mNumAnimMeshes > 0;
+            header.poses = header.poses || m_scene.mMeshes[i]->HasBones() || m_scene.mMeshes[i]->mNumAnimMeshes > 0;
     }
 
     core::TriangleMesh mesh;
-    ForeignHead head{.objects = 0};
+    ImportHeader header{.objects = 0};
 
 private:
     void addMesh(const aiMesh& from, const Eigen::Matrix4d& transform)
@@ -160,7 +160,7 @@ private:
     }
 
     const aiScene& m_scene;
-    const ForeignLimits& m_limits;
+    const ImportLimits& m_limits;
 };
 
 bool send(const void* data, std::size_t size)
@@ -173,27 +173,27 @@ template <class Element> bool send(const std::vector<Element>& elements)
     return send(elements.data(), elements.size() * sizeof(Element));
 }
 
-int answer(ForeignHead head, core::TriangleMesh mesh)
+int sendResult(ImportHeader header, core::TriangleMesh mesh)
 {
     if (!mesh.colors.empty())
         mesh.colors.resize(mesh.points.size());
-    head.points = mesh.points.size();
-    head.colors = mesh.colors.size();
-    head.triangles = mesh.triangles.size();
-    const bool isSent = send(&head, sizeof head) && send(mesh.points) && send(mesh.colors) && send(mesh.triangles) &&
-                        send(&foreignEnd, sizeof foreignEnd) && std::fflush(stdout) == 0;
+    header.points = mesh.points.size();
+    header.colors = mesh.colors.size();
+    header.triangles = mesh.triangles.size();
+    const bool isSent = send(&header, sizeof header) && send(mesh.points) && send(mesh.colors) &&
+                        send(mesh.triangles) && send(&importEnd, sizeof importEnd) && std::fflush(stdout) == 0;
     return isSent ? 0 : 1;
 }
 
-int refuse(ForeignHead::Outcome outcome, std::string_view words)
+int refuse(ImportHeader::Outcome outcome, std::string_view message)
 {
-    ForeignHead head;
-    head.outcome = words.find("bad_alloc") != std::string_view::npos ? ForeignHead::Outcome::OutOfMemory : outcome;
-    std::copy_n(words.begin(), std::min(words.size(), sizeof head.words - 1), head.words);
-    return answer(head, {});
+    ImportHeader header;
+    header.outcome = message.find("bad_alloc") != std::string_view::npos ? ImportHeader::Outcome::OutOfMemory : outcome;
+    std::copy_n(message.begin(), std::min(message.size(), sizeof header.message - 1), header.message);
+    return sendResult(header, {});
 }
 
-int import(const fs::path& path, const ForeignLimits& limits)
+int import(const fs::path& path, const ImportLimits& limits)
 {
     std::string outside;
     Assimp::Importer importer;
@@ -201,35 +201,35 @@ int import(const fs::path& path, const ForeignLimits& limits)
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* const scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
     if (!scene || !scene->mRootNode)
-        return outside.empty() ? refuse(ForeignHead::Outcome::Refused, importer.GetErrorString())
-                               : refuse(ForeignHead::Outcome::Outside, outside);
+        return outside.empty() ? refuse(ImportHeader::Outcome::Refused, importer.GetErrorString())
+                               : refuse(ImportHeader::Outcome::Outside, outside);
     SceneReader reader(*scene, limits);
     reader.add(*scene->mRootNode, placeOf(*scene, lowerEnding(path)));
     if (reader.mesh.triangles.empty() && !outside.empty())
-        return refuse(ForeignHead::Outcome::Outside, outside);
+        return refuse(ImportHeader::Outcome::Outside, outside);
     reader.addRemarks();
-    reader.head.outcome = ForeignHead::Outcome::Read;
-    return answer(reader.head, std::move(reader.mesh));
+    reader.header.outcome = ImportHeader::Outcome::Read;
+    return sendResult(reader.header, std::move(reader.mesh));
 }
 } // namespace
 
-bool foreignHoldsUnit(const fs::path& file)
+bool assimpHoldsUnit(const fs::path& file)
 {
     const std::string ending = lowerEnding(file);
     return ending == ".fbx" || std::ranges::find(endingsInMetres, ending) != std::end(endingsInMetres);
 }
 
-int importForeign(const char* file)
+int runImport(const char* file)
 {
     try {
         const fs::path path = fs::absolute(file);
-        const ForeignLimits limits(fs::file_size(path));
+        const ImportLimits limits(fs::file_size(path));
         limitOwnProcess(limits.memory, limits.seconds);
         return import(path, limits);
     } catch (const std::bad_alloc&) {
-        return refuse(ForeignHead::Outcome::OutOfMemory, {});
+        return refuse(ImportHeader::Outcome::OutOfMemory, {});
     } catch (const std::exception& problem) {
-        return refuse(ForeignHead::Outcome::Refused, problem.what());
+        return refuse(ImportHeader::Outcome::Refused, problem.what());
     }
 }
 } // namespace app

@@ -31,13 +31,13 @@ FileError errorOf(FileErrorKind kind, const std::filesystem::path& path, std::ui
     return error;
 }
 
-/// The answer's bytes in order, as long as there are enough.
-class Answer
+/// Reads the result's bytes in order, as long as there are enough.
+class ResultReader
 {
 public:
-    explicit Answer(std::string_view bytes) : m_rest(bytes) {}
+    explicit ResultReader(std::string_view bytes) : m_rest(bytes) {}
 
-    bool take(void* to, std::size_t size)
+    bool read(void* to, std::size_t size)
     {
         if (size > m_rest.size())
             return false;
@@ -46,12 +46,12 @@ public:
         m_rest.remove_prefix(size);
         return true;
     }
-    template <class Element> bool take(std::vector<Element>& to, std::uint64_t count)
+    template <class Element> bool read(std::vector<Element>& to, std::uint64_t count)
     {
         if (count > m_rest.size() / sizeof(Element))
             return false;
         to.resize(count);
-        return take(static_cast<void*>(to.data()), count * sizeof(Element));
+        return read(static_cast<void*>(to.data()), count * sizeof(Element));
     }
     bool atEnd() const { return m_rest.empty(); }
 
@@ -68,70 +68,71 @@ bool isSound(const TriangleMesh& mesh)
     return mesh.colors.empty() || mesh.colors.size() == mesh.points.size();
 }
 
-[[noreturn]] void refuse(ForeignHead head, const std::filesystem::path& path, const ForeignLimits& limits)
+[[noreturn]] void refuse(ImportHeader header, const std::filesystem::path& path, const ImportLimits& limits)
 {
-    if (head.outcome == ForeignHead::Outcome::OutOfMemory)
+    if (header.outcome == ImportHeader::Outcome::OutOfMemory)
         throw errorOf(FileErrorKind::ReaderOutOfMemory, path, limits.memory);
-    const bool isOutside = head.outcome == ForeignHead::Outcome::Outside;
+    const bool isOutside = header.outcome == ImportHeader::Outcome::Outside;
     FileError error = errorOf(isOutside ? FileErrorKind::OutsideFolder : FileErrorKind::ReaderRefused, path);
-    constexpr std::size_t longest = 40;
-    for (const char* c = head.words; *c && error.token.size() < longest; ++c)
+    constexpr std::size_t maxLength = 40;
+    for (const char* c = header.message; *c && error.token.size() < maxLength; ++c)
         error.token += *c < ' ' || *c > '~' ? '?' : *c;
     throw error;
 }
 
-core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& path, const ForeignLimits& limits)
+core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& path, const ImportLimits& limits)
 {
-    Answer answer(bytes);
-    ForeignHead head;
-    if (!answer.take(&head, sizeof head) || head.magic != ForeignHead::magicNumber)
+    ResultReader reader(bytes);
+    ImportHeader header;
+    if (!reader.read(&header, sizeof header) || header.magic != ImportHeader::magicNumber)
         throw errorOf(FileErrorKind::ReaderDied, path);
-    head.words[sizeof head.words - 1] = 0;
-    if (head.outcome != ForeignHead::Outcome::Read)
-        refuse(head, path, limits);
+    header.message[sizeof header.message - 1] = 0;
+    if (header.outcome != ImportHeader::Outcome::Read)
+        refuse(header, path, limits);
     core::ReadResult result;
     std::uint32_t end = 0;
-    const bool isWhole = answer.take(result.mesh.points, head.points) && answer.take(result.mesh.colors, head.colors) &&
-                         answer.take(result.mesh.triangles, head.triangles) && answer.take(&end, sizeof end) &&
-                         end == foreignEnd && answer.atEnd();
+    const bool isWhole = reader.read(result.mesh.points, header.points) &&
+                         reader.read(result.mesh.colors, header.colors) &&
+                         reader.read(result.mesh.triangles, header.triangles) && reader.read(&end, sizeof end) &&
+                         end == importEnd && reader.atEnd();
     if (!isWhole || !isSound(result.mesh))
         throw errorOf(FileErrorKind::ReaderDied, path);
     for (const core::Vec3f& point : result.mesh.points)
         if (!point.allFinite())
             throw errorOf(FileErrorKind::NotANumber, path);
-    result.remarks = {.objects = head.objects,
-                      .materials = head.materials != 0,
-                      .textures = head.textures != 0,
-                      .poses = head.poses != 0};
+    result.remarks = {.objects = header.objects,
+                      .materials = header.materials != 0,
+                      .textures = header.textures != 0,
+                      .poses = header.poses != 0};
     return result;
 }
 
 core::ReadResult read(const std::string& program, const std::filesystem::path& path, const std::stop_token& stop)
 {
-    const ForeignLimits limits(std::filesystem::file_size(path));
-    ChildOrder order{{program, foreignWord, std::filesystem::absolute(path).string()}};
-    order.time = std::chrono::seconds(2 * limits.seconds);
-    order.maxBytes = sizeof(ForeignHead) + sizeof foreignEnd +
-                     limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb)) +
-                     limits.triangles * sizeof(core::Triangle);
-    order.stop = stop;
-    const ChildAnswer answer = runChild(order);
-    switch (answer.end) {
-    case ChildAnswer::End::Stopped:
+    const ImportLimits limits(std::filesystem::file_size(path));
+    ChildRequest request{{program, importWord, std::filesystem::absolute(path).string()}};
+    request.time = std::chrono::seconds(2 * limits.seconds);
+    request.maxBytes = sizeof(ImportHeader) + sizeof importEnd +
+                       limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb)) +
+                       limits.triangles * sizeof(core::Triangle);
+    request.stop = stop;
+    const ChildResult result = runChild(request);
+    switch (result.end) {
+    case ChildResult::End::Stopped:
         throw core::ReadingCancelled();
-    case ChildAnswer::End::TooSlow:
+    case ChildResult::End::TooSlow:
         throw errorOf(FileErrorKind::ReaderTooSlow, path, limits.seconds);
-    case ChildAnswer::End::Died:
-    case ChildAnswer::End::NotStarted:
+    case ChildResult::End::Died:
+    case ChildResult::End::NotStarted:
         throw errorOf(FileErrorKind::ReaderDied, path);
-    case ChildAnswer::End::Exited:
+    case ChildResult::End::Exited:
         break;
     }
-    return resultOf(answer.bytes, path, limits);
+    return resultOf(result.bytes, path, limits);
 }
 } // namespace
 
-core::ExternalReader foreignReaderBy(std::string program)
+core::ExternalReader sandboxedImporter(std::string program)
 {
     return {{endings.begin(), endings.end()},
             [program = std::move(program)](const std::filesystem::path& path, const std::stop_token& stop) {
@@ -139,8 +140,8 @@ core::ExternalReader foreignReaderBy(std::string program)
             }};
 }
 
-void installForeignReader()
+void installSandboxedImporter()
 {
-    core::setExternalReader(foreignReaderBy(ownProgram()));
+    core::setExternalReader(sandboxedImporter(ownProgram()));
 }
 } // namespace app

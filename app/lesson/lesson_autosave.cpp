@@ -11,7 +11,7 @@ namespace app
 {
 namespace
 {
-constexpr int lookMs = 2000;
+constexpr int saveIntervalMs = 2000;
 constexpr char fileName[] = "lesson.zip";
 /// In the place of words that a lesson must have and has not yet: a reader takes no lesson without.
 constexpr char standIn[] = "\u2026", standInLanguage[] = "en";
@@ -45,50 +45,50 @@ void dropStandIn(core::LessonText& text)
 }
 } // namespace
 
-/// From its beginning on the aside thread's alone.
-struct LessonKeeper::Place
+/// After construction used by the background thread only.
+struct LessonAutosave::Target
 {
     std::unique_ptr<core::JournalFolder> folder;
 };
 
-LessonKeeper::LessonKeeper(const std::filesystem::path& root, Unsaved unsaved)
+LessonAutosave::LessonAutosave(const std::filesystem::path& root, Unsaved unsaved)
     : m_root(root)
     , m_unsaved(std::move(unsaved))
-    , m_left(core::JournalFolder::abandoned(root))
+    , m_abandoned(core::JournalFolder::abandoned(root))
 {
-    std::erase_if(m_left, [](const auto& folder) {
+    std::erase_if(m_abandoned, [](const auto& folder) {
         std::error_code problem;
         if (std::filesystem::exists(folder->path() / fileName, problem))
             return false;
         folder->remove();
         return true;
     });
-    std::ranges::sort(m_left, std::greater(), [](const auto& folder) {
+    std::ranges::sort(m_abandoned, std::greater(), [](const auto& folder) {
         std::error_code problem;
         return std::filesystem::last_write_time(folder->path() / fileName, problem);
     });
-    connect(&m_clock, &QTimer::timeout, this, &LessonKeeper::look);
-    m_clock.start(lookMs);
+    connect(&m_timer, &QTimer::timeout, this, &LessonAutosave::saveIfChanged);
+    m_timer.start(saveIntervalMs);
 }
 
-/// In order: what is not saved was given up.
-LessonKeeper::~LessonKeeper()
+/// A regular end: unsaved changes were discarded.
+LessonAutosave::~LessonAutosave()
 {
-    m_aside.run([place = m_place] {
-        if (place && place->folder)
-            place->folder->remove();
+    m_background.run([target = m_target] {
+        if (target && target->folder)
+            target->folder->remove();
     });
 }
 
-QStringList LessonKeeper::left() const
+QStringList LessonAutosave::abandoned() const
 {
     QStringList files;
-    for (const auto& folder : m_left)
+    for (const auto& folder : m_abandoned)
         files << QString::fromStdU16String((folder->path() / fileName).u16string());
     return files;
 }
 
-core::Lesson LessonKeeper::withoutStandIns(core::Lesson lesson)
+core::Lesson LessonAutosave::withoutStandIns(core::Lesson lesson)
 {
     dropStandIn(lesson.title);
     for (core::LessonStep& step : lesson.steps) {
@@ -98,38 +98,38 @@ core::Lesson LessonKeeper::withoutStandIns(core::Lesson lesson)
     return lesson;
 }
 
-void LessonKeeper::takeOver(const QString& file)
+void LessonAutosave::adopt(const QString& file)
 {
-    const auto found = std::ranges::find_if(m_left, [&](const auto& folder) {
+    const auto found = std::ranges::find_if(m_abandoned, [&](const auto& folder) {
         return folder->path() / fileName == std::filesystem::path(file.toStdU16String());
     });
-    if (found == m_left.end())
+    if (found == m_abandoned.end())
         return;
-    m_place = std::make_shared<Place>(Place{std::move(*found)});
-    m_left.erase(found);
+    m_target = std::make_shared<Target>(Target{std::move(*found)});
+    m_abandoned.erase(found);
     m_revision = 0;
 }
 
-void LessonKeeper::look()
+void LessonAutosave::saveIfChanged()
 {
     const core::LessonDraft* const draft = m_unsaved();
     if (!draft) {
-        m_aside.run([place = std::exchange(m_place, nullptr)] {
-            if (place && place->folder)
-                place->folder->remove();
+        m_background.run([target = std::exchange(m_target, nullptr)] {
+            if (target && target->folder)
+                target->folder->remove();
         });
         return;
     }
-    if (m_place && draft->revision() == m_revision)
+    if (m_target && draft->revision() == m_revision)
         return;
-    if (!m_place)
-        m_place = std::make_shared<Place>();
+    if (!m_target)
+        m_target = std::make_shared<Target>();
     m_revision = draft->revision();
-    m_aside.run([place = m_place, root = m_root, draft = *draft] {
+    m_background.run([target = m_target, root = m_root, draft = *draft] {
         try {
-            if (!place->folder)
-                place->folder = core::JournalFolder::make(root);
-            core::writeLesson(place->folder->path() / fileName, filled(draft).complete({}));
+            if (!target->folder)
+                target->folder = core::JournalFolder::make(root);
+            core::writeLesson(target->folder->path() / fileName, filled(draft).complete({}));
         } catch (const core::FileError&) { // what was kept before stays
         } catch (const std::bad_alloc&) {
         }

@@ -15,35 +15,35 @@
 
 namespace app
 {
-/// Keeps the lesson in the making in a file, a few seconds behind, until it is saved or given up: what ends the program
-/// leaves it there for the next one. Where nothing can be written nothing is kept. Gui thread; never throws.
-class LessonKeeper : public QObject
+/// Autosaves the edited lesson every few seconds until it is saved or discarded; if the program ends otherwise, the
+/// file is there for the next run. Does nothing where nothing can be written. Thread: gui; never throws.
+class LessonAutosave : public QObject
 {
 public:
-    /// What is not saved; null: nothing is.
+    /// Returns the draft with unsaved changes; null: there are none.
     using Unsaved = std::function<const core::LessonDraft*()>;
 
-    LessonKeeper(const std::filesystem::path& root, Unsaved unsaved);
-    ~LessonKeeper() override;
+    LessonAutosave(const std::filesystem::path& root, Unsaved unsaved);
+    ~LessonAutosave() override;
 
-    /// What programs before left, the latest first.
-    QStringList left() const;
-    /// One of those as it was: it had to be given words that it lacked.
+    /// The files that earlier runs left, the latest first.
+    QStringList abandoned() const;
+    /// Removes the placeholder texts that the file needed.
     static core::Lesson withoutStandIns(core::Lesson lesson);
-    /// That one is what is not saved from now on.
-    void takeOver(const QString& file);
+    /// Continues that file: from now on it holds the unsaved lesson.
+    void adopt(const QString& file);
 
 private:
-    struct Place;
+    struct Target;
 
-    void look();
+    void saveIfChanged();
 
     std::filesystem::path m_root;
     Unsaved m_unsaved;
-    std::vector<std::unique_ptr<core::JournalFolder>> m_left;
-    std::shared_ptr<Place> m_place; ///< of our own; null: nothing is kept
-    std::uint64_t m_revision = 0;   ///< that is kept
-    QTimer m_clock;
-    ui::BackgroundThread m_aside; ///< last
+    std::vector<std::unique_ptr<core::JournalFolder>> m_abandoned;
+    std::shared_ptr<Target> m_target; ///< of this run; null: there is no file
+    std::uint64_t m_revision = 0;     ///< that is kept
+    QTimer m_timer;
+    ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

@@ -23,55 +23,56 @@ std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, c
 }
 } // namespace
 
-LessonInquiry::LessonInquiry(Document* document, SculptWorker* worker) : RestingModel(document, worker) {}
+LessonChecker::LessonChecker(Document* document, SculptWorker* worker) : IdleAnalysis(document, worker) {}
 
-LessonInquiry::~LessonInquiry()
+LessonChecker::~LessonChecker()
 {
-    end();
+    cancel();
 }
 
-void LessonInquiry::setPlace(const Place& place)
+void LessonChecker::setPosition(const Position& position)
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_place = place;
+        m_position = position;
     }
-    const bool asks = place.lesson && !place.lesson->steps[place.step].checkpoint.asksNothing();
+    const bool hasCheckpoint = position.lesson && !position.lesson->steps[position.step].checkpoint.asksNothing();
     stop();
-    setWanted(asks);
-    askAgain();
+    setActive(hasCheckpoint);
+    runNow();
 }
 
-void LessonInquiry::look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop)
+void LessonChecker::analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop)
 {
     const std::lock_guard lock(m_mutex);
-    m_aside.run([copy, place = m_place, stop] { return judge(*copy, place, stop); },
-                [this, stop](const Answer& answer) {
-                    if (stop.stop_requested())
-                        return;
-                    setAnswered();
-                    Q_EMIT answered(answer.verdict, answer.shades);
-                });
+    m_background.run([copy, position = m_position, stop] { return evaluate(*copy, position, stop); },
+                     [this, stop](const Result& result) {
+                         if (stop.stop_requested())
+                             return;
+                         setFinished();
+                         Q_EMIT finished(result.verdict, result.shades);
+                     });
 }
 
-LessonInquiry::Answer LessonInquiry::judge(const ModelCopy& copy, const Place& place, const std::stop_token& stop)
+LessonChecker::Result LessonChecker::evaluate(const ModelCopy& copy, const Position& position,
+                                              const std::stop_token& stop)
 {
-    if (!place.lesson || stop.stop_requested())
+    if (!position.lesson || stop.stop_requested())
         return {};
-    const core::Checkpoint& checkpoint = place.lesson->steps[place.step].checkpoint;
+    const core::Checkpoint& checkpoint = position.lesson->steps[position.step].checkpoint;
     core::TriangleMesh target;
     if (checkpoint.target) {
-        core::LessonPlayback playback(place.lesson, place.path);
+        core::LessonPlayback playback(position.lesson, position.path);
         try {
-            playback.goTo(place.step);
+            playback.goTo(position.step);
             target = playback.target();
         } catch (const core::LessonError&) { // of a step that cannot be played: who plays it is told
             return {};
         }
     }
-    Answer answer{core::evaluate(checkpoint, copy.mesh, checkpoint.target ? &target : nullptr, {stop, {}}), {}};
-    if (answer.verdict.target && !stop.stop_requested())
-        answer.shades = shadesOf(copy.slots, *answer.verdict.target);
-    return answer;
+    Result result{core::evaluate(checkpoint, copy.mesh, checkpoint.target ? &target : nullptr, {stop, {}}), {}};
+    if (result.verdict.target && !stop.stop_requested())
+        result.shades = shadesOf(copy.slots, *result.verdict.target);
+    return result;
 }
 } // namespace app

@@ -11,39 +11,39 @@
 
 namespace app
 {
-/// Is the model what a lesson's step asks for? Answered whenever it has rested for a moment, while it is wanted.
-class LessonInquiry : public RestingModel
+/// Checks whether the model meets a lesson step's checkpoint, whenever it has been idle for a moment.
+class LessonChecker : public IdleAnalysis
 {
     Q_OBJECT
 
 public:
-    LessonInquiry(Document* document, SculptWorker* worker);
-    ~LessonInquiry() override;
+    LessonChecker(Document* document, SculptWorker* worker);
+    ~LessonChecker() override;
 
-    struct Place
+    struct Position
     {
         std::shared_ptr<const core::Lesson> lesson; ///< null: none is open
         std::filesystem::path path;
         std::size_t step = 0;
     };
-    void setPlace(const Place& place);
+    void setPosition(const Position& position);
 
 Q_SIGNALS:
     /// `shades`: of the model's vertices as ui::PrintScale has them, 128 at the tolerance; null where there is no
     /// target.
-    void answered(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades);
+    void finished(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades);
 
 private:
-    struct Answer
+    struct Result
     {
         core::CheckpointVerdict verdict;
         std::shared_ptr<const core::Footprint> shades;
     };
-    static Answer judge(const ModelCopy& copy, const Place& place, const std::stop_token& stop);
-    void look(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
+    static Result evaluate(const ModelCopy& copy, const Position& position, const std::stop_token& stop);
+    void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
 
     std::mutex m_mutex; ///< of the next one, which the mesh thread reads
-    Place m_place;
-    ui::BackgroundThread m_aside; ///< last
+    Position m_position;
+    ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

@@ -17,8 +17,8 @@ namespace app
 namespace
 {
 constexpr int tickMs = 16;
-constexpr quint64 mostWaiting = 3;  ///< samples that the mesh thread may be behind: so none is ever dropped
-constexpr double longestTick = 0.1; ///< s: a window that was held up does not make up for it
+constexpr quint64 maxSamplesBehind = 3; ///< samples that the mesh thread may be behind: so none is ever dropped
+constexpr double maxTick = 0.1;         ///< s: a window that was held up does not make up for it
 
 QImage pictureOf(const core::Lesson& lesson, const std::string& name)
 {
@@ -40,7 +40,7 @@ ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
 QList<ui::LessonCard> cards()
 {
     QList<ui::LessonCard> all;
-    for (const QString& name : shippedLessons()) {
+    for (const QString& name : bundledLessons()) {
         const std::shared_ptr<const core::Lesson> lesson = tryToReadLesson(name).lesson;
         if (lesson)
             all.append({name, inOurLanguage(lesson->title), inOurLanguage(lesson->summary),
@@ -50,43 +50,43 @@ QList<ui::LessonCard> cards()
 }
 } // namespace
 
-LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker& worker)
+LessonController::LessonController(ui::MainWindow& window, Document& document, SculptWorker& worker)
     : QObject(&document)
     , m_window(&window)
     , m_panel(window.findChild<ui::LessonPanel*>())
     , m_document(&document)
     , m_worker(&worker)
-    , m_inquiry(new LessonInquiry(&document, &worker))
+    , m_checker(new LessonChecker(&document, &worker))
 {
     using ui::LessonPanel;
     m_timer.setInterval(tickMs);
     m_timer.setTimerType(Qt::PreciseTimer);
     const QList<ui::LessonCard> lessons = cards();
     m_panel->setLessons(lessons);
-    offerAtStart(lessons);
-    connect(&m_timer, &QTimer::timeout, this, &LessonDesk::tick);
-    connect(m_panel, &LessonPanel::lessonChosen, this, &LessonDesk::read);
+    addToStartPage(lessons);
+    connect(&m_timer, &QTimer::timeout, this, &LessonController::tick);
+    connect(m_panel, &LessonPanel::lessonChosen, this, &LessonController::read);
     connect(m_panel, &LessonPanel::fileRequested, this,
             [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
-    connect(m_panel, &LessonPanel::stepRequested, this, &LessonDesk::goTo);
-    connect(m_panel, &LessonPanel::playRequested, this, &LessonDesk::playOrPause);
-    connect(m_panel, &LessonPanel::singleStrokeRequested, this, &LessonDesk::playOne);
-    connect(m_panel, &LessonPanel::tryRequested, this, &LessonDesk::tryIt);
-    connect(m_panel, &LessonPanel::closed, this, &LessonDesk::leave);
-    connect(m_panel, &LessonPanel::differenceRequested, this, &LessonDesk::shade);
+    connect(m_panel, &LessonPanel::stepRequested, this, &LessonController::goTo);
+    connect(m_panel, &LessonPanel::playRequested, this, &LessonController::playOrPause);
+    connect(m_panel, &LessonPanel::singleStrokeRequested, this, &LessonController::playOne);
+    connect(m_panel, &LessonPanel::tryRequested, this, &LessonController::tryIt);
+    connect(m_panel, &LessonPanel::closed, this, &LessonController::leave);
+    connect(m_panel, &LessonPanel::differenceRequested, this, &LessonController::shade);
     connect(m_panel, &LessonPanel::speedChosen, this, [this](double speed) {
         m_speed = speed;
         if (m_player)
             m_player->setSpeed(speed);
     });
-    connect(m_window->viewport(), &ui::Viewport::strokeBegan, this, &LessonDesk::interrupt);
-    connect(m_worker, &SculptWorker::strokeRefused, this, &LessonDesk::giveWay);
-    connect(m_document, &Document::opened, this, &LessonDesk::begin);
-    connect(m_inquiry, &LessonInquiry::answered, this, &LessonDesk::tell);
-    connect(m_inquiry, &RestingModel::outdated, this, [this] { tell({}, {}); });
+    connect(m_window->viewport(), &ui::Viewport::strokeBegan, this, &LessonController::interrupt);
+    connect(m_worker, &SculptWorker::strokeRefused, this, &LessonController::onStrokeRefused);
+    connect(m_document, &Document::opened, this, &LessonController::begin);
+    connect(m_checker, &LessonChecker::finished, this, &LessonController::showVerdict);
+    connect(m_checker, &IdleAnalysis::outdated, this, [this] { showVerdict({}, {}); });
 }
 
-void LessonDesk::offerAtStart(const QList<ui::LessonCard>& lessons)
+void LessonController::addToStartPage(const QList<ui::LessonCard>& lessons)
 {
     auto* start = m_window->findChild<ui::StartPage*>();
     start->setLessons(lessons);
@@ -96,23 +96,23 @@ void LessonDesk::offerAtStart(const QList<ui::LessonCard>& lessons)
     });
 }
 
-void LessonDesk::read(const QString& pathOrName)
+void LessonController::read(const QString& pathOrName)
 {
-    m_aside.run([pathOrName] { return tryToReadLesson(pathOrName); },
-                [this, path = toPath(pathOrName)](const ReadLesson& read) {
-                    if (!m_window)
-                        return;
-                    if (read.lesson)
-                        take(read.lesson, path);
-                    else
-                        m_window->showProblem(read.problem);
-                });
+    m_background.run([pathOrName] { return tryToReadLesson(pathOrName); },
+                     [this, path = toPath(pathOrName)](const ReadLesson& read) {
+                         if (!m_window)
+                             return;
+                         if (read.lesson)
+                             openLesson(read.lesson, path);
+                         else
+                             m_window->showProblem(read.problem);
+                     });
 }
 
-void LessonDesk::take(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path)
+void LessonController::openLesson(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path)
 {
-    m_coming = lesson;
-    m_comingPath = path;
+    m_opening = lesson;
+    m_openingPath = path;
     const auto make = [model = LessonModel{lesson, path}](const core::JobControl& control) {
         return model.load(control);
     };
@@ -120,21 +120,21 @@ void LessonDesk::take(std::shared_ptr<const core::Lesson> lesson, const std::fil
 }
 
 /// Another model is here: the lesson's start, or the end of the lesson.
-void LessonDesk::begin()
+void LessonController::begin()
 {
     leave();
-    const std::shared_ptr<const core::Lesson> coming = std::exchange(m_coming, nullptr);
-    if (!coming || m_document->mark() != coming)
+    const std::shared_ptr<const core::Lesson> opening = std::exchange(m_opening, nullptr);
+    if (!opening || m_document->mark() != opening)
         return;
-    m_lesson = coming;
-    m_path = m_comingPath;
+    m_lesson = opening;
+    m_path = m_openingPath;
     m_player.emplace(m_lesson);
     m_player->setSpeed(m_speed);
     enter(0);
     m_window->viewport()->turnTo(ui::OrbitCamera::Side::Front);
 }
 
-void LessonDesk::leave()
+void LessonController::leave()
 {
     interrupt();
     if (m_player) {
@@ -144,47 +144,47 @@ void LessonDesk::leave()
     m_player.reset();
     m_lesson = nullptr;
     m_starts.clear();
-    m_inquiry->setPlace({});
+    m_checker->setPosition({});
     m_panel->showLessons();
 }
 
 /// From the model as it is.
-void LessonDesk::enter(std::size_t step)
+void LessonController::enter(std::size_t step)
 {
     m_player->setStep(step);
     m_starts.push_back(m_document->undoStack().index());
     show();
 }
 
-void LessonDesk::show()
+void LessonController::show()
 {
     const std::size_t step = m_player->stepIndex();
     m_panel->showPage(pageOf(*m_lesson, step));
     m_window->viewport()->frame();
     const std::vector<core::Tool>& tools = m_lesson->steps[step].tools;
     m_window->brush()->offerTools(QList<core::Tool>(tools.begin(), tools.end()));
-    m_inquiry->setPlace({m_lesson, m_path, step});
+    m_checker->setPosition({m_lesson, m_path, step});
 }
 
 /// Forward with the model as it is, back to the model as it was.
-void LessonDesk::goTo(int step)
+void LessonController::goTo(int step)
 {
     interrupt();
-    const auto wanted = static_cast<std::size_t>(step);
-    if (wanted < m_player->stepIndex()) {
-        m_starts.resize(wanted + 1);
+    const auto target = static_cast<std::size_t>(step);
+    if (target < m_player->stepIndex()) {
+        m_starts.resize(target + 1);
         m_document->goTo(m_starts.back());
-        m_player->setStep(wanted);
+        m_player->setStep(target);
         return show();
     }
-    m_document->inTurn([this, wanted] {
-        if (m_player && wanted == m_player->stepIndex() + 1)
-            enter(wanted);
+    m_document->enqueue([this, target] {
+        if (m_player && target == m_player->stepIndex() + 1)
+            enter(target);
     });
 }
 
 /// From the step's start, unless the teacher is in the middle of it.
-void LessonDesk::beTaught()
+void LessonController::beTaught()
 {
     if (m_isTaught)
         return;
@@ -192,7 +192,7 @@ void LessonDesk::beTaught()
     m_isTaught = true;
 }
 
-void LessonDesk::playOrPause(bool on)
+void LessonController::playOrPause(bool on)
 {
     if (on)
         beTaught();
@@ -200,14 +200,14 @@ void LessonDesk::playOrPause(bool on)
     setPlaying(on);
 }
 
-void LessonDesk::playOne()
+void LessonController::playOne()
 {
     beTaught();
     m_player->playOne();
     setPlaying(true);
 }
 
-void LessonDesk::setPlaying(bool isPlaying)
+void LessonController::setPlaying(bool isPlaying)
 {
     m_panel->setPlaying(isPlaying);
     m_sinceTick.start();
@@ -215,7 +215,7 @@ void LessonDesk::setPlaying(bool isPlaying)
 }
 
 /// What was done in the step is taken back.
-void LessonDesk::tryIt()
+void LessonController::tryIt()
 {
     interrupt();
     m_document->goTo(m_starts.back());
@@ -224,7 +224,7 @@ void LessonDesk::tryIt()
 }
 
 /// The teacher lets go.
-void LessonDesk::interrupt()
+void LessonController::interrupt()
 {
     endStroke();
     m_timer.stop();
@@ -237,27 +237,27 @@ void LessonDesk::interrupt()
 }
 
 /// Two strokes at once, the teacher's and one in the headset: whichever was refused, it is the pupil's turn.
-void LessonDesk::giveWay()
+void LessonController::onStrokeRefused()
 {
     if (m_timer.isActive())
         interrupt();
 }
 
-void LessonDesk::endStroke()
+void LessonController::endStroke()
 {
     if (std::exchange(m_isStrokeOpen, false))
         m_document->endStroke();
 }
 
 /// The mesh thread has that many samples of the teacher's still before it.
-bool LessonDesk::isBehind() const
+bool LessonController::isBehind() const
 {
-    return m_isStrokeOpen && m_isCounted && m_posted > m_worker->stats().samples - m_consumedBefore + mostWaiting;
+    return m_isStrokeOpen && m_isCounted && m_posted > m_worker->stats().samples - m_consumedBefore + maxSamplesBehind;
 }
 
-void LessonDesk::tick()
+void LessonController::tick()
 {
-    const double seconds = std::min(static_cast<double>(m_sinceTick.restart()) / 1000, longestTick);
+    const double seconds = std::min(static_cast<double>(m_sinceTick.restart()) / 1000, maxTick);
     if (m_document->isBusy() || isBehind() || (!m_isStrokeOpen && !m_document->isSettled()))
         return;
     for (const core::LessonCue& cue : m_player->advance(seconds))
@@ -271,7 +271,7 @@ void LessonDesk::tick()
         setPlaying(false);
 }
 
-void LessonDesk::run(const core::LessonCue& cue)
+void LessonController::run(const core::LessonCue& cue)
 {
     if (const auto* const stroke = std::get_if<core::StrokeBegins>(&cue)) {
         m_isStrokeOpen = true;
@@ -290,7 +290,7 @@ void LessonDesk::run(const core::LessonCue& cue)
 }
 
 /// Where a ray meets the model is asked of the mesh thread, one question at a time.
-void LessonDesk::placeGhost()
+void LessonController::placeGhost()
 {
     const std::optional<core::GhostBrush> ghost = m_player->ghost();
     if (!ghost || !ghost->direction)
@@ -308,13 +308,14 @@ void LessonDesk::placeGhost()
     });
 }
 
-void LessonDesk::showGhost(const std::optional<core::Sphere>& ghost)
+void LessonController::showGhost(const std::optional<core::Sphere>& ghost)
 {
     if (m_window)
         m_window->viewport()->showTeacher(ghost);
 }
 
-void LessonDesk::tell(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades)
+void LessonController::showVerdict(const core::CheckpointVerdict& verdict,
+                                   const std::shared_ptr<const core::Footprint>& shades)
 {
     if (!m_panel || !m_window)
         return;
@@ -322,21 +323,20 @@ void LessonDesk::tell(const core::CheckpointVerdict& verdict, const std::shared_
     if (m_player && !m_player->step().strokes.empty() && !(verdict.facts.empty() && !verdict.target))
         marks.append({m_document->undoStack().index() > m_starts.back(), tr("something sculpted in this step")});
     for (const core::FactVerdict& fact : verdict.facts)
-        marks.append(
-            {fact.holds,
-             tr("%1 (%2)", "what is asked; what is").arg(LessonWords::asked(fact.asked), LessonWords::found(fact))});
+        marks.append({fact.holds, tr("%1 (%2)", "what is asked; what is")
+                                      .arg(LessonMessages::asked(fact.asked), LessonMessages::found(fact))});
     if (verdict.target)
-        marks.append(
-            {verdict.target->holds, tr("%1 (%2)", "what is asked; what is")
-                                        .arg(LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
-                                             LessonWords::found(*verdict.target))});
+        marks.append({verdict.target->holds,
+                      tr("%1 (%2)", "what is asked; what is")
+                          .arg(LessonMessages::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
+                               LessonMessages::found(*verdict.target))});
     if (m_player)
         m_panel->setMarks(marks);
     m_shades = shades;
     shade();
 }
 
-void LessonDesk::shade()
+void LessonController::shade()
 {
     if (m_window && m_player)
         m_window->viewport()->setShades(m_panel->wantsDifference() ? m_shades : nullptr);

@@ -19,18 +19,18 @@ namespace app
 {
 /// Gives a lesson in the window: its start is the document, the teacher's strokes are steps to undo, and what the pupil
 /// does is the pupil's own. A stroke of the hand ends the teacher's. Gui thread.
-class LessonDesk : public QObject
+class LessonController : public QObject
 {
     Q_OBJECT
 
 public:
     /// All must outlive it but for the window: a child of the document.
-    LessonDesk(ui::MainWindow& window, Document& document, SculptWorker& worker);
+    LessonController(ui::MainWindow& window, Document& document, SculptWorker& worker);
 
 private:
-    void offerAtStart(const QList<ui::LessonCard>& lessons);
+    void addToStartPage(const QList<ui::LessonCard>& lessons);
     void read(const QString& pathOrName);
-    void take(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path);
+    void openLesson(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path);
     void begin();
     void leave();
     void enter(std::size_t step);
@@ -42,23 +42,23 @@ private:
     void setPlaying(bool isPlaying);
     void tryIt();
     void interrupt();
-    void giveWay();
+    void onStrokeRefused();
     void endStroke();
     void tick();
     void run(const core::LessonCue& cue);
     bool isBehind() const;
     void placeGhost();
     void showGhost(const std::optional<core::Sphere>& ghost);
-    void tell(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades);
+    void showVerdict(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades);
     void shade();
 
     QPointer<ui::MainWindow> m_window;
     QPointer<ui::LessonPanel> m_panel;
     Document* m_document;
     SculptWorker* m_worker;
-    LessonInquiry* m_inquiry;
-    std::shared_ptr<const core::Lesson> m_lesson, m_coming; ///< null: none
-    std::filesystem::path m_path, m_comingPath;
+    LessonChecker* m_checker;
+    std::shared_ptr<const core::Lesson> m_lesson, m_opening; ///< null: none
+    std::filesystem::path m_path, m_openingPath;
     std::optional<core::LessonPlayer> m_player; ///< while a lesson is open
     std::vector<int> m_starts;                  ///< on the undo stack, of the steps up to this one
     bool m_isTaught = false;                    ///< the teacher is in the middle of the step
@@ -70,6 +70,6 @@ private:
     QTimer m_timer;
     QElapsedTimer m_sinceTick;
     std::shared_ptr<const core::Footprint> m_shades;
-    ui::BackgroundThread m_aside; ///< last
+    ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

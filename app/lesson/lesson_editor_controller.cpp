@@ -25,12 +25,12 @@ namespace app
 {
 namespace
 {
-constexpr qsizetype mostRemarks = 8; ///< that are shown
+constexpr qsizetype maxRemarks = 8; ///< that are shown
 
 ui::LessonStroke describe(const core::FileEntry& entry)
 {
     if (const auto* const command = std::get_if<core::FileCommand>(&entry))
-        return {LessonSaving::nameOf(entry), ModelWords::icon(command->command)};
+        return {LessonSaving::nameOf(entry), CommandNames::icon(command->command)};
     return {LessonSaving::lineOf(std::get<core::Stroke>(entry)),
             StrokeStep::iconOf(std::get<core::Stroke>(entry).settings.tool)};
 }
@@ -42,7 +42,7 @@ constexpr std::uint64_t nothingWritten = ~std::uint64_t(0);
 QList<ui::LessonCard> titleCards()
 {
     QList<ui::LessonCard> all;
-    for (const QString& name : shippedLessons())
+    for (const QString& name : bundledLessons())
         if (const auto lesson = tryToReadLesson(name).lesson)
             all.append({name, inOurLanguage(lesson->title), {}, {}});
     return all;
@@ -67,7 +67,7 @@ std::vector<core::FactBounds> factsOf(const core::TriangleMesh& mesh)
 }
 } // namespace
 
-LessonEditorDesk::LessonEditorDesk(ui::MainWindow& window, Document& document, SculptWorker& worker)
+LessonEditorController::LessonEditorController(ui::MainWindow& window, Document& document, SculptWorker& worker)
     : QObject(&document)
     , m_window(&window)
     , m_panel(window.findChild<ui::LessonEditor*>())
@@ -78,48 +78,48 @@ LessonEditorDesk::LessonEditorDesk(ui::MainWindow& window, Document& document, S
     m_panel->setDescribe(describe);
     showLessons();
     connectAll();
-    window.setGuard([this] { return mayClose(); });
+    window.setGuard([this] { return canClose(); });
 }
 
-void LessonEditorDesk::keepLessons(const std::filesystem::path& root)
+void LessonEditorController::enableAutosave(const std::filesystem::path& root)
 {
-    m_keeper = std::make_unique<LessonKeeper>(root, [this] { return hasChanges() ? &m_draft : nullptr; });
+    m_autosave = std::make_unique<LessonAutosave>(root, [this] { return hasChanges() ? &m_draft : nullptr; });
     showLessons();
-    if (m_window && !m_keeper->left().isEmpty())
+    if (m_window && !m_autosave->abandoned().isEmpty())
         m_window->showNotice(
             tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
 }
 
 /// Those that were not saved first.
-void LessonEditorDesk::showLessons()
+void LessonEditorController::showLessons()
 {
     QList<ui::LessonCard> cards;
-    for (const QString& file : m_keeper ? m_keeper->left() : QStringList()) {
+    for (const QString& file : m_autosave ? m_autosave->abandoned() : QStringList()) {
         const auto read = tryToReadLesson(file);
         cards.append({file, tr("Not saved: %1").arg(read.lesson ? inOurLanguage(read.lesson->title) : file), {}, {}});
     }
     m_panel->setLessons(cards + titleCards());
 }
 
-void LessonEditorDesk::connectAll()
+void LessonEditorController::connectAll()
 {
     using ui::LessonEditor;
-    connect(m_panel, &LessonEditor::startChosen, this, &LessonEditorDesk::start);
-    connect(m_panel, &LessonEditor::lessonChosen, this, &LessonEditorDesk::read);
+    connect(m_panel, &LessonEditor::startChosen, this, &LessonEditorController::start);
+    connect(m_panel, &LessonEditor::lessonChosen, this, &LessonEditorController::read);
     connect(m_panel, &LessonEditor::fileRequested, this,
             [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
-    connect(m_panel, &LessonEditor::aboutToChange, this, &LessonEditorDesk::stopRecording);
-    connect(m_panel, &LessonEditor::recordRequested, this, &LessonEditorDesk::record);
-    connect(m_panel, &LessonEditor::factsRequested, this, &LessonEditorDesk::takeFacts);
-    connect(m_panel, &LessonEditor::saveRequested, this, &LessonEditorDesk::save);
-    connect(m_panel, &LessonEditor::closeRequested, this, [this] { askThen([this] { leave(); }); });
-    connect(m_document, &Document::opened, this, &LessonEditorDesk::begin);
-    connect(m_document, &Document::stepped, this, [this] { m_isOurs = m_isOurs && m_recorder.isOn(); });
+    connect(m_panel, &LessonEditor::aboutToChange, this, &LessonEditorController::stopRecording);
+    connect(m_panel, &LessonEditor::recordRequested, this, &LessonEditorController::record);
+    connect(m_panel, &LessonEditor::factsRequested, this, &LessonEditorController::addFacts);
+    connect(m_panel, &LessonEditor::saveRequested, this, &LessonEditorController::save);
+    connect(m_panel, &LessonEditor::closeRequested, this, [this] { confirmDiscard([this] { leave(); }); });
+    connect(m_document, &Document::opened, this, &LessonEditorController::begin);
+    connect(m_document, &Document::stepped, this, [this] { m_isAllRecorded = m_isAllRecorded && m_recorder.isOn(); });
     connect(&m_recorder, &LessonRecorder::recorded, this, [this] {
         if (m_panel)
             m_panel->showChanges();
     });
-    connect(&m_recorder, &LessonRecorder::ended, this, &LessonEditorDesk::stopRecording);
+    connect(&m_recorder, &LessonRecorder::ended, this, &LessonEditorController::stopRecording);
     connect(&m_recorder, &LessonRecorder::refused, this, [this] {
         if (m_window)
             m_window->showNotice(tr("This was taken back: a lesson cannot hold images and models from other files."));
@@ -128,23 +128,23 @@ void LessonEditorDesk::connectAll()
 
 // --- what is worked on
 
-void LessonEditorDesk::start(const std::optional<core::Starter>& starter)
+void LessonEditorController::start(const std::optional<core::Starter>& starter)
 {
     m_window->viewport()->finish();
     if (!starter)
         return startFromModel();
     core::Lesson lesson;
     lesson.start = *starter;
-    take(std::move(lesson), {});
-    openEnd(false);
+    setLesson(std::move(lesson), {});
+    openAtEnd(false);
 }
 
 /// Its file is made of the model as it is; and that becomes the document, as pupils will have it.
-void LessonEditorDesk::startFromModel()
+void LessonEditorController::startFromModel()
 {
     const auto bytes = std::make_shared<std::string>();
     const auto problem = std::make_shared<QString>();
-    const auto keep = [bytes, problem](const Document::Present& present) {
+    const auto save = [bytes, problem](const Document::Present& present) {
         try {
             *bytes = lessonStartOf(*present.mesh);
             if (bytes->size() > core::LessonLimits::maxBytes)
@@ -162,41 +162,41 @@ void LessonEditorDesk::startFromModel()
         core::Lesson lesson;
         lesson.start = lessonStart;
         lesson.files.emplace(lessonStart, std::move(*bytes));
-        take(std::move(lesson), {});
-        openEnd(true, m_document->isModified());
+        setLesson(std::move(lesson), {});
+        openAtEnd(true, m_document->isModified());
     };
-    if (!m_document->handOver(tr("Preparing the lesson"), keep, done))
+    if (!m_document->saveExternally(tr("Preparing the lesson"), save, done))
         m_window->showNotice(tr("Not yet: other work on the model is not done."));
 }
 
-void LessonEditorDesk::read(const QString& pathOrName)
+void LessonEditorController::read(const QString& pathOrName)
 {
-    if (m_keeper && m_keeper->left().contains(pathOrName))
-        return goOnWith(pathOrName);
-    m_aside.run([pathOrName] { return tryToReadLesson(pathOrName); },
-                [this, pathOrName](const ReadLesson& read) {
-                    if (!m_window)
-                        return;
-                    if (!read.lesson)
-                        return m_window->showProblem(read.problem);
-                    take(*read.lesson, pathOrName);
-                });
+    if (m_autosave && m_autosave->abandoned().contains(pathOrName))
+        return resumeUnsaved(pathOrName);
+    m_background.run([pathOrName] { return tryToReadLesson(pathOrName); },
+                     [this, pathOrName](const ReadLesson& read) {
+                         if (!m_window)
+                             return;
+                         if (!read.lesson)
+                             return m_window->showProblem(read.problem);
+                         setLesson(*read.lesson, pathOrName);
+                     });
 }
 
 /// Still not saved, and no file's.
-void LessonEditorDesk::goOnWith(const QString& kept)
+void LessonEditorController::resumeUnsaved(const QString& unsaved)
 {
-    const ReadLesson read = tryToReadLesson(kept);
+    const ReadLesson read = tryToReadLesson(unsaved);
     if (!read.lesson)
         return m_window->showProblem(read.problem);
-    take(LessonKeeper::withoutStandIns(*read.lesson), {});
+    setLesson(LessonAutosave::withoutStandIns(*read.lesson), {});
     m_written = nothingWritten;
-    m_keeper->takeOver(kept);
+    m_autosave->adopt(unsaved);
     showLessons();
 }
 
 /// A lesson without steps gets one.
-void LessonEditorDesk::take(core::Lesson lesson, const QString& path)
+void LessonEditorController::setLesson(core::Lesson lesson, const QString& path)
 {
     stopRecording();
     m_panel->showStarts();
@@ -208,7 +208,7 @@ void LessonEditorDesk::take(core::Lesson lesson, const QString& path)
     m_written = m_draft.revision();
 }
 
-void LessonEditorDesk::leave()
+void LessonEditorController::leave()
 {
     stopRecording();
     m_panel->showStarts();
@@ -218,64 +218,64 @@ void LessonEditorDesk::leave()
 
 // --- recording
 
-void LessonEditorDesk::record(bool on)
+void LessonEditorController::record(bool on)
 {
     m_window->viewport()->finish();
-    on ? openEnd(m_isOurs) : m_document->inTurn([this] { stopRecording(); });
+    on ? openAtEnd(m_isAllRecorded) : m_document->enqueue([this] { stopRecording(); });
 }
 
 /// The model that the steps leave, to the bit as the lesson will be played.
-void LessonEditorDesk::openEnd(bool losesChanges, bool isUnsaved)
+void LessonEditorController::openAtEnd(bool discardsChanges, bool isUnsaved)
 {
-    m_coming = std::make_shared<const core::Lesson>(m_draft.complete({}));
-    const LessonModel model{m_coming, toPath(m_path), m_draft.steps()};
+    m_opening = std::make_shared<const core::Lesson>(m_draft.complete({}));
+    const LessonModel model{m_opening, toPath(m_path), m_draft.steps()};
     const auto make = [model, isUnsaved](const core::JobControl& control) {
         LoadedModel loaded = model.load(control);
         loaded.isUnsaved = isUnsaved;
         return loaded;
     };
-    m_document->openMade({tr("Playing the lesson to its end"), make, m_coming, losesChanges});
+    m_document->openMade({tr("Playing the lesson to its end"), make, m_opening, discardsChanges});
 }
 
-void LessonEditorDesk::begin()
+void LessonEditorController::begin()
 {
-    const std::shared_ptr<const core::Lesson> coming = std::exchange(m_coming, nullptr);
-    m_isOurs = coming && m_document->mark() == coming;
-    if (!m_isOurs)
+    const std::shared_ptr<const core::Lesson> opening = std::exchange(m_opening, nullptr);
+    m_isAllRecorded = opening && m_document->mark() == opening;
+    if (!m_isAllRecorded)
         return stopRecording();
     m_recorder.begin(&m_draft);
     if (m_panel)
         m_panel->setRecording(true);
 }
 
-void LessonEditorDesk::stopRecording()
+void LessonEditorController::stopRecording()
 {
-    m_coming = nullptr;
+    m_opening = nullptr;
     m_recorder.end();
     if (m_panel && m_panel->isOpen())
         m_panel->setRecording(false);
 }
 
-void LessonEditorDesk::takeFacts()
+void LessonEditorController::addFacts()
 {
-    m_document->inTurn([this] {
+    m_document->enqueue([this] {
         m_worker->post([this](core::Sculptor& sculptor) {
             auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            m_aside.run([mesh] { return factsOf(*mesh); },
-                        [this](const std::vector<core::FactBounds>& facts) {
-                            if (!m_panel || !m_panel->isOpen())
-                                return;
-                            for (const core::FactBounds& bounds : facts)
-                                m_draft.setFact(m_panel->step(), bounds);
-                            m_panel->showChanges();
-                        });
+            m_background.run([mesh] { return factsOf(*mesh); },
+                             [this](const std::vector<core::FactBounds>& facts) {
+                                 if (!m_panel || !m_panel->isOpen())
+                                     return;
+                                 for (const core::FactBounds& bounds : facts)
+                                     m_draft.setFact(m_panel->step(), bounds);
+                                 m_panel->showChanges();
+                             });
         });
     });
 }
 
 // --- writing
 
-void LessonEditorDesk::save()
+void LessonEditorController::save()
 {
     m_window->viewport()->finish();
     const QString missing = LessonSaving::missing(m_draft);
@@ -283,45 +283,46 @@ void LessonEditorDesk::save()
         return m_window->showProblem(missing);
     const QString title = QFileInfo(m_path).completeBaseName();
     ui::askForLessonTarget(m_window, title.isEmpty() ? tr("lesson") : title, [this](const QString& path) {
-        m_document->inTurn([this, path] {
+        m_document->enqueue([this, path] {
             if (!m_recorder.isOn())
-                return attempt(path, m_draft, {});
+                return check(path, m_draft, {});
             m_worker->post([this, path, draft = m_draft](core::Sculptor& sculptor) {
                 const std::uint64_t hash = sculptor.mesh().meshHash();
                 QMetaObject::invokeMethod(
-                    this, [this, path, draft, hash] { attempt(path, draft, hash); }, Qt::QueuedConnection);
+                    this, [this, path, draft, hash] { check(path, draft, hash); }, Qt::QueuedConnection);
             });
         });
     });
 }
 
-void LessonEditorDesk::attempt(const QString& path, const core::LessonDraft& draft,
-                               const std::optional<std::uint64_t>& hash)
+void LessonEditorController::check(const QString& path, const core::LessonDraft& draft,
+                                   const std::optional<std::uint64_t>& hash)
 {
-    LongWork* work = m_document->longWork();
+    BackgroundJob* work = m_document->job();
     if (work->isBusy())
         return m_window ? m_window->showNotice(tr("Not yet: other work on the model is not done.")) : void();
-    const core::JobControl control = work->beginStoppable(tr("Playing the lesson to its end"));
-    work->run(
-        [draft, path, hash, control] { return LessonSaving::attempt(draft, toPath(path), hash, control); },
-        [this, path, revision = draft.revision()](const TriedLesson& tried) { takeAttempt(path, tried, revision); });
+    const core::JobControl control = work->beginCancellable(tr("Playing the lesson to its end"));
+    work->run([draft, path, hash, control] { return LessonSaving::check(draft, toPath(path), hash, control); },
+              [this, path, revision = draft.revision()](const CheckedLesson& checked) {
+                  onChecked(path, checked, revision);
+              });
 }
 
-void LessonEditorDesk::takeAttempt(const QString& path, const TriedLesson& tried, std::uint64_t revision)
+void LessonEditorController::onChecked(const QString& path, const CheckedLesson& checked, std::uint64_t revision)
 {
-    m_document->longWork()->keep();
-    m_document->longWork()->end();
+    m_document->job()->commit();
+    m_document->job()->end();
     if (!m_window)
         return;
-    if (!tried.problem.isEmpty())
-        return m_window->showProblem(tried.problem);
-    if (!tried.lesson)
+    if (!checked.problem.isEmpty())
+        return m_window->showProblem(checked.problem);
+    if (!checked.lesson)
         return m_window->showNotice(tr("%1 was not written.").arg(QDir::toNativeSeparators(path)));
-    if (tried.remarks.isEmpty())
-        return write(path, tried.lesson, revision);
-    QStringList remarks = tried.remarks.mid(0, mostRemarks);
-    if (tried.remarks.size() > mostRemarks)
-        remarks << tr("And %n more.", nullptr, static_cast<int>(tried.remarks.size() - mostRemarks));
+    if (checked.remarks.isEmpty())
+        return write(path, checked.lesson, revision);
+    QStringList remarks = checked.remarks.mid(0, maxRemarks);
+    if (checked.remarks.size() > maxRemarks)
+        remarks << tr("And %n more.", nullptr, static_cast<int>(checked.remarks.size() - maxRemarks));
     auto* box = new QMessageBox(QMessageBox::Question, tr("Save the lesson"),
                                 tr("Not everything is as the lesson asks for."), QMessageBox::Cancel, m_window);
     box->setObjectName(QStringLiteral("lessonRemarks"));
@@ -330,23 +331,24 @@ void LessonEditorDesk::takeAttempt(const QString& path, const TriedLesson& tried
     box->setInformativeText(remarks.join(QLatin1Char('\n')));
     const QPushButton* all = box->addButton(tr("Save All the Same"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
-    connect(box, &QMessageBox::buttonClicked, this, [this, all, path, tried, revision](const QAbstractButton* pressed) {
-        if (pressed == all)
-            write(path, tried.lesson, revision);
-    });
+    connect(box, &QMessageBox::buttonClicked, this,
+            [this, all, path, checked, revision](const QAbstractButton* pressed) {
+                if (pressed == all)
+                    write(path, checked.lesson, revision);
+            });
     box->open();
 }
 
-void LessonEditorDesk::write(const QString& path, const std::shared_ptr<const core::Lesson>& lesson,
-                             std::uint64_t revision)
+void LessonEditorController::write(const QString& path, const std::shared_ptr<const core::Lesson>& lesson,
+                                   std::uint64_t revision)
 {
-    LongWork* work = m_document->longWork();
+    BackgroundJob* work = m_document->job();
     if (work->isBusy())
         return m_window->showNotice(tr("Not yet: other work on the model is not done."));
     work->begin(tr("Saving %1").arg(QFileInfo(path).fileName()));
     work->run([path, lesson] { return LessonSaving::write(*lesson, toPath(path)); },
               [this, path, revision](const QString& problem) {
-                  m_document->longWork()->end();
+                  m_document->job()->end();
                   if (!m_window)
                       return;
                   if (!problem.isEmpty())
@@ -359,12 +361,12 @@ void LessonEditorDesk::write(const QString& path, const std::shared_ptr<const co
 
 // --- what would be lost
 
-bool LessonEditorDesk::hasChanges() const
+bool LessonEditorController::hasChanges() const
 {
     return m_panel && m_panel->isOpen() && m_draft.revision() != m_written;
 }
 
-void LessonEditorDesk::askThen(std::function<void()> then)
+void LessonEditorController::confirmDiscard(std::function<void()> then)
 {
     if (!hasChanges())
         return then();
@@ -383,11 +385,11 @@ void LessonEditorDesk::askThen(std::function<void()> then)
     box->open();
 }
 
-bool LessonEditorDesk::mayClose()
+bool LessonEditorController::canClose()
 {
     if (!hasChanges())
         return true;
-    askThen([this] {
+    confirmDiscard([this] {
         leave();
         m_window->close();
     });

@@ -9,27 +9,27 @@ namespace app
 {
 namespace
 {
-core::LessonFiles shippedFiles(const QString& name)
+core::LessonFiles bundledFiles(const QString& name)
 {
     const QString folder = QStringLiteral(":/lessons/%1/").arg(name);
-    return {toPath(name), [folder](const std::string& file, std::size_t most) -> std::optional<std::string> {
+    return {toPath(name), [folder](const std::string& file, std::size_t maxBytes) -> std::optional<std::string> {
                 QFile resource(folder + QString::fromStdString(file));
                 if (!resource.open(QIODevice::ReadOnly))
                     return std::nullopt;
-                return resource.read(static_cast<qint64>(most) + 1).toStdString();
+                return resource.read(static_cast<qint64>(maxBytes) + 1).toStdString();
             }};
 }
 } // namespace
 
-QStringList shippedLessons()
+QStringList bundledLessons()
 {
     return {QStringLiteral("first-clay"), QStringLiteral("mug"), QStringLiteral("creature")};
 }
 
 core::Lesson readLesson(const QString& pathOrName)
 {
-    if (!QFileInfo::exists(pathOrName) && shippedLessons().contains(pathOrName))
-        return core::readLesson(shippedFiles(pathOrName));
+    if (!QFileInfo::exists(pathOrName) && bundledLessons().contains(pathOrName))
+        return core::readLesson(bundledFiles(pathOrName));
     return core::readLesson(toPath(pathOrName));
 }
 } // namespace app

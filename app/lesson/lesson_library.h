@@ -8,7 +8,7 @@
 namespace app
 {
 /// The lessons that come with the program (resources/lessons), by the names of their folders, the easiest first.
-QStringList shippedLessons();
+QStringList bundledLessons();
 
 /// A lesson by its path, or by the name of one that comes with the program; a file or folder of that name goes first.
 /// Throws core::LessonError and core::FileError.

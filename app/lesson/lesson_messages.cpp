@@ -24,7 +24,7 @@ QString millimetres(double length)
 }
 } // namespace
 
-QString LessonWords::sentence(const core::LessonError& error)
+QString LessonMessages::sentence(const core::LessonError& error)
 {
     const QString path = QDir::toNativeSeparators(QString::fromStdU16String(error.path.u16string())),
                   where = place(error);
@@ -32,7 +32,7 @@ QString LessonWords::sentence(const core::LessonError& error)
                            : tr("%1: %2: %3", "file: place: reason").arg(path, where, reason(error));
 }
 
-QString LessonWords::place(const core::LessonError& error)
+QString LessonMessages::place(const core::LessonError& error)
 {
     QStringList places;
     if (!error.file.empty())
@@ -43,19 +43,19 @@ QString LessonWords::place(const core::LessonError& error)
     if (error.line > 0)
         places << tr("line %1, byte %2").arg(error.line).arg(error.byte);
     if (error.strokes)
-        if (const QString stroke = StrokeWords::place(*error.strokes); !stroke.isEmpty())
+        if (const QString stroke = StrokeFileMessages::place(*error.strokes); !stroke.isEmpty())
             places << stroke;
     return places.join(QStringLiteral(", "));
 }
 
-QString LessonWords::reason(const core::LessonError& error)
+QString LessonMessages::reason(const core::LessonError& error)
 {
     const QString words = json(error);
     return words.isEmpty() ? files(error) : words;
 }
 
 /// Of what lesson.json says.
-QString LessonWords::json(const core::LessonError& error)
+QString LessonMessages::json(const core::LessonError& error)
 {
     const QString key = QString::fromStdString(error.key);
     switch (error.kind) {
@@ -98,7 +98,7 @@ QString LessonWords::json(const core::LessonError& error)
 }
 
 /// Of what it names.
-QString LessonWords::files(const core::LessonError& error)
+QString LessonMessages::files(const core::LessonError& error)
 {
     switch (error.kind) {
     case Kind::NoLesson:
@@ -114,7 +114,7 @@ QString LessonWords::files(const core::LessonError& error)
                    ? ui::ErrorMessages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
                    : ui::ErrorMessages::refusal(QString::fromStdString(error.file), error.report);
     case Kind::Strokes:
-        return error.strokes ? StrokeWords::reason(*error.strokes) : QString();
+        return error.strokes ? StrokeFileMessages::reason(*error.strokes) : QString();
     case Kind::NamesFiles:
         return tr("the strokes of a lesson cannot need other images or models");
     case Kind::Refused:
@@ -124,7 +124,7 @@ QString LessonWords::files(const core::LessonError& error)
     }
 }
 
-QString LessonWords::name(core::Fact fact)
+QString LessonMessages::name(core::Fact fact)
 {
     switch (fact) {
     case core::Fact::Genus:
@@ -147,7 +147,7 @@ QString LessonWords::name(core::Fact fact)
     return tr("ready to print");
 }
 
-QString LessonWords::figure(core::Fact fact, double value)
+QString LessonMessages::figure(core::Fact fact, double value)
 {
     switch (fact) {
     case core::Fact::Height:
@@ -163,29 +163,29 @@ QString LessonWords::figure(core::Fact fact, double value)
     }
 }
 
-QString LessonWords::asked(const core::FactBounds& bounds)
+QString LessonMessages::asked(const core::FactBounds& bounds)
 {
-    const QString least = figure(bounds.fact, bounds.min);
+    const QString min = figure(bounds.fact, bounds.min);
     if (bounds.min == bounds.max)
-        return tr("%1: %2", "a fact: its value").arg(name(bounds.fact), least);
+        return tr("%1: %2", "a fact: its value").arg(name(bounds.fact), min);
     if (bounds.max == core::FactBounds::unbounded)
-        return tr("%1: at least %2").arg(name(bounds.fact), least);
-    const QString most = figure(bounds.fact, bounds.max);
-    return bounds.min > 0 ? tr("%1: %2 to %3").arg(name(bounds.fact), least, most)
-                          : tr("%1: at most %2").arg(name(bounds.fact), most);
+        return tr("%1: at least %2").arg(name(bounds.fact), min);
+    const QString max = figure(bounds.fact, bounds.max);
+    return bounds.min > 0 ? tr("%1: %2 to %3").arg(name(bounds.fact), min, max)
+                          : tr("%1: at most %2").arg(name(bounds.fact), max);
 }
 
-QString LessonWords::asked(const core::CheckpointTarget& target)
+QString LessonMessages::asked(const core::CheckpointTarget& target)
 {
     return tr("shape: within %1 mm of the teacher's").arg(millimetres(target.tolerance));
 }
 
-QString LessonWords::found(const core::FactVerdict& verdict)
+QString LessonMessages::found(const core::FactVerdict& verdict)
 {
     return verdict.measured ? figure(verdict.asked.fact, *verdict.measured) : tr("cannot be said of this model");
 }
 
-QString LessonWords::found(const core::TargetVerdict& verdict)
+QString LessonMessages::found(const core::TargetVerdict& verdict)
 {
     return tr("%1 mm apart, at most %2 mm").arg(millimetres(verdict.nearDistance), millimetres(verdict.largest));
 }

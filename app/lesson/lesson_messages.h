@@ -8,9 +8,9 @@
 namespace app
 {
 /// Lessons in words for people.
-class LessonWords
+class LessonMessages
 {
-    Q_DECLARE_TR_FUNCTIONS(app::LessonWords)
+    Q_DECLARE_TR_FUNCTIONS(app::LessonMessages)
 
 public:
     /// What is wrong with a lesson: one sentence with file, place and reason.

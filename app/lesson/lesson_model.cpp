@@ -19,7 +19,7 @@ namespace
 {
 QString sentenceOf(const core::LessonError& error)
 {
-    const QString sentence = LessonWords::sentence(error);
+    const QString sentence = LessonMessages::sentence(error);
     return sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.');
 }
 

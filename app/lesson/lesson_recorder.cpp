@@ -24,7 +24,7 @@ bool needsFile(const core::FileEntry& entry)
 LessonRecorder::LessonRecorder(Document& document) : m_document(&document)
 {
     connect(&document, &Document::stepped, this, &LessonRecorder::add);
-    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &LessonRecorder::follow);
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &LessonRecorder::onIndexChanged);
 }
 
 void LessonRecorder::begin(core::LessonDraft* draft)
@@ -45,7 +45,7 @@ void LessonRecorder::add(const core::FileEntry& entry)
     if (!isOn())
         return;
     while (static_cast<int>(m_steps.size()) >= m_document->undoStack().index())
-        takeOut();
+        removeLast();
     m_undone.clear();
     m_steps.push_back(m_draft->steps() - 1);
     m_draft->addStroke(m_steps.back(), entry);
@@ -53,7 +53,7 @@ void LessonRecorder::add(const core::FileEntry& entry)
     Q_EMIT recorded();
 }
 
-void LessonRecorder::follow(int index)
+void LessonRecorder::onIndexChanged(int index)
 {
     if (!isOn())
         return;
@@ -62,7 +62,7 @@ void LessonRecorder::follow(int index)
         return Q_EMIT ended();
     }
     while (static_cast<int>(m_steps.size()) > index)
-        takeOut();
+        removeLast();
     while (static_cast<int>(m_steps.size()) < index && !m_undone.empty()) {
         m_steps.push_back(m_undone.back().step);
         m_draft->addStroke(m_steps.back(), std::move(m_undone.back().entry));
@@ -72,7 +72,7 @@ void LessonRecorder::follow(int index)
     Q_EMIT recorded();
 }
 
-void LessonRecorder::takeOut()
+void LessonRecorder::removeLast()
 {
     m_undone.push_back({m_draft->takeLastStroke(m_steps.back()), m_steps.back()});
     m_steps.pop_back();

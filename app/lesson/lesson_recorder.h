@@ -29,7 +29,7 @@ Q_SIGNALS:
     void recorded();
     /// Nothing is recorded any more: the history has gone, or the model.
     void ended();
-    /// What no lesson can hold was taken back: it needs a file.
+    /// A step that no lesson can hold was undone: it needs a file.
     void refused();
 
 private:
@@ -40,8 +40,8 @@ private:
     };
 
     void add(const core::FileEntry& entry);
-    void follow(int index);
-    void takeOut();
+    void onIndexChanged(int index);
+    void removeLast();
     void refuseUnfit();
 
     Document* m_document;

@@ -33,11 +33,11 @@ std::string pngOf(const QImage& image)
 core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::path& path)
 {
     const std::map<std::string, std::string> files = core::filesOf(lesson);
-    return core::readLesson({path, [&files](const std::string& name, std::size_t most) -> std::optional<std::string> {
-                                 const auto found = files.find(name);
-                                 return found == files.end() ? std::nullopt
-                                                             : std::optional(found->second.substr(0, most + 1));
-                             }});
+    return core::readLesson(
+        {path, [&files](const std::string& name, std::size_t maxBytes) -> std::optional<std::string> {
+             const auto found = files.find(name);
+             return found == files.end() ? std::nullopt : std::optional(found->second.substr(0, maxBytes + 1));
+         }});
 }
 } // namespace
 
@@ -66,10 +66,10 @@ QString LessonSaving::missing(const core::LessonDraft& draft)
     return {};
 }
 
-QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t index, const core::StepCheck& trial)
+QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t index, const core::StepCheck& check)
 {
     QStringList remarks;
-    for (const std::size_t stroke : trial.idle)
+    for (const std::size_t stroke : check.idle)
         remarks << tr("Step %1, stroke %2 (%3) changes nothing any more.")
                        .arg(index + 1)
                        .arg(stroke + 1)
@@ -78,19 +78,19 @@ QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t in
         //: a step's number; what it asks for; what the teacher's own model has
         remarks << tr("Step %1 is not met: %2 (%3).").arg(index + 1).arg(asked, found);
     };
-    for (const core::FactVerdict& fact : trial.verdict.facts)
+    for (const core::FactVerdict& fact : check.verdict.facts)
         if (!fact.holds)
-            fault(LessonWords::asked(fact.asked), LessonWords::found(fact));
-    if (trial.verdict.target && !trial.verdict.target->holds)
-        fault(LessonWords::asked(core::CheckpointTarget{{}, trial.verdict.target->tolerance}),
-              LessonWords::found(*trial.verdict.target));
+            fault(LessonMessages::asked(fact.asked), LessonMessages::found(fact));
+    if (check.verdict.target && !check.verdict.target->holds)
+        fault(LessonMessages::asked(core::CheckpointTarget{{}, check.verdict.target->tolerance}),
+              LessonMessages::found(*check.verdict.target));
     return remarks;
 }
 
 QString LessonSaving::nameOf(const core::FileEntry& entry)
 {
     if (const auto* const command = std::get_if<core::FileCommand>(&entry))
-        return ModelWords::name(command->command);
+        return CommandNames::name(command->command);
     return StrokeStep::textOf(std::get<core::Stroke>(entry).settings.tool);
 }
 
@@ -102,10 +102,10 @@ QString LessonSaving::lineOf(const core::Stroke& stroke)
         .arg(StrokeStep::textOf(stroke.settings.tool), QLocale().toString(radius, 'f', radius < 10 ? 1 : 0));
 }
 
-TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::filesystem::path& path,
+CheckedLesson LessonSaving::check(const core::LessonDraft& draft, const std::filesystem::path& path,
                                   const std::optional<std::uint64_t>& hash, const core::JobControl& control)
 {
-    TriedLesson tried;
+    CheckedLesson checked;
     try {
         core::LessonPlayback playback(std::make_shared<const core::Lesson>(readAsWritten(draft.complete({}), path)),
                                       path);
@@ -114,24 +114,24 @@ TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::fil
             if (draft.makesPicture(step))
                 pictures[step] = pngOf(lessonPicture(mesh));
         };
-        const std::vector<core::StepCheck> trials = core::checkLesson(playback, draw, control.part(0, afterPlaying));
+        const std::vector<core::StepCheck> checks = core::checkLesson(playback, draw, control.part(0, afterPlaying));
         if (control.isCancelled())
             return {};
-        for (std::size_t i = 0; i < trials.size(); ++i)
-            tried.remarks << remarksOn(draft.step(i), i, trials[i]);
+        for (std::size_t i = 0; i < checks.size(); ++i)
+            checked.remarks << remarksOn(draft.step(i), i, checks[i]);
         if (hash && playback.mesh().meshHash() != *hash)
-            tried.remarks << tr("Played again, the lesson does not end with the model in the window.");
+            checked.remarks << tr("Played again, the lesson does not end with the model in the window.");
         auto lesson = std::make_shared<const core::Lesson>(draft.complete(pictures));
         readAsWritten(*lesson, path); // all together is not too large
-        tried.lesson = std::move(lesson);
+        checked.lesson = std::move(lesson);
     } catch (const core::LessonError& error) {
-        tried.problem = LessonWords::sentence(error);
-        if (!tried.problem.endsWith(QLatin1Char('.')))
-            tried.problem += QLatin1Char('.');
+        checked.problem = LessonMessages::sentence(error);
+        if (!checked.problem.endsWith(QLatin1Char('.')))
+            checked.problem += QLatin1Char('.');
     } catch (const core::FileError& error) {
-        tried.problem = ui::ErrorMessages::sentence(error);
+        checked.problem = ui::ErrorMessages::sentence(error);
     }
-    return tried;
+    return checked;
 }
 
 QString LessonSaving::write(const core::Lesson& lesson, const std::filesystem::path& path)

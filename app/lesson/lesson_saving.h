@@ -22,11 +22,11 @@ namespace app
 QImage lessonPicture(const core::TriangleMesh& mesh);
 
 /// A lesson that was played to its end.
-struct TriedLesson
+struct CheckedLesson
 {
-    /// As it is to be written, with its pictures; null: it cannot be, or was stopped.
+    /// As it is to be written, with its pictures; null: it cannot be written, or the check was cancelled.
     std::shared_ptr<const core::Lesson> lesson;
-    QString problem;     ///< why not: one sentence; empty if it was stopped
+    QString problem;     ///< why not: one sentence; empty if it was cancelled
     QStringList remarks; ///< what is not as it should be, step by step
 };
 
@@ -36,11 +36,11 @@ class LessonSaving
     Q_DECLARE_TR_FUNCTIONS(app::LessonSaving)
 
 public:
-    /// What it lacks, one sentence; empty: it can be tried.
+    /// What it lacks, one sentence; empty: it can be checked.
     static QString missing(const core::LessonDraft& draft);
     /// By the strict reader, on the very bytes that are to be written, and played. `hash`: of the model that its
     /// strokes are to leave; nothing: any.
-    static TriedLesson attempt(const core::LessonDraft& draft, const std::filesystem::path& path,
+    static CheckedLesson check(const core::LessonDraft& draft, const std::filesystem::path& path,
                                const std::optional<std::uint64_t>& hash, const core::JobControl& control);
     /// Empty, or what is wrong; then nothing has changed on disk.
     static QString write(const core::Lesson& lesson, const std::filesystem::path& path);
@@ -51,6 +51,6 @@ public:
     static QString lineOf(const core::Stroke& stroke);
 
 private:
-    static QStringList remarksOn(const core::LessonStep& step, std::size_t index, const core::StepCheck& trial);
+    static QStringList remarksOn(const core::LessonStep& step, std::size_t index, const core::StepCheck& check);
 };
 } // namespace app

@@ -18,18 +18,19 @@ namespace
 {
 core::TriangleMesh fewEnough(core::Mesh& copy, const core::JobControl& control)
 {
-    const std::size_t most = core::BrushModel::maxFaces;
-    return copy.live().faces > most ? core::decimate(std::move(copy), most, control).mesh : core::extractMesh(copy);
+    const std::size_t maxFaces = core::BrushModel::maxFaces;
+    return copy.live().faces > maxFaces ? core::decimate(std::move(copy), maxFaces, control).mesh
+                                        : core::extractMesh(copy);
 }
 } // namespace
 
-QString BrushKeeper::folder()
+QString BrushExport::folder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/brushes");
 }
 
-KeptBrush BrushKeeper::keep(const std::shared_ptr<core::Mesh>& copy, const QString& name,
-                            const core::JobControl& control)
+ExportedBrush BrushExport::run(const std::shared_ptr<core::Mesh>& copy, const QString& name,
+                               const core::JobControl& control)
 {
     try {
         if (!copy)
@@ -40,11 +41,11 @@ KeptBrush BrushKeeper::keep(const std::shared_ptr<core::Mesh>& copy, const QStri
         const auto brush = ui::brushModelOf(mesh, name);
         if (!brush.what)
             return {{}, brush.problem};
-        const QDir place(folder() + u'/' + QString::fromStdString(brush.what->fingerprint()));
-        place.mkpath(QStringLiteral(".")); // without it there is no file, which is said
-        const QString path = place.filePath(QFileInfo(name).completeBaseName() + QStringLiteral(".glb"));
+        const QDir folderOfBrush(folder() + u'/' + QString::fromStdString(brush.what->fingerprint()));
+        folderOfBrush.mkpath(QStringLiteral(".")); // without it there is no file, which is said
+        const QString path = folderOfBrush.filePath(QFileInfo(name).completeBaseName() + QStringLiteral(".glb"));
         const QString problem = ModelLoader::save(path, mesh, {});
-        return problem.isEmpty() ? KeptBrush{path, {}} : KeptBrush{{}, problem};
+        return problem.isEmpty() ? ExportedBrush{path, {}} : ExportedBrush{{}, problem};
     } catch (const std::bad_alloc&) {
         return {{}, tr("There is not enough memory to make a brush of this model.")};
     }

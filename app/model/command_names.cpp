@@ -7,12 +7,12 @@
 
 namespace app
 {
-QString ModelWords::name(const core::ModelCommand& command)
+QString CommandNames::name(const core::ModelCommand& command)
 {
-    return std::visit([](const auto& wanted) { return wordsOf(wanted).name; }, command);
+    return std::visit([](const auto& each) { return namesOf(each).name; }, command);
 }
 
-QString ModelWords::icon(const core::ModelCommand& command)
+QString CommandNames::icon(const core::ModelCommand& command)
 {
     static const QString icons[] = {
         QStringLiteral("move"),   QStringLiteral("rotate"),       QStringLiteral("scale"),
@@ -24,99 +24,99 @@ QString ModelWords::icon(const core::ModelCommand& command)
     return icons[command.index()];
 }
 
-QString ModelWords::doing(const core::ModelCommand& command)
+QString CommandNames::progress(const core::ModelCommand& command)
 {
-    return std::visit([](const auto& wanted) { return wordsOf(wanted).doing; }, command);
+    return std::visit([](const auto& each) { return namesOf(each).progress; }, command);
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Move&)
+CommandNames::Names CommandNames::namesOf(const core::Move&)
 {
     return {tr("Move", "undo step"), tr("Moving the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Rotate&)
+CommandNames::Names CommandNames::namesOf(const core::Rotate&)
 {
     return {tr("Rotate", "undo step"), tr("Rotating the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Scale&)
+CommandNames::Names CommandNames::namesOf(const core::Scale&)
 {
     return {tr("Scale", "undo step"), tr("Scaling the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Mirror&)
+CommandNames::Names CommandNames::namesOf(const core::Mirror&)
 {
     return {tr("Mirror", "undo step"), tr("Mirroring the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Recentre&)
+CommandNames::Names CommandNames::namesOf(const core::Recentre&)
 {
     return {tr("Recentre", "undo step"), tr("Recentring the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Insert&)
+CommandNames::Names CommandNames::namesOf(const core::Insert&)
 {
     return {tr("Insert", "undo step"), tr("Inserting a model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Fill&)
+CommandNames::Names CommandNames::namesOf(const core::Fill&)
 {
     return {tr("Fill", "undo step"), tr("Colouring the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::MaskOperation& change)
+CommandNames::Names CommandNames::namesOf(const core::MaskOperation& change)
 {
     using How = core::MaskOperation::Kind;
-    const QString doing = tr("Changing the mask");
+    const QString progress = tr("Changing the mask");
     switch (change.how) {
     case How::Invert:
-        return {tr("Invert Mask", "undo step"), doing};
+        return {tr("Invert Mask", "undo step"), progress};
     case How::Clear:
-        return {tr("Clear Mask", "undo step"), doing};
+        return {tr("Clear Mask", "undo step"), progress};
     case How::Blur:
-        return {tr("Blur Mask", "undo step"), doing};
+        return {tr("Blur Mask", "undo step"), progress};
     case How::Sharpen:
-        return {tr("Sharpen Mask", "undo step"), doing};
+        return {tr("Sharpen Mask", "undo step"), progress};
     case How::Grow:
-        return {tr("Grow Mask", "undo step"), doing};
+        return {tr("Grow Mask", "undo step"), progress};
     case How::Shrink:
-        return {tr("Shrink Mask", "undo step"), doing};
+        return {tr("Shrink Mask", "undo step"), progress};
     case How::Cavity:
-        return {tr("Mask Cavities", "undo step"), doing};
+        return {tr("Mask Cavities", "undo step"), progress};
     case How::Color:
-        return {tr("Mask by Colour", "undo step"), doing};
+        return {tr("Mask by Colour", "undo step"), progress};
     case How::Part:
-        return {tr("Mask Whole Parts", "undo step"), doing};
+        return {tr("Mask Whole Parts", "undo step"), progress};
     }
     return {};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::RemeshUniformly&)
+CommandNames::Names CommandNames::namesOf(const core::RemeshUniformly&)
 {
     return {tr("Remesh", "undo step"), tr("Remeshing the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Symmetrize&)
+CommandNames::Names CommandNames::namesOf(const core::Symmetrize&)
 {
     return {tr("Symmetrize", "undo step"), tr("Making the model symmetric")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::Reset&)
+CommandNames::Names CommandNames::namesOf(const core::Reset&)
 {
     return {tr("Reset", "undo step"), tr("Going back to the start")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::PlaceOnBed&)
+CommandNames::Names CommandNames::namesOf(const core::PlaceOnBed&)
 {
     return {tr("Place on Bed", "undo step"), tr("Placing the model on the bed")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::FlattenBase&)
+CommandNames::Names CommandNames::namesOf(const core::FlattenBase&)
 {
     return {tr("Flatten Base", "undo step"), tr("Flattening the base")};
 }
 
-QString ModelWords::nothing(const core::ModelCommand& command)
+QString CommandNames::unchanged(const core::ModelCommand& command)
 {
     if (std::holds_alternative<core::MaskOperation>(command))
         return tr("The mask is like that already.");
@@ -124,7 +124,7 @@ QString ModelWords::nothing(const core::ModelCommand& command)
                                                                   : tr("The model is like that already.");
 }
 
-QString ModelWords::refusal(const core::ModelChange& change, const QString& inserted)
+QString CommandNames::refusal(const core::ModelChange& change, const QString& inserted)
 {
     const QString faces = QLocale().toString(static_cast<qulonglong>(change.faces));
     const QString file = QFileInfo(inserted).fileName();

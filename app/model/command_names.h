@@ -8,39 +8,39 @@
 namespace app
 {
 /// Whole-model commands in words.
-class ModelWords
+class CommandNames
 {
-    Q_DECLARE_TR_FUNCTIONS(app::ModelWords)
+    Q_DECLARE_TR_FUNCTIONS(app::CommandNames)
 
 public:
     /// The undo step.
     static QString name(const core::ModelCommand& command);
     /// Of those in resources/icons.
     static QString icon(const core::ModelCommand& command);
-    /// While it goes on.
-    static QString doing(const core::ModelCommand& command);
+    /// The name of the command while it runs.
+    static QString progress(const core::ModelCommand& command);
     /// What was not done, where and why: one sentence. `inserted`: the file of the inserted model.
     static QString refusal(const core::ModelChange& change, const QString& inserted);
-    /// All was as asked for already.
-    static QString nothing(const core::ModelCommand& command);
+    /// The notice if the command changed nothing.
+    static QString unchanged(const core::ModelCommand& command);
 
 private:
-    struct Words
+    struct Names
     {
-        QString name, doing;
+        QString name, progress;
     };
-    static Words wordsOf(const core::Move&);
-    static Words wordsOf(const core::Rotate&);
-    static Words wordsOf(const core::Scale&);
-    static Words wordsOf(const core::Mirror&);
-    static Words wordsOf(const core::Recentre&);
-    static Words wordsOf(const core::Insert&);
-    static Words wordsOf(const core::Fill&);
-    static Words wordsOf(const core::MaskOperation& change);
-    static Words wordsOf(const core::RemeshUniformly&);
-    static Words wordsOf(const core::Symmetrize&);
-    static Words wordsOf(const core::Reset&);
-    static Words wordsOf(const core::PlaceOnBed&);
-    static Words wordsOf(const core::FlattenBase&);
+    static Names namesOf(const core::Move&);
+    static Names namesOf(const core::Rotate&);
+    static Names namesOf(const core::Scale&);
+    static Names namesOf(const core::Mirror&);
+    static Names namesOf(const core::Recentre&);
+    static Names namesOf(const core::Insert&);
+    static Names namesOf(const core::Fill&);
+    static Names namesOf(const core::MaskOperation& change);
+    static Names namesOf(const core::RemeshUniformly&);
+    static Names namesOf(const core::Symmetrize&);
+    static Names namesOf(const core::Reset&);
+    static Names namesOf(const core::PlaceOnBed&);
+    static Names namesOf(const core::FlattenBase&);
 };
 } // namespace app

@@ -16,10 +16,10 @@ namespace app
 {
 namespace
 {
-constexpr double afterTrialReading = 0.2, afterTrialMending = 0.8; ///< shares of the time
+constexpr double afterInsertReading = 0.2, afterInsertRepair = 0.8; ///< shares of the time
 }
 
-std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
+std::shared_ptr<core::Mesh> ModelChangeJob::copyOf(const core::Mesh& mesh)
 {
     try {
         return std::make_shared<core::Mesh>(mesh);
@@ -28,29 +28,30 @@ std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
     }
 }
 
-ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
-                             const ui::InsertRequest& insertion, const Tell& tell, const core::JobControl& control)
+ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
+                                       const ui::InsertRequest& insertion, const OnStage& onStage,
+                                       const core::JobControl& control)
 {
-    ModelOutcome outcome;
-    core::JobControl trial = control;
+    ModelChangeOutcome outcome;
+    core::JobControl changeControl = control;
     try {
         if (!copy)
             throw std::bad_alloc();
         if (auto* insert = std::get_if<core::Insert>(&command)) {
-            const double share = insertion.repair ? afterTrialMending : afterTrialReading;
-            read(outcome, *insert, insertion, tell, control.part(0, share));
-            trial = control.part(share, 1);
+            const double share = insertion.repair ? afterInsertRepair : afterInsertReading;
+            read(outcome, *insert, insertion, onStage, control.part(0, share));
+            changeControl = control.part(share, 1);
         }
         if (!outcome.problem.isEmpty() || control.isCancelled())
             return outcome;
-        outcome.change = core::applyToCopy(std::move(*copy), command, trial);
-        outcome.problem = ModelWords::refusal(outcome.change, insertion.path);
+        outcome.change = core::applyToCopy(std::move(*copy), command, changeControl);
+        outcome.problem = CommandNames::refusal(outcome.change, insertion.path);
         if (outcome.change.changes && outcome.change.report.volume)
             outcome.notice =
                 QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion, *outcome.change.report.volume)})
                     .join(u' ')
                     .trimmed();
-        outcome.isMendable = outcome.change.refusal == core::ModelRefusal::Unsound;
+        outcome.isRepairable = outcome.change.refusal == core::ModelRefusal::Unsound;
     } catch (const core::ReadingCancelled&) {
     } catch (const core::FileError& error) {
         outcome.problem = ui::ErrorMessages::sentence(error);
@@ -60,9 +61,9 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
     return outcome;
 }
 
-/// Mended or not, it comes as its file has it: a model that lay far from the origin goes back there.
-void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion,
-                      const Tell& tell, const core::JobControl& control)
+/// Repaired or not, the model keeps the place that its file gives it: one that lay far from the origin goes back there.
+void ModelChangeJob::read(ModelChangeOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion,
+                          const OnStage& onStage, const core::JobControl& control)
 {
     auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = control.stop});
     const QString name = QFileInfo(insertion.path).fileName();
@@ -72,18 +73,18 @@ void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::In
         return;
     }
     if (insertion.repair) {
-        const auto doing = [&](core::RepairStep step) { tell(ui::RepairMessages::progress(name, step)); };
-        core::RepairResult legalised = core::repairMesh(mesh, *insertion.repair, control, doing);
-        if (!legalised.mesh && !control.isCancelled())
-            outcome.problem = ui::RepairMessages::refusal(insertion.path, legalised);
-        if (!legalised.mesh)
+        const auto onStep = [&](core::RepairStep step) { onStage(ui::RepairMessages::progress(name, step)); };
+        core::RepairResult repaired = core::repairMesh(mesh, *insertion.repair, control, onStep);
+        if (!repaired.mesh && !control.isCancelled())
+            outcome.problem = ui::RepairMessages::refusal(insertion.path, repaired);
+        if (!repaired.mesh)
             return;
-        mesh = std::move(*legalised.mesh);
+        mesh = std::move(*repaired.mesh);
         for (core::Vec3f& p : mesh.points)
-            p = (p.cast<double>() - legalised.report.moved).cast<float>();
-        legalised.report.moved.setZero();
-        outcome.mended = ui::RepairMessages::steps(legalised.report) << ui::RepairMessages::distance(legalised.report);
-        tell(ModelWords::doing(command));
+            p = (p.cast<double>() - repaired.report.moved).cast<float>();
+        repaired.report.moved.setZero();
+        outcome.repairs = ui::RepairMessages::steps(repaired.report) << ui::RepairMessages::distance(repaired.report);
+        onStage(CommandNames::progress(command));
     }
     command.model = std::move(mesh);
 }

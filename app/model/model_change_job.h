@@ -13,31 +13,32 @@
 namespace app
 {
 /// What became of a change of the whole model.
-struct ModelOutcome
+struct ModelChangeOutcome
 {
     core::ModelChange change;
-    QString problem;         ///< it was not done: one sentence
-    bool isMendable = false; ///< then: the model to be inserted is not in order; ui::InsertRequest::repair may help
-    QString notice;          ///< what the person should know of an inserted model; may be empty
-    QStringList mended;      ///< what was done to it; empty: nothing
+    QString problem;           ///< it was not done: one sentence
+    bool isRepairable = false; ///< then: the model to be inserted is not in order; ui::InsertRequest::repair may help
+    QString notice;            ///< what the person should know of an inserted model; may be empty
+    QStringList repairs;       ///< what was done to it; empty: nothing
 };
 
-/// Works a change of the whole model out on a copy. Any thread.
-class ModelTrial
+/// Applies a change of the whole model to a copy. Thread: any.
+class ModelChangeJob
 {
-    Q_DECLARE_TR_FUNCTIONS(app::ModelTrial)
+    Q_DECLARE_TR_FUNCTIONS(app::ModelChangeJob)
 
 public:
     /// Null: there is not enough memory.
     static std::shared_ptr<core::Mesh> copyOf(const core::Mesh& mesh);
-    /// What is going on, while it does.
-    using Tell = std::function<void(const QString& what)>;
-    /// Uses the copy up. What is to be inserted is read first.
-    static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
-                            const ui::InsertRequest& insertion, const Tell& tell, const core::JobControl& control);
+    /// Called at the beginning of each stage with its name.
+    using OnStage = std::function<void(const QString& what)>;
+    /// Consumes the copy. What is to be inserted is read first.
+    static ModelChangeOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
+                                  const ui::InsertRequest& insertion, const OnStage& onStage,
+                                  const core::JobControl& control);
 
 private:
-    static void read(ModelOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion, const Tell& tell,
-                     const core::JobControl& control);
+    static void read(ModelChangeOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion,
+                     const OnStage& onStage, const core::JobControl& control);
 };
 } // namespace app

@@ -13,10 +13,10 @@
 namespace app
 {
 /// What is to be written.
-struct ExportOrder
+struct ExportRequest
 {
     QString path;                          ///< the ending says the format
-    quint64 mostTriangles = 0;             ///< 0: all
+    quint64 maxTriangles = 0;              ///< 0: all
     bool slices = false;                   ///< an installed slicer tries the file then
     core::DocumentMetadata metadata = {};  ///< of the mesh; a file with fewer triangles has none
     std::shared_ptr<core::Mesh> mesh = {}; ///< a copy; null: there was not enough memory
@@ -29,24 +29,24 @@ struct ExportOutcome
     QString verdict; ///< one line, of the file; empty: it was stopped before there was one
 };
 
-/// Writes a model that stays what it is, with fewer triangles if asked to, and judges what the file holds. Any thread;
+/// Writes a model that stays what it is, with fewer triangles if asked to, and checks what the file holds. Thread: any;
 /// never throws.
 class ModelExport
 {
     Q_DECLARE_TR_FUNCTIONS(app::ModelExport)
 
 public:
-    /// What is going on, while it does.
-    using Tell = std::function<void(const QString& what)>;
+    /// Called at the beginning of each stage with its name.
+    using OnStage = std::function<void(const QString& what)>;
 
-    /// Uses the copy up. Who stops it in time has no file.
-    static ExportOutcome run(ExportOrder order, const Tell& tell, const core::JobControl& control);
+    /// Consumes the copy. If it is cancelled in time, there is no file.
+    static ExportOutcome run(ExportRequest request, const OnStage& onStage, const core::JobControl& control);
 
 private:
-    static ExportOutcome write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell,
+    static ExportOutcome write(const ExportRequest& request, const core::TriangleMesh& mesh, const OnStage& onStage,
                                const core::JobControl& control);
-    static ExportOutcome judge(const ExportOrder& order, const core::TriangleMesh& mesh,
-                               const core::JobControl& control);
-    static QString word(const ExportOrder& order, const core::MeshReport& report, bool losesColors);
+    static ExportOutcome readBack(const ExportRequest& request, const core::TriangleMesh& mesh,
+                                  const core::JobControl& control);
+    static QString verdictText(const ExportRequest& request, const core::MeshReport& report, bool losesColors);
 };
 } // namespace app

@@ -9,8 +9,8 @@
 
 namespace app
 {
-/// What a model was after each of its steps, for who goes back through them.
-struct ModelPast
+/// The states of a model after each of its steps, to be visited from the last to the first.
+struct ModelHistory
 {
     std::shared_ptr<core::Mesh> mesh; ///< a copy, after the last step; null: there was no memory for it
     int first = 0, present = 0;       ///< states: so many steps were done

@@ -21,7 +21,7 @@ namespace app
 namespace
 {
 constexpr int paperSubdivisions = 4;
-constexpr double afterReading = 0.1, afterMending = 0.8; ///< shares of the time
+constexpr double afterReading = 0.1, afterRepair = 0.8; ///< shares of the time
 } // namespace
 
 std::filesystem::path toPath(const QString& path)
@@ -29,41 +29,42 @@ std::filesystem::path toPath(const QString& path)
     return std::filesystem::path(path.toStdU16String());
 }
 
-LoadedModel ModelLoader::load(const QString& path, const Tell& tell, const core::JobControl& control)
+LoadedModel ModelLoader::load(const QString& path, const OnStage& onStage, const core::JobControl& control)
 {
-    return read(path, tell, control,
+    return read(path, onStage, control,
                 [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& part) {
                     build(loaded, mesh, false, part);
-                    loaded.isMendable = !loaded.problem.isEmpty();
+                    loaded.isRepairable = !loaded.problem.isEmpty();
                 });
 }
 
-LoadedModel ModelLoader::loadMended(const QString& path, const core::RepairOptions& options, const Tell& tell,
-                                    const core::JobControl& control)
+LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOptions& options, const OnStage& onStage,
+                                      const core::JobControl& control)
 {
-    return read(path, tell, control, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
-        if (!mend(loaded, mesh, options, tell, part.part(0, afterMending)))
-            return;
-        if (tell)
-            tell(tr("Checking %1").arg(loaded.name));
-        build(loaded, mesh, false, part.part(afterMending, 1));
-    });
+    return read(path, onStage, control,
+                [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
+                    if (!repair(loaded, mesh, options, onStage, part.part(0, afterRepair)))
+                        return;
+                    if (onStage)
+                        onStage(tr("Checking %1").arg(loaded.name));
+                    build(loaded, mesh, false, part.part(afterRepair, 1));
+                });
 }
 
-bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
-                       const Tell& tell, const core::JobControl& control)
+bool ModelLoader::repair(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
+                         const OnStage& onStage, const core::JobControl& control)
 {
-    core::RepairStepCallback doing;
-    if (tell)
-        doing = [&](core::RepairStep step) { tell(ui::RepairMessages::progress(loaded.name, step)); };
-    core::RepairResult legalised = core::repairMesh(mesh, options, control, doing);
-    if (!legalised.mesh) {
+    core::RepairStepCallback onStep;
+    if (onStage)
+        onStep = [&](core::RepairStep step) { onStage(ui::RepairMessages::progress(loaded.name, step)); };
+    core::RepairResult repaired = core::repairMesh(mesh, options, control, onStep);
+    if (!repaired.mesh) {
         if (!control.isCancelled())
-            loaded.problem = ui::RepairMessages::refusal(loaded.path, legalised);
+            loaded.problem = ui::RepairMessages::refusal(loaded.path, repaired);
         return false;
     }
-    mesh = std::move(*legalised.mesh);
-    loaded.mended = ui::RepairMessages::steps(legalised.report) << ui::RepairMessages::distance(legalised.report);
+    mesh = std::move(*repaired.mesh);
+    loaded.repairs = ui::RepairMessages::steps(repaired.report) << ui::RepairMessages::distance(repaired.report);
     loaded.path.clear();
     return true;
 }
@@ -75,7 +76,8 @@ LoadedModel ModelLoader::loadInPlace(const QString& path)
     });
 }
 
-LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core::JobControl& control, const Take& take)
+LoadedModel ModelLoader::read(const QString& path, const OnStage& onStage, const core::JobControl& control,
+                              const Process& process)
 {
     LoadedModel loaded;
     loaded.path = path;
@@ -83,10 +85,10 @@ LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core:
     try {
         auto [mesh, remarks] = core::readModel(toPath(path), {.stop = control.stop});
         loaded.metadata = core::readMetadata(toPath(path));
-        if (tell)
-            tell(tr("Checking %1").arg(loaded.name));
+        if (onStage)
+            onStage(tr("Checking %1").arg(loaded.name));
         control.reportProgress(afterReading);
-        take(loaded, mesh, control.part(afterReading, 1));
+        process(loaded, mesh, control.part(afterReading, 1));
         if (loaded.sculptor)
             loaded.notice = QStringList({ui::ErrorMessages::remarks(loaded.name, remarks), loaded.notice})
                                 .join(QLatin1Char(' '))
@@ -115,7 +117,7 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
         loaded.problem =
             tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
     else
-        take(loaded, std::move(result.mesh));
+        setMesh(loaded, std::move(result.mesh));
     if (loaded.sculptor && !result.moved.isZero(0) && core::isFarFromOrigin(boxOf(mesh)))
         loaded.notice = tr("%1 lay far from the origin and was moved there.").arg(loaded.name);
     if (loaded.sculptor && !inPlace && !holdsUnit(loaded.name))
@@ -135,11 +137,11 @@ bool ModelLoader::holdsUnit(const QString& path)
 {
     const auto format = core::meshFormatOf(toPath(path));
     if (!format)
-        return foreignHoldsUnit(toPath(path));
+        return assimpHoldsUnit(toPath(path));
     return format == core::MeshFormat::Glb || format == core::MeshFormat::Gltf || format == core::MeshFormat::ThreeMf;
 }
 
-void ModelLoader::take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh)
+void ModelLoader::setMesh(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh)
 {
     loaded.start = core::snapshotOf(*mesh);
     loaded.sculptor = std::make_shared<core::Sculptor>(std::move(mesh));
@@ -191,10 +193,10 @@ bool ModelLoader::holdsColors(const QString& path)
 }
 
 QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
-                          int keptVersions)
+                          int backupCount)
 {
     try {
-        core::NumberedBackup before(toPath(path), keptVersions);
+        core::NumberedBackup before(toPath(path), backupCount);
         core::writeMesh(toPath(path), mesh, {.metadata = metadata});
         before.commit();
     } catch (const core::FileError& error) {

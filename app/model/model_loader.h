@@ -33,8 +33,8 @@ struct LoadedModel
     std::shared_ptr<core::Sculptor> sculptor;    ///< null: refused
     std::shared_ptr<const core::Snapshot> start; ///< of its mesh; null: refused
     QString problem;                             ///< then: one sentence with file, place or counts, and reason
-    bool isMendable = false;                     ///< then: loadMended() may take it
-    QStringList mended;                          ///< what was done to it; empty: nothing
+    bool isRepairable = false;                   ///< then: loadRepaired() may help
+    QStringList repairs;                         ///< what was done to it; empty: nothing
     bool isUnsaved = false;                      ///< it is in no file as it is
     QString notice; ///< what the person should know of a model that was taken; may be empty
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< of a model whose file has none
@@ -54,24 +54,24 @@ class ModelLoader
     Q_DECLARE_TR_FUNCTIONS(app::ModelLoader)
 
 public:
-    /// What is going on, while it does.
-    using Tell = std::function<void(const QString& what)>;
+    /// Called at the beginning of each stage with its name.
+    using OnStage = std::function<void(const QString& what)>;
 
-    /// Reads, judges and builds for the window: the model's centre is put at the origin.
-    /// Who stops it gets neither a model nor a problem.
-    static LoadedModel load(const QString& path, const Tell& tell = {}, const core::JobControl& control = {});
-    /// The same, but a model that is not in order is legalised; then it has no path.
-    static LoadedModel loadMended(const QString& path, const core::RepairOptions& options, const Tell& tell = {},
-                                  const core::JobControl& control = {});
+    /// Reads, checks and builds for the window: the model's centre is put at the origin.
+    /// If it is cancelled, returns neither a model nor a problem.
+    static LoadedModel load(const QString& path, const OnStage& onStage = {}, const core::JobControl& control = {});
+    /// As load(), but repairs a model that is not sound; it has no path then.
+    static LoadedModel loadRepaired(const QString& path, const core::RepairOptions& options,
+                                    const OnStage& onStage = {}, const core::JobControl& control = {});
     /// The same for scripts: the model stays where it is, or is refused.
     static LoadedModel loadInPlace(const QString& path);
     /// The paper's sphere, 2562 vertices.
     static LoadedModel sphere(double radius);
     static LoadedModel starter(core::Starter starter);
-    /// Empty, or what is wrong; then no file has changed. `keptVersions`: so many of what the file held before stay
+    /// Empty, or what is wrong; then no file has changed. `backupCount`: that many backups stay
     /// (core/util/numbered_backup.h).
     static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
-                        int keptVersions = 0);
+                        int backupCount = 0);
 
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);
@@ -80,12 +80,13 @@ public:
     static QString insertedUnitNotice(const ui::InsertRequest& insertion, double volume);
 
 private:
-    static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
+    static void setMesh(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
-    using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& control)>;
-    static LoadedModel read(const QString& path, const Tell& tell, const core::JobControl& control, const Take& take);
-    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
-                     const Tell& tell, const core::JobControl& control);
+    using Process = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& control)>;
+    static LoadedModel read(const QString& path, const OnStage& onStage, const core::JobControl& control,
+                            const Process& process);
+    static bool repair(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
+                       const OnStage& onStage, const core::JobControl& control);
     static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace,
                       const core::JobControl& control);
 };

@@ -20,9 +20,9 @@ QString ended(const QString& path, const QString& ending)
 } // namespace
 
 SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
-                            int keptVersions)
+                            int backupCount)
 {
-    SavedFile saved{path, ModelLoader::save(path, mesh, metadata, keptVersions), {}};
+    SavedFile saved{path, ModelLoader::save(path, mesh, metadata, backupCount), {}};
     if (saved.problem.isEmpty() && !mesh.colors.empty() && !ModelLoader::holdsColors(path))
         saved.notice = tr("%1 was written without the colours, which its format does not hold; GLB does.")
                            .arg(QFileInfo(path).fileName());

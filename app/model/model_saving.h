@@ -22,10 +22,10 @@ class ModelSaving
     Q_DECLARE_TR_FUNCTIONS(app::ModelSaving)
 
 public:
-    /// In place of a file of that name, of which as many versions stay as `keptVersions` says
+    /// Replaces a file of that name, of which `backupCount` backups stay
     /// (core/util/numbered_backup.h).
     static SavedFile save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
-                          int keptVersions = 0);
+                          int backupCount = 0);
     /// A GLB and an STL, named as that path but for ending and number, which is the first after all that are there.
     static SavedFile saveNumbered(const QString& path, const core::TriangleMesh& mesh,
                                   const core::DocumentMetadata& metadata);

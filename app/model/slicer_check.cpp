@@ -11,17 +11,17 @@ namespace app
 {
 namespace
 {
-constexpr int askSlicerEveryMs = 50, patienceMs = 180'000;
-constexpr qsizetype longestComplaint = 160;
+constexpr int pollMs = 50, timeoutMs = 180'000;
+constexpr qsizetype maxComplaint = 160;
 
 QString lastLineOf(const QByteArray& text)
 {
     const QList<QByteArray> lines = text.trimmed().split('\n');
-    return QString::fromUtf8(lines.constLast().trimmed()).left(longestComplaint);
+    return QString::fromUtf8(lines.constLast().trimmed()).left(maxComplaint);
 }
 } // namespace
 
-QString SlicerTrial::run(const QString& model, const core::JobControl& control)
+QString SlicerCheck::run(const QString& model, const core::JobControl& control)
 {
     const QTemporaryDir folder;
     const QString gcode = folder.filePath(QStringLiteral("trial.gcode"));
@@ -34,8 +34,8 @@ QString SlicerTrial::run(const QString& model, const core::JobControl& control)
     slicer.start(ui::installedSlicer(), {QStringLiteral("--export-gcode"), QStringLiteral("--output"), gcode, model});
     QElapsedTimer time;
     time.start();
-    while (!slicer.waitForFinished(askSlicerEveryMs) && slicer.state() != QProcess::NotRunning &&
-           !control.isCancelled() && !time.hasExpired(patienceMs)) {
+    while (!slicer.waitForFinished(pollMs) && slicer.state() != QProcess::NotRunning && !control.isCancelled() &&
+           !time.hasExpired(timeoutMs)) {
     }
     if (slicer.state() != QProcess::NotRunning) {
         slicer.kill();
@@ -48,7 +48,7 @@ QString SlicerTrial::run(const QString& model, const core::JobControl& control)
     return resultIn(gcode);
 }
 
-QString SlicerTrial::resultIn(const QString& gcode)
+QString SlicerCheck::resultIn(const QString& gcode)
 {
     QFile file(gcode);
     if (!file.open(QIODevice::ReadOnly))

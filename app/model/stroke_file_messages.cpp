@@ -15,14 +15,14 @@ QString number(double value)
 }
 } // namespace
 
-QString StrokeWords::sentence(const QString& path, const core::StrokeFileError& error)
+QString StrokeFileMessages::sentence(const QString& path, const core::StrokeFileError& error)
 {
     const QString where = place(error);
     return where.isEmpty() ? tr("%1: %2", "file: reason").arg(path, reason(error))
                            : tr("%1: %2: %3", "file: place: reason").arg(path, where, reason(error));
 }
 
-QString StrokeWords::place(const core::StrokeFileError& error)
+QString StrokeFileMessages::place(const core::StrokeFileError& error)
 {
     QStringList places;
     if (error.line > 0)
@@ -39,7 +39,7 @@ QString StrokeWords::place(const core::StrokeFileError& error)
     return places.join(QStringLiteral(", "));
 }
 
-QString StrokeWords::reason(const core::StrokeFileError& error)
+QString StrokeFileMessages::reason(const core::StrokeFileError& error)
 {
     using Kind = core::StrokeFileError::Kind;
     const QString key = QString::fromStdString(error.key);

@@ -8,9 +8,9 @@
 namespace app
 {
 /// What is wrong with a stroke file, for people: one sentence with file, place and reason.
-class StrokeWords
+class StrokeFileMessages
 {
-    Q_DECLARE_TR_FUNCTIONS(app::StrokeWords)
+    Q_DECLARE_TR_FUNCTIONS(app::StrokeFileMessages)
 
 public:
     static QString sentence(const QString& path, const core::StrokeFileError& error);

@@ -8,7 +8,7 @@
 
 namespace app
 {
-struct ChildOrder
+struct ChildRequest
 {
     std::vector<std::string> command; ///< the program's path first
     std::chrono::seconds time{0};     ///< by the clock; then it is killed
@@ -16,7 +16,7 @@ struct ChildOrder
     std::stop_token stop = {};        ///< then it is killed, within some 20 ms
 };
 
-struct ChildAnswer
+struct ChildResult
 {
     enum class End { Exited, Died, TooSlow, Stopped, NotStarted };
     End end = End::Exited;
@@ -28,5 +28,5 @@ std::string ownProgram();
 
 /// Runs a program whose input is empty and whose errors nobody reads, and waits for it; it is gone afterwards. Any
 /// thread.
-ChildAnswer runChild(const ChildOrder& order);
+ChildResult runChild(const ChildRequest& request);
 } // namespace app

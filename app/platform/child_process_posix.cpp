@@ -18,7 +18,7 @@ namespace app
 namespace
 {
 using Clock = std::chrono::steady_clock;
-using End = ChildAnswer::End;
+using End = ChildResult::End;
 
 constexpr int pollEveryMs = 20;
 
@@ -50,11 +50,11 @@ std::optional<pid_t> start(const std::vector<std::string>& command, int output)
 }
 
 /// Until the child closes its end. Exited: it did.
-End collect(int input, const ChildOrder& order, Clock::time_point deadline, std::string& bytes)
+End collect(int input, const ChildRequest& request, Clock::time_point deadline, std::string& bytes)
 {
     std::array<char, 1 << 16> piece;
     for (;;) {
-        if (order.stop.stop_requested())
+        if (request.stop.stop_requested())
             return End::Stopped;
         if (Clock::now() > deadline)
             return End::TooSlow;
@@ -66,7 +66,7 @@ End collect(int input, const ChildOrder& order, Clock::time_point deadline, std:
             continue;
         if (got <= 0)
             return got == 0 ? End::Exited : End::Died;
-        if (bytes.size() + static_cast<std::size_t>(got) > order.maxBytes)
+        if (bytes.size() + static_cast<std::size_t>(got) > request.maxBytes)
             return End::Died;
         bytes.append(piece.data(), static_cast<std::size_t>(got));
     }
@@ -95,22 +95,22 @@ std::string ownProgram()
 #endif
 }
 
-ChildAnswer runChild(const ChildOrder& order)
+ChildResult runChild(const ChildRequest& request)
 {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
         return {End::NotStarted, {}};
-    const auto child = start(order.command, ends[1]);
+    const auto child = start(request.command, ends[1]);
     close(ends[1]);
-    ChildAnswer answer{End::NotStarted, {}};
+    ChildResult result{End::NotStarted, {}};
     if (child) {
-        answer.end = collect(ends[0], order, Clock::now() + order.time, answer.bytes);
-        const int status = statusOf(*child, answer.end == End::Exited);
+        result.end = collect(ends[0], request, Clock::now() + request.time, result.bytes);
+        const int status = statusOf(*child, result.end == End::Exited);
         const bool byLimit = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
-        if (answer.end == End::Exited && !(WIFEXITED(status) && WEXITSTATUS(status) == 0))
-            answer.end = byLimit ? End::TooSlow : End::Died;
+        if (result.end == End::Exited && !(WIFEXITED(status) && WEXITSTATUS(status) == 0))
+            result.end = byLimit ? End::TooSlow : End::Died;
     }
     close(ends[0]);
-    return answer;
+    return result;
 }
 } // namespace app

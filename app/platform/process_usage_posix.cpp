@@ -17,10 +17,10 @@ double peakRssMb()
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
 #ifdef __APPLE__
-    constexpr double unitsAMb = 1 << 20; // bytes
+    constexpr double unitsPerMb = 1 << 20; // bytes
 #else
-    constexpr double unitsAMb = 1 << 10; // KiB
+    constexpr double unitsPerMb = 1 << 10; // KiB
 #endif
-    return static_cast<double>(usage.ru_maxrss) / unitsAMb;
+    return static_cast<double>(usage.ru_maxrss) / unitsPerMb;
 }
 } // namespace app

@@ -22,9 +22,9 @@ namespace app
 {
 namespace
 {
-void limit(__rlimit_resource resource, std::uint64_t most)
+void limit(__rlimit_resource resource, std::uint64_t max)
 {
-    const rlimit value{most, most};
+    const rlimit value{max, max};
     setrlimit(resource, &value);
 }
 

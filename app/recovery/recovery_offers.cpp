@@ -13,7 +13,7 @@ namespace app
 {
 namespace
 {
-constexpr std::size_t mostDamaged = 4; ///< that are kept
+constexpr std::size_t maxDamaged = 4; ///< that are kept
 
 QDateTime toDateTime(std::filesystem::file_time_type time)
 {
@@ -36,24 +36,24 @@ bool holdsChanges(const core::JournalFolder& folder)
 }
 } // namespace
 
-void JournalShelf::look()
+void RecoveryStore::findAbandoned()
 {
-    m_aside.run([root = m_root] { return std::make_shared<Found>(foundIn(root)); },
-                [this](const std::shared_ptr<Found>& found) {
-                    {
-                        const std::lock_guard lock(m_mutex);
-                        m_left = std::move(found->left);
-                    }
-                    offerNext();
-                    for (const QString& sentence : found->told)
-                        Q_EMIT told(sentence);
-                });
+    m_background.run([root = m_root] { return std::make_shared<ScanResult>(scan(root)); },
+                     [this](const std::shared_ptr<ScanResult>& found) {
+                         {
+                             const std::lock_guard lock(m_mutex);
+                             m_abandoned = std::move(found->abandoned);
+                         }
+                         offerNext();
+                         for (const QString& sentence : found->notices)
+                             Q_EMIT noticed(sentence);
+                     });
 }
 
 /// What was saved, or never changed, is removed; what is damaged beyond that is kept elsewhere.
-JournalShelf::Found JournalShelf::foundIn(const std::filesystem::path& root)
+RecoveryStore::ScanResult RecoveryStore::scan(const std::filesystem::path& root)
 {
-    Found found;
+    ScanResult found;
     for (auto& folder : core::JournalFolder::abandoned(root)) {
         std::optional<core::RecoveredDocument> document;
         try {
@@ -63,11 +63,11 @@ JournalShelf::Found JournalShelf::foundIn(const std::filesystem::path& root)
         }
         const QString name = document ? QString::fromStdString(document->document.name) : QString();
         if (document && document->isUnsaved())
-            found.left.push_back({{found.left.size() + 1, name, toDateTime(folder->changed()),
-                                   static_cast<int>(document->history.present)},
-                                  std::move(folder)});
+            found.abandoned.push_back({{found.abandoned.size() + 1, name, toDateTime(folder->changed()),
+                                        static_cast<int>(document->history.present)},
+                                       std::move(folder)});
         else if (document ? document->isDamaged : holdsChanges(*folder))
-            found.told.append(putAside(*folder, name, root));
+            found.notices.append(putAside(*folder, name, root));
         else
             folder->remove();
     }
@@ -75,40 +75,41 @@ JournalShelf::Found JournalShelf::foundIn(const std::filesystem::path& root)
 }
 
 /// Beside the root: nothing there is looked at again.
-std::filesystem::path JournalShelf::damagedRoot(const std::filesystem::path& root)
+std::filesystem::path RecoveryStore::damagedRoot(const std::filesystem::path& root)
 {
     std::filesystem::path damaged = root;
     return damaged += "-damaged";
 }
 
-QString JournalShelf::putAside(core::JournalFolder& folder, const QString& name, const std::filesystem::path& root)
+QString RecoveryStore::putAside(core::JournalFolder& folder, const QString& name, const std::filesystem::path& root)
 {
-    folder.setAside(damagedRoot(root), mostDamaged);
+    folder.setAside(damagedRoot(root), maxDamaged);
     if (name.isEmpty())
         return tr("What was kept of an unsaved model is damaged and cannot be opened. It is in %1.")
             .arg(text(folder.path()));
     return tr("What was kept of %1 is damaged and cannot be opened. It is in %2.").arg(name, text(folder.path()));
 }
 
-void JournalShelf::offerNext()
+void RecoveryStore::offerNext()
 {
     RecoveryOffer next;
     {
         const std::lock_guard lock(m_mutex);
-        if (!m_left.empty())
-            next = m_left.front().offer;
+        if (!m_abandoned.empty())
+            next = m_abandoned.front().offer;
     }
     Q_EMIT offered(next);
 }
 
-LoadedModel JournalShelf::recover(quint64 offer, const core::JobControl& control)
+LoadedModel RecoveryStore::recover(quint64 offer, const core::JobControl& control)
 {
     std::filesystem::path folder;
     LoadedModel model;
     {
         const std::lock_guard lock(m_mutex);
-        const auto found = std::ranges::find(m_left, offer, [](const Left& each) { return each.offer.id; });
-        if (found != m_left.end()) {
+        const auto found =
+            std::ranges::find(m_abandoned, offer, [](const AbandonedJournal& each) { return each.offer.id; });
+        if (found != m_abandoned.end()) {
             folder = found->folder->path();
             model.name = found->offer.name;
         }
@@ -134,16 +135,16 @@ LoadedModel JournalShelf::recover(quint64 offer, const core::JobControl& control
     return model;
 }
 
-std::shared_ptr<core::Journal> JournalShelf::goOn(quint64 offer, const core::RecoveredDocument& document)
+std::shared_ptr<core::Journal> RecoveryStore::resume(quint64 offer, const core::RecoveredDocument& document)
 {
-    Left left = take(offer);
+    AbandonedJournal abandoned = takeAbandoned(offer);
     if (document.isDamaged) {
-        m_damaged.push_back(std::move(left.folder));
-        m_again.start(0);
+        m_damaged.push_back(std::move(abandoned.folder));
+        m_retryTimer.start(0);
         offerNext();
         return nullptr;
     }
-    auto journal = core::Journal::resume(std::move(left.folder), document, news(), m_limits);
+    auto journal = core::Journal::resume(std::move(abandoned.folder), document, callbacks(), m_limits);
     {
         const std::lock_guard lock(m_mutex);
         m_open.push_back(journal);
@@ -152,24 +153,25 @@ std::shared_ptr<core::Journal> JournalShelf::goOn(quint64 offer, const core::Rec
     return journal;
 }
 
-void JournalShelf::discard(quint64 offer)
+void RecoveryStore::discard(quint64 offer)
 {
-    const auto folder = std::make_shared<std::unique_ptr<core::JournalFolder>>(take(offer).folder);
-    m_aside.run([folder] {
+    const auto folder = std::make_shared<std::unique_ptr<core::JournalFolder>>(takeAbandoned(offer).folder);
+    m_background.run([folder] {
         if (*folder)
             (*folder)->remove();
     });
     offerNext();
 }
 
-JournalShelf::Left JournalShelf::take(quint64 offer)
+RecoveryStore::AbandonedJournal RecoveryStore::takeAbandoned(quint64 offer)
 {
     const std::lock_guard lock(m_mutex);
-    const auto found = std::ranges::find(m_left, offer, [](const Left& each) { return each.offer.id; });
-    if (found == m_left.end())
+    const auto found =
+        std::ranges::find(m_abandoned, offer, [](const AbandonedJournal& each) { return each.offer.id; });
+    if (found == m_abandoned.end())
         return {};
-    Left left = std::move(*found);
-    m_left.erase(found);
-    return left;
+    AbandonedJournal abandoned = std::move(*found);
+    m_abandoned.erase(found);
+    return abandoned;
 }
 } // namespace app

@@ -26,11 +26,12 @@ std::string text(const QString& string)
     return string.toUtf8().toStdString();
 }
 
-constexpr std::chrono::milliseconds usualPatience = std::chrono::seconds(10), longestWait = std::chrono::minutes(5);
-constexpr std::uintmax_t bytesAFace = 128; ///< of a start and a base, with some free slots
+constexpr std::chrono::milliseconds defaultRetryInterval = std::chrono::seconds(10),
+                                    maxRetryInterval = std::chrono::minutes(5);
+constexpr std::uintmax_t bytesPerFace = 128; ///< of a start and a base, with some free slots
 
 /// Null if there is no room, or it may not be.
-std::shared_ptr<core::JournalFolder> roomIn(const std::filesystem::path& root, std::uintmax_t bytes)
+std::shared_ptr<core::JournalFolder> makeFolderIfRoom(const std::filesystem::path& root, std::uintmax_t bytes)
 {
     try {
         std::shared_ptr<core::JournalFolder> folder = core::JournalFolder::makeHidden(root);
@@ -43,10 +44,10 @@ std::shared_ptr<core::JournalFolder> roomIn(const std::filesystem::path& root, s
 }
 } // namespace
 
-JournalShelf* JournalShelf::s_present = nullptr;
+RecoveryStore* RecoveryStore::s_present = nullptr;
 
 /// Of the XDG base directories; where there are none, beside the program's other data.
-std::filesystem::path JournalShelf::usualRoot()
+std::filesystem::path RecoveryStore::defaultRoot()
 {
     QString state = qEnvironmentVariable("XDG_STATE_HOME");
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
@@ -60,27 +61,27 @@ std::filesystem::path JournalShelf::usualRoot()
 #endif
 }
 
-JournalShelf::JournalShelf(std::filesystem::path root, core::JournalLimits limits)
+RecoveryStore::RecoveryStore(std::filesystem::path root, core::JournalLimits limits)
     : m_root(std::move(root))
     , m_limits(limits)
 {
     Q_ASSERT(!s_present);
     s_present = this;
-    setPatience(usualPatience);
-    m_again.setSingleShot(true);
-    connect(&m_again, &QTimer::timeout, this, &JournalShelf::mayRecord);
+    setRetryInterval(defaultRetryInterval);
+    m_retryTimer.setSingleShot(true);
+    connect(&m_retryTimer, &QTimer::timeout, this, &RecoveryStore::retryDue);
     static const int registered = std::atexit(atExit);
     Q_UNUSED(registered)
 }
 
-JournalShelf::~JournalShelf()
+RecoveryStore::~RecoveryStore()
 {
     s_present = nullptr;
     for (const auto& journal : m_open)
         journal->remove();
 }
 
-void JournalShelf::atExit()
+void RecoveryStore::atExit()
 {
     if (!s_present)
         return;
@@ -96,32 +97,32 @@ void JournalShelf::atExit()
 
 // --- journals of documents that are open
 
-std::shared_ptr<core::Journal> JournalShelf::begin(const LoadedModel& model)
+std::shared_ptr<core::Journal> RecoveryStore::begin(const LoadedModel& model)
 {
     try {
         const core::StartRecord start{
             model.start,
-            {text(model.name), text(model.path), model.metadata, model.isUnsaved || !model.mended.isEmpty()}};
-        auto journal = core::Journal::begin(m_root, start, news(), m_limits);
+            {text(model.name), text(model.path), model.metadata, model.isUnsaved || !model.repairs.isEmpty()}};
+        auto journal = core::Journal::begin(m_root, start, callbacks(), m_limits);
         const std::lock_guard lock(m_mutex);
         m_open.push_back(journal);
         return journal;
     } catch (const core::FileError& error) {
-        news().broken(error);
+        callbacks().broken(error);
     } catch (const std::bad_alloc&) {
-        news().broken(core::FileError(core::FileErrorKind::WriteFailed, m_root));
+        callbacks().broken(core::FileError(core::FileErrorKind::WriteFailed, m_root));
     }
     return nullptr;
 }
 
-core::JournalCallbacks JournalShelf::news()
+core::JournalCallbacks RecoveryStore::callbacks()
 {
-    return {.broken = [this](const core::FileError& error) { m_mail.post([this, error] { tellFailure(error); }); },
-            .late = [this](double ms) { m_mail.post([this, ms] { tellLate(ms); }); },
-            .begun = [this] { m_mail.post([this] { takeBegun(); }); }};
+    return {.broken = [this](const core::FileError& error) { m_mailbox.post([this, error] { reportFailure(error); }); },
+            .late = [this](double ms) { m_mailbox.post([this, ms] { reportLate(ms); }); },
+            .begun = [this] { m_mailbox.post([this] { onJournalBegun(); }); }};
 }
 
-void JournalShelf::discard(std::shared_ptr<core::Journal> journal)
+void RecoveryStore::discard(std::shared_ptr<core::Journal> journal)
 {
     if (!journal)
         return;
@@ -129,40 +130,41 @@ void JournalShelf::discard(std::shared_ptr<core::Journal> journal)
         const std::lock_guard lock(m_mutex);
         std::erase(m_open, journal);
     }
-    m_aside.run([journal = std::move(journal)] { journal->remove(); });
+    m_background.run([journal = std::move(journal)] { journal->remove(); });
 }
 
 // --- the present one, and when it fails
 
-void JournalShelf::setPatience(std::chrono::milliseconds patience)
+void RecoveryStore::setRetryInterval(std::chrono::milliseconds interval)
 {
-    m_patience = m_wait = patience;
+    m_retryInterval = m_nextRetryInterval = interval;
 }
 
-void JournalShelf::setPresent(std::shared_ptr<core::Journal> journal)
+void RecoveryStore::setPresent(std::shared_ptr<core::Journal> journal)
 {
     m_journal = std::move(journal);
     for (auto& before : std::exchange(m_superseded, {}))
         discard(std::move(before));
     if (m_journal && !m_journal->isBroken())
-        tellWorks();
+        reportRecording();
 }
 
-void JournalShelf::findRoom(quint64 faces)
+void RecoveryStore::findSpace(quint64 faces)
 {
-    m_aside.run([root = m_root, bytes = bytesAFace * faces + m_limits.segmentBytes] { return roomIn(root, bytes); },
-                [this](const std::shared_ptr<core::JournalFolder>& folder) {
-                    if (folder)
-                        Q_EMIT roomFound(folder);
-                    else
-                        m_again.start(m_wait);
-                });
+    m_background.run(
+        [root = m_root, bytes = bytesPerFace * faces + m_limits.segmentBytes] { return makeFolderIfRoom(root, bytes); },
+        [this](const std::shared_ptr<core::JournalFolder>& folder) {
+            if (folder)
+                Q_EMIT spaceFound(folder);
+            else
+                m_retryTimer.start(m_nextRetryInterval);
+        });
 }
 
-std::shared_ptr<core::Journal> JournalShelf::beginDeferred(const std::shared_ptr<core::JournalFolder>& folder,
-                                                           quint32 present)
+std::shared_ptr<core::Journal> RecoveryStore::beginDeferred(const std::shared_ptr<core::JournalFolder>& folder,
+                                                            quint32 present)
 {
-    auto journal = core::Journal::beginDeferred(folder, present, news(), m_limits);
+    auto journal = core::Journal::beginDeferred(folder, present, callbacks(), m_limits);
     if (const auto before = std::exchange(m_journal, journal))
         m_superseded.push_back(before);
     const std::lock_guard lock(m_mutex);
@@ -170,40 +172,40 @@ std::shared_ptr<core::Journal> JournalShelf::beginDeferred(const std::shared_ptr
     return journal;
 }
 
-/// That of some other journal than the present one is found out by who hears mayRecord().
-void JournalShelf::tellFailure(const core::FileError& error)
+/// A failure of another journal than the present one is noticed by the receiver of retryDue().
+void RecoveryStore::reportFailure(const core::FileError& error)
 {
     if (!std::exchange(m_isFailing, true))
-        Q_EMIT told(tr("Should the program end unexpectedly, changes since the last save would be lost: %1")
-                        .arg(ui::ErrorMessages::sentence(error)));
-    m_again.start(m_wait);
-    m_wait = std::min(2 * m_wait, longestWait);
+        Q_EMIT noticed(tr("Should the program end unexpectedly, changes since the last save would be lost: %1")
+                           .arg(ui::ErrorMessages::sentence(error)));
+    m_retryTimer.start(m_nextRetryInterval);
+    m_nextRetryInterval = std::min(2 * m_nextRetryInterval, maxRetryInterval);
 }
 
-void JournalShelf::tellLate(double ms)
+void RecoveryStore::reportLate(double ms)
 {
     if (!std::exchange(m_hasBeenLate, true))
-        Q_EMIT told(tr("The disk is slow: a power cut could cost the changes of the last %1 seconds.")
-                        .arg(QLocale().toString(ms / 1000, 'f', 1)));
+        Q_EMIT noticed(tr("The disk is slow: a power cut could cost the changes of the last %1 seconds.")
+                           .arg(QLocale().toString(ms / 1000, 'f', 1)));
 }
 
-void JournalShelf::tellWorks()
+void RecoveryStore::reportRecording()
 {
-    m_wait = m_patience;
+    m_nextRetryInterval = m_retryInterval;
     if (std::exchange(m_isFailing, false))
-        Q_EMIT told(tr("Changes are recorded again: should the program end unexpectedly, they come back."));
+        Q_EMIT noticed(tr("Changes are recorded again: should the program end unexpectedly, they come back."));
 }
 
-void JournalShelf::takeBegun()
+void RecoveryStore::onJournalBegun()
 {
     if (!m_journal || m_journal->isBroken())
         return;
     for (auto& before : std::exchange(m_superseded, {}))
         discard(std::move(before));
-    m_aside.run([damaged = std::exchange(m_damaged, {}), root = m_root] {
+    m_background.run([damaged = std::exchange(m_damaged, {}), root = m_root] {
         for (const auto& folder : damaged)
             putAside(*folder, {}, root);
     });
-    tellWorks();
+    reportRecording();
 }
 } // namespace app

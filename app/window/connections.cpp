@@ -40,30 +40,30 @@ namespace app
 {
 namespace
 {
-void wireDocument(ui::MainWindow& window, Document& document)
+void connectDocument(ui::MainWindow& window, Document& document)
 {
     using ui::MainWindow;
     QObject::connect(&window, &MainWindow::starterRequested, &document, &Document::openStarter);
     QObject::connect(&window, &MainWindow::saveRequested, &document, &Document::save);
     QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
     QObject::connect(&window, &MainWindow::modelRenamed, &document, &Document::setPath);
-    QObject::connect(&window, &MainWindow::modelFileDeleted, &document, &Document::loseFile);
+    QObject::connect(&window, &MainWindow::modelFileDeleted, &document, &Document::onFileDeleted);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
-    QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateModelInfo);
+    QObject::connect(&document, &Document::modelInfoChanged, &window, &MainWindow::updateModelInfo);
     QObject::connect(&document, &Document::modifiedChanged, &window, &MainWindow::setModified);
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
-    QObject::connect(&document, &Document::mendable, &window,
+    QObject::connect(&document, &Document::repairable, &window,
                      [&window, &document](const QString& path, const QString& problem) {
                          ui::askToRepair(&window, ui::RepairUse::Opening, problem,
                                          [&document, path](const core::RepairOptions& options) {
-                                             document.openMended(path, options);
+                                             document.openRepaired(path, options);
                                          });
                      });
-    QObject::connect(&document, &Document::mended, &window, [&window](const QString& name, const QStringList& steps) {
+    QObject::connect(&document, &Document::repaired, &window, [&window](const QString& name, const QStringList& steps) {
         ui::showRepaired(&window, ui::RepairUse::Opening, name, steps);
     });
-    QObject::connect(&document, &Document::insertionMendable, &window,
+    QObject::connect(&document, &Document::insertionRepairable, &window,
                      [&window, &document](ui::InsertRequest insertion, const QString& problem) {
                          ui::askToRepair(&window, ui::RepairUse::Insertion, problem,
                                          [&document, insertion](const core::RepairOptions& options) mutable {
@@ -71,28 +71,28 @@ void wireDocument(ui::MainWindow& window, Document& document)
                                              document.insert(insertion);
                                          });
                      });
-    QObject::connect(&document, &Document::insertedMended, &window,
+    QObject::connect(&document, &Document::insertedRepaired, &window,
                      [&window](const QString& name, const QStringList& steps) {
                          ui::showRepaired(&window, ui::RepairUse::Insertion, name, steps);
                      });
     QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
     QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
     QObject::connect(&document, &Document::progressed, &window, &MainWindow::setProgress);
-    QObject::connect(&document, &Document::stoppable, &window, &MainWindow::setStoppable);
-    QObject::connect(&window, &MainWindow::stopRequested, &document, &Document::stop);
+    QObject::connect(&document, &Document::cancellable, &window, &MainWindow::setStoppable);
+    QObject::connect(&window, &MainWindow::stopRequested, &document, &Document::cancelJob);
     QObject::connect(&window, &MainWindow::commandRequested, &document, &Document::apply);
     QObject::connect(&window, &MainWindow::insertRequested, &document, &Document::insert);
     QObject::connect(&document, &Document::saved, &window,
-                     [&window, &document] { window.showSaved(document.facts()); });
+                     [&window, &document] { window.showSaved(document.modelInfo()); });
     QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
-    QObject::connect(&window, &MainWindow::brushModelRequested, &document, &Document::keepAsBrush);
-    QObject::connect(&document, &Document::keptAsBrush, &window, &MainWindow::setBrushModel);
-    document.setMayDiscard([&window](const std::function<void()>& goOn) { return window.askToDiscard(goOn); });
-    window.setCanClose([&window, &document] { return document.mayDiscard([&window] { window.close(); }); });
+    QObject::connect(&window, &MainWindow::brushModelRequested, &document, &Document::exportBrush);
+    QObject::connect(&document, &Document::brushExported, &window, &MainWindow::setBrushModel);
+    document.setDiscardPrompt([&window](const std::function<void()>& proceed) { return window.askToDiscard(proceed); });
+    window.setCanClose([&window, &document] { return document.canDiscard([&window] { window.close(); }); });
 }
 
 /// The doubt lasts until the model is another one, by whatever means.
-void wireUnits(ui::MainWindow& window, Document& document)
+void connectUnits(ui::MainWindow& window, Document& document)
 {
     using ui::UnitBar;
     const auto leave = [&window] {
@@ -100,11 +100,11 @@ void wireUnits(ui::MainWindow& window, Document& document)
             bar->dismiss();
     };
     QObject::connect(&document.undoStack(), &QUndoStack::indexChanged, &window, leave);
-    QObject::connect(&document, &Document::opened, &window, [&window, &document, leave](const ui::ModelInfo& facts) {
+    QObject::connect(&document, &Document::opened, &window, [&window, &document, leave](const ui::ModelInfo& info) {
         leave();
-        if (facts.unitGuess == core::UnitDoubt::None)
+        if (info.unitGuess == core::UnitDoubt::None)
             return;
-        auto* bar = new UnitBar({facts.name, facts.size.maxCoeff(), facts.unitGuess}, &window);
+        auto* bar = new UnitBar({info.name, info.size.maxCoeff(), info.unitGuess}, &window);
         QObject::connect(&document, &Document::busy, bar, [bar] { bar->setEnabled(false); });
         QObject::connect(&document, &Document::idle, bar, [bar] { bar->setEnabled(true); });
         QObject::connect(bar, &UnitBar::unitChosen, &document, [&window, &document](double millimetres) {
@@ -116,7 +116,7 @@ void wireUnits(ui::MainWindow& window, Document& document)
 
 /// What the hand did last counts among the changes, though it may not have come to the document yet. A window that
 /// closes leaves VR, which takes until that has ended or is given up.
-void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
+void connectClosing(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::MainWindow;
     using ui::Viewport;
@@ -132,14 +132,14 @@ void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
     window.setIsSettled([&viewport, &document, headset] {
         viewport.finish();
         headset->leave();
-        return !viewport.isPressPending() && !headset->isIn() && document.isSettled();
+        return !viewport.isPressPending() && !headset->isActive() && document.isSettled();
     });
     QObject::connect(headset, &Headset::reported, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
     QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
     QObject::connect(&document, &Document::historyChanged, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
 }
 
-void wireHistory(ui::MainWindow& window, Document& document)
+void connectHistory(ui::MainWindow& window, Document& document)
 {
     QAction* undo = window.action(QStringLiteral("edit.undo"));
     QAction* redo = window.action(QStringLiteral("edit.redo"));
@@ -153,7 +153,7 @@ void wireHistory(ui::MainWindow& window, Document& document)
     });
 }
 
-void wireHistoryPanel(ui::MainWindow& window, Document& document)
+void connectHistoryPanel(ui::MainWindow& window, Document& document)
 {
     using ui::HistoryPanel;
     HistoryPanel* panel = window.history();
@@ -167,7 +167,7 @@ void wireHistoryPanel(ui::MainWindow& window, Document& document)
     };
     setCap(panel->cap());
     QObject::connect(panel, &HistoryPanel::jumpRequested, &document, &Document::goTo);
-    QObject::connect(panel, &HistoryPanel::stateRequested, new HistoryScrubber(&document), &HistoryScrubber::want);
+    QObject::connect(panel, &HistoryPanel::stateRequested, new HistoryScrubber(&document), &HistoryScrubber::scrubTo);
     QObject::connect(panel, &HistoryPanel::capChanged, panel, setCap);
     QObject::connect(panel, &HistoryPanel::shown, panel, show);
     QObject::connect(&document, &Document::historyChanged, panel, show);
@@ -175,64 +175,66 @@ void wireHistoryPanel(ui::MainWindow& window, Document& document)
 }
 
 /// The swatches belong to the document where its file has some; else they are the person's.
-void wirePalette(ui::MainWindow& window, Document& document)
+void connectPalette(ui::MainWindow& window, Document& document)
 {
     using ui::ColorPanel;
     auto* panel = window.findChild<ColorPanel*>();
-    const auto keep = [panel, &document] { document.setPalette({panel->swatches().begin(), panel->swatches().end()}); };
-    QObject::connect(panel, &ColorPanel::swatchesChanged, &document, keep);
-    QObject::connect(&document, &Document::opened, panel, [panel, keep](const ui::ModelInfo& facts) {
-        if (facts.metadata.palette.empty())
-            keep();
+    const auto store = [panel, &document] {
+        document.setPalette({panel->swatches().begin(), panel->swatches().end()});
+    };
+    QObject::connect(panel, &ColorPanel::swatchesChanged, &document, store);
+    QObject::connect(&document, &Document::opened, panel, [panel, store](const ui::ModelInfo& info) {
+        if (info.metadata.palette.empty())
+            store();
         else
-            panel->setSwatches({facts.metadata.palette.begin(), facts.metadata.palette.end()});
+            panel->setSwatches({info.metadata.palette.begin(), info.metadata.palette.end()});
     });
 }
 
 /// View and brush go with the document, too.
-void wireNotes(ui::MainWindow& window, Document& document)
+void connectMetadata(ui::MainWindow& window, Document& document)
 {
-    document.setCompleteNotes([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
+    document.setCompleteMetadata([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
     QObject::connect(&document, &Document::opened, &window,
-                     [&window](const ui::ModelInfo& facts) { ui::applyMetadata(window, facts.metadata); });
+                     [&window](const ui::ModelInfo& info) { ui::applyMetadata(window, info.metadata); });
 }
 
-void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
+void connectModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
     using ui::ModelPanel;
     ModelPanel* panel = window.modelPanel();
-    auto* inquiry = new ModelInquiry(&document, &worker);
-    QObject::connect(panel, &ModelPanel::watched, inquiry, &ModelInquiry::setWanted);
-    QObject::connect(inquiry, &ModelInquiry::outdated, panel, &ModelPanel::setStale);
-    QObject::connect(inquiry, &ModelInquiry::answered, panel, &ModelPanel::setReport);
+    auto* analysis = new ModelAnalysis(&document, &worker);
+    QObject::connect(panel, &ModelPanel::watched, analysis, &ModelAnalysis::setActive);
+    QObject::connect(analysis, &ModelAnalysis::outdated, panel, &ModelPanel::setStale);
+    QObject::connect(analysis, &ModelAnalysis::finished, panel, &ModelPanel::setReport);
 }
 
-/// The model shows what was measured while the panel can be seen and the answer is of the model as it is.
-void wirePrintPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
+/// The model shows what was measured while the panel is visible and the result is of the present model.
+void connectPrintPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
     using ui::PrintPanel;
     auto* panel = window.findChild<PrintPanel*>();
     ui::Viewport* viewport = window.viewport();
-    auto* inquiry = new PrintInquiry(&document, &worker);
-    const auto wish = [panel, inquiry] { inquiry->setWishes({panel->limits(), panel->picture()}); };
-    wish();
-    QObject::connect(panel, &PrintPanel::optionsChanged, inquiry, wish);
-    QObject::connect(panel, &PrintPanel::checkRequested, inquiry, &PrintInquiry::askAgain);
-    QObject::connect(panel, &PrintPanel::stopRequested, inquiry, &PrintInquiry::stop);
-    QObject::connect(panel, &PrintPanel::watched, inquiry, [viewport, inquiry, wish](bool isWatched) {
-        inquiry->setWanted(isWatched);
+    auto* analysis = new PrintAnalysis(&document, &worker);
+    const auto applyOptions = [panel, analysis] { analysis->setOptions({panel->limits(), panel->picture()}); };
+    applyOptions();
+    QObject::connect(panel, &PrintPanel::optionsChanged, analysis, applyOptions);
+    QObject::connect(panel, &PrintPanel::checkRequested, analysis, &PrintAnalysis::runNow);
+    QObject::connect(panel, &PrintPanel::stopRequested, analysis, &PrintAnalysis::stop);
+    QObject::connect(panel, &PrintPanel::watched, analysis, [viewport, analysis, applyOptions](bool isWatched) {
+        analysis->setActive(isWatched);
         if (isWatched)
-            wish();
+            applyOptions();
         else
             viewport->setShades(nullptr);
     });
-    QObject::connect(inquiry, &PrintInquiry::progressed, panel, &PrintPanel::setProgress);
-    QObject::connect(inquiry, &PrintInquiry::outdated, panel, [panel, viewport] {
+    QObject::connect(analysis, &PrintAnalysis::progressed, panel, &PrintPanel::setProgress);
+    QObject::connect(analysis, &PrintAnalysis::outdated, panel, [panel, viewport] {
         panel->setStale();
         viewport->setShades(nullptr);
         viewport->clearMark();
     });
-    QObject::connect(inquiry, &PrintInquiry::answered, panel,
+    QObject::connect(analysis, &PrintAnalysis::finished, panel,
                      [panel, viewport](const core::MeshReport& mesh, const core::PrintReport& print,
                                        const std::shared_ptr<const core::Footprint>& shades) {
                          panel->setReport(mesh, print);
@@ -240,7 +242,7 @@ void wirePrintPanel(ui::MainWindow& window, Document& document, SculptWorker& wo
                      });
 }
 
-void wireStrokes(ui::Viewport& viewport, Document& document)
+void connectStrokes(ui::Viewport& viewport, Document& document)
 {
     using ui::Viewport;
     QObject::connect(&viewport, &Viewport::strokeBegan, &document, &Document::beginStroke);
@@ -249,7 +251,7 @@ void wireStrokes(ui::Viewport& viewport, Document& document)
     QObject::connect(&viewport, &Viewport::sphereRequested, &document, &Document::addSphere);
 }
 
-void wireWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
+void connectWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
 {
     using ui::Viewport;
     viewport.setPatchSource([inbox] { return inbox->take(); });
@@ -262,7 +264,7 @@ void wireWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_
     worker.setInbox(Source::Desktop, inbox);
 }
 
-void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
+void connectDrawings(ui::MainWindow& window, SculptWorker& worker)
 {
     auto* drawings = new DrawingWorker(&worker, &window);
     auto* panel = window.findChild<ui::PreviewPanel*>();
@@ -273,15 +275,15 @@ void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
     QObject::connect(drawings, &DrawingWorker::noticed, &window, &ui::MainWindow::showNotice);
 }
 
-void wireReports(ui::MainWindow& window, Document& document)
+void connectReports(ui::MainWindow& window, Document& document)
 {
-    auto* desk = new ReportDesk(document.longWork(), &window);
-    QObject::connect(&window, &ui::MainWindow::reportRequested, desk, &ReportDesk::write);
-    QObject::connect(desk, &ReportDesk::noticed, &window, &ui::MainWindow::showNotice);
-    QObject::connect(desk, &ReportDesk::refused, &window, &ui::MainWindow::showProblem);
+    auto* controller = new ReportController(document.job(), &window);
+    QObject::connect(&window, &ui::MainWindow::reportRequested, controller, &ReportController::write);
+    QObject::connect(controller, &ReportController::noticed, &window, &ui::MainWindow::showNotice);
+    QObject::connect(controller, &ReportController::refused, &window, &ui::MainWindow::showProblem);
 }
 
-void wireClassFiles(ui::MainWindow& window)
+void connectClassFiles(ui::MainWindow& window)
 {
     QObject::connect(&window, &ui::MainWindow::classroomDrafted, &window, [&window](const ui::ClassroomDraft& draft) {
         ui::Classroom classroom = draft.classroom;
@@ -295,33 +297,34 @@ void wireClassFiles(ui::MainWindow& window)
 }
 } // namespace
 
-void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
+void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker,
+                const std::shared_ptr<PatchInbox>& inbox)
 {
-    wireDocument(window, document);
-    wireUnits(window, document);
-    wireSettling(window, document, wireHeadset(window, document, worker));
-    wireHistory(window, document);
-    wireHistoryPanel(window, document);
-    wirePalette(window, document);
-    wireNotes(window, document);
-    wireModelPanel(window, document, worker);
-    wirePrintPanel(window, document, worker);
-    new LessonDesk(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
-    new StrokeEdit(window, document);         // the same: what is wanted of the last stroke comes before the next
-    new LessonEditorDesk(window, document, worker);
-    wireStrokes(*window.viewport(), document);
-    wireWorker(*window.viewport(), worker, inbox);
-    wireDrawings(window, worker);
-    wireReports(window, document);
-    new TimeLapseDesk(window, document);
-    wireClassFiles(window);
+    connectDocument(window, document);
+    connectUnits(window, document);
+    connectClosing(window, document, connectHeadset(window, document, worker));
+    connectHistory(window, document);
+    connectHistoryPanel(window, document);
+    connectPalette(window, document);
+    connectMetadata(window, document);
+    connectModelPanel(window, document, worker);
+    connectPrintPanel(window, document, worker);
+    new LessonController(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
+    new StrokeEdit(window, document); // the same: requested changes of the last stroke come before the next
+    new LessonEditorController(window, document, worker);
+    connectStrokes(*window.viewport(), document);
+    connectWorker(*window.viewport(), worker, inbox);
+    connectDrawings(window, worker);
+    connectReports(window, document);
+    new TimeLapseController(window, document);
+    connectClassFiles(window);
 }
 
-void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf)
+void connectRecovery(ui::MainWindow& window, Document& document, RecoveryStore& recoveryStore)
 {
     using ui::RecoveryBar;
-    document.keepJournals(&shelf);
-    const auto show = [&window, &document, &shelf](const RecoveryOffer& offer) {
+    document.keepJournals(&recoveryStore);
+    const auto show = [&window, &document, &recoveryStore](const RecoveryOffer& offer) {
         for (RecoveryBar* before : window.findChildren<RecoveryBar*>())
             before->leave();
         if (offer.id == 0)
@@ -329,21 +332,22 @@ void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shel
         auto* bar = new RecoveryBar({offer.name, offer.changed, offer.steps}, &window);
         QObject::connect(bar, &RecoveryBar::recoverRequested, &document,
                          [&document, offer] { document.recover(offer.id, offer.name); });
-        QObject::connect(bar, &RecoveryBar::discardRequested, &shelf, [&shelf, offer] { shelf.discard(offer.id); });
+        QObject::connect(bar, &RecoveryBar::discardRequested, &recoveryStore,
+                         [&recoveryStore, offer] { recoveryStore.discard(offer.id); });
     };
-    QObject::connect(&shelf, &JournalShelf::offered, &window, show);
-    shelf.look();
+    QObject::connect(&recoveryStore, &RecoveryStore::offered, &window, show);
+    recoveryStore.findAbandoned();
 }
 
-void wireLessonKeeping(Document& document, const std::filesystem::path& root)
+void connectLessonAutosave(Document& document, const std::filesystem::path& root)
 {
-    document.findChild<LessonEditorDesk*>()->keepLessons(root);
+    document.findChild<LessonEditorController*>()->enableAutosave(root);
 }
 
-void wireClassroom(ui::MainWindow& window, ClassroomMode& mode)
+void connectClassroom(ui::MainWindow& window, ClassroomMode& mode)
 {
     QObject::connect(&mode, &ClassroomMode::noticed, &window, &ui::MainWindow::showNotice);
-    QObject::connect(&mode, &ClassroomMode::noticed, window.findChild<Headset*>(), &Headset::tell);
+    QObject::connect(&mode, &ClassroomMode::noticed, window.findChild<Headset*>(), &Headset::showNotice);
     QObject::connect(window.findChild<ui::ClassBar*>(), &ui::ClassBar::timeShown, window.findChild<ui::PartnerBar*>(),
                      &ui::PartnerBar::setTime);
 }

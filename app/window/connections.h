@@ -12,22 +12,23 @@ namespace app
 {
 class ClassroomMode;
 class Document;
-class JournalShelf;
+class RecoveryStore;
 class PatchInbox;
 class SculptWorker;
 
-/// The rooms' lines to each other. All must outlive the event loop; the window goes before the document, and that
-/// before the worker.
-void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox);
+/// Connects window, document and worker. All must outlive the event loop; the window is destroyed before the document,
+/// and that before the worker.
+void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker,
+                const std::shared_ptr<PatchInbox>& inbox);
 
-/// Changes are recorded on the shelf, and what it has from before is offered in the window. The shelf must outlive the
+/// Changes are recorded in the store, and what it has from before is offered in the window. The store must outlive the
 /// document.
-void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf);
+void connectRecovery(ui::MainWindow& window, Document& document, RecoveryStore& recoveryStore);
 
-/// A lesson that is not saved is kept there, and what is there from before is offered in the window. wire() comes
+/// Autosaves unsaved lessons there, and offers those of earlier runs in the window. connectAll() comes
 /// first.
-void wireLessonKeeping(Document& document, const std::filesystem::path& root);
+void connectLessonAutosave(Document& document, const std::filesystem::path& root);
 
-/// What a class says is read in the window and in the headset. wire() comes first.
-void wireClassroom(ui::MainWindow& window, ClassroomMode& mode);
+/// What a class says is read in the window and in the headset. connectAll() comes first.
+void connectClassroom(ui::MainWindow& window, ClassroomMode& mode);
 } // namespace app

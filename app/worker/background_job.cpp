@@ -10,46 +10,46 @@ namespace
 constexpr int progressSteps = 100;
 } // namespace
 
-void LongWork::begin(const QString& what)
+void BackgroundJob::begin(const QString& what)
 {
     m_isBusy = true;
     Q_EMIT busy(what);
 }
 
-core::JobControl LongWork::beginStoppable(const QString& what)
+core::JobControl BackgroundJob::beginCancellable(const QString& what)
 {
     begin(what);
-    Q_EMIT stoppable(true);
+    Q_EMIT cancellable(true);
     m_stop = std::stop_source();
-    const auto told = std::make_shared<int>(-1);
-    const auto progress = [this, told](double share) {
+    const auto lastStep = std::make_shared<int>(-1);
+    const auto progress = [this, lastStep](double share) {
         const int step = static_cast<int>(share * progressSteps);
-        if (std::exchange(*told, step) != step)
-            m_mail.post([this, share] { Q_EMIT progressed(share); });
+        if (std::exchange(*lastStep, step) != step)
+            m_mailbox.post([this, share] { Q_EMIT progressed(share); });
     };
     return {m_stop.get_token(), progress};
 }
 
-void LongWork::rename(const QString& what)
+void BackgroundJob::rename(const QString& what)
 {
-    m_mail.post([this, what] { Q_EMIT busy(what); });
+    m_mailbox.post([this, what] { Q_EMIT busy(what); });
 }
 
-void LongWork::keep()
+void BackgroundJob::commit()
 {
     m_stop = std::stop_source(std::nostopstate);
-    Q_EMIT stoppable(false);
+    Q_EMIT cancellable(false);
 }
 
-void LongWork::end()
+void BackgroundJob::end()
 {
     m_isBusy = false;
     Q_EMIT idle();
 }
 
-void LongWork::stop()
+void BackgroundJob::cancel()
 {
     m_stop.request_stop();
-    Q_EMIT stoppable(false);
+    Q_EMIT cancellable(false);
 }
 } // namespace app

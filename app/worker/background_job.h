@@ -10,9 +10,9 @@
 
 namespace app
 {
-/// The one long piece of work that may go on at a time: what it is, how far it is, its end by hand, and a thread for
-/// the part of it that nobody else has to do. Gui thread, but where it says otherwise.
-class LongWork : public QObject
+/// The one long job that may run at a time: its name, its progress, its cancellation, and a thread for its background
+/// part. Thread: gui, except where stated.
+class BackgroundJob : public QObject
 {
     Q_OBJECT
 
@@ -22,31 +22,34 @@ public:
     bool isBusy() const { return m_isBusy; }
 
     void begin(const QString& what);
-    /// What stop() ends; it hears of both by the watch.
-    core::JobControl beginStoppable(const QString& what);
-    /// It is called otherwise now. Any thread.
+    /// As begin(), for a job that cancel() can end. Returns its progress and cancellation.
+    core::JobControl beginCancellable(const QString& what);
+    /// Changes the name that is shown. Thread: any.
     void rename(const QString& what);
-    /// Once it is as good as done: stop() has no effect any more.
-    void keep();
+    /// The job is as good as done: cancel() has no effect any more.
+    void commit();
     void end();
 
-    void stop();
-    bool wasStopped() const { return m_stop.stop_requested(); }
+    void cancel();
+    bool wasCancelled() const { return m_stop.stop_requested(); }
 
-    /// take(work()): the work is done on the thread aside, and taken by the gui thread. Any thread.
-    template <class Work, class Take> void run(Work work, Take take) { m_aside.run(std::move(work), std::move(take)); }
+    /// Runs work() on the background thread, then onDone(result) on the gui thread. Thread: any.
+    template <class Work, class OnDone> void run(Work work, OnDone onDone)
+    {
+        m_background.run(std::move(work), std::move(onDone));
+    }
 
 Q_SIGNALS:
     void busy(const QString& what);
-    void stoppable(bool canStop);
+    void cancellable(bool canStop);
     /// 0 to 1.
     void progressed(double share);
     void idle();
 
 private:
     bool m_isBusy = false;
-    std::stop_source m_stop; ///< of what goes on
-    ui::ThreadMailbox m_mail;
-    ui::BackgroundThread m_aside; ///< last
+    std::stop_source m_stop; ///< of the present job
+    ui::ThreadMailbox m_mailbox;
+    ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

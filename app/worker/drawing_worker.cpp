@@ -16,8 +16,8 @@ namespace app
 {
 namespace
 {
-constexpr auto rest = std::chrono::milliseconds(250); ///< without a change: the fine drawing is made
-constexpr std::size_t maxEdges = 300'000, mostInterimEdges = 40'000;
+constexpr auto idleDelay = std::chrono::milliseconds(250); ///< without a change: the fine drawing is made
+constexpr std::size_t maxEdges = 300'000, maxInterimEdges = 40'000;
 constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640; ///< along the longest side
 
 double msSince(std::int64_t start)
@@ -36,43 +36,43 @@ DrawingWorker::~DrawingWorker()
 {
     m_worker->setInbox(Source::Drawings, nullptr);
     {
-        const std::lock_guard lock(m_desk->mutex);
-        m_desk->isStopping = true;
-        m_desk->stop.request_stop();
-        m_desk->stopFine.request_stop();
+        const std::lock_guard lock(m_shared->mutex);
+        m_shared->isStopping = true;
+        m_shared->stop.request_stop();
+        m_shared->stopFine.request_stop();
     }
-    m_desk->wake.notify_all();
+    m_shared->wake.notify_all();
     m_thread.join();
 }
 
 double DrawingWorker::latencyMs() const
 {
-    const std::lock_guard lock(m_desk->mutex);
-    return m_desk->latencyMs;
+    const std::lock_guard lock(m_shared->mutex);
+    return m_shared->latencyMs;
 }
 
 void DrawingWorker::watch(bool isSeen, bool shaded)
 {
     {
-        const std::lock_guard lock(m_desk->mutex);
-        if (isSeen == m_desk->isSeen && shaded == m_desk->shaded)
+        const std::lock_guard lock(m_shared->mutex);
+        if (isSeen == m_shared->isSeen && shaded == m_shared->shaded)
             return;
-        m_desk->shaded = shaded;
-        m_desk->hasNews = true;
-        m_desk->stop.request_stop();
-        m_desk->stopFine.request_stop();
-        if (isSeen != m_desk->isSeen) {
-            m_desk->isSeen = isSeen;
-            m_desk->inbox = isSeen ? std::make_shared<PatchInbox>() : nullptr;
-            m_desk->hasPatch = false;
+        m_shared->shaded = shaded;
+        m_shared->hasChanged = true;
+        m_shared->stop.request_stop();
+        m_shared->stopFine.request_stop();
+        if (isSeen != m_shared->isSeen) {
+            m_shared->isSeen = isSeen;
+            m_shared->inbox = isSeen ? std::make_shared<PatchInbox>() : nullptr;
+            m_shared->hasPatch = false;
             if (isSeen)
                 connect(
-                    m_desk->inbox.get(), &PatchInbox::filled, m_desk->inbox.get(),
-                    [desk = std::weak_ptr(m_desk)] { tellOfPatch(desk); }, Qt::DirectConnection);
-            m_worker->setInbox(Source::Drawings, m_desk->inbox);
+                    m_shared->inbox.get(), &PatchInbox::filled, m_shared->inbox.get(),
+                    [shared = std::weak_ptr(m_shared)] { onPatch(shared); }, Qt::DirectConnection);
+            m_worker->setInbox(Source::Drawings, m_shared->inbox);
         }
     }
-    m_desk->wake.notify_all();
+    m_shared->wake.notify_all();
 }
 
 void DrawingWorker::exportTo(const QString& path, const QString& modelName, bool shaded)
@@ -81,35 +81,36 @@ void DrawingWorker::exportTo(const QString& path, const QString& modelName, bool
         Q_EMIT refused(ui::ErrorMessages::notADrawing(path));
         return;
     }
-    m_worker->post([desk = m_desk, order = Order{path, modelName, shaded, {}}](const core::Sculptor& sculptor) mutable {
-        order.model = sculptor.wholePatch();
-        const std::lock_guard lock(desk->mutex);
-        desk->orders.push_back(std::move(order));
-        desk->wake.notify_all();
-    });
+    m_worker->post(
+        [shared = m_shared, request = Request{path, modelName, shaded, {}}](const core::Sculptor& sculptor) mutable {
+            request.model = sculptor.wholePatch();
+            const std::lock_guard lock(shared->mutex);
+            shared->requests.push_back(std::move(request));
+            shared->wake.notify_all();
+        });
 }
 
 /// On the mesh thread.
-void DrawingWorker::tellOfPatch(const std::weak_ptr<Desk>& weak)
+void DrawingWorker::onPatch(const std::weak_ptr<SharedState>& weak)
 {
-    if (const auto desk = weak.lock()) {
-        const std::lock_guard lock(desk->mutex);
-        desk->hasPatch = true;
-        desk->changedNs = desk->changedNs != 0 ? desk->changedNs : steadyNs();
-        desk->stopFine.request_stop();
-        desk->wake.notify_all();
+    if (const auto shared = weak.lock()) {
+        const std::lock_guard lock(shared->mutex);
+        shared->hasPatch = true;
+        shared->changedNs = shared->changedNs != 0 ? shared->changedNs : steadyNs();
+        shared->stopFine.request_stop();
+        shared->wake.notify_all();
     }
 }
 
 void DrawingWorker::run()
 {
-    std::unique_lock lock(m_desk->mutex);
+    std::unique_lock lock(m_shared->mutex);
     while (wait(lock)) {
-        if (!m_desk->orders.empty()) {
-            const Order order = std::move(m_desk->orders.front());
-            m_desk->orders.pop_front();
+        if (!m_shared->requests.empty()) {
+            const Request request = std::move(m_shared->requests.front());
+            m_shared->requests.pop_front();
             lock.unlock();
-            write(order);
+            write(request);
         } else {
             lock.unlock();
             draw();
@@ -122,55 +123,56 @@ void DrawingWorker::run()
 bool DrawingWorker::wait(std::unique_lock<std::mutex>& lock)
 {
     const auto isAwake = [this] {
-        return m_desk->isStopping || m_desk->hasPatch || m_desk->hasNews || !m_desk->orders.empty();
+        return m_shared->isStopping || m_shared->hasPatch || m_shared->hasChanged || !m_shared->requests.empty();
     };
     if (m_isFine)
-        m_desk->wake.wait(lock, isAwake);
+        m_shared->wake.wait(lock, isAwake);
     else
-        m_desk->wake.wait_for(lock, rest, isAwake);
-    return !m_desk->isStopping;
+        m_shared->wake.wait_for(lock, idleDelay, isAwake);
+    return !m_shared->isStopping;
 }
 
 void DrawingWorker::draw()
 {
-    const Turn turn = takeTurn();
-    if (turn.inbox != std::exchange(m_inbox, turn.inbox)) {
-        m_drawer.reset();
+    const Assignment assignment = takeAssignment();
+    if (assignment.inbox != std::exchange(m_inbox, assignment.inbox)) {
+        m_incremental.reset();
         m_changedNs = 0;
     }
     m_isFine = true;
     if (!m_inbox)
         return;
-    if (!m_drawer)
-        m_drawer.emplace(interimPixels, mostInterimEdges);
+    if (!m_incremental)
+        m_incremental.emplace(interimPixels, maxInterimEdges);
     const auto patch = m_inbox->take();
     if (patch) {
-        m_drawer->apply(*patch);
+        m_incremental->apply(*patch);
         if (patch->sampledNs != 0 && m_changedNs == 0)
-            m_changedNs = turn.changedNs;
+            m_changedNs = assignment.changedNs;
     }
-    if (m_drawer->model().faces.empty())
+    if (m_incremental->model().faces.empty())
         return;
-    if (patch || turn.hasNews)
-        show(m_drawer->draw(turn.shaded, turn.stop), false);
+    if (patch || assignment.hasChanged)
+        show(m_incremental->draw(assignment.shaded, assignment.stop), false);
     else
-        show(core::drawLines(m_drawer->model(), {turn.shaded ? shadedPixels : finePixels, turn.shaded, maxEdges},
-                             turn.stopFine),
+        show(core::drawLines(m_incremental->model(),
+                             {assignment.shaded ? shadedPixels : finePixels, assignment.shaded, maxEdges},
+                             assignment.stopFine),
              true);
 }
 
-DrawingWorker::Turn DrawingWorker::takeTurn()
+DrawingWorker::Assignment DrawingWorker::takeAssignment()
 {
-    const std::lock_guard lock(m_desk->mutex);
-    m_desk->hasPatch = false;
-    m_desk->stop = {};
-    m_desk->stopFine = {};
-    return {m_desk->inbox,
-            m_desk->shaded,
-            std::exchange(m_desk->hasNews, false),
-            std::exchange(m_desk->changedNs, 0),
-            m_desk->stop.get_token(),
-            m_desk->stopFine.get_token()};
+    const std::lock_guard lock(m_shared->mutex);
+    m_shared->hasPatch = false;
+    m_shared->stop = {};
+    m_shared->stopFine = {};
+    return {m_shared->inbox,
+            m_shared->shaded,
+            std::exchange(m_shared->hasChanged, false),
+            std::exchange(m_shared->changedNs, 0),
+            m_shared->stop.get_token(),
+            m_shared->stopFine.get_token()};
 }
 
 /// If it was stopped, something newer is to be drawn.
@@ -181,24 +183,25 @@ void DrawingWorker::show(std::optional<core::LineDrawing> drawing, bool isFine)
         return;
     drawing->isInterim = !isFine;
     if (m_changedNs != 0) {
-        const std::lock_guard lock(m_desk->mutex);
-        m_desk->latencyMs = msSince(std::exchange(m_changedNs, 0));
+        const std::lock_guard lock(m_shared->mutex);
+        m_shared->latencyMs = msSince(std::exchange(m_changedNs, 0));
     }
-    m_mail.post([this, made = std::make_shared<const core::LineDrawing>(*std::move(drawing))] { Q_EMIT drawn(made); });
+    m_mailbox.post(
+        [this, result = std::make_shared<const core::LineDrawing>(*std::move(drawing))] { Q_EMIT drawn(result); });
 }
 
-void DrawingWorker::write(const Order& order)
+void DrawingWorker::write(const Request& request)
 {
     core::DrawArrays model;
-    model.apply(order.model);
-    auto drawing = core::drawLines(model, ui::sheetDetail(order.shaded), {});
+    model.apply(request.model);
+    auto drawing = core::drawLines(model, ui::sheetDetail(request.shaded), {});
     try {
-        ui::writeSheet(order.path.toStdU16String(),
-                       {order.modelName, QDate::currentDate(), *std::move(drawing), order.shaded});
-        m_mail.post(
-            [this, path = order.path] { Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(path))); });
+        ui::writeSheet(request.path.toStdU16String(),
+                       {request.modelName, QDate::currentDate(), *std::move(drawing), request.shaded});
+        m_mailbox.post(
+            [this, path = request.path] { Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(path))); });
     } catch (const core::FileError& error) {
-        m_mail.post([this, sentence = ui::ErrorMessages::sentence(error)] { Q_EMIT refused(sentence); });
+        m_mailbox.post([this, sentence = ui::ErrorMessages::sentence(error)] { Q_EMIT refused(sentence); });
     }
 }
 } // namespace app

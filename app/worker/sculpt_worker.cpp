@@ -37,7 +37,7 @@ void SculptWorker::stop()
     if (m_thread.joinable())
         m_thread.join();
     if (const auto journal = std::exchange(m_journal, nullptr))
-        journal->drain(); // its letters are ours
+        journal->drain(); // its callbacks use this object
 }
 
 void SculptWorker::setInbox(Source source, std::shared_ptr<PatchInbox> inbox)
@@ -130,7 +130,7 @@ void SculptWorker::setModel(std::shared_ptr<core::Sculptor> sculptor, std::share
 
 void SculptWorker::setJournal(std::shared_ptr<core::Journal> journal)
 {
-    m_queue.push(Task([this, journal = std::move(journal)]() mutable { takeJournal(std::move(journal)); }));
+    m_queue.push(Task([this, journal = std::move(journal)]() mutable { replaceJournal(std::move(journal)); }));
 }
 
 void SculptWorker::post(std::function<void(core::Sculptor&)> job)
@@ -146,7 +146,7 @@ void SculptWorker::post(std::function<void(core::Sculptor&)> job)
 
 void SculptWorker::confirm()
 {
-    m_queue.push(Task([this] { tell([this] { Q_EMIT confirmed(); }); }));
+    m_queue.push(Task([this] { notify([this] { Q_EMIT confirmed(); }); }));
 }
 
 WorkerStats SculptWorker::stats() const
@@ -168,9 +168,9 @@ void SculptWorker::run()
 }
 
 /// What is told is told in order, and not before it would survive the program.
-void SculptWorker::tell(std::function<void()> news)
+void SculptWorker::notify(std::function<void()> notification)
 {
-    auto post = [this, news = std::move(news)]() mutable { m_mail.post(std::move(news)); };
+    auto post = [this, notification = std::move(notification)]() mutable { m_mailbox.post(std::move(notification)); };
     if (m_journal)
         m_journal->after(std::move(post));
     else
@@ -185,7 +185,7 @@ void SculptWorker::run(Task& job)
 void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal)
 {
     ++m_scanGeneration;
-    takeJournal(std::move(journal));
+    replaceJournal(std::move(journal));
     m_sculptor = std::move(sculptor);
     m_sculptor->setBetweenSubsteps([this] { betweenSubsteps(); });
     m_sculptor->takePatch();
@@ -197,13 +197,13 @@ void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor, std::shared
     for (core::Slot f = 0; f < m_sculptor->mesh().slots().faces; ++f)
         m_area += areaOf(m_sculptor->mesh(), f);
     m_epoch = whole.epoch;
-    tell([this, facts = facts()] { Q_EMIT modelSet(facts); });
+    notify([this, facts = facts()] { Q_EMIT modelSet(facts); });
     for (const auto& inbox : m_inboxes)
         if (inbox)
             inbox->put(whole);
 }
 
-void SculptWorker::takeJournal(std::shared_ptr<core::Journal> journal)
+void SculptWorker::replaceJournal(std::shared_ptr<core::Journal> journal)
 {
     if (const auto before = std::exchange(m_journal, std::move(journal)))
         before->drain();
@@ -268,7 +268,7 @@ void SculptWorker::scan(core::Slot first, std::uint64_t generation)
     }
     m_box = m_scannedBox;
     m_area = m_scannedArea;
-    tell([this, facts = facts()] { Q_EMIT factsChanged(facts); });
+    notify([this, facts = facts()] { Q_EMIT factsChanged(facts); });
 }
 
 void SculptWorker::measureLatency(std::int64_t sampledNs)

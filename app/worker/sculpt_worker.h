@@ -35,8 +35,8 @@ struct MeshFacts
 /// A stroke that has ended, in the order of the strokes' beginnings.
 struct StrokeReport
 {
-    std::shared_ptr<core::MeshDelta> delta;      ///< already applied; null if nothing changed
-    std::shared_ptr<const core::FileEntry> deed; ///< a core::Stroke, that did it; null if nothing changed
+    std::shared_ptr<core::MeshDelta> delta;              ///< already applied; null if nothing changed
+    std::shared_ptr<const core::FileEntry> recordedStep; ///< a core::Stroke, that did it; null if nothing changed
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
     quint64 fusions = 0;
@@ -47,18 +47,19 @@ struct StrokeReport
     /// Radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the
     /// other.
     bool sequential = false;
-    bool isAgain = false; ///< of redoStroke()
+    bool isReplacement = false; ///< of replaceLastStroke()
     MeshFacts facts;
 
     /// The same: null if nothing changed.
-    const core::Stroke* stroke() const { return std::get_if<core::Stroke>(deed.get()); }
+    const core::Stroke* stroke() const { return std::get_if<core::Stroke>(recordedStep.get()); }
 };
 
 /// Another stroke in the place of one that was undone.
-struct StrokeAgain
+struct StrokeReplacement
 {
-    StrokeReport before;                                                       ///< of the one that was undone
-    std::function<std::shared_ptr<core::MeshDelta>(core::Sculptor&)> giveBack; ///< does its change again; mesh thread
+    StrokeReport before; ///< of the one that was undone
+    std::function<std::shared_ptr<core::MeshDelta>(core::Sculptor&)>
+        restoreReplaced;                        ///< applies its change again; thread: mesh
     std::shared_ptr<const core::Stroke> stroke; ///< null: the one that was undone comes back, bit for bit
     std::stop_token stop;                       ///< the same, if this is not done yet
 };
@@ -100,10 +101,10 @@ public:
     /// would touch the surface it is refused as too close. As beginStroke().
     bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);
     bool strokeOpen() const;
-    /// Viewers see nothing of what follows until the next redoStroke() is done.
+    /// Viewers see nothing of what follows until the next replaceLastStroke() is done.
     void hidePatches();
     /// Only while it is held: none of its samples is dropped, and it is reported as any stroke.
-    void redoStroke(const StrokeAgain& again);
+    void replaceLastStroke(const StrokeReplacement& replacement);
     /// From now on strokes are refused: the mesh stays as it is but for jobs. False if a stroke is open.
     bool hold();
     void release();
@@ -154,17 +155,17 @@ private:
     void decide(const core::StrokeSample& first);
     core::Shortfall apply(const core::StrokeSample& sample);
     bool isOver(const core::StrokeSample& sample);
-    bool doAgain(const StrokeAgain& again);
-    void giveBack(const StrokeAgain& again);
+    bool doAgain(const StrokeReplacement& replacement);
+    void restoreReplaced(const StrokeReplacement& replacement);
     void report();
     void run(BeginStroke& job);
     void run(Sample& job);
     void run(EndStroke& job);
     void run(Task& job);
     void install(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal);
-    void takeJournal(std::shared_ptr<core::Journal> journal);
+    void replaceJournal(std::shared_ptr<core::Journal> journal);
     void record(const core::MeshDelta& delta);
-    void tell(std::function<void()> news);
+    void notify(std::function<void()> notification);
     void betweenSubsteps();
     bool isFlushDue() const;
     bool flushPatch(); ///< whether there was anything
@@ -173,7 +174,7 @@ private:
     void measureLatency(std::int64_t sampledNs);
     MeshFacts facts() const;
 
-    ui::ThreadMailbox m_mail;
+    ui::ThreadMailbox m_mailbox;
     JobQueue m_queue;
     std::atomic<quint64> m_strokesBegun = 0;
     mutable std::mutex m_mutex; ///< guards the next three

@@ -9,32 +9,32 @@ void SculptWorker::hidePatches()
     m_queue.push(Task([this] { m_isQuiet = true; }));
 }
 
-void SculptWorker::redoStroke(const StrokeAgain& again)
+void SculptWorker::replaceLastStroke(const StrokeReplacement& replacement)
 {
     ++m_strokesBegun;
-    m_queue.push(Task([this, again] {
-        const bool isDone = again.stroke && doAgain(again);
+    m_queue.push(Task([this, replacement] {
+        const bool isDone = replacement.stroke && doAgain(replacement);
         m_isQuiet = false;
         if (!isDone)
-            return giveBack(again);
+            return restoreReplaced(replacement);
         EndStroke end;
         run(end);
     }));
 }
 
 /// False if it was stopped: the mesh is then as if it had not begun.
-bool SculptWorker::doAgain(const StrokeAgain& again)
+bool SculptWorker::doAgain(const StrokeReplacement& replacement)
 {
-    BeginStroke begin{again.stroke->settings, Source::Desktop, again.before.added};
+    BeginStroke begin{replacement.stroke->settings, Source::Desktop, replacement.before.added};
     run(begin);
-    m_report.isAgain = true;
-    for (const core::StrokeSample& sample : again.stroke->samples) {
-        if (again.stop.stop_requested())
+    m_report.isReplacement = true;
+    for (const core::StrokeSample& sample : replacement.stroke->samples) {
+        if (replacement.stop.stop_requested())
             break;
         if (!isOver(sample))
             apply(sample);
     }
-    if (!again.stop.stop_requested())
+    if (!replacement.stop.stop_requested())
         return true;
     if (m_sculptor && m_sculptor->strokeOpen()) {
         core::MeshDelta delta = m_sculptor->endStroke();
@@ -43,11 +43,11 @@ bool SculptWorker::doAgain(const StrokeAgain& again)
     return false;
 }
 
-void SculptWorker::giveBack(const StrokeAgain& again)
+void SculptWorker::restoreReplaced(const StrokeReplacement& replacement)
 {
-    m_report = again.before;
-    m_report.isAgain = true;
-    m_report.delta = m_sculptor ? again.giveBack(*m_sculptor) : nullptr;
+    m_report = replacement.before;
+    m_report.isReplacement = true;
+    m_report.delta = m_sculptor ? replacement.restoreReplaced(*m_sculptor) : nullptr;
     report();
 }
 } // namespace app

@@ -20,7 +20,7 @@ bool isInHand(const std::optional<core::StrokeSettings>& brush)
     return brush && brush->brush == core::BrushShape::Sphere && brush->place == core::Placement::Point;
 }
 
-bool mayAdd(const core::StrokeSettings& settings)
+bool canAdd(const core::StrokeSettings& settings)
 {
     return settings.add && core::canAddSolid(settings.tool) && isInHand(settings);
 }
@@ -45,7 +45,7 @@ void SculptWorker::run(const Question& question)
     if (hit && question.brush && !isInHand(question.brush))
         footprint = std::make_shared<core::Footprint>(m_sculptor->footprint(*question.brush, hit->position));
     if (question.source == Source::Desktop)
-        m_mail.post([this, hit, footprint, epoch = m_epoch] { Q_EMIT answeredDesktop(hit, footprint, epoch); });
+        m_mailbox.post([this, hit, footprint, epoch = m_epoch] { Q_EMIT answeredDesktop(hit, footprint, epoch); });
     else
         Q_EMIT answeredHeadset(hit, footprint, m_epoch);
 }
@@ -66,7 +66,7 @@ void SculptWorker::run(BeginStroke& job)
     m_report.tool = job.settings.tool;
     m_report.hasModel = job.settings.model != nullptr;
     m_stroke = job;
-    m_course = mayAdd(job.settings) ? Course::Undecided : Course::Open;
+    m_course = canAdd(job.settings) ? Course::Undecided : Course::Open;
     m_samples.clear();
     ++m_scanGeneration;
     if (!m_sculptor)
@@ -97,7 +97,7 @@ bool SculptWorker::isOver(const core::StrokeSample& sample)
         decide(sample);
     if (!m_sculptor || m_course == Course::Over)
         return true;
-    if (mayAdd(m_stroke.settings)) // a hand that pulls faster than the clay follows leaves no row of balls
+    if (canAdd(m_stroke.settings)) // a hand that pulls faster than the clay follows leaves no row of balls
         m_course = Course::Over;
     return false;
 }
@@ -143,7 +143,7 @@ void SculptWorker::run(EndStroke&)
             std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         if (!delta->empty()) {
             m_report.delta = std::move(delta);
-            m_report.deed = std::make_shared<const core::FileEntry>(
+            m_report.recordedStep = std::make_shared<const core::FileEntry>(
                 core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
         }
         m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
@@ -160,12 +160,12 @@ void SculptWorker::report()
             record(*m_report.delta);
         startScan();
     }
-    tell([this, report = std::exchange(m_report, {})] { Q_EMIT strokeFinished(report); });
+    notify([this, report = std::exchange(m_report, {})] { Q_EMIT strokeFinished(report); });
 }
 
 void SculptWorker::record(const core::MeshDelta& delta)
 {
-    const StepWords words = StrokeStep::wordsOf(m_report);
-    m_journal->changed(m_sculptor->mesh(), delta, StrokeStep::forJournal(words.text, words.marks));
+    const StepDescription step = StrokeStep::descriptionOf(m_report);
+    m_journal->changed(m_sculptor->mesh(), delta, StrokeStep::forJournal(step.text, step.marks));
 }
 } // namespace app

@@ -59,19 +59,20 @@ QString StrokeStep::textOfAdding(bool isModel)
     return isModel ? tr("Add Model", "undo step") : tr("Add Ball", "undo step");
 }
 
-StepWords StrokeStep::wordsOf(const StrokeReport& report)
+StepDescription StrokeStep::descriptionOf(const StrokeReport& report)
 {
-    const StepMarks marks{report.added ? addIcon : iconOf(report.tool), report.dabs, report.fusions, report.deed};
+    const StepMarks marks{report.added ? addIcon : iconOf(report.tool), report.dabs, report.fusions,
+                          report.recordedStep};
     return {report.added ? textOfAdding(report.hasModel) : textOf(report.tool), marks};
 }
 
 std::optional<StrokeReport> StrokeStep::reportOf(const StepMarks& marks)
 {
-    const auto* stroke = std::get_if<core::Stroke>(marks.deed.get());
+    const auto* stroke = std::get_if<core::Stroke>(marks.recordedStep.get());
     if (!stroke || !stroke->alpha.file.empty() || !stroke->model.file.empty())
         return std::nullopt;
     StrokeReport report;
-    report.deed = marks.deed;
+    report.recordedStep = marks.recordedStep;
     report.tool = stroke->settings.tool;
     report.dabs = marks.dabs;
     report.fusions = marks.fusions;
@@ -82,10 +83,10 @@ std::optional<StrokeReport> StrokeStep::reportOf(const StepMarks& marks)
 
 core::JournalStep StrokeStep::forJournal(const QString& text, const StepMarks& marks)
 {
-    return {text.toStdString(), marks.icon.toStdString(), marks.dabs, marks.fusions, marks.deed};
+    return {text.toStdString(), marks.icon.toStdString(), marks.dabs, marks.fusions, marks.recordedStep};
 }
 
-StepWords StrokeStep::fromJournal(const core::JournalStep& step)
+StepDescription StrokeStep::fromJournal(const core::JournalStep& step)
 {
     return {QString::fromStdString(step.text),
             {QString::fromStdString(step.icon), step.dabs, step.fusions, step.entry}};

@@ -18,10 +18,10 @@ struct StepMarks
     QString icon;     ///< of those in resources/icons
     quint64 dabs = 0; ///< 0: it was no stroke
     quint64 fusions = 0;
-    std::shared_ptr<const core::FileEntry> deed; ///< null: not known
+    std::shared_ptr<const core::FileEntry> recordedStep; ///< null: not known
 };
 
-struct StepWords
+struct StepDescription
 {
     QString text;
     StepMarks marks;
@@ -38,10 +38,10 @@ public:
     /// Of the brush's model, or of a ball.
     static QString textOfAdding(bool isModel);
     /// Any thread.
-    static StepWords wordsOf(const StrokeReport& report);
-    /// What wordsOf() was made of; nothing if it was no stroke, or cannot be done again without its files.
+    static StepDescription descriptionOf(const StrokeReport& report);
+    /// What descriptionOf() was made of; nothing if it was no stroke, or cannot be done again without its files.
     static std::optional<StrokeReport> reportOf(const StepMarks& marks);
     static core::JournalStep forJournal(const QString& text, const StepMarks& marks);
-    static StepWords fromJournal(const core::JournalStep& step);
+    static StepDescription fromJournal(const core::JournalStep& step);
 };
 } // namespace app

@@ -187,7 +187,7 @@ QString ownFault(const QString& path, const QString& header)
 }
 
 /// Returns what is wrong with the include of a library or of the system; empty if nothing is.
-QString foreignFault(const QString& path, const QString& header)
+QString otherHeaderFault(const QString& path, const QString& header)
 {
     const QString library = path.section('/', 0, 0), module = qtModule(header);
     static const QStringList modulesOfVr{"QtCore", "QtGui", "QtOpenGL"};
@@ -220,7 +220,7 @@ QString fault(const QString& path, const Include& include)
         return include.isQuoted ? ownFault(path, include.header) : QString("files of ours are included with quotes");
     if (include.isQuoted)
         return "includes of ours are written from the project's root, others in angle brackets";
-    return foreignFault(path, include.header);
+    return otherHeaderFault(path, include.header);
 }
 
 QStringList faults(const QString& path, const QString& text)

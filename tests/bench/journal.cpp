@@ -16,7 +16,7 @@ namespace
 using bench::Clocks;
 namespace fs = std::filesystem;
 
-constexpr int strokes = 40, dabsAStroke = 24;
+constexpr int strokes = 40, dabsPerStroke = 24;
 /// Small, so that bases are made meanwhile.
 constexpr core::JournalLimits limits{.segmentBytes = 128 << 10, .logBytes = 1 << 20};
 
@@ -49,8 +49,8 @@ Costs sculpt(core::Sculptor& sculptor, double radius, core::Journal* journal)
     Costs costs;
     core::StrokeSettings settings;
     settings.radius = radius;
-    for (int i = 0; i < strokes * dabsAStroke; ++i) {
-        if (i % dabsAStroke == 0)
+    for (int i = 0; i < strokes * dabsPerStroke; ++i) {
+        if (i % dabsPerStroke == 0)
             sculptor.beginStroke(settings);
         const double angle = 0.126 * radius * i;
         core::StrokeSample sample;
@@ -59,21 +59,21 @@ Costs sculpt(core::Sculptor& sculptor, double radius, core::Journal* journal)
         sculptor.addSample(sample);
         benchmark::DoNotOptimize(sculptor.takePatch());
         costs.dabUs.push_back(Clocks::now().since(start).wall);
-        if (i % dabsAStroke != dabsAStroke - 1)
+        if (i % dabsPerStroke != dabsPerStroke - 1)
             continue;
         const Clocks beforeEnd = Clocks::now();
         const core::MeshDelta delta = sculptor.endStroke();
-        const auto deed = std::make_shared<const core::FileEntry>(core::Stroke{settings, {sample}, {}, {}});
+        const auto recordedStep = std::make_shared<const core::FileEntry>(core::Stroke{settings, {sample}, {}, {}});
         const Clocks ended = Clocks::now();
         costs.endUs.push_back(ended.since(beforeEnd).wall);
         if (journal)
-            journal->changed(sculptor.mesh(), delta, {"Pull", "pull", dabsAStroke, 0, deed});
+            journal->changed(sculptor.mesh(), delta, {"Pull", "pull", dabsPerStroke, 0, recordedStep});
         costs.copyUs.push_back(Clocks::now().since(ended).wall);
     }
     return costs;
 }
 
-void tell(benchmark::State& state, const std::string& what, const Costs& costs)
+void report(benchmark::State& state, const std::string& what, const Costs& costs)
 {
     state.counters[what + "_dab_us"] = percentile(costs.dabUs, 0.5);
     state.counters[what + "_dab_p99_us"] = percentile(costs.dabUs, 0.99);
@@ -89,7 +89,7 @@ void journal(benchmark::State& state)
     for ([[maybe_unused]] auto round : state) {
         const Home home;
         core::Sculptor without(bench::opened(source)), with(bench::opened(source));
-        tell(state, "without", sculpt(without, radius, nullptr));
+        report(state, "without", sculpt(without, radius, nullptr));
         const auto snapshot = core::snapshotOf(with.mesh());
         const Clocks beforeStart = Clocks::now();
         const auto kept = core::Journal::begin(home.path(), {snapshot, {"sphere", "", {}, false}}, {}, limits);
@@ -97,12 +97,12 @@ void journal(benchmark::State& state)
         const Clocks beforeStrokes = Clocks::now();
         const Costs costs = sculpt(with, radius, kept.get());
         state.SetIterationTime(1e-6 * Clocks::now().since(beforeStrokes).wall);
-        tell(state, "with", costs);
+        report(state, "with", costs);
         state.counters["copy_us"] = percentile(costs.copyUs, 0.5);
         state.counters["copy_worst_us"] = *std::ranges::max_element(costs.copyUs);
         kept->flush();
         const core::JournalStats stats = kept->stats();
-        state.counters["bytes_a_dab"] = static_cast<double>(stats.bytes) / (strokes * dabsAStroke);
+        state.counters["bytes_a_dab"] = static_cast<double>(stats.bytes) / (strokes * dabsPerStroke);
         state.counters["pack_ms_a_stroke"] = stats.packMs / strokes;
         state.counters["write_ms_a_stroke"] = stats.writeMs / strokes;
         state.counters["worst_written_ms"] = stats.worstWrittenMs;

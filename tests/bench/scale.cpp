@@ -57,16 +57,16 @@ BENCHMARK(peersStroke)
 void age(Sculptor& sculptor, double radius, std::uint64_t dabs)
 {
     constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth};
-    constexpr std::uint64_t dabsAStroke = 20;
+    constexpr std::uint64_t dabsPerStroke = 20;
     StrokeFuzzer random(20240812);
-    for (std::uint64_t done = 0; done < dabs; done += dabsAStroke) {
+    for (std::uint64_t done = 0; done < dabs; done += dabsPerStroke) {
         core::StrokeSettings settings;
         settings.tool = tools[random.below(4)];
         settings.place = core::Placement::Nearest;
         settings.radius = radius;
         settings.strength = 0.2;
         sculptor.beginStroke(settings);
-        for (std::uint64_t i = 0; i < dabsAStroke; ++i) {
+        for (std::uint64_t i = 0; i < dabsPerStroke; ++i) {
             core::StrokeSample sample;
             sample.position = random.direction();
             sculptor.addSample(sample);

@@ -89,15 +89,15 @@ void measure(core::Slot cuts)
     headset.load(script().constData());
     const auto ended = [&headset] { return headset.report()["frames_ended"].toInt(); };
     const int before = ended();
-    app::HeadsetDesk desk({&program.document, &program.worker, &program.window});
+    app::HeadsetController controller({&program.document, &program.worker, &program.window});
     vr::HeadsetThread thread;
-    thread.enter(std::make_shared<vr::SculptClient>(desk.open(), vr::HeadsetSettings()));
+    thread.enter(std::make_shared<vr::SculptClient>(controller.open(), vr::HeadsetSettings()));
     waitFor([&] { return ended() - before >= frames; });
     const std::vector<vr::FrameTiming> all = thread.timings().recent();
     const auto first = std::min<std::ptrdiff_t>(restFrames, std::ssize(all)),
                last = std::min<std::ptrdiff_t>(frames, std::ssize(all));
     const std::vector<vr::FrameTiming> costs(all.begin() + first, all.begin() + last);
-    std::printf("%8llu vertices", static_cast<unsigned long long>(program.document.facts().vertices));
+    std::printf("%8llu vertices", static_cast<unsigned long long>(program.document.modelInfo().vertices));
     constexpr const char* names[] = {"events", "wait", "input", "client", "images", "draw", "submit"};
     for (std::size_t i = 0; i < vr::framePhaseCount; ++i)
         print(names[i], costs, [i](const vr::FrameTiming& cost) {
@@ -110,7 +110,7 @@ void measure(core::Slot cuts)
     std::fflush(stdout);
     thread.leave();
     waitFor([&] { return !thread.isActive(); });
-    desk.close();
+    controller.close();
 }
 } // namespace
 

@@ -171,7 +171,7 @@ void open(Program& program, const QString& path)
         waitFor([&] { return !program.document.isBusy() && program.window.viewport()->stats().wholeUploads > wholes; });
     QObject::disconnect(counting);
     std::printf("%9llu  open to frame %7.0f ms   progress told %3d times   gui away at most %4.0f ms%s\n",
-                static_cast<unsigned long long>(program.document.facts().vertices),
+                static_cast<unsigned long long>(program.document.modelInfo().vertices),
                 static_cast<double>(clock.elapsed()), told, absence.worst(), opened ? "" : "   NOT OPENED");
 }
 
@@ -253,7 +253,7 @@ int main(int argc, char* argv[])
     ui::prepareGraphics();
     QApplication application(argc, argv);
     Program program;
-    program.document.setMayDiscard([](const auto&) { return true; });
+    program.document.setDiscardPrompt([](const auto&) { return true; });
     program.window.resize(1280, 720);
     program.window.show();
     program.document.openSphere();

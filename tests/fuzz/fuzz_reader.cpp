@@ -35,7 +35,7 @@ void require(bool holds, const char* what)
     std::abort();
 }
 
-void judge(const core::TriangleMesh& mesh)
+void check(const core::TriangleMesh& mesh)
 {
     require(!mesh.triangles.empty(), "at least one face");
     require(mesh.colors.empty() || mesh.colors.size() == mesh.points.size(), "a colour for each point, or none");
@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     std::ofstream(folder.file(), std::ios::binary)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
     try {
-        judge(core::readMesh(folder.file()));
+        check(core::readMesh(folder.file()));
         core::readMetadata(folder.file());
     } catch (const core::FileError&) {
     }

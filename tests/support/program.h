@@ -9,7 +9,7 @@ namespace app
 /// The program as main() puts it together.
 struct Program
 {
-    Program() { wire(window, document, worker, inbox); }
+    Program() { connectAll(window, document, worker, inbox); }
 
     SculptWorker worker;
     std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();

@@ -191,9 +191,9 @@ void TestClassReport::page_linksLeadToTheModels()
     QVERIFY(links.contains(QStringLiteral("class/m%FCller.stl")));
 
     fs::create_directories(at("desk/of the teacher"));
-    ReportMaker::run({at("class"), at("desk/of the teacher/r.html")});
+    ReportWriter::run({at("class"), at("desk/of the teacher/r.html")});
     QVERIFY(read(at("desk/of the teacher/r.html")).contains("href=\"../../class/anna10.glb\""));
-    ReportMaker::run({at("class"), at("class/r.html")});
+    ReportWriter::run({at("class"), at("class/r.html")});
     QVERIFY(read(at("class/r.html")).contains("href=\"anna10.glb\""));
     fs::remove(at("class/r.html"));
 }
@@ -261,7 +261,7 @@ void TestClassReport::stopped_writesNothing()
                                        if (share > 0.3)
                                            stop.request_stop();
                                    }};
-    QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled, ReportMaker::run({at("class"), at("stopped.html")}, control));
+    QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled, ReportWriter::run({at("class"), at("stopped.html")}, control));
     QVERIFY(reached > 0.3 && reached < 0.5);
     QCOMPARE(left(), before);
 }
@@ -369,7 +369,7 @@ void TestClassReport::window_writesAReport()
     QVERIFY(QFile::exists(path));
 
     const QString second = QString::fromStdString(at("second.html").string());
-    connect(&program.document, &Document::progressed, &program.document, &Document::stop);
+    connect(&program.document, &Document::progressed, &program.document, &Document::cancelJob);
     ask(second);
     QTRY_VERIFY(notice(program).contains(QStringLiteral("second.html was not written.")));
     QVERIFY(!QFile::exists(second) && !program.document.isBusy());

@@ -35,7 +35,7 @@ using namespace app;
 
 namespace
 {
-constexpr int longestWait = 60'000;
+constexpr int timeoutMs = 60'000;
 constexpr qint64 minute = 60'000;
 const QString pin = QStringLiteral("2468");
 
@@ -95,7 +95,7 @@ struct Home
     QString journals() const { return root + QStringLiteral("/journals"); }
 
     QString root, works = root + QStringLiteral("/works");
-    ClassPlaces places;
+    ClassPaths places;
 };
 
 /// The program in a class, as main() puts it together.
@@ -103,11 +103,11 @@ struct Class
 {
     explicit Class(const Home& home) : Class(home, home.classroom()) {}
     Class(const Home& home, const ui::Classroom& classroom)
-        : shelf(home.places.journals)
-        , mode({&program.window, &program.document, &shelf}, classroom, home.places, [this] { return now; })
+        : store(home.places.journals)
+        , mode({&program.window, &program.document, &store}, classroom, home.places, [this] { return now; })
     {
-        program.document.keepJournals(&shelf);
-        wireClassroom(program.window, mode);
+        program.document.keepJournals(&store);
+        connectClassroom(program.window, mode);
         program.window.resize(1100, 760);
         program.window.show();
     }
@@ -119,7 +119,7 @@ struct Class
     QString text(const char* label) const { return part<QLabel>(label)->text(); }
     bool isIdle() const
     {
-        return !program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0;
+        return !program.document.isBusy() && program.document.isSettled() && program.document.modelInfo().faces > 0;
     }
     bool asks() const { return part<ui::PupilNamePanel>("namePanel")->isVisible(); }
 
@@ -127,7 +127,7 @@ struct Class
     {
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         mode.begin();
-        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), timeoutMs);
     }
     void beginTurn(const QString& name, const char* starter = "new.ball")
     {
@@ -135,25 +135,25 @@ struct Class
         part<QLineEdit>("pupilName")->clear();
         QTest::keyClicks(part<QLineEdit>("pupilName"), name);
         QTest::keyClick(part<QLineEdit>("pupilName"), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, timeoutMs);
     }
     void sculpt(const QPoint& way = {40, 20})
     {
         const int before = program.document.undoStack().index();
         drag(program.window.viewport(), way);
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().index(), before + 1, longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().index(), before + 1, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), timeoutMs);
     }
     void trigger(const char* id)
     {
         program.window.action(QLatin1StringView(id))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), timeoutMs);
     }
     void press(const char* button) { QTest::mouseClick(part<QPushButton>(button), Qt::LeftButton); }
     void next()
     {
         press("classNext");
-        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), timeoutMs);
     }
     void typePin(const QString& text)
     {
@@ -168,12 +168,12 @@ struct Class
         program.worker.post([&](core::Sculptor& sculptor) {
             mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
         });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, longestWait); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, timeoutMs); }();
         return answer.value_or(0);
     }
 
     qint64 now = 0;
-    JournalShelf shelf;
+    RecoveryStore store;
     Program program;
     ClassroomMode mode;
 };
@@ -302,10 +302,10 @@ void TestClassroom::twentyFiveTurns_areKept()
             if (QTest::currentTestFailed())
                 return;
         }
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, longestWait);
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.waiting), QStringList(), longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1,
-                                  longestWait); // of the clay that waits for the next
+                                  timeoutMs); // of the clay that waits for the next
     }
     QCOMPARE(foldersIn(home.journals()), QStringList());
     QStringList kept;
@@ -367,7 +367,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     QVERIFY(c.part<QPushButton>("classResume")->text().contains(QStringLiteral("Anna")));
     c.now += 2 * minute; // nobody's
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), timeoutMs);
     QCOMPARE(c.hash(), hash);
     QVERIFY(c.program.document.path().isEmpty());
     c.mode.tick();
@@ -380,7 +380,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     c.sculpt();
     QTRY_VERIFY(!c.part<QPushButton>("classResume")->isVisible()); // when the bar is laid out again
     QTRY_VERIFY_WITH_TIMEOUT(foldersIn(home.works).size() == 2 && !foldersIn(home.works).constFirst().startsWith(u'.'),
-                             longestWait); // what was kept stays
+                             timeoutMs); // what was kept stays
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
@@ -396,10 +396,10 @@ void TestClassroom::stopping_leavesNobodyWithoutClay()
     QTest::keyClicks(c.part<QLineEdit>("pupilName"), QStringLiteral("Anna"));
     QTest::keyClick(c.part<QLineEdit>("pupilName"), Qt::Key_Return);
     const auto stop = [&c] { // what was stopped may be begun anew, and the name be asked for again
-        c.program.document.stop();
-        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+        c.program.document.cancelJob();
+        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), timeoutMs);
         QTest::qWait(50);
-        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), timeoutMs);
     };
     stop();
     if (c.asks()) // else it was there already
@@ -407,10 +407,10 @@ void TestClassroom::stopping_leavesNobodyWithoutClay()
     c.sculpt();
     c.press("classNext");
     stop();
-    QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), timeoutMs);
     c.beginTurn(QStringLiteral("Ben"));
     c.sculpt();
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, timeoutMs);
 }
 
 void TestClassroom::theClock_warnsAndTakesNothing()
@@ -432,18 +432,18 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     const auto& caption = *c.program.window.findChild<ui::BrushCaption*>();
     QCOMPARE(at(0), QStringLiteral("20 minutes left"));
     QVERIFY(caption.isVisible());
-    QCOMPARE(caption.words().time, QStringLiteral("20 min"));
-    QCOMPARE(caption.words().tool, QStringLiteral("Clay"));
+    QCOMPARE(caption.text().time, QStringLiteral("20 min"));
+    QCOMPARE(caption.text().tool, QStringLiteral("Clay"));
     QCOMPARE(at(17 * minute - 1), QStringLiteral("4 minutes left"));
     QVERIFY(!c.part<QLabel>("classTime")->font().bold() && notice(c.program).isEmpty());
     QCOMPARE(at(17 * minute), QStringLiteral("3 minutes left"));
     QVERIFY(c.part<QLabel>("classTime")->font().bold() &&
             !c.part<QLabel>("classClock")->pixmap(Qt::ReturnByValue).isNull());
     QVERIFY(notice(c.program).contains(QStringLiteral("3 minutes are left")));
-    QVERIFY(caption.words().time == QStringLiteral("3 min") && caption.words().isNearEnd);
+    QVERIFY(caption.text().time == QStringLiteral("3 min") && caption.text().isNearEnd);
     QCOMPARE(at(20 * minute), QStringLiteral("Time is up"));
     QVERIFY(notice(c.program).contains(QStringLiteral("The time is up")));
-    QCOMPARE(caption.words().time, QStringLiteral("Time is up"));
+    QCOMPARE(caption.text().time, QStringLiteral("Time is up"));
     QCOMPARE(at(25 * minute), QStringLiteral("Time is up"));
     c.sculpt({30, -20});
     QCOMPARE(c.program.document.undoStack().count(), 2);
@@ -452,7 +452,7 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     QCOMPARE(at(c.now), QStringLiteral("20 minutes left"));
     QVERIFY(!c.part<QLabel>("classTime")->font().bold());
     QVERIFY(caption.isVisible() &&
-            !caption.words().isNearEnd); // a turn's beginning brings bars back, but not this one's absence
+            !caption.text().isNearEnd); // a turn's beginning brings bars back, but not this one's absence
     c.program.window.setHeadset(ui::HeadsetState::Out, {});
     QVERIFY(!caption.isVisible());
 }
@@ -470,22 +470,22 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     QTRY_VERIFY2(notice(c.program).contains(QStringLiteral("there is no folder ") + home.works),
                  qPrintable(notice(c.program)));
     QCOMPARE(c.text("classWaiting"), QStringLiteral("1 works wait on this computer"));
-    QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.waiting));
-    QCOMPARE(foldersIn(home.places.waiting).size(), 1);
+    QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.outbox));
+    QCOMPARE(foldersIn(home.places.outbox).size(), 1);
     QVERIFY(QDir().mkpath(home.works)); // it is back
     c.beginTurn(QStringLiteral("Ben"));
     c.sculpt();
     c.next();
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, timeoutMs);
     QTRY_VERIFY(c.text("classWaiting").isEmpty());
-    QCOMPARE(foldersIn(home.places.waiting), QStringList());
+    QCOMPARE(foldersIn(home.places.outbox), QStringList());
 }
 
 void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
 {
     const QTemporaryDir root;
     Home home(root.path());
-    home.places.waiting = QStringLiteral("/proc/none/waiting");
+    home.places.outbox = QStringLiteral("/proc/none/waiting");
     Class c(home);
     c.begin();
     c.beginTurn(QStringLiteral("Anna"));
@@ -493,8 +493,7 @@ void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
     const std::uint64_t hash = c.hash();
     QVERIFY(QDir().rmdir(home.works));
     c.press("classNext");
-    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(),
-                             longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(), timeoutMs);
     QVERIFY(c.part<QMessageBox>("problem")->text().contains(QStringLiteral("The work of Anna stays open")));
     c.part<QMessageBox>("problem")->accept();
     QVERIFY(!c.asks() && c.text("classPupil") == QStringLiteral("Anna"));
@@ -623,13 +622,13 @@ void TestClassroom::closing_takesThePin()
         c.typePin(QStringLiteral("000"));
         QVERIFY(!c.part<QLineEdit>("pin")->isEnabled()); // three were wrong
         QVERIFY(c.text("pinWord").contains(QStringLiteral("seconds")));
-        QTRY_VERIFY_WITH_TIMEOUT(c.part<QLineEdit>("pin")->isEnabled(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(c.part<QLineEdit>("pin")->isEnabled(), timeoutMs);
         c.typePin(pin);
-        QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), timeoutMs);
     }
     QCOMPARE(foldersIn(home.works).size(), 1);
     QCOMPARE(foldersIn(home.journals()), QStringList());
-    QCOMPARE(foldersIn(home.places.waiting), QStringList());
+    QCOMPARE(foldersIn(home.places.outbox), QStringList());
 }
 
 void TestClassroom::theTeachersDialog_writesTheFile()
@@ -689,14 +688,14 @@ void TestClassroom::aPowerCut_losesNobodysWork()
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     victim.start(QCoreApplication::applicationFilePath(),
                  {QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
-    QVERIFY(victim.waitForFinished(longestWait));
+    QVERIFY(victim.waitForFinished(timeoutMs));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
     QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);
 
     const Home home(root.path());
     Class c(home);
     c.begin();
-    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.waiting).isEmpty(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), timeoutMs);
     for (const QString& name : foldersIn(home.works)) { // two, if the work was kept and its journal did not know yet
         QVERIFY2(!name.startsWith(u'.') && name.contains(QStringLiteral("Anna")), qPrintable(name));
         QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
@@ -704,7 +703,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
         QCOMPARE(replayed(core::Starter::Ball, home.works + u'/' + name + QStringLiteral("/record.json")), hash);
     }
     QVERIFY(foldersIn(home.works).size() <= 2);
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, timeoutMs);
 }
 
 namespace

@@ -48,14 +48,14 @@ struct Places
     {
         QDir().mkpath(works);
     }
-    ClassArchive archive() const { return {works, waiting}; }
+    WorkArchive archive() const { return {works, outbox}; }
     static QStringList all(const QString& folder)
     {
         return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
     }
 
     QTemporaryDir root;
-    QString works, waiting = root.filePath(QStringLiteral("own/waiting"));
+    QString works, outbox = root.filePath(QStringLiteral("own/waiting"));
 };
 
 void verifyWork(const QString& folder, const TurnWork& work)
@@ -76,7 +76,7 @@ void verifyWork(const QString& folder, const TurnWork& work)
 } // namespace
 
 /// Works are whole where they can be seen, and somewhere for certain.
-class TestClassArchive : public QObject
+class TestWorkArchive : public QObject
 {
     Q_OBJECT
 
@@ -97,27 +97,27 @@ private Q_SLOTS:
     void leftovers_areSwept();
 };
 
-void TestClassArchive::aWorkIsWholeAndGoesToItsFolder()
+void TestWorkArchive::aWorkIsWholeAndGoesToItsFolder()
 {
     const Places places;
     const TurnWork work = workOf(QStringLiteral("Anna"));
-    const KeptWork kept = places.archive().keep(work);
+    const ArchivedWork kept = places.archive().add(work);
     QCOMPARE(kept.problem, QString());
-    QCOMPARE(kept.folder, places.waiting + QStringLiteral("/2026-11-24-1015-Anna"));
+    QCOMPARE(kept.folder, places.outbox + QStringLiteral("/2026-11-24-1015-Anna"));
     verifyWork(kept.folder, work);
     const Delivery delivery = places.archive().deliver();
-    QVERIFY(delivery.waiting == 0 && delivery.problem.isEmpty());
+    QVERIFY(delivery.undelivered == 0 && delivery.problem.isEmpty());
     const QString there = places.works + QStringLiteral("/2026-11-24-1015-Anna");
     QCOMPARE(delivery.moved.value(kept.folder), there);
-    QCOMPARE(places.archive().whereIs(kept.folder, work.id), there);
-    QCOMPARE(places.archive().whereIs(there, work.id), there);
-    QCOMPARE(places.archive().whereIs(kept.folder, QStringLiteral("another")), kept.folder); // nowhere else
+    QCOMPARE(places.archive().locate(kept.folder, work.id), there);
+    QCOMPARE(places.archive().locate(there, work.id), there);
+    QCOMPARE(places.archive().locate(kept.folder, QStringLiteral("another")), kept.folder); // nowhere else
     verifyWork(there, work);
-    QCOMPARE(Places::all(places.waiting), QStringList());
+    QCOMPARE(Places::all(places.outbox), QStringList());
     QCOMPARE(Places::all(places.works).size(), 1);
 }
 
-void TestClassArchive::names_areFolders_data()
+void TestWorkArchive::names_areFolders_data()
 {
     QTest::addColumn<QString>("pupil");
     QTest::addColumn<QString>("end");
@@ -138,29 +138,29 @@ void TestClassArchive::names_areFolders_data()
     row("long", "abcdefghijabcdefghijabcdefghijabcdefghijabcdefghij", "abcdefghijabcdefghijabcdefghijabcdefghij");
 }
 
-void TestClassArchive::names_areFolders()
+void TestWorkArchive::names_areFolders()
 {
     QFETCH(QString, pupil);
     QFETCH(QString, end);
-    const QString name = ClassArchive::folderName(morning, pupil);
+    const QString name = WorkArchive::folderName(morning, pupil);
     QCOMPARE(name, QStringLiteral("2026-11-24-1015-") + end);
     const Places places;
     const TurnWork work = workOf(pupil);
-    places.archive().keep(work);
+    places.archive().add(work);
     QCOMPARE(places.archive().deliver().moved.size(), 1);
     QCOMPARE(Places::all(places.works), QStringList(name));
     verifyWork(places.works + u'/' + name, work);
     QCOMPARE(Places::all(places.root.path()), QStringList({"class", "own"}));
 }
 
-void TestClassArchive::sameNamesInAMinute_areNumbered()
+void TestWorkArchive::sameNamesInAMinute_areNumbered()
 {
     const Places places;
     const TurnWork first = workOf(QStringLiteral("Anna")), second = workOf(QStringLiteral("Anna"), core::Starter::Cube);
-    places.archive().keep(first);
+    places.archive().add(first);
     places.archive().deliver();
-    places.archive().keep(second); // the first has gone meanwhile
-    places.archive().keep(workOf(QStringLiteral("Anna"), core::Starter::Slab));
+    places.archive().add(second); // the first has gone meanwhile
+    places.archive().add(workOf(QStringLiteral("Anna"), core::Starter::Slab));
     QCOMPARE(places.archive().deliver().moved.size(), 2);
     QCOMPARE(Places::all(places.works),
              QStringList({"2026-11-24-1015-Anna", "2026-11-24-1015-Anna-2", "2026-11-24-1015-Anna-2-2"}));
@@ -168,14 +168,14 @@ void TestClassArchive::sameNamesInAMinute_areNumbered()
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Anna-2"), second);
 }
 
-void TestClassArchive::aMissingFolder_isSaidAndWaitedFor()
+void TestWorkArchive::aMissingFolder_isSaidAndWaitedFor()
 {
     const Places places;
     QDir().rmdir(places.works);
     const TurnWork work = workOf(QStringLiteral("Ben"));
-    const KeptWork kept = places.archive().keep(work);
+    const ArchivedWork kept = places.archive().add(work);
     const Delivery delivery = places.archive().deliver();
-    QCOMPARE(delivery.waiting, 1);
+    QCOMPARE(delivery.undelivered, 1);
     QVERIFY2(delivery.problem.contains(QStringLiteral("there is no folder ") + places.works),
              qPrintable(delivery.problem));
     QVERIFY(!QDir(places.works).exists());
@@ -185,30 +185,30 @@ void TestClassArchive::aMissingFolder_isSaidAndWaitedFor()
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);
 }
 
-void TestClassArchive::aClosedFolder_isSaidAndWaitedFor()
+void TestWorkArchive::aClosedFolder_isSaidAndWaitedFor()
 {
     const Places places;
     QFile::setPermissions(places.works, QFile::ReadOwner | QFile::ExeOwner);
     const TurnWork work = workOf(QStringLiteral("Ben"));
-    places.archive().keep(work);
+    places.archive().add(work);
     const Delivery delivery = places.archive().deliver();
     QFile::setPermissions(places.works, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    QVERIFY2(delivery.waiting == 1 && delivery.problem.contains(QStringLiteral("not permitted")),
+    QVERIFY2(delivery.undelivered == 1 && delivery.problem.contains(QStringLiteral("not permitted")),
              qPrintable(delivery.problem));
     QCOMPARE(places.archive().deliver().moved.size(), 1);
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);
 }
 
-void TestClassArchive::aFullDisk_isSaidAndWaitedFor()
+void TestWorkArchive::aFullDisk_isSaidAndWaitedFor()
 {
     if (!disk->isThere())
         QSKIP("A small disk cannot be mounted here.");
     const Places places(QString::fromStdString(disk->folder().string()));
     disk->fill();
     const TurnWork work = workOf(QStringLiteral("Ben"));
-    const KeptWork kept = places.archive().keep(work);
+    const ArchivedWork kept = places.archive().add(work);
     const Delivery delivery = places.archive().deliver();
-    QVERIFY2(delivery.waiting == 1 && delivery.problem.endsWith(QStringLiteral("the disk is full.")),
+    QVERIFY2(delivery.undelivered == 1 && delivery.problem.endsWith(QStringLiteral("the disk is full.")),
              qPrintable(delivery.problem));
     QCOMPARE(Places::all(places.works), QStringList(QStringLiteral("filler")));
     verifyWork(kept.folder, work);
@@ -218,59 +218,59 @@ void TestClassArchive::aFullDisk_isSaidAndWaitedFor()
     QDir(places.works + QStringLiteral("/2026-11-24-1015-Ben")).removeRecursively();
 }
 
-void TestClassArchive::aFullDiskHere_goesToTheClassAtOnce()
+void TestWorkArchive::aFullDiskHere_goesToTheClassAtOnce()
 {
     if (!disk->isThere())
         QSKIP("A small disk cannot be mounted here.");
     Places places;
-    places.waiting = QString::fromStdString(disk->folder().string());
+    places.outbox = QString::fromStdString(disk->folder().string());
     disk->fill();
     const TurnWork work = workOf(QStringLiteral("Ben"));
-    const KeptWork kept = places.archive().keep(work);
-    QFile::remove(places.waiting + QStringLiteral("/filler"));
+    const ArchivedWork kept = places.archive().add(work);
+    QFile::remove(places.outbox + QStringLiteral("/filler"));
     QCOMPARE(kept.folder, places.works + QStringLiteral("/2026-11-24-1015-Ben"));
     verifyWork(kept.folder, work);
-    QCOMPARE(Places::all(places.waiting), QStringList());
+    QCOMPARE(Places::all(places.outbox), QStringList());
 }
 
-void TestClassArchive::noRoomAnywhere_isSaid()
+void TestWorkArchive::noRoomAnywhere_isSaid()
 {
     if (!disk->isThere())
         QSKIP("A small disk cannot be mounted here.");
     Places places;
-    places.waiting = QString::fromStdString(disk->folder().string());
+    places.outbox = QString::fromStdString(disk->folder().string());
     QDir().rmdir(places.works);
     disk->fill();
-    const KeptWork kept = places.archive().keep(workOf(QStringLiteral("Ben")));
-    QFile::remove(places.waiting + QStringLiteral("/filler"));
+    const ArchivedWork kept = places.archive().add(workOf(QStringLiteral("Ben")));
+    QFile::remove(places.outbox + QStringLiteral("/filler"));
     QVERIFY(kept.folder.isEmpty());
     QVERIFY2(kept.problem.endsWith(QStringLiteral("the disk is full.")), qPrintable(kept.problem));
-    QCOMPARE(Places::all(places.waiting), QStringList());
+    QCOMPARE(Places::all(places.outbox), QStringList());
 }
 
 /// The power went after the work had its name in the class's folder, and before it was removed here.
-void TestClassArchive::aCutDelivery_isNotDoubled()
+void TestWorkArchive::aCutDelivery_isNotDoubled()
 {
     const Places places;
     const TurnWork work = workOf(QStringLiteral("Cem"));
-    places.archive().keep(work);
+    places.archive().add(work);
     places.archive().deliver();
     const QStringList before = Places::all(places.works);
-    const QString kept = places.archive().keep(work).folder; // it is still here
+    const QString kept = places.archive().add(work).folder; // it is still here
     QCOMPARE(places.archive().deliver().moved.value(kept), places.works + QStringLiteral("/2026-11-24-1015-Cem"));
     QCOMPARE(Places::all(places.works), before);
-    QCOMPARE(Places::all(places.waiting), QStringList());
+    QCOMPARE(Places::all(places.outbox), QStringList());
 }
 
-void TestClassArchive::leftovers_areSwept()
+void TestWorkArchive::leftovers_areSwept()
 {
     const Places places;
-    places.archive().keep(workOf(QStringLiteral("Dana")));
-    const QString here = places.waiting + QStringLiteral("/.unfinished-1"),
+    places.archive().add(workOf(QStringLiteral("Dana")));
+    const QString here = places.outbox + QStringLiteral("/.unfinished-1"),
                   there = places.works + QStringLiteral("/.unfinished-2");
     QVERIFY(QDir().mkpath(here) && QDir().mkpath(there));
-    QVERIFY(places.archive().deliver().waiting == 0); // neither is taken for a work
-    places.archive().sweep();
+    QVERIFY(places.archive().deliver().outbox == 0); // neither is taken for a work
+    places.archive().removeUnfinished();
     QVERIFY(!QDir(here).exists());
     QVERIFY(QDir(there).exists()); // another computer may be writing it
     QCOMPARE(Places::all(places.works).size(), 2);
@@ -281,9 +281,9 @@ int main(int argc, char* argv[])
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 2048);
     places::obeyPermissions();
-    TestClassArchive::disk = &disk;
+    TestWorkArchive::disk = &disk;
     const QCoreApplication application(argc, argv);
-    TestClassArchive test;
+    TestWorkArchive test;
     return QTest::qExec(&test, argc, argv);
 }
 #include "tst_work_archive.moc"

@@ -319,7 +319,7 @@ void TestCommandLine::window_startsInVrIfAsked()
 
 void TestCommandLine::window_startsInTheSimulatorIfAsked()
 {
-    const QString simulator = QString::fromLatin1(app::simulatorWord), file = at("a.stl");
+    const QString simulator = QString::fromLatin1(app::simulatorOption), file = at("a.stl");
     const auto start = [](const QStringList& arguments) { return app::CommandLine::windowStart(arguments); };
     for (const QStringList& arguments : {QStringList{simulator, file}, {file, simulator}}) {
         const app::WindowStart asked = start(arguments);

@@ -79,7 +79,7 @@ void TestGermanLocale::initTestCase()
     QCOMPARE(text, "1,5");
     QCOMPARE(std::strtod("1,5", nullptr), 1.5);
     QCOMPARE(QLocale().toString(1.5), QStringLiteral("1,5"));
-    core::setExternalReader(app::foreignReaderBy(FETTLE_PROGRAM));
+    core::setExternalReader(app::sandboxedImporter(FETTLE_PROGRAM));
 }
 
 void TestGermanLocale::formats_areBitIdentical_data()

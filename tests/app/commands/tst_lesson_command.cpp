@@ -10,7 +10,7 @@
 
 namespace
 {
-const QString shelf = QStringLiteral(FETTLE_SOURCE_DIR "/resources/lessons/");
+const QString lessonsFolder = QStringLiteral(FETTLE_SOURCE_DIR "/resources/lessons/");
 
 struct Answer
 {
@@ -33,7 +33,7 @@ QString changed(const QTemporaryDir& folder, const QByteArray& from, const QByte
 {
     const QString copy = folder.filePath(QStringLiteral("lesson"));
     QDir().mkpath(copy);
-    const QDir ours(shelf + QStringLiteral("first-clay"));
+    const QDir ours(lessonsFolder + QStringLiteral("first-clay"));
     for (const QString& name : ours.entryList(QDir::Files))
         QFile::copy(ours.filePath(name), QDir(copy).filePath(name));
     QFile file(QDir(copy).filePath(QStringLiteral("lesson.json")));
@@ -78,7 +78,7 @@ private Q_SLOTS:
         QCOMPARE(answer.out.count(QStringLiteral("\n   yes ")), 10);
         QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 0);
         QCOMPARE(lesson({zip}).out, answer.out);
-        QCOMPARE(lesson({shelf + QStringLiteral("first-clay")}).out, answer.out);
+        QCOMPARE(lesson({lessonsFolder + QStringLiteral("first-clay")}).out, answer.out);
         const QString unpacked = folder.filePath(QStringLiteral("clay"));
         QCOMPARE(lesson({zip, QStringLiteral("--unpack"), unpacked}).out, answer.out);
         QCOMPARE(lesson({unpacked}).out, answer.out);
@@ -98,24 +98,24 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(zip));
     }
 
-    void pupilsModel_isJudged()
+    void pupilsModel_isChecked()
     {
         const QTemporaryDir folder;
         const QString ball = folder.filePath(QStringLiteral("ball.stl")),
                       pear = folder.filePath(QStringLiteral("pear.stl"));
         core::writeMesh(ball.toStdString(), core::starterModel(core::Starter::Ball));
         QCOMPARE(lesson({QStringLiteral("first-clay"), QStringLiteral("--out"), pear}).status, 0);
-        const auto judged = [](const QString& model, const char* step) {
+        const auto checked = [](const QString& model, const char* step) {
             return lesson({QStringLiteral("first-clay"), QStringLiteral("--model"), model, QStringLiteral("--step"),
                            QString::fromLatin1(step)});
         };
-        QCOMPARE(judged(pear, "4").status, 0);
-        QCOMPARE(judged(ball, "4").status, 1);
-        const Answer shape = judged(ball, "3");
+        QCOMPARE(checked(pear, "4").status, 0);
+        QCOMPARE(checked(ball, "4").status, 1);
+        const Answer shape = checked(ball, "3");
         QCOMPARE(shape.status, 1);
         QVERIFY(shape.out.contains(QStringLiteral("mm apart")));
-        QCOMPARE(judged(ball, "5").status, 2);
-        QCOMPARE(judged(ball, "0").status, 2);
+        QCOMPARE(checked(ball, "5").status, 2);
+        QCOMPARE(checked(ball, "0").status, 2);
     }
 
     void badInput_isOneSentence_data()

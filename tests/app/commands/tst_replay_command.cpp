@@ -82,7 +82,7 @@ private Q_SLOTS:
     void badShapes_areBadInput_data();
     void badShapes_areBadInput();
     void refused_isTheAnswerNo();
-    void strokesAfterACommand_areJudgedByItsModel();
+    void strokesAfterACommand_areCheckedAgainstItsModel();
 };
 
 /// Each at a place of its own around the sphere, and last a ball beside it.
@@ -275,7 +275,7 @@ void TestReplayCommand::refused_isTheAnswerNo()
     QVERIFY(!QFile::exists(replay.path("out.ply")) && !QFile::exists(replay.path("stats.json")));
 }
 
-void TestReplayCommand::strokesAfterACommand_areJudgedByItsModel()
+void TestReplayCommand::strokesAfterACommand_areCheckedAgainstItsModel()
 {
     Json far = pullAtX;
     far["samples"][0]["position"] = {50, 0, 0};

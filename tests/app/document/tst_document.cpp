@@ -112,7 +112,7 @@ private Q_SLOTS:
     void undo_duringAStrokeWaitsForItsEnd();
     void history_hasANameForEveryTool();
     void history_namesStepsAndMarksThem();
-    void inquiry_answersOnlyForTheModelThatIs();
+    void analysis_isOfThePresentModelOnly();
     void stroke_rightAfterUndoComesAfterIt();
     void undoAll_andRedoAllComeBackByState();
     void jumps_goThere();
@@ -145,9 +145,9 @@ private Q_SLOTS:
 void TestDocument::sphere_isThePapers()
 {
     Session session;
-    QCOMPARE(session.document.facts().vertices, quint64(2562));
-    QCOMPARE(session.document.facts().faces, quint64(5120));
-    QVERIFY((session.document.facts().size - core::Vec3(100, 100, 100)).norm() < 1e-3);
+    QCOMPARE(session.document.modelInfo().vertices, quint64(2562));
+    QCOMPARE(session.document.modelInfo().faces, quint64(5120));
+    QVERIFY((session.document.modelInfo().size - core::Vec3(100, 100, 100)).norm() < 1e-3);
     QVERIFY(!session.document.isModified() && !session.document.canUndo() && !session.document.canRedo());
 }
 
@@ -195,26 +195,26 @@ void TestDocument::history_namesStepsAndMarksThem()
     QVERIFY(history.bytes > 0);
 }
 
-void TestDocument::inquiry_answersOnlyForTheModelThatIs()
+void TestDocument::analysis_isOfThePresentModelOnly()
 {
     Session session;
-    auto* inquiry = new ModelInquiry(&session.document, &session.worker);
+    auto* analysis = new ModelAnalysis(&session.document, &session.worker);
     quint64 faces = 0;
     int answers = 0;
-    connect(inquiry, &ModelInquiry::answered, inquiry, [&](const core::MeshReport& report) {
+    connect(analysis, &ModelAnalysis::finished, analysis, [&](const core::MeshReport& report) {
         faces = report.faces;
         ++answers;
         QVERIFY(report.printReady());
     });
-    connect(inquiry, &ModelInquiry::outdated, inquiry, [&] { faces = 0; });
-    inquiry->setWanted(true);
-    QTRY_COMPARE(faces, session.document.facts().faces);
+    connect(analysis, &ModelAnalysis::outdated, analysis, [&] { faces = 0; });
+    analysis->setActive(true);
+    QTRY_COMPARE(faces, session.document.modelInfo().faces);
     session.stroke({50, 0, 0});
     QCOMPARE(faces, 0u); // at once
     session.settle();
-    QTRY_COMPARE(faces, session.document.facts().faces);
+    QTRY_COMPARE(faces, session.document.modelInfo().faces);
     QCOMPARE(answers, 2);
-    inquiry->setWanted(false);
+    analysis->setActive(false);
     session.stroke({0, 50, 0});
     session.settle();
     QTest::qWait(1500);
@@ -296,7 +296,7 @@ void TestDocument::work_isCountedAndSaved()
     const QString path = folder.filePath(QStringLiteral("a.glb"));
     Session session;
     const auto strokes = [&session] {
-        return session.document.facts().metadata.work.value_or(core::WorkDone{99, 0}).strokes;
+        return session.document.modelInfo().metadata.work.value_or(core::WorkDone{99, 0}).strokes;
     };
     QCOMPARE(strokes(), 0U);
     for (int i = 0; i < 3; ++i)
@@ -305,7 +305,7 @@ void TestDocument::work_isCountedAndSaved()
     session.stroke({500, 0, 0});
     session.wait();
     QCOMPARE(strokes(), 3U);
-    const double seconds = session.document.facts().metadata.work->seconds;
+    const double seconds = session.document.modelInfo().metadata.work->seconds;
     QVERIFY(seconds > 0);
     session.document.save(path);
     session.wait();
@@ -320,7 +320,7 @@ void TestDocument::work_isCountedAndSaved()
     session.stroke({50, 0, 0});
     session.wait();
     QCOMPARE(strokes(), 4U);
-    QCOMPARE(session.document.facts().metadata.work->seconds, seconds); // the time between the sittings is none
+    QCOMPARE(session.document.modelInfo().metadata.work->seconds, seconds); // the time between the sittings is none
 }
 
 void TestDocument::jumps_goThere()
@@ -426,9 +426,9 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
     QVERIFY(refuses({0, 505, 0}, Shortfall::NoRoom));
 
     noticed.clear();
-    const quint64 faces = session.document.facts().faces;
+    const quint64 faces = session.document.modelInfo().faces;
     add({90, 0, 0});
-    QVERIFY(noticed.isEmpty() && session.document.facts().faces > faces && session.state() != start);
+    QVERIFY(noticed.isEmpty() && session.document.modelInfo().faces > faces && session.state() != start);
     QCOMPARE(session.document.undoText(), StrokeStep::textOfAdding(false));
     session.verifyWhole();
     const std::uint64_t one = session.state();
@@ -647,7 +647,7 @@ void TestDocument::openStarter_beginsAnew()
     Session session;
     session.stroke({50, 0, 0});
     bool mayLose = false;
-    session.document.setMayDiscard([&](const std::function<void()>&) { return mayLose; });
+    session.document.setDiscardPrompt([&](const std::function<void()>&) { return mayLose; });
     session.document.openStarter(core::Starter::Torus);
     session.wait();
     QVERIFY(session.document.isModified());
@@ -656,8 +656,9 @@ void TestDocument::openStarter_beginsAnew()
     session.wait();
     QVERIFY(!session.document.isModified() && !session.document.canUndo());
     QVERIFY(session.document.path().isEmpty());
-    QVERIFY(!session.document.facts().name.isEmpty());
-    QCOMPARE(session.document.facts().faces, 2 * session.document.facts().vertices); // Euler: the torus's V - E + F = 0
+    QVERIFY(!session.document.modelInfo().name.isEmpty());
+    QCOMPARE(session.document.modelInfo().faces,
+             2 * session.document.modelInfo().vertices); // Euler: the torus's V - E + F = 0
 }
 
 void TestDocument::open_refusalLeavesTheDocument_data()
@@ -688,16 +689,16 @@ void TestDocument::open_refusalLeavesTheDocument()
     Session session;
     session.stroke({50, 0, 0});
     const std::uint64_t state = session.state();
-    QSignalSpy refused(&session.document, &Document::refused), mendable(&session.document, &Document::mendable);
+    QSignalSpy refused(&session.document, &Document::refused), repairable(&session.document, &Document::repairable);
     session.document.open(path);
     session.wait();
-    QTRY_COMPARE(refused.size() + mendable.size(), 1);
-    QCOMPARE(mendable.size(), name == QStringLiteral("open.obj") ? 1 : 0);
-    const QString sentence = refused.isEmpty() ? mendable.at(0).at(1).toString() : refused.at(0).at(0).toString();
+    QTRY_COMPARE(refused.size() + repairable.size(), 1);
+    QCOMPARE(repairable.size(), name == QStringLiteral("open.obj") ? 1 : 0);
+    const QString sentence = refused.isEmpty() ? repairable.at(0).at(1).toString() : refused.at(0).at(0).toString();
     QVERIFY2(sentence.contains(name) && !sentence.contains(QLatin1Char('\n')), qPrintable(sentence));
     QCOMPARE(session.state(), state);
     QVERIFY(session.document.isModified() && session.document.canUndo());
-    QCOMPARE(session.document.facts().name.isEmpty(), false);
+    QCOMPARE(session.document.modelInfo().name.isEmpty(), false);
     QVERIFY(session.document.path().isEmpty());
 }
 
@@ -709,7 +710,7 @@ void TestDocument::open_asksBeforeChangesAreLost()
     Session session;
     int asked = 0;
     bool answer = false;
-    session.document.setMayDiscard([&](const std::function<void()>&) {
+    session.document.setDiscardPrompt([&](const std::function<void()>&) {
         ++asked;
         return answer;
     });
@@ -720,12 +721,12 @@ void TestDocument::open_asksBeforeChangesAreLost()
     session.document.open(path);
     session.wait();
     QCOMPARE(asked, 1);
-    QCOMPARE(session.document.facts().vertices > 1000, true);
+    QCOMPARE(session.document.modelInfo().vertices > 1000, true);
     answer = true;
     session.document.open(path);
     session.wait();
     QCOMPARE(asked, 2);
-    QCOMPARE(session.document.facts().vertices, quint64(42));
+    QCOMPARE(session.document.modelInfo().vertices, quint64(42));
 }
 
 void TestDocument::export_writesWhatIsThere()
@@ -740,7 +741,7 @@ void TestDocument::export_writesWhatIsThere()
         QTRY_COMPARE(exported.size(), 1);
         QVERIFY(session.document.isModified() && session.document.path().isEmpty());
         const core::TriangleMesh mesh = core::readMesh(path.toStdString());
-        QCOMPARE(mesh.triangles.size(), std::size_t(session.document.facts().faces));
+        QCOMPARE(mesh.triangles.size(), std::size_t(session.document.modelInfo().faces));
         QVERIFY(core::checkMesh(mesh).printReady());
     }
 }
@@ -756,7 +757,7 @@ void TestDocument::saving_givesTheModelItsFile()
     QTRY_COMPARE(saved.size(), 1);
     QVERIFY(!session.document.isModified());
     QCOMPARE(session.document.path(), path);
-    QCOMPARE(session.document.facts().name, QStringLiteral("mine.ply"));
+    QCOMPARE(session.document.modelInfo().name, QStringLiteral("mine.ply"));
     QVERIFY(core::checkMesh(core::readMesh(path.toStdString())).printReady());
     session.document.undo();
     session.settle();
@@ -780,14 +781,14 @@ void TestDocument::savingThatFails_losesNothing()
     QFETCH(QString, path);
     Session session;
     session.stroke({50, 0, 0});
-    const QString name = session.document.facts().name;
+    const QString name = session.document.modelInfo().name;
     QSignalSpy refused(&session.document, &Document::refused), saved(&session.document, &Document::saved);
     session.document.save(path);
     QTRY_COMPARE(refused.size(), 1);
     QVERIFY(refused.at(0).at(0).toString().contains(QDir::toNativeSeparators(path)));
     QVERIFY(saved.isEmpty() && session.document.isModified() && !session.document.isBusy());
     QVERIFY(session.document.path().isEmpty());
-    QCOMPARE(session.document.facts().name, name);
+    QCOMPARE(session.document.modelInfo().name, name);
     QVERIFY(session.document.canUndo());
 }
 

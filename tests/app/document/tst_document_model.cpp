@@ -23,14 +23,14 @@ using namespace app;
 
 namespace
 {
-constexpr int longestWait = 60'000; // a sanitizer is ten times slower
+constexpr int timeoutMs = 60'000; // a sanitizer is ten times slower
 
 /// What the document keeps its model as.
-QString keptBrush(Document& document)
+QString exportedBrush(Document& document)
 {
-    QSignalSpy kept(&document, &Document::keptAsBrush);
-    document.keepAsBrush();
-    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, longestWait); }();
+    QSignalSpy kept(&document, &Document::brushExported);
+    document.exportBrush();
+    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, timeoutMs); }();
     return kept.isEmpty() ? QString() : kept[0][0].toString();
 }
 
@@ -47,7 +47,7 @@ struct Session
     /// Until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), timeoutMs);
         settle();
     }
 
@@ -58,7 +58,7 @@ struct Session
             bool reached = false;
             ui::ThreadMailbox mail;
             worker.post([&](core::Sculptor&) { mail.post([&reached] { reached = true; }); });
-            QTRY_VERIFY_WITH_TIMEOUT(reached, longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(reached, timeoutMs);
             QCoreApplication::processEvents();
         }
     }
@@ -75,7 +75,7 @@ struct Session
             const std::uint64_t value = sculptor.mesh().stateHash();
             mail.post([&hash, value] { hash = value; });
         });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, longestWait); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, timeoutMs); }();
         if (const auto patch = inbox->take())
             seen.apply(*patch);
         [&] { QVERIFY(seen.drawsLike(viewerOf(whole))); }();
@@ -106,7 +106,7 @@ struct Session
 };
 } // namespace
 
-/// Whole-model commands in the document: aside, in order, as one step each.
+/// Whole-model commands in the document: in the background, in order, as one step each.
 class TestDocumentModel : public QObject
 {
     Q_OBJECT
@@ -127,7 +127,7 @@ private Q_SLOTS:
     void undo_isToldOnceItIsMade();
     void insert_fromAFile();
     void insert_refusalsNameTheFile();
-    void insert_brokenIsMendedAsOneStep();
+    void insert_brokenIsRepairedAsOneStep();
     void insert_tellsWhatWasLeftOut();
     void insert_takesTheUnit();
     void facts_followTheModel();
@@ -158,13 +158,13 @@ void TestDocumentModel::command_isOneStep()
 /// Each model has a file of its own, which is what its folder's name says, and which strokes that name it find again.
 void TestDocumentModel::brush_isKeptAsItIs()
 {
-    QDir(BrushKeeper::folder()).removeRecursively();
+    QDir(BrushExport::folder()).removeRecursively();
     Session session;
     const std::uint64_t state = session.state();
-    const QString ball = keptBrush(session.document);
-    QCOMPARE(keptBrush(session.document), ball);
+    const QString ball = exportedBrush(session.document);
+    QCOMPARE(exportedBrush(session.document), ball);
     session.stroke({50, 0, 0});
-    const QString dented = keptBrush(session.document);
+    const QString dented = exportedBrush(session.document);
     QVERIFY(dented != ball && QFileInfo(dented).fileName() == QFileInfo(ball).fileName());
     session.document.undo();
     QCOMPARE(session.state(), state);
@@ -182,7 +182,7 @@ void TestDocumentModel::brush_isKeptAsItIs()
         core::writeStrokes(written, {stroke});
         auto entries = core::parseStrokes(written.str());
         QVERIFY(!std::get<core::Stroke>(entries[0]).settings.model);
-        readShapes(entries, QDir::temp().filePath(QStringLiteral("strokes.json")));
+        readStrokeAssets(entries, QDir::temp().filePath(QStringLiteral("strokes.json")));
         QCOMPARE(std::get<core::Stroke>(entries[0]).settings.model->fingerprint(), print.toStdString());
     }
 }
@@ -190,8 +190,8 @@ void TestDocumentModel::brush_isKeptAsItIs()
 void TestDocumentModel::brush_ofALargeModelHasFewerTriangles()
 {
     const core::BuildResult built = core::buildMesh(core::icosphere(7, 50));
-    const KeptBrush kept =
-        BrushKeeper::keep(std::make_shared<core::Mesh>(*built.mesh), QStringLiteral("large.stl"), {});
+    const ExportedBrush kept =
+        BrushExport::run(std::make_shared<core::Mesh>(*built.mesh), QStringLiteral("large.stl"), {});
     QVERIFY2(kept.problem.isEmpty(), qPrintable(kept.problem));
     const auto brush = ui::readBrushModel(kept.path);
     QVERIFY2(brush.what, qPrintable(brush.problem));
@@ -202,17 +202,17 @@ void TestDocumentModel::brush_ofALargeModelHasFewerTriangles()
 /// A file lies where its folder should be.
 void TestDocumentModel::brush_withoutAPlaceIsRefused()
 {
-    QDir(BrushKeeper::folder()).removeRecursively();
-    QVERIFY(QDir().mkpath(QFileInfo(BrushKeeper::folder()).path()));
-    QFile inTheWay(BrushKeeper::folder());
+    QDir(BrushExport::folder()).removeRecursively();
+    QVERIFY(QDir().mkpath(QFileInfo(BrushExport::folder()).path()));
+    QFile inTheWay(BrushExport::folder());
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
     const auto away = qScopeGuard([&] { inTheWay.remove(); });
     Session session;
-    QSignalSpy refused(&session.document, &Document::refused), kept(&session.document, &Document::keptAsBrush);
-    session.document.keepAsBrush();
+    QSignalSpy refused(&session.document, &Document::refused), kept(&session.document, &Document::brushExported);
+    session.document.exportBrush();
     session.wait();
     QCOMPARE(refused.count(), 1);
-    QVERIFY2(refused[0][0].toString().contains(BrushKeeper::folder()), qPrintable(refused[0][0].toString()));
+    QVERIFY2(refused[0][0].toString().contains(BrushExport::folder()), qPrintable(refused[0][0].toString()));
     QCOMPARE(kept.count(), 0);
 }
 
@@ -301,11 +301,11 @@ void TestDocumentModel::stop_leavesAllAsItIs()
 {
     Session session;
     const std::uint64_t before = session.state();
-    QSignalSpy stoppable(&session.document, &Document::stoppable), refused(&session.document, &Document::refused);
+    QSignalSpy cancellable(&session.document, &Document::cancellable), refused(&session.document, &Document::refused);
     session.document.apply(core::RemeshUniformly{0.6});
-    QVERIFY(!stoppable.isEmpty() && stoppable.last()[0].toBool());
-    session.document.stop();
-    QVERIFY(!stoppable.last()[0].toBool());
+    QVERIFY(!cancellable.isEmpty() && cancellable.last()[0].toBool());
+    session.document.cancelJob();
+    QVERIFY(!cancellable.last()[0].toBool());
     session.wait();
     QCOMPARE(session.state(), before);
     QCOMPARE(session.document.undoStack().count(), 0);
@@ -319,14 +319,14 @@ void TestDocumentModel::change_isToldOnceItIsMade()
 {
     QSemaphore delay;
     Session session;
-    const auto letGo = qScopeGuard([&delay] { delay.release(); });
-    QSignalSpy stoppable(&session.document, &Document::stoppable), noticed(&session.document, &Document::noticed);
+    const auto releaseAtEnd = qScopeGuard([&delay] { delay.release(); });
+    QSignalSpy cancellable(&session.document, &Document::cancellable), noticed(&session.document, &Document::noticed);
     session.document.apply(core::Scale{2}); // the mesh thread copies
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
-    QTRY_VERIFY_WITH_TIMEOUT(!stoppable.isEmpty() && !stoppable.last()[0].toBool(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), timeoutMs);
     QVERIFY(!session.document.isModified() && !session.document.canUndo() && session.document.isBusy());
     session.stroke({0, 0, 50});
-    session.document.stop(); // too late
+    session.document.cancelJob(); // too late
     session.document.undo();
     delay.release();
     session.wait();
@@ -338,7 +338,7 @@ void TestDocumentModel::undo_isToldOnceItIsMade()
 {
     QSemaphore delay;
     Session session;
-    const auto letGo = qScopeGuard([&delay] { delay.release(); });
+    const auto releaseAtEnd = qScopeGuard([&delay] { delay.release(); });
     session.stroke({0, 0, 50});
     session.wait();
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
@@ -364,8 +364,8 @@ void TestDocumentModel::insert_fromAFile()
     const std::uint64_t start = session.state();
     session.document.insert({path, core::Insert::Place::Beside});
     session.wait();
-    QCOMPARE(session.document.facts().vertices, quint64(2562 + 162));
-    QVERIFY(session.document.facts().size.x() > 120);
+    QCOMPARE(session.document.modelInfo().vertices, quint64(2562 + 162));
+    QVERIFY(session.document.modelInfo().size.x() > 120);
     session.document.undo();
     QCOMPARE(session.state(), start);
 }
@@ -389,7 +389,7 @@ void TestDocumentModel::insert_refusalsNameTheFile()
     QCOMPARE(session.document.undoStack().count(), 0);
 }
 
-void TestDocumentModel::insert_brokenIsMendedAsOneStep()
+void TestDocumentModel::insert_brokenIsRepairedAsOneStep()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("broken.ply"));
@@ -398,22 +398,23 @@ void TestDocumentModel::insert_brokenIsMendedAsOneStep()
     Session session;
     const std::uint64_t start = session.state();
     QSignalSpy refused(&session.document, &Document::refused),
-        mendable(&session.document, &Document::insertionMendable), mended(&session.document, &Document::insertedMended);
+        repairable(&session.document, &Document::insertionRepairable),
+        repaired(&session.document, &Document::insertedRepaired);
     session.document.insert({path, core::Insert::Place::Beside});
     session.wait();
-    QCOMPARE(mendable.size(), 1);
-    QVERIFY(mendable[0][1].toString().contains(QStringLiteral("broken.ply")));
+    QCOMPARE(repairable.size(), 1);
+    QVERIFY(repairable[0][1].toString().contains(QStringLiteral("broken.ply")));
     QCOMPARE(session.state(), start);
-    auto insertion = mendable[0][0].value<ui::InsertRequest>();
+    auto insertion = repairable[0][0].value<ui::InsertRequest>();
     QCOMPARE(insertion.path, path);
     insertion.repair.emplace();
     session.document.insert(insertion);
     session.wait();
     QVERIFY(refused.isEmpty());
-    QCOMPARE(mended.size(), 1);
-    QVERIFY(!mended[0][1].toStringList().isEmpty());
+    QCOMPARE(repaired.size(), 1);
+    QVERIFY(!repaired[0][1].toStringList().isEmpty());
     QCOMPARE(session.document.undoStack().count(), 1);
-    QVERIFY(session.document.facts().size.x() > 100 + 29);
+    QVERIFY(session.document.modelInfo().size.x() > 100 + 29);
     session.document.undo();
     QCOMPARE(session.state(), start);
     core::writeMesh(path.toStdString(), {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}}); // encloses nothing
@@ -450,7 +451,7 @@ void TestDocumentModel::insert_takesTheUnit()
     session.document.insert({.path = path, .place = core::Insert::Place::Centre, .centre = {80, 0, 0}, .unit = 25.4});
     session.wait();
     QVERIFY(noticed.isEmpty()); // whoever names a unit is not doubted
-    QTRY_VERIFY(std::abs(session.document.facts().box.max().x() - (80 + 12.7)) < 1e-3);
+    QTRY_VERIFY(std::abs(session.document.modelInfo().box.max().x() - (80 + 12.7)) < 1e-3);
     session.document.undo();
     session.document.insert({.path = path, .unit = 1e39});
     session.wait();
@@ -461,15 +462,15 @@ void TestDocumentModel::insert_takesTheUnit()
 void TestDocumentModel::facts_followTheModel()
 {
     Session session;
-    QTRY_VERIFY(std::abs(session.document.facts().area - 31400) < 200);
-    const double detail = session.document.facts().uniformDetail;
+    QTRY_VERIFY(std::abs(session.document.modelInfo().area - 31400) < 200);
+    const double detail = session.document.modelInfo().uniformDetail;
     QVERIFY(detail > 4 && detail < 6);
     session.apply(core::Scale{0.1});
-    QTRY_VERIFY(std::abs(session.document.facts().size.x() - 10) < 0.01);
-    QTRY_VERIFY(std::abs(session.document.facts().area - 314) < 2);
-    QVERIFY(std::abs(session.document.facts().uniformDetail - detail / 10) < 1e-9);
+    QTRY_VERIFY(std::abs(session.document.modelInfo().size.x() - 10) < 0.01);
+    QTRY_VERIFY(std::abs(session.document.modelInfo().area - 314) < 2);
+    QVERIFY(std::abs(session.document.modelInfo().uniformDetail - detail / 10) < 1e-9);
     session.document.undo();
-    QTRY_VERIFY(std::abs(session.document.facts().size.x() - 100) < 0.01);
+    QTRY_VERIFY(std::abs(session.document.modelInfo().size.x() - 100) < 0.01);
 }
 
 void TestDocumentModel::progress_grows()
@@ -551,13 +552,13 @@ void TestDocumentModel::opening_canBeStopped()
     QSignalSpy refused(&session.document, &Document::refused);
     session.document.open(path);
     QVERIFY(session.document.isBusy());
-    session.document.stop();
+    session.document.cancelJob();
     session.wait();
     QCOMPARE(session.state(), before);
     QVERIFY(refused.isEmpty());
     session.document.open(path);
     session.wait();
-    QCOMPARE(session.document.facts().faces, quint64(327680));
+    QCOMPARE(session.document.modelInfo().faces, quint64(327680));
 }
 
 QTEST_GUILESS_MAIN(TestDocumentModel)

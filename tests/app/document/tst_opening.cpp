@@ -13,7 +13,7 @@ using namespace app;
 
 namespace
 {
-constexpr int longestWait = 60'000;
+constexpr int timeoutMs = 60'000;
 
 /// A model that takes long to open, and two that do not.
 struct Files
@@ -38,20 +38,20 @@ bool dropFile(Program& program, const QString& path)
 /// Until the document is at rest with the model of that file; no other came before it.
 void expectOnly(const Program& program, const QSignalSpy& opened, const QString& path)
 {
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled(), longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled(), timeoutMs);
     QTest::qWait(200);
     QCOMPARE(opened.size(), 1);
     QCOMPARE(program.document.path(), path);
 }
 
-/// The question whether a broken model shall be mended, or none.
-QDialog* mendingQuestion(const Program& program)
+/// The question whether a broken model is to be repaired, or none.
+QDialog* repairQuestion(const Program& program)
 {
     return program.window.findChild<QDialog*>(QStringLiteral("mendDialog"));
 }
 
-QString mendingReport(const Program& program)
+QString repairReport(const Program& program)
 {
     auto* report = program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog"));
     return report ? report->informativeText() : QString();
@@ -68,7 +68,7 @@ struct Asked
 {
     Asked(Program& program, bool mayLose)
     {
-        program.document.setMayDiscard([this, mayLose](const std::function<void()>&) {
+        program.document.setDiscardPrompt([this, mayLose](const std::function<void()>&) {
             ++times;
             return mayLose;
         });
@@ -92,9 +92,9 @@ private Q_SLOTS:
     void afterSaving();
     void stopEndsBoth();
     void theFirstThatCannotBeReadIsNoMatter();
-    void aBrokenModelIsMended_data();
-    void aBrokenModelIsMended();
-    void aBrokenModelIsMendedAndInserted();
+    void aBrokenModelIsRepaired_data();
+    void aBrokenModelIsRepaired();
+    void aBrokenModelIsRepairedAndInserted();
 };
 
 void TestOpening::theLatestChoiceWins()
@@ -111,7 +111,7 @@ void TestOpening::theLatestChoiceWins()
     QVERIFY(dropFile(program, files.small));
     expectOnly(program, opened, files.small);
     QVERIFY(refused.isEmpty());
-    QCOMPARE(program.document.facts().vertices, quint64(162));
+    QCOMPARE(program.document.modelInfo().vertices, quint64(162));
     QVERIFY(program.window.windowTitle().startsWith(QStringLiteral("small.stl")));
 }
 
@@ -194,7 +194,7 @@ void TestOpening::whoWillNotLoseThemKeepsTheModel()
     program.document.redo();
     QTRY_VERIFY(program.document.isModified());
     program.document.open(files.small);
-    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, timeoutMs);
     QTest::qWait(200);
     QVERIFY(!program.document.isBusy() && opened.isEmpty());
     QVERIFY(program.document.path().isEmpty() && program.document.isModified() && program.document.canUndo());
@@ -231,10 +231,10 @@ void TestOpening::stopEndsBoth()
     program.document.open(files.other);
     QVERIFY(program.document.isBusy());
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), timeoutMs);
     QTest::qWait(200);
     QVERIFY(opened.isEmpty() && !program.document.isBusy());
-    QCOMPARE(program.document.facts().vertices, quint64(2562));
+    QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
 }
 
 void TestOpening::theFirstThatCannotBeReadIsNoMatter()
@@ -250,14 +250,14 @@ void TestOpening::theFirstThatCannotBeReadIsNoMatter()
     QVERIFY(refused.isEmpty());
 }
 
-void TestOpening::aBrokenModelIsMended_data()
+void TestOpening::aBrokenModelIsRepaired_data()
 {
     QTest::addColumn<bool>("agrees");
     QTest::newRow("who wants it gets a model without a file") << true;
     QTest::newRow("who does not keeps the model that is there") << false;
 }
 
-void TestOpening::aBrokenModelIsMended()
+void TestOpening::aBrokenModelIsRepaired()
 {
     QFETCH(bool, agrees);
     const QTemporaryDir folder;
@@ -267,16 +267,16 @@ void TestOpening::aBrokenModelIsMended()
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
     program.document.open(broken);
-    QTRY_VERIFY_WITH_TIMEOUT(mendingQuestion(program) && !program.document.isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.isBusy(), timeoutMs);
     opened.clear();
-    QTest::keyClick(mendingQuestion(program), agrees ? Qt::Key_Return : Qt::Key_Escape);
-    QTRY_VERIFY(!mendingQuestion(program));
+    QTest::keyClick(repairQuestion(program), agrees ? Qt::Key_Return : Qt::Key_Escape);
+    QTRY_VERIFY(!repairQuestion(program));
     if (agrees) {
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
-        QVERIFY(mendingReport(program).contains(QStringLiteral("Pairs of faces that met")));
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
+        QVERIFY(repairReport(program).contains(QStringLiteral("Pairs of faces that met")));
         QVERIFY(program.document.path().isEmpty());
         QVERIFY(program.document.isModified()); // the file has it broken
-        QVERIFY(std::abs(program.document.facts().size.x() - 29) < 0.1);
+        QVERIFY(std::abs(program.document.modelInfo().size.x() - 29) < 0.1);
     } else {
         QTest::qWait(200);
         QVERIFY(opened.isEmpty());
@@ -284,31 +284,31 @@ void TestOpening::aBrokenModelIsMended()
     QVERIFY(refused.isEmpty());
 }
 
-void TestOpening::aBrokenModelIsMendedAndInserted()
+void TestOpening::aBrokenModelIsRepairedAndInserted()
 {
     const QTemporaryDir folder;
     const QString broken = folder.filePath(QStringLiteral("broken.ply"));
     writeCrossingBalls(broken);
     Program program;
     sculptBall(program);
-    const double before = program.document.facts().size.x();
+    const double before = program.document.modelInfo().size.x();
     program.window.action(QStringLiteral("model.insert"))->trigger();
     chooseFile(program, "openDialog", broken);
     QDialog* place = nullptr;
     QTRY_VERIFY((place = program.window.findChild<QDialog*>(QStringLiteral("insertDialog"))) && place->isVisible());
     QTest::keyClick(place, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(mendingQuestion(program) && !program.document.isBusy(), longestWait);
-    QTest::keyClick(mendingQuestion(program), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(mendingReport(program).contains(QStringLiteral("Pairs of faces that met")), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.isBusy(), timeoutMs);
+    QTest::keyClick(repairQuestion(program), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Pairs of faces that met")), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), timeoutMs);
     QCOMPARE(program.document.undoStack().count(), 2);
-    QTRY_VERIFY(program.document.facts().size.x() > before + 29);
+    QTRY_VERIFY(program.document.modelInfo().size.x() > before + 29);
     QTest::keyClick(program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog")), Qt::Key_Return);
-    QTRY_VERIFY(mendingReport(program).isEmpty());
+    QTRY_VERIFY(repairReport(program).isEmpty());
     program.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
-    QTRY_COMPARE(program.document.facts().size.x(), before);
+    QTRY_COMPARE(program.document.modelInfo().size.x(), before);
 }
 
 int main(int argc, char* argv[])

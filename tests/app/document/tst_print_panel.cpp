@@ -94,7 +94,7 @@ private Q_SLOTS:
     void places_areFlownTo();
     void changes_outdateIt();
     void closing_takesColoursAway();
-    void limits_judgeAnew();
+    void limits_evaluateAgain();
     void printers_areEdited();
     void stopping_leavesItUnchecked();
     void base_isFlattenedAndPlaced();
@@ -136,7 +136,7 @@ void TestPrintPanelWindow::places_areFlownTo()
     QTest::keyClick(list, Qt::Key_Return);
     QTRY_VERIFY((program.window.viewport()->camera().target() - before).norm() > 1);
     const ui::OrbitCamera& camera = program.window.viewport()->camera();
-    const double plate = program.document.facts().box.max().x() - 15; // the middle of the plate
+    const double plate = program.document.modelInfo().box.max().x() - 15; // the middle of the plate
     QTRY_VERIFY(std::abs(camera.target().x() - plate) < 15.1 && std::abs(camera.viewDirection().y()) > 0.9);
     QTest::qWait(800); // it has arrived
     const core::Vec3 eye = camera.eye();
@@ -176,7 +176,7 @@ void TestPrintPanelWindow::closing_takesColoursAway()
     QTRY_COMPARE(shadedPixels(program), 0);
 }
 
-void TestPrintPanelWindow::limits_judgeAnew()
+void TestPrintPanelWindow::limits_evaluateAgain()
 {
     Program program;
     open(program, plateAndCube(), *m_folder);
@@ -249,15 +249,15 @@ void TestPrintPanelWindow::base_isFlattenedAndPlaced()
     QTest::keyClicks(height, QStringLiteral("5"));
     QTest::keyClick(height, Qt::Key_Return);
     QTRY_COMPARE(program.document.undoStack().count(), 1);
-    QTRY_VERIFY(std::abs(program.document.facts().box.min().y() + 25) < 0.01);
+    QTRY_VERIFY(std::abs(program.document.modelInfo().box.min().y() + 25) < 0.01);
     QTRY_VERIFY(isAnswered(program) && !rowWith(program, QStringLiteral("Stands on a point")));
     program.window.action(QStringLiteral("model.placeOnBed"))->trigger();
-    QTRY_COMPARE(program.document.facts().box.min().y(), 0.0);
+    QTRY_COMPARE(program.document.modelInfo().box.min().y(), 0.0);
     QCOMPARE(program.document.undoStack().count(), 2);
     program.window.activateWindow();
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY(std::abs(program.document.facts().box.min().y() + 30) < 0.01);
+    QTRY_VERIFY(std::abs(program.document.modelInfo().box.min().y() + 30) < 0.01);
 }
 
 /// Home frames the model, but not where a control goes to its first entry by it.

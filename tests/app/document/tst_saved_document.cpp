@@ -147,7 +147,7 @@ void TestSavedDocument::formatThatHoldsLess_isToldOnce()
     QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier); // to the same file, in its format
     QTRY_VERIFY(!program.document.isModified() && !program.document.isBusy());
     QVERIFY2(notice(program).contains(QStringLiteral("GLB")), qPrintable(notice(program)));
-    QCOMPARE(core::readMesh(path.toStdString()).points.size(), program.document.facts().vertices);
+    QCOMPARE(core::readMesh(path.toStdString()).points.size(), program.document.modelInfo().vertices);
     QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier);
     QTRY_VERIFY(!notice(program).contains(QStringLiteral("GLB")));
 }

@@ -19,7 +19,7 @@ using namespace app;
 
 namespace
 {
-constexpr int longestWait = 120'000;
+constexpr int timeoutMs = 120'000;
 
 QStringList filesIn(const QString& folder)
 {
@@ -39,7 +39,7 @@ struct Studio
     {
         program.window.resize(1000, 700);
         program.window.show();
-        program.document.setMayDiscard({});
+        program.document.setDiscardPrompt({});
         program.document.openSphere();
         rest();
         for (int i = 0; i < strokes; ++i) {
@@ -58,8 +58,8 @@ struct Studio
     void rest()
     {
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() &&
-                                     program.document.facts().faces > 0,
-                                 longestWait);
+                                     program.document.modelInfo().faces > 0,
+                                 timeoutMs);
     }
 
     std::uint64_t state()
@@ -70,7 +70,7 @@ struct Studio
         program.worker.post([&](core::Sculptor& sculptor) {
             mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
         });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), longestWait); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), timeoutMs); }();
         return hash.value_or(0);
     }
 
@@ -79,18 +79,18 @@ struct Studio
     {
         TimeLapseOutcome outcome;
         bool isDone = false;
-        TimeLapseOrder order{folder, every,
-                             core::viewOf({core::Vec3::Constant(-60), core::Vec3::Constant(60)}, 96, 54)};
-        const bool began = program.document.lookBack(
+        TimeLapseRequest request{folder, every,
+                                 core::viewOf({core::Vec3::Constant(-60), core::Vec3::Constant(60)}, 96, 54)};
+        const bool began = program.document.visitHistory(
             QStringLiteral("Drawing"),
-            [&](const ModelPast& past, core::JobControl control) {
+            [&](const ModelHistory& history, core::JobControl control) {
                 std::stop_source stop;
                 if (stops)
                     control = {stop.get_token(), [&stop](double) { stop.request_stop(); }};
-                outcome = TimeLapse::run(order, past, control);
+                outcome = TimeLapse::run(request, history, control);
             },
             [&isDone] { isDone = true; });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, longestWait); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, timeoutMs); }();
         return outcome;
     }
 
@@ -239,20 +239,20 @@ void TestTimeLapse::handsRestMeanwhile()
     Studio s(3);
     bool isDone = false;
     std::atomic<bool> mayGoOn = false;
-    QVERIFY(s.program.document.lookBack(
+    QVERIFY(s.program.document.visitHistory(
         QStringLiteral("Drawing"),
-        [&](const ModelPast&, const core::JobControl&) {
+        [&](const ModelHistory&, const core::JobControl&) {
             while (!mayGoOn)
                 std::this_thread::yield();
         },
         [&isDone] { isDone = true; }));
-    QVERIFY(!s.program.document.lookBack({}, {}, {}));
+    QVERIFY(!s.program.document.visitHistory({}, {}, {}));
     QTRY_VERIFY(!s.program.worker.beginStroke(Source::Headset, {}));
     s.program.document.undo(); // waits
     QCOMPARE(s.program.document.undoStack().index(), 3);
     mayGoOn = true;
-    QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
-    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.undoStack().index(), 2, longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(isDone, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.undoStack().index(), 2, timeoutMs);
 }
 
 void TestTimeLapse::byTheMenu()
@@ -269,9 +269,9 @@ void TestTimeLapse::byTheMenu()
     QVERIFY(dialog->findChild<QLabel*>(QStringLiteral("frameCount"))->text().contains(QStringLiteral("3")));
     dialog->accept();
     chooseFile(s.program, "folderDialog", folder.path());
-    QTRY_COMPARE_WITH_TIMEOUT(filesIn(folder.path()).size(), 3, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(filesIn(folder.path()).size(), 3, timeoutMs);
     s.rest();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(s.program).contains(QStringLiteral("3")), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(s.program).contains(QStringLiteral("3")), timeoutMs);
     for (const QString& name : filesIn(folder.path()))
         QCOMPARE(QImage(folder.filePath(name)).size(), chosen);
 }

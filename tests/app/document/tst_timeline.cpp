@@ -27,16 +27,16 @@ using namespace app;
 
 namespace
 {
-constexpr int longestWait = 60'000;
+constexpr int timeoutMs = 60'000;
 
 /// The program with a ball of clay, and strokes that need no mouse.
-struct Desk
+struct TimelineFixture
 {
-    Desk()
+    TimelineFixture()
     {
         program.window.resize(1200, 800);
         program.window.show();
-        program.document.setMayDiscard({}); // nobody is asked
+        program.document.setDiscardPrompt({}); // nobody is asked
         program.document.openSphere();
         rest();
     }
@@ -44,8 +44,8 @@ struct Desk
     void rest()
     {
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() &&
-                                     program.document.facts().faces > 0,
-                                 longestWait);
+                                     program.document.modelInfo().faces > 0,
+                                 timeoutMs);
     }
 
     /// What the mesh is, slots and free lists too.
@@ -58,7 +58,7 @@ struct Desk
             const bool isSound = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
             mail.post([&hash, value = isSound ? sculptor.mesh().stateHash() : 0] { hash = value; });
         });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), longestWait); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), timeoutMs); }();
         return hash.value_or(0);
     }
 
@@ -83,13 +83,13 @@ struct Desk
         auto* dock = find<QWidget>("historyPanel");
         dock->show();
         dock->raise();
-        QTRY_VERIFY_WITH_TIMEOUT(program.window.history()->isVisible(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(program.window.history()->isVisible(), timeoutMs);
     }
     QAction* edit() { return program.window.action(QStringLiteral("edit.lastStroke")); }
     void beginEdit()
     {
         edit()->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), timeoutMs);
     }
     /// As if it were typed.
     void set(const char* box, double value)
@@ -106,7 +106,7 @@ struct Desk
     {
         QTest::mouseClick(bar()->findChild<QPushButton*>(QLatin1StringView(button)), Qt::LeftButton);
         rest();
-        QTRY_VERIFY_WITH_TIMEOUT(!bar(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!bar(), timeoutMs);
     }
 
     Program program;
@@ -151,7 +151,7 @@ private Q_SLOTS:
     void edit_isAsIfTheStrokeHadBeenDoneSo_data();
     void edit_isAsIfTheStrokeHadBeenDoneSo();
     void edit_cancelGivesTheStrokeBackAsItWas();
-    void edit_manyWishesEndAtTheNewest();
+    void edit_manyChangesEndAtTheNewest();
     void edit_theNextStrokeEndsIt();
     void edit_undoEndsIt();
     void edit_whatDoesNothingSaysSo();
@@ -163,17 +163,17 @@ private Q_SLOTS:
 
 void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
 {
-    Desk desk;
+    TimelineFixture fixture;
     std::mt19937_64 random(8);
-    std::vector<std::uint64_t> states{desk.state()};
+    std::vector<std::uint64_t> states{fixture.state()};
     while (states.size() < 31) {
-        desk.stroke(randomStroke(random));
-        states.push_back(desk.state());
-        QCOMPARE(desk.index(), static_cast<int>(states.size()) - 1);
+        fixture.stroke(randomStroke(random));
+        states.push_back(fixture.state());
+        QCOMPARE(fixture.index(), static_cast<int>(states.size()) - 1);
     }
-    auto* slider = desk.find<QSlider>("timeline");
-    desk.showHistory();
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 30, longestWait);
+    auto* slider = fixture.find<QSlider>("timeline");
+    fixture.showHistory();
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 30, timeoutMs);
     QCOMPARE(slider->minimum(), 0);
     for (int i = 0; i < 25; ++i) {
         int wanted = 0;
@@ -183,39 +183,39 @@ void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
             if (burst % 2 == 1)
                 QCoreApplication::processEvents();
         }
-        QTRY_COMPARE_WITH_TIMEOUT(desk.index(), wanted, longestWait);
-        QCOMPARE(desk.state(), states[static_cast<std::size_t>(wanted)]);
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), wanted, timeoutMs);
+        QCOMPARE(fixture.state(), states[static_cast<std::size_t>(wanted)]);
         QCOMPARE(slider->value(), wanted);
     }
-    QCOMPARE(desk.count(), 30);
+    QCOMPARE(fixture.count(), 30);
 }
 
 void TestTimeline::scrub_keysGoByOneAndPlayToTheEnd()
 {
-    Desk desk;
+    TimelineFixture fixture;
     std::mt19937_64 random(9);
     for (int i = 0; i < 3; ++i)
-        desk.stroke(randomStroke(random));
-    const std::uint64_t last = desk.state();
-    auto* slider = desk.find<QSlider>("timeline");
-    desk.showHistory();
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 3, longestWait);
+        fixture.stroke(randomStroke(random));
+    const std::uint64_t last = fixture.state();
+    auto* slider = fixture.find<QSlider>("timeline");
+    fixture.showHistory();
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 3, timeoutMs);
     QTest::keyClick(slider, Qt::Key_Left);
     QTest::keyClick(slider, Qt::Key_Left);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.index(), 1, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 1, timeoutMs);
     QTest::keyClick(slider, Qt::Key_Right);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.index(), 2, longestWait);
-    const QString text = desk.find<QLabel>("timelineText")->text();
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 2, timeoutMs);
+    const QString text = fixture.find<QLabel>("timelineText")->text();
     QVERIFY2(text.contains(QStringLiteral("2")) && text.contains(QStringLiteral("3")) &&
-                 text.contains(desk.program.document.undoStack().text(1)),
+                 text.contains(fixture.program.document.undoStack().text(1)),
              qPrintable(text));
-    auto* play = desk.find<QToolButton>("timelinePlay");
+    auto* play = fixture.find<QToolButton>("timelinePlay");
     QTest::mouseClick(play, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.index() == 3 && !play->isChecked(), longestWait);
-    QSignalSpy moved(&desk.program.document.undoStack(), &QUndoStack::indexChanged);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked(), timeoutMs);
+    QSignalSpy moved(&fixture.program.document.undoStack(), &QUndoStack::indexChanged);
     QTest::mouseClick(play, Qt::LeftButton); // from the first
-    QTRY_VERIFY_WITH_TIMEOUT(desk.index() == 3 && !play->isChecked() && moved.size() >= 4, longestWait);
-    QCOMPARE(desk.state(), last);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked() && moved.size() >= 4, timeoutMs);
+    QCOMPARE(fixture.state(), last);
 }
 
 void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo_data()
@@ -257,28 +257,28 @@ void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo()
 {
     QFETCH(core::Stroke, stroke);
     QFETCH(core::BrushChange, brush);
-    Desk desk;
-    desk.stroke(across(core::Tool::Flatten));
-    const std::uint64_t before = desk.state();
-    desk.stroke(stroke);
-    QCOMPARE(desk.count(), 2);
-    const quint64 strokes = desk.program.document.facts().metadata.work->strokes;
-    desk.beginEdit();
+    TimelineFixture fixture;
+    fixture.stroke(across(core::Tool::Flatten));
+    const std::uint64_t before = fixture.state();
+    fixture.stroke(stroke);
+    QCOMPARE(fixture.count(), 2);
+    const quint64 strokes = fixture.program.document.modelInfo().metadata.work->strokes;
+    fixture.beginEdit();
     if (brush.tool != stroke.settings.tool)
-        desk.choose(brush.tool);
-    desk.set("radius.box", brush.radius);
-    desk.set("strength.box", brush.strength);
-    desk.press("keepStroke");
-    const std::uint64_t edited = desk.state();
-    QCOMPARE(desk.count(), 2);
-    QCOMPARE(desk.index(), 2);
-    QCOMPARE(desk.program.document.facts().metadata.work->strokes, strokes); // it was one, and is one
-    desk.program.document.undo();
-    QCOMPARE(desk.state(), before);
-    desk.program.document.redo();
-    QCOMPARE(desk.state(), edited);
+        fixture.choose(brush.tool);
+    fixture.set("radius.box", brush.radius);
+    fixture.set("strength.box", brush.strength);
+    fixture.press("keepStroke");
+    const std::uint64_t edited = fixture.state();
+    QCOMPARE(fixture.count(), 2);
+    QCOMPARE(fixture.index(), 2);
+    QCOMPARE(fixture.program.document.modelInfo().metadata.work->strokes, strokes); // it was one, and is one
+    fixture.program.document.undo();
+    QCOMPARE(fixture.state(), before);
+    fixture.program.document.redo();
+    QCOMPARE(fixture.state(), edited);
 
-    Desk other;
+    TimelineFixture other;
     other.stroke(across(core::Tool::Flatten));
     core::Stroke done = stroke;
     done.settings.tool = brush.tool;
@@ -297,49 +297,49 @@ void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo()
 void TestTimeline::edit_cancelGivesTheStrokeBackAsItWas()
 {
     const QTemporaryDir folder;
-    Desk desk;
-    desk.stroke(across());
-    desk.program.document.save(folder.filePath(QStringLiteral("a.glb")));
-    desk.rest();
-    const std::uint64_t was = desk.state();
-    QVERIFY(!desk.program.document.isModified());
+    TimelineFixture fixture;
+    fixture.stroke(across());
+    fixture.program.document.save(folder.filePath(QStringLiteral("a.glb")));
+    fixture.rest();
+    const std::uint64_t was = fixture.state();
+    QVERIFY(!fixture.program.document.isModified());
     for (const char* how : {"nothing", "once", "twice", "at once"}) {
         const QString word = QLatin1StringView(how);
-        desk.beginEdit();
+        fixture.beginEdit();
         if (word != QLatin1String("nothing"))
-            desk.set("radius.box", 20);
+            fixture.set("radius.box", 20);
         if (word != QLatin1String("at once"))
-            desk.rest();
+            fixture.rest();
         if (word == QLatin1String("twice")) {
-            QVERIFY(desk.state() != was && desk.program.document.isModified());
-            desk.choose(core::Tool::Push);
-            desk.rest();
+            QVERIFY(fixture.state() != was && fixture.program.document.isModified());
+            fixture.choose(core::Tool::Push);
+            fixture.rest();
         }
         if (word == QLatin1String("once"))
-            QTest::keyClick(desk.bar(), Qt::Key_Escape);
+            QTest::keyClick(fixture.bar(), Qt::Key_Escape);
         else
-            desk.press("cancelStroke");
-        QTRY_VERIFY_WITH_TIMEOUT(!desk.bar(), longestWait);
-        QCOMPARE(desk.state(), was);
-        QCOMPARE(desk.count(), 1);
-        QVERIFY(!desk.program.document.isModified());
-        QCOMPARE(desk.program.document.undoText(), desk.program.document.undoStack().text(0));
+            fixture.press("cancelStroke");
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
+        QCOMPARE(fixture.state(), was);
+        QCOMPARE(fixture.count(), 1);
+        QVERIFY(!fixture.program.document.isModified());
+        QCOMPARE(fixture.program.document.undoText(), fixture.program.document.undoStack().text(0));
     }
 }
 
-void TestTimeline::edit_manyWishesEndAtTheNewest()
+void TestTimeline::edit_manyChangesEndAtTheNewest()
 {
-    Desk desk;
-    desk.stroke(across());
-    desk.beginEdit();
-    QSignalSpy finished(&desk.program.worker, &SculptWorker::strokeFinished);
+    TimelineFixture fixture;
+    fixture.stroke(across());
+    fixture.beginEdit();
+    QSignalSpy finished(&fixture.program.worker, &SculptWorker::strokeFinished);
     for (int i = 0; i < 60; ++i)
-        desk.set("radius.box", 10 + 0.1 * i);
-    desk.set("radius.box", 14);
-    desk.press("keepStroke");
+        fixture.set("radius.box", 10 + 0.1 * i);
+    fixture.set("radius.box", 14);
+    fixture.press("keepStroke");
     QVERIFY(finished.size() < 20);
-    const std::uint64_t edited = desk.state();
-    Desk other;
+    const std::uint64_t edited = fixture.state();
+    TimelineFixture other;
     core::Stroke done = across();
     done.settings.radius = 14;
     other.stroke(done);
@@ -349,140 +349,140 @@ void TestTimeline::edit_manyWishesEndAtTheNewest()
 /// What was wanted is done before it.
 void TestTimeline::edit_theNextStrokeEndsIt()
 {
-    Desk desk;
-    desk.stroke(across());
-    desk.beginEdit();
-    desk.set("radius.box", 11);
-    desk.set("radius.box", 14); // not begun yet
-    Q_EMIT desk.program.window.viewport()->strokeBegan(across(core::Tool::Push).settings);
+    TimelineFixture fixture;
+    fixture.stroke(across());
+    fixture.beginEdit();
+    fixture.set("radius.box", 11);
+    fixture.set("radius.box", 14); // not begun yet
+    Q_EMIT fixture.program.window.viewport()->strokeBegan(across(core::Tool::Push).settings);
     for (const core::StrokeSample& sample : across().samples)
-        Q_EMIT desk.program.window.viewport()->strokeSampled(sample);
-    Q_EMIT desk.program.window.viewport()->strokeEnded();
-    desk.rest();
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.bar(), longestWait);
-    QCOMPARE(desk.count(), 2);
-    desk.program.document.undo();
-    Desk other;
+        Q_EMIT fixture.program.window.viewport()->strokeSampled(sample);
+    Q_EMIT fixture.program.window.viewport()->strokeEnded();
+    fixture.rest();
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
+    QCOMPARE(fixture.count(), 2);
+    fixture.program.document.undo();
+    TimelineFixture other;
     core::Stroke done = across();
     done.settings.radius = 14;
     other.stroke(done);
-    QCOMPARE(desk.state(), other.state());
+    QCOMPARE(fixture.state(), other.state());
 }
 
 void TestTimeline::edit_undoEndsIt()
 {
-    Desk desk;
-    const std::uint64_t start = desk.state();
-    desk.stroke(across());
-    desk.beginEdit();
-    desk.set("radius.box", 14);
-    desk.rest();
-    desk.program.document.undo();
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.bar(), longestWait);
-    QCOMPARE(desk.state(), start);
-    QVERIFY(!desk.edit()->isEnabled());
-    desk.program.document.redo();
-    desk.rest();
-    QVERIFY(desk.edit()->isEnabled());
+    TimelineFixture fixture;
+    const std::uint64_t start = fixture.state();
+    fixture.stroke(across());
+    fixture.beginEdit();
+    fixture.set("radius.box", 14);
+    fixture.rest();
+    fixture.program.document.undo();
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
+    QCOMPARE(fixture.state(), start);
+    QVERIFY(!fixture.edit()->isEnabled());
+    fixture.program.document.redo();
+    fixture.rest();
+    QVERIFY(fixture.edit()->isEnabled());
 }
 
 void TestTimeline::edit_whatDoesNothingSaysSo()
 {
-    Desk desk;
-    const std::uint64_t start = desk.state();
-    desk.stroke(across());
-    const std::uint64_t was = desk.state();
-    desk.beginEdit();
-    desk.set("strength.box", 0);
-    desk.rest();
-    auto* hint = desk.find<QLabel>("strokeHint");
-    QTRY_VERIFY_WITH_TIMEOUT(!hint->text().isEmpty(), longestWait);
-    QCOMPARE(desk.state(), start);
-    desk.set("strength.box", 2);
-    desk.rest();
-    QVERIFY(hint->text().isEmpty() && desk.state() != start);
-    desk.set("strength.box", 0);
-    desk.press("cancelStroke");
-    QCOMPARE(desk.state(), was);
-    QCOMPARE(desk.count(), 1);
+    TimelineFixture fixture;
+    const std::uint64_t start = fixture.state();
+    fixture.stroke(across());
+    const std::uint64_t was = fixture.state();
+    fixture.beginEdit();
+    fixture.set("strength.box", 0);
+    fixture.rest();
+    auto* hint = fixture.find<QLabel>("strokeHint");
+    QTRY_VERIFY_WITH_TIMEOUT(!hint->text().isEmpty(), timeoutMs);
+    QCOMPARE(fixture.state(), start);
+    fixture.set("strength.box", 2);
+    fixture.rest();
+    QVERIFY(hint->text().isEmpty() && fixture.state() != start);
+    fixture.set("strength.box", 0);
+    fixture.press("cancelStroke");
+    QCOMPARE(fixture.state(), was);
+    QCOMPARE(fixture.count(), 1);
 }
 
 void TestTimeline::edit_onlyOfAStrokeThatIsTheLastStep()
 {
-    Desk desk;
-    QVERIFY(!desk.edit()->isEnabled());
-    desk.stroke(across());
-    QVERIFY(desk.edit()->isEnabled());
-    desk.program.document.apply(core::Fill{{1, 2, 3}});
-    desk.rest();
-    QVERIFY(!desk.edit()->isEnabled());
-    desk.program.document.undo();
-    desk.rest();
-    QVERIFY(!desk.edit()->isEnabled());
-    desk.program.document.openStarter(core::Starter::Cube);
-    desk.rest();
-    desk.program.document.apply(core::Fill{{1, 2, 3}});
-    desk.rest();
-    QVERIFY(!desk.edit()->isEnabled()); // as many steps as before, of another model
+    TimelineFixture fixture;
+    QVERIFY(!fixture.edit()->isEnabled());
+    fixture.stroke(across());
+    QVERIFY(fixture.edit()->isEnabled());
+    fixture.program.document.apply(core::Fill{{1, 2, 3}});
+    fixture.rest();
+    QVERIFY(!fixture.edit()->isEnabled());
+    fixture.program.document.undo();
+    fixture.rest();
+    QVERIFY(!fixture.edit()->isEnabled());
+    fixture.program.document.openStarter(core::Starter::Cube);
+    fixture.rest();
+    fixture.program.document.apply(core::Fill{{1, 2, 3}});
+    fixture.rest();
+    QVERIFY(!fixture.edit()->isEnabled()); // as many steps as before, of another model
 }
 
 void TestTimeline::edit_offersTheToolsThatTheBrushOffers()
 {
-    Desk desk;
-    desk.stroke(across(core::Tool::Clay));
-    desk.program.window.brush()->offerTools({core::Tool::Pull, core::Tool::Smooth});
-    desk.beginEdit();
-    auto* tools = desk.bar()->findChild<QComboBox*>();
+    TimelineFixture fixture;
+    fixture.stroke(across(core::Tool::Clay));
+    fixture.program.window.brush()->offerTools({core::Tool::Pull, core::Tool::Smooth});
+    fixture.beginEdit();
+    auto* tools = fixture.bar()->findChild<QComboBox*>();
     QCOMPARE(tools->count(), 3); // and its own
     QCOMPARE(tools->currentData().toInt(), static_cast<int>(core::Tool::Clay));
-    desk.choose(core::Tool::Smooth);
-    desk.press("keepStroke");
-    QVERIFY(desk.program.document.undoStack().text(0) == desk.program.document.undoText());
-    QCOMPARE(desk.program.document.lastStroke()->report.tool, core::Tool::Smooth);
-    QCOMPARE(desk.program.window.brush()->tool(), core::Tool::Pull); // the hand's own is not touched
+    fixture.choose(core::Tool::Smooth);
+    fixture.press("keepStroke");
+    QVERIFY(fixture.program.document.undoStack().text(0) == fixture.program.document.undoText());
+    QCOMPARE(fixture.program.document.lastStroke()->report.tool, core::Tool::Smooth);
+    QCOMPARE(fixture.program.window.brush()->tool(), core::Tool::Pull); // the hand's own is not touched
 }
 
 /// What a class's archive would keep of the turn, played anew.
 void TestTimeline::edit_theRecordIsOfWhatIsThere()
 {
-    Desk desk;
-    desk.stroke(across(core::Tool::Flatten));
-    desk.stroke(across());
-    desk.beginEdit();
-    desk.set("radius.box", 14);
-    desk.rest();
-    desk.set("radius.box", 16);
-    desk.press("keepStroke");
+    TimelineFixture fixture;
+    fixture.stroke(across(core::Tool::Flatten));
+    fixture.stroke(across());
+    fixture.beginEdit();
+    fixture.set("radius.box", 14);
+    fixture.rest();
+    fixture.set("radius.box", 16);
+    fixture.press("keepStroke");
     std::optional<std::vector<core::FileEntry>> entries;
     bool isDone = false;
     const auto keep = [&entries](const Document::Present& present) {
-        entries = present.deeds;
+        entries = present.steps;
         return true;
     };
-    QVERIFY(desk.program.document.handOver({}, keep, [&isDone](bool) { isDone = true; }));
-    QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
+    QVERIFY(fixture.program.document.saveExternally({}, keep, [&isDone](bool) { isDone = true; }));
+    QTRY_VERIFY_WITH_TIMEOUT(isDone, timeoutMs);
     QVERIFY(entries && entries->size() == 2);
-    Desk other;
+    TimelineFixture other;
     for (const core::FileEntry& entry : *entries)
         other.stroke(std::get<core::Stroke>(entry));
-    QCOMPARE(other.state(), desk.state());
+    QCOMPARE(other.state(), fixture.state());
 }
 
 void TestTimeline::edit_survivesTheProgram()
 {
     const QTemporaryDir folder;
-    JournalShelf shelf(std::filesystem::path(folder.path().toStdString()) / "journals");
-    Desk desk;
-    desk.program.document.keepJournals(&shelf);
-    desk.program.document.openSphere();
-    desk.rest();
-    desk.stroke(across(core::Tool::Flatten));
-    const std::uint64_t before = desk.state();
-    desk.stroke(across());
-    const std::uint64_t was = desk.state();
+    RecoveryStore store(std::filesystem::path(folder.path().toStdString()) / "journals");
+    TimelineFixture fixture;
+    fixture.program.document.keepJournals(&store);
+    fixture.program.document.openSphere();
+    fixture.rest();
+    fixture.stroke(across(core::Tool::Flatten));
+    const std::uint64_t before = fixture.state();
+    fixture.stroke(across());
+    const std::uint64_t was = fixture.state();
     const auto recovered = [&] {
-        desk.program.document.journal()->drain();
-        return core::recoverJournal(desk.program.document.journal()->folder());
+        fixture.program.document.journal()->drain();
+        return core::recoverJournal(fixture.program.document.journal()->folder());
     };
     const auto isRight = [&](std::uint64_t now) {
         auto found = recovered();
@@ -493,16 +493,16 @@ void TestTimeline::edit_survivesTheProgram()
         return found->mesh->stateHash() == before;
     };
     QVERIFY(isRight(was));
-    desk.beginEdit();
-    desk.set("radius.box", 14);
-    desk.rest();
-    const std::uint64_t edited = desk.state();
+    fixture.beginEdit();
+    fixture.set("radius.box", 14);
+    fixture.rest();
+    const std::uint64_t edited = fixture.state();
     QVERIFY(edited != was && isRight(edited));
-    desk.choose(core::Tool::Push);
-    desk.rest();
-    QVERIFY(isRight(desk.state()));
-    desk.press("cancelStroke");
-    QCOMPARE(desk.state(), was);
+    fixture.choose(core::Tool::Push);
+    fixture.rest();
+    QVERIFY(isRight(fixture.state()));
+    fixture.press("cancelStroke");
+    QCOMPARE(fixture.state(), was);
     QVERIFY(isRight(was));
 }
 

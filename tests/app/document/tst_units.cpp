@@ -63,7 +63,7 @@ private:
         openFile(program, path);
     }
     static ui::UnitBar* bar(const Program& program) { return program.window.findChild<ui::UnitBar*>(); }
-    static double side(const Program& program) { return program.document.facts().size.maxCoeff(); }
+    static double side(const Program& program) { return program.document.modelInfo().size.maxCoeff(); }
 
     std::unique_ptr<QTemporaryDir> m_folder;
 };

@@ -26,7 +26,7 @@ QByteArray read(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// A folder with a model, which can be spoilt and mended.
+/// A folder with a model, which can be damaged and repaired.
 class Place
 {
 public:
@@ -37,7 +37,7 @@ public:
     }
     ~Place()
     {
-        mend();
+        repair();
         for (const QString& name : files())
             QFile::remove(at(name.toUtf8().constData()));
     }
@@ -48,7 +48,7 @@ public:
         else
             QFile::setPermissions(folder(), QFile::ReadOwner | QFile::ExeOwner);
     }
-    void mend() const
+    void repair() const
     {
         if (m_fault == Fault::DiskFull)
             QFile::remove(at("filler"));
@@ -171,7 +171,7 @@ struct Spoilt
 } // namespace
 
 /// Full disks, and folders and files that are closed to us.
-class TestHardPlaces : public QObject
+class TestUnwritablePlaces : public QObject
 {
     Q_OBJECT
 
@@ -202,14 +202,14 @@ private:
     if (isMissing(fault))                                                                                              \
     QSKIP("A small disk cannot be mounted here.")
 
-void TestHardPlaces::faults()
+void TestUnwritablePlaces::faults()
 {
     QTest::addColumn<Fault>("fault");
     QTest::newRow("full disk") << Fault::DiskFull;
     QTest::newRow("closed folder") << Fault::NotPermitted;
 }
 
-void TestHardPlaces::save_losesNothing()
+void TestUnwritablePlaces::save_losesNothing()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
@@ -217,14 +217,15 @@ void TestHardPlaces::save_losesNothing()
     s.sculpt();
     s.press("file.save");
     s.verifyRefused(QStringLiteral("lion.ply"));
-    s.place.mend();
+    s.place.repair();
     s.press("file.save");
     s.verifySaved();
     QVERIFY(read(s.place.at("lion.ply")) != s.bytes);
-    QCOMPARE(core::readMesh(s.place.at("lion.ply").toStdString()).points.size(), s.program.document.facts().vertices);
+    QCOMPARE(core::readMesh(s.place.at("lion.ply").toStdString()).points.size(),
+             s.program.document.modelInfo().vertices);
 }
 
-void TestHardPlaces::closing_staysWhenItsSaveFails()
+void TestUnwritablePlaces::closing_staysWhenItsSaveFails()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
@@ -234,13 +235,13 @@ void TestHardPlaces::closing_staysWhenItsSaveFails()
     QVERIFY(!s.program.window.close());
     s.verifyRefused(QStringLiteral("lion.ply"));
     QVERIFY(s.program.window.isVisible());
-    s.place.mend();
+    s.place.repair();
     s.press("file.save"); // this time nobody asked to close
     s.verifySaved();
     QVERIFY(s.program.window.isVisible());
 }
 
-void TestHardPlaces::numberedCopy_isWholeOrNotThere()
+void TestUnwritablePlaces::numberedCopy_isWholeOrNotThere()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
@@ -250,7 +251,7 @@ void TestHardPlaces::numberedCopy_isWholeOrNotThere()
     s.verifyRefused(QStringLiteral("lion-001.ply"));
 }
 
-void TestHardPlaces::exports_areWholeOrNotThere_data()
+void TestUnwritablePlaces::exports_areWholeOrNotThere_data()
 {
     QTest::addColumn<Fault>("fault");
     QTest::addColumn<QString>("name");
@@ -260,7 +261,7 @@ void TestHardPlaces::exports_areWholeOrNotThere_data()
     }
 }
 
-void TestHardPlaces::exports_areWholeOrNotThere()
+void TestUnwritablePlaces::exports_areWholeOrNotThere()
 {
     QFETCH(Fault, fault);
     QFETCH(QString, name);
@@ -274,7 +275,7 @@ void TestHardPlaces::exports_areWholeOrNotThere()
 }
 
 /// Onto the model's own file, as the person agrees to.
-void TestHardPlaces::reducedExport_leavesTheOldFile()
+void TestUnwritablePlaces::reducedExport_leavesTheOldFile()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
@@ -295,7 +296,7 @@ void TestHardPlaces::reducedExport_leavesTheOldFile()
     s.verifyRefused(QStringLiteral("lion.stl"));
 }
 
-void TestHardPlaces::duplicate_isWholeOrNotThere()
+void TestUnwritablePlaces::duplicate_isWholeOrNotThere()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
@@ -309,7 +310,7 @@ void TestHardPlaces::duplicate_isWholeOrNotThere()
     QCOMPARE(read(s.place.at("lion.ply")), s.bytes);
 }
 
-void TestHardPlaces::filesThatMayNoMoreBeRead_haveAWord()
+void TestUnwritablePlaces::filesThatMayNoMoreBeRead_haveAWord()
 {
     Spoilt s(*disk, Fault::NotPermitted);
     s.sculpt();
@@ -334,7 +335,7 @@ int main(int argc, char* argv[])
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString());
     places::obeyPermissions();
-    TestHardPlaces::disk = &disk;
-    return runOnScreen<TestHardPlaces>(argc, argv, "tst_hard_places");
+    TestUnwritablePlaces::disk = &disk;
+    return runOnScreen<TestUnwritablePlaces>(argc, argv, "tst_hard_places");
 }
 #include "tst_unwritable_places.moc"

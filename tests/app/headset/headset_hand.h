@@ -29,9 +29,9 @@ public:
     {
         load(pixels);
         auto* entrance = program.window.findChild<Headset*>();
-        QObject::connect(entrance, &Headset::seen, entrance, [this](const std::optional<vr::AvatarState>& presence) {
-            m_seen = presence.value_or(m_seen);
-        });
+        QObject::connect(
+            entrance, &Headset::avatarChanged, entrance,
+            [this](const std::optional<vr::AvatarState>& presence) { m_seen = presence.value_or(m_seen); });
     }
     ~HeadsetHand() { m_headset.step("{'pace': 'fast'}"); } // a test that has failed comes to an end, too
 
@@ -59,7 +59,7 @@ public:
         m_program.window.action(QStringLiteral("vr.enter"))->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(m_headset.report()["is_running"].toBool(), 60'000);
         frames(8); // the focus comes with the fourth
-        lookAgain();
+        placeModelAgain();
     }
     void leave()
     {
@@ -71,7 +71,7 @@ public:
     {
         m_headset.step("{'pace': 'fast'}");
         QTRY_VERIFY_WITH_TIMEOUT(!m_headset.report()["is_running"].toBool(), 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_program.window.findChild<Headset*>()->isIn(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_program.window.findChild<Headset*>()->isActive(), 60'000);
         m_headset.step("{'pace': 'stepped'}");
     }
 
@@ -118,11 +118,11 @@ public:
                                                     {"rotation", QJsonArray{turn.x(), turn.y(), turn.z(), turn.w()}}}}};
         if (over > 0)
             step["over"] = over;
-        obey(step);
+        apply(step);
     }
     void set(vr::Side side, const char* input, const QJsonValue& value)
     {
-        obey({{nameOf(side), QJsonObject{{QLatin1StringView(input), value}}}});
+        apply({{nameOf(side), QJsonObject{{QLatin1StringView(input), value}}}});
     }
     /// For so many frames, and one let go.
     void press(vr::Side side, const char* input, int count = 2)
@@ -166,9 +166,9 @@ public:
     }
 
     /// The model was placed before the person anew.
-    void lookAgain()
+    void placeModelAgain()
     {
-        m_room = vr::ModelPlacement(m_program.document.facts().box);
+        m_room = vr::ModelPlacement(m_program.document.modelInfo().box);
         m_room.place(head);
     }
     /// A place of the document where the person sees it, as long as hands have not moved the model.
@@ -207,7 +207,7 @@ public:
     {
         const vr::Side carrier = layout.kind == vr::PanelKind::Tools ? other(sculpting()) : sculpting();
         const vr::Pose at = m_seen.head.value_or(head);
-        const core::Box& box = m_program.document.facts().box;
+        const core::Box& box = m_program.document.modelInfo().box;
         const core::Sphere clay{m_room.middle(), m_room.lengthToRoom(box.sizes().maxCoeff()) / 2};
         if (layout.kind == vr::PanelKind::Tools || layout.kind == vr::PanelKind::Color)
             return vr::placeAtHand(m_grips[static_cast<std::size_t>(carrier)], at,
@@ -245,11 +245,12 @@ public:
         press(pointAt(content, item), "trigger", count);
         settle();
     }
-    /// Panels are painted aside: an item is there when it is. Clicks until that has happened which the click is for.
+    /// Panels are painted on another thread: an item is there when it is. Clicks until that has happened which the
+    /// click is for.
     template <class Happened>
     bool choose(const vr::PanelContent& content, const vr::PanelAction& item, const Happened& happened, int count = 2)
     {
-        if (!vr::layoutOf(content).partFor(item))
+        if (!vr::layoutOf(content).itemFor(item))
             return false;
         for (int i = 0; i < 12 && isIn(); ++i) {
             click(content, item, count);
@@ -260,7 +261,7 @@ public:
         return happened();
     }
 
-    /// Panels are painted aside, and appear when they are.
+    /// Panels are painted on another thread, and appear when they are.
     void waitForPanels()
     {
         for (int i = 0; i < 20; ++i) {
@@ -280,18 +281,18 @@ private:
     static constexpr double reach = 0.1; ///< metres from which a wand points at a panel
 
     int framesEnded() const { return m_headset.report()["frames_ended"].toInt(); }
-    static vr::Side sculpting() { return HeadsetSettings().choice().wands.sculpting; }
+    static vr::Side sculpting() { return HeadsetSettings().load().wands.sculpting; }
     static vr::Side other(vr::Side side) { return side == vr::Side::Left ? vr::Side::Right : vr::Side::Left; }
     static QString nameOf(vr::Side side)
     {
         return side == vr::Side::Left ? QStringLiteral("left") : QStringLiteral("right");
     }
-    void obey(const QJsonObject& step)
+    void apply(const QJsonObject& step)
     {
         m_headset.step(QJsonDocument(step).toJson(QJsonDocument::Compact).constData());
     }
-    /// Panels are painted aside, and until one is there a trigger before it sculpts: the brush goes when its wand
-    /// points at a panel.
+    /// Panels are painted on another thread, and until one is there a trigger before it sculpts: the brush goes when
+    /// its wand points at a panel.
     void waitUntilBrushIsAway()
     {
         for (int i = 0; i < 200 && m_seen.brush && !m_isStalled; ++i) {

@@ -13,14 +13,14 @@
 namespace app
 {
 /// A ball of 100 mm from a file, at the desktop, and a headset that lies beside it.
-struct Desk
+struct HeadsetFixture
 {
     /// `pixels`: of an eye.
-    explicit Desk(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
+    explicit HeadsetFixture(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
         : hand(program, pixels)
     {
         QSettings().clear();
-        HeadsetSettings().setChoice(choice);
+        HeadsetSettings().save(settings);
         core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
         program.window.viewport()->setMaximumSize(viewSize); // each frame of the headset moves a ghost there
         openFile(program, path("clay.glb"), {640, 480});
@@ -59,10 +59,10 @@ private:
 };
 
 /// The same, and a person in the headset before the ball.
-struct Visit : Desk
+struct Visit : HeadsetFixture
 {
-    explicit Visit(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
-        : Desk(choice, pixels)
+    explicit Visit(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
+        : HeadsetFixture(settings, pixels)
     {
         hand.enter();
     }
@@ -76,8 +76,8 @@ struct Visit : Desk
 /// The same, and nobody at the window: it is not painted, which is half of what a frame costs.
 struct Alone : Visit
 {
-    explicit Alone(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
-        : Visit(choice, pixels)
+    explicit Alone(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
+        : Visit(settings, pixels)
     {
         program.window.viewport()->setUpdatesEnabled(false);
     }

@@ -36,20 +36,20 @@ struct Visit
         else
             program.document.open(path);
         wait();
-        port = desk.open();
+        port = controller.open();
     }
 
     void wait()
     {
         const auto isDone = [this] { return !program.document.isBusy() && program.document.isSettled(); };
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.facts().faces > 0 && isDone(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && isDone(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
         QCoreApplication::processEvents();
     }
 
-    void request(const vr::DocumentRequest& wish)
+    void request(const vr::DocumentRequest& request)
     {
-        port->request(wish);
+        port->request(request);
         QCoreApplication::processEvents();
         wait();
     }
@@ -92,7 +92,7 @@ struct Visit
         return answer.value_or(0);
     }
 
-    vr::DocumentUpdate news()
+    vr::DocumentUpdate update()
     {
         QCoreApplication::processEvents();
         if (auto next = port->takeUpdate())
@@ -101,26 +101,26 @@ struct Visit
     }
 
     Program program;
-    HeadsetDesk desk{{&program.document, &program.worker, &program.window}};
+    HeadsetController controller{{&program.document, &program.worker, &program.window}};
     std::shared_ptr<HeadsetPort> port;
     vr::DocumentUpdate last;
 };
 } // namespace
 
-class TestHeadsetWishes : public QObject
+class TestHeadsetControllerRequests : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void init();
-    void news_areWholeAtFirst();
+    void update_isWholeAtFirst();
     void save_writesANumberedPair();
     void save_ofAModelWithoutAFile();
     void save_whereNothingFits();
     void save_whereOnlyTheFirstFits();
     void open_lettingChangesGo();
     void open_wouldLoseChanges();
-    void open_ofAModelThatNeedsMending();
+    void open_ofAModelThatNeedsRepair();
     void open_whileBusy();
     void restore_isUndoable();
     void mask_isInvertedAndCleared();
@@ -129,10 +129,10 @@ private Q_SLOTS:
     void brush_fromTheHeadset();
     void brush_fromTheWindow();
     void look_fromTheWindow();
-    void choice_isKept();
+    void settings_areKept();
     void files_comeWithPictures();
-    void presence_isSeen();
-    void close_doesWhatWasWished();
+    void avatar_isSeen();
+    void close_doesWhatWasRequested();
     void headset_thatIsNotThereSaysSo();
 
 public:
@@ -144,29 +144,29 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-void TestHeadsetWishes::init()
+void TestHeadsetControllerRequests::init()
 {
     ui::Settings().reset();
     m_folder = std::make_unique<QTemporaryDir>();
     core::writeMesh(at("vase.glb").toStdString(), core::icosphere(4, 50));
 }
 
-void TestHeadsetWishes::news_areWholeAtFirst()
+void TestHeadsetControllerRequests::update_isWholeAtFirst()
 {
     Visit visit(at("vase.glb"));
-    const auto news = visit.port->takeUpdate();
-    QVERIFY(news);
-    QVERIFY(news->box.sizes().isApprox(core::Vec3(100, 100, 100), 0.02));
-    QVERIFY(news->shading == ui::shadingOf(visit.program.window.viewport()->appearance().material));
-    QVERIFY(!news->canUndo && !news->canRedo && !news->isModified && !news->isBusy);
-    QCOMPARE(news->plane, core::Symmetry::Y);
-    QVERIFY(!news->swatches.isEmpty());
-    QCOMPARE(news->folder, QDir(m_folder->path()).dirName());
+    const auto update = visit.port->takeUpdate();
+    QVERIFY(update);
+    QVERIFY(update->box.sizes().isApprox(core::Vec3(100, 100, 100), 0.02));
+    QVERIFY(update->shading == ui::shadingOf(visit.program.window.viewport()->appearance().material));
+    QVERIFY(!update->canUndo && !update->canRedo && !update->isModified && !update->isBusy);
+    QCOMPARE(update->plane, core::Symmetry::Y);
+    QVERIFY(!update->swatches.isEmpty());
+    QCOMPARE(update->folder, QDir(m_folder->path()).dirName());
     visit.stroke({50, 0, 0});
-    QVERIFY(visit.news().canUndo && visit.news().isModified);
+    QVERIFY(visit.update().canUndo && visit.update().isModified);
 }
 
-void TestHeadsetWishes::save_writesANumberedPair()
+void TestHeadsetControllerRequests::save_writesANumberedPair()
 {
     Visit visit(at("vase.glb"));
     const QByteArray first = bytesOf(at("vase.glb"));
@@ -174,13 +174,13 @@ void TestHeadsetWishes::save_writesANumberedPair()
     visit.request(vr::SaveModel());
     QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
     QCOMPARE(visit.program.document.path(), at("vase-001.glb"));
-    QCOMPARE(visit.news().saved, QStringLiteral("vase-001.glb"));
-    QVERIFY(visit.news().notice.contains(QStringLiteral("vase-001.stl")));
+    QCOMPARE(visit.update().saved, QStringLiteral("vase-001.glb"));
+    QVERIFY(visit.update().notice.contains(QStringLiteral("vase-001.stl")));
     QCOMPARE(bytesOf(at("vase.glb")), first);
     const core::TriangleMesh glb = core::readMesh(at("vase-001.glb").toStdString()),
                              stl = core::readMesh(at("vase-001.stl").toStdString());
     QCOMPARE(glb.triangles.size(), stl.triangles.size());
-    QCOMPARE(visit.program.document.facts().faces, quint64(glb.triangles.size()));
+    QCOMPARE(visit.program.document.modelInfo().faces, quint64(glb.triangles.size()));
 
     core::writeMesh(at("vase-007.stl").toStdString(), core::icosphere(1, 50));
     const QByteArray others = bytesOf(at("vase-007.stl")), second = bytesOf(at("vase-001.glb"));
@@ -191,17 +191,17 @@ void TestHeadsetWishes::save_writesANumberedPair()
     QCOMPARE(bytesOf(at("vase-001.glb")), second);
 }
 
-void TestHeadsetWishes::save_ofAModelWithoutAFile()
+void TestHeadsetControllerRequests::save_ofAModelWithoutAFile()
 {
     ui::Settings().setLastFolder(m_folder->path());
     Visit visit({});
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), m_folder->filePath(visit.news().saved), 60'000);
-    QVERIFY(visit.news().saved.endsWith(QStringLiteral("-001.glb")));
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), m_folder->filePath(visit.update().saved), 60'000);
+    QVERIFY(visit.update().saved.endsWith(QStringLiteral("-001.glb")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("*-001.*")}).size(), 2);
 }
 
-void TestHeadsetWishes::save_whereNothingFits()
+void TestHeadsetControllerRequests::save_whereNothingFits()
 {
     if (!disk->isThere())
         QSKIP("no disk can be mounted here");
@@ -213,14 +213,14 @@ void TestHeadsetWishes::save_whereNothingFits()
     const QSignalSpy refused(&visit.program.document, &Document::refused);
     visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, 60'000);
-    QCOMPARE(visit.news().notice, refused[0][0].toString());
-    QVERIFY(visit.news().notice.contains(QStringLiteral("-001.glb")) && visit.news().saved.isEmpty());
+    QCOMPARE(visit.update().notice, refused[0][0].toString());
+    QVERIFY(visit.update().notice.contains(QStringLiteral("-001.glb")) && visit.update().saved.isEmpty());
     QVERIFY(visit.program.document.isModified() && visit.program.document.path().isEmpty());
     QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden), QStringList{QStringLiteral("filler")});
     QFile::remove(folder + QStringLiteral("/filler"));
 }
 
-void TestHeadsetWishes::save_whereOnlyTheFirstFits()
+void TestHeadsetControllerRequests::save_whereOnlyTheFirstFits()
 {
     if (!disk->isThere())
         QSKIP("no disk can be mounted here");
@@ -230,32 +230,32 @@ void TestHeadsetWishes::save_whereOnlyTheFirstFits()
     visit.request(vr::SaveModel());
     QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
     const QStringList files = QFileInfo(visit.program.document.path()).dir().entryList(QDir::Files | QDir::Hidden);
-    QCOMPARE(files, QStringList{visit.news().saved});
-    QVERIFY(visit.news().notice.contains(files[0]) && visit.news().notice.contains(QStringLiteral(".stl")));
+    QCOMPARE(files, QStringList{visit.update().saved});
+    QVERIFY(visit.update().notice.contains(files[0]) && visit.update().notice.contains(QStringLiteral(".stl")));
     QFile::remove(visit.program.document.path());
 }
 
-void TestHeadsetWishes::open_lettingChangesGo()
+void TestHeadsetControllerRequests::open_lettingChangesGo()
 {
     core::writeMesh(at("cup.stl").toStdString(), core::icosphere(2, 20));
     Visit visit(at("vase.glb"));
-    const quint64 model = visit.news().model;
+    const quint64 model = visit.update().model;
     visit.stroke({50, 0, 0});
     visit.request(vr::OpenModel{at("cup.stl"), true});
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("cup.stl"), 60'000);
     QVERIFY(!visit.program.document.isModified());
-    QVERIFY(visit.news().model > model);
-    QVERIFY(visit.news().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
+    QVERIFY(visit.update().model > model);
+    QVERIFY(visit.update().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
     visit.request(vr::OpenModel{at("vase.glb")}); // there is nothing to lose
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("vase.glb"), 60'000);
     visit.stroke({50, 0, 0});
 }
 
-void TestHeadsetWishes::open_wouldLoseChanges()
+void TestHeadsetControllerRequests::open_wouldLoseChanges()
 {
     core::writeMesh(at("cup.stl").toStdString(), core::icosphere(2, 20));
     Visit visit(at("vase.glb"));
-    const QSignalSpy noticed(&visit.desk, &HeadsetDesk::noticed);
+    const QSignalSpy noticed(&visit.controller, &HeadsetController::noticed);
     visit.port->beginStroke({});
     core::StrokeSample sample;
     sample.position = {50, 0, 0};
@@ -263,29 +263,29 @@ void TestHeadsetWishes::open_wouldLoseChanges()
     visit.port->endStroke();
     visit.request(vr::OpenModel{at("cup.stl")}); // right after the stroke
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, 60'000);
-    QVERIFY(visit.news().notice.contains(QStringLiteral("cup.stl")));
+    QVERIFY(visit.update().notice.contains(QStringLiteral("cup.stl")));
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     QCOMPARE(visit.program.document.undoStack().count(), 1);
     visit.stroke({0, 50, 0});
     QCOMPARE(visit.program.document.undoStack().count(), 2);
 }
 
-void TestHeadsetWishes::open_ofAModelThatNeedsMending()
+void TestHeadsetControllerRequests::open_ofAModelThatNeedsRepair()
 {
     QFile open(at("open.obj"));
     QVERIFY(open.open(QIODevice::WriteOnly));
     open.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     open.close();
     Visit visit(at("vase.glb"));
-    const QSignalSpy mendable(&visit.program.document, &Document::mendable);
+    const QSignalSpy repairable(&visit.program.document, &Document::repairable);
     visit.request(vr::OpenModel{at("open.obj")});
-    QTRY_COMPARE_WITH_TIMEOUT(mendable.size(), 1, 60'000);
-    QVERIFY(visit.news().notice.startsWith(mendable[0][1].toString()));
+    QTRY_COMPARE_WITH_TIMEOUT(repairable.size(), 1, 60'000);
+    QVERIFY(visit.update().notice.startsWith(repairable[0][1].toString()));
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     visit.stroke({50, 0, 0});
 }
 
-void TestHeadsetWishes::open_whileBusy()
+void TestHeadsetControllerRequests::open_whileBusy()
 {
     Visit visit(at("vase.glb"));
     visit.program.document.exportTo(at("vase.stl"));
@@ -294,14 +294,14 @@ void TestHeadsetWishes::open_whileBusy()
     visit.port->request(vr::RestoreModel());
     visit.port->request(core::MaskOperation{});
     QVERIFY(visit.program.document.isBusy());
-    const QSignalSpy noticed(&visit.desk, &HeadsetDesk::noticed);
+    const QSignalSpy noticed(&visit.controller, &HeadsetController::noticed);
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, 60'000);
     visit.wait();
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     QCOMPARE(visit.program.document.undoStack().count(), 0);
 }
 
-void TestHeadsetWishes::class_hasItsToolsAndNoFiles()
+void TestHeadsetControllerRequests::class_hasItsToolsAndNoFiles()
 {
     Visit visit(at("vase.glb"));
     visit.stroke({50, 0, 0});
@@ -309,25 +309,26 @@ void TestHeadsetWishes::class_hasItsToolsAndNoFiles()
     const QStringList files = QDir(m_folder->path()).entryList(QDir::Files);
     visit.program.window.setClassroom(
         {QStringLiteral("5b"), m_folder->path(), {core::Starter::Ball}, {core::Tool::Clay, core::Tool::Pull}});
-    const std::pair<vr::DocumentRequest, const char*> wishes[] = {
+    const std::pair<vr::DocumentRequest, const char*> requests[] = {
         {vr::SaveModel(), "Next Pupil"}, {vr::OpenModel{at("vase.glb"), true}, "vase.glb was not opened"}};
-    for (const auto& [wish, word] : wishes) {
-        visit.wish(wish);
-        QVERIFY2(visit.news().notice.contains(QLatin1StringView(word)), qPrintable(visit.news().notice));
+    for (const auto& [request, word] : requests) {
+        visit.request(request);
+        QVERIFY2(visit.update().notice.contains(QLatin1StringView(word)), qPrintable(visit.update().notice));
     }
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), files);
     QCOMPARE(visit.hash(), hash);
-    const quint64 told = visit.news().brushChange;
+    const quint64 told = visit.update().brushChange;
     vr::ChooseBrush other{visit.program.window.strokeSettings()};
     other.brush.tool = core::Tool::Stamp;
-    visit.wish(other);
-    QVERIFY(visit.news().brushChange > told && visit.news().brush.tool == core::Tool::Clay); // it hears which there is
+    visit.request(other);
+    QVERIFY(visit.update().brushChange > told &&
+            visit.update().brush.tool == core::Tool::Clay); // it hears which there is
     other.brush.tool = core::Tool::Pull;
-    visit.wish(other);
+    visit.request(other);
     QCOMPARE(visit.program.window.strokeSettings().tool, core::Tool::Pull);
 }
 
-void TestHeadsetWishes::restore_isUndoable()
+void TestHeadsetControllerRequests::restore_isUndoable()
 {
     Visit visit(at("vase.glb"));
     const std::uint64_t before = visit.hash();
@@ -341,26 +342,26 @@ void TestHeadsetWishes::restore_isUndoable()
 }
 
 /// Each a step; that there is nothing to clear is told in the headset, too.
-void TestHeadsetWishes::mask_isInvertedAndCleared()
+void TestHeadsetControllerRequests::mask_isInvertedAndCleared()
 {
     using How = core::MaskOperation::Kind;
     Visit visit(at("vase.glb"));
     QCOMPARE(visit.masked(), std::size_t(0));
-    visit.wish(core::MaskOperation{How::Invert});
-    QCOMPARE(visit.masked(), std::size_t(visit.program.document.facts().vertices));
-    visit.wish(core::MaskOperation{How::Clear});
+    visit.request(core::MaskOperation{How::Invert});
+    QCOMPARE(visit.masked(), std::size_t(visit.program.document.modelInfo().vertices));
+    visit.request(core::MaskOperation{How::Clear});
     QCOMPARE(visit.masked(), std::size_t(0));
     QCOMPARE(visit.program.document.undoStack().count(), 2);
     visit.request(vr::Undo());
-    QCOMPARE(visit.masked(), std::size_t(visit.program.document.facts().vertices));
+    QCOMPARE(visit.masked(), std::size_t(visit.program.document.modelInfo().vertices));
     visit.request(vr::Undo());
-    const quint64 notices = visit.news().noticeCount;
-    visit.wish(core::MaskOperation{How::Clear});
-    QTRY_VERIFY(visit.news().noticeCount > notices && !visit.news().notice.isEmpty());
+    const quint64 notices = visit.update().noticeCount;
+    visit.request(core::MaskOperation{How::Clear});
+    QTRY_VERIFY(visit.update().noticeCount > notices && !visit.update().notice.isEmpty());
     QCOMPARE(visit.program.document.undoStack().index(), 0);
 }
 
-void TestHeadsetWishes::undoAndRedo_fromBothSides()
+void TestHeadsetControllerRequests::undoAndRedo_fromBothSides()
 {
     Visit visit(at("vase.glb"));
     const std::uint64_t before = visit.hash();
@@ -373,84 +374,84 @@ void TestHeadsetWishes::undoAndRedo_fromBothSides()
     visit.program.window.action(QStringLiteral("edit.undo"))->trigger();
     visit.wait();
     QCOMPARE(visit.hash(), before);
-    QVERIFY(visit.news().canRedo && !visit.news().canUndo);
+    QVERIFY(visit.update().canRedo && !visit.update().canUndo);
     visit.request(vr::Redo());
     visit.program.window.action(QStringLiteral("edit.redo"))->trigger();
     visit.wait();
     QCOMPARE(visit.hash(), two);
 }
 
-void TestHeadsetWishes::brush_fromTheHeadset()
+void TestHeadsetControllerRequests::brush_fromTheHeadset()
 {
     Visit visit(at("vase.glb"));
     const ui::BrushSettings& brush = *visit.program.window.brush();
     const core::StrokeSettings before = brush.stroke();
-    const quint64 changes = visit.news().brushChange;
-    vr::ChooseBrush wish{before};
-    wish.brush.tool = core::Tool::Paint;
-    wish.brush.brush = core::BrushShape::Ray;
-    wish.brush.topology = core::Topology::Uniform;
-    wish.brush.symmetry = core::Symmetry::Y;
-    wish.brush.radial = 5;
-    wish.brush.color = {1, 2, 3};
-    wish.brush.strength = 7;
-    visit.wish(wish);
+    const quint64 changes = visit.update().brushChange;
+    vr::ChooseBrush request{before};
+    request.brush.tool = core::Tool::Paint;
+    request.brush.brush = core::BrushShape::Ray;
+    request.brush.topology = core::Topology::Uniform;
+    request.brush.symmetry = core::Symmetry::Y;
+    request.brush.radial = 5;
+    request.brush.color = {1, 2, 3};
+    request.brush.strength = 7;
+    visit.request(request);
     QTRY_COMPARE_WITH_TIMEOUT(brush.tool(), core::Tool::Paint, 60'000);
     QVERIFY(brush.stroke().brush == core::BrushShape::Ray && brush.stroke().topology == core::Topology::Uniform);
     QCOMPARE(brush.stroke().radial, 5);
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
     QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius &&
             brush.stroke().place == before.place);
-    const vr::DocumentUpdate news = visit.news();
-    QCOMPARE(news.brushChange, changes);
-    QCOMPARE(news.brush.tool, core::Tool::Paint);
+    const vr::DocumentUpdate update = visit.update();
+    QCOMPARE(update.brushChange, changes);
+    QCOMPARE(update.brush.tool, core::Tool::Paint);
 }
 
-void TestHeadsetWishes::brush_fromTheWindow()
+void TestHeadsetControllerRequests::brush_fromTheWindow()
 {
     Visit visit(at("vase.glb"));
     ui::BrushSettings& brush = *visit.program.window.brush();
-    const quint64 changes = visit.news().brushChange;
+    const quint64 changes = visit.update().brushChange;
     brush.scaleRadius(0.9); // the headset has its own
-    QCOMPARE(visit.news().brushChange, changes);
+    QCOMPARE(visit.update().brushChange, changes);
     brush.setTool(core::Tool::Smooth);
     brush.set(&core::StrokeSettings::symmetry, core::Symmetry::Z);
-    const vr::DocumentUpdate news = visit.news();
-    QVERIFY(news.brushChange > changes);
-    QCOMPARE(news.brush.tool, core::Tool::Smooth);
-    QCOMPARE(news.plane, core::Symmetry::Z);
+    const vr::DocumentUpdate update = visit.update();
+    QVERIFY(update.brushChange > changes);
+    QCOMPARE(update.brush.tool, core::Tool::Smooth);
+    QCOMPARE(update.plane, core::Symmetry::Z);
     brush.setSymmetric(false);
-    QCOMPARE(visit.news().plane, core::Symmetry::Z);
-    const quint64 before = visit.news().brushChange;
+    QCOMPARE(visit.update().plane, core::Symmetry::Z);
+    const quint64 before = visit.update().brushChange;
     brush.set(&core::StrokeSettings::radial, 7);
-    QVERIFY(visit.news().brushChange > before && visit.news().brush.radial == 7);
+    QVERIFY(visit.update().brushChange > before && visit.update().brush.radial == 7);
 }
 
-void TestHeadsetWishes::look_fromTheWindow()
+void TestHeadsetControllerRequests::look_fromTheWindow()
 {
     Visit visit(at("vase.glb"));
     visit.program.window.action(QStringLiteral("material.pearl"))->trigger();
     visit.program.window.action(QStringLiteral("view.flat"))->setChecked(true);
-    QVERIFY(visit.news().shading == ui::shadingOf(ui::Material::Pearl));
-    QVERIFY(visit.news().isFlat);
+    QVERIFY(visit.update().shading == ui::shadingOf(ui::Material::Pearl));
+    QVERIFY(visit.update().isFlat);
 }
 
-void TestHeadsetWishes::choice_isKept()
+void TestHeadsetControllerRequests::settings_areKept()
 {
     Visit visit(at("vase.glb"));
-    QVERIFY(HeadsetSettings().choice() == vr::HeadsetSettings());
-    vr::HeadsetSettings choice{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
-    choice.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
-    visit.wish(choice);
-    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettings().choice() == choice, 60'000);
+    QVERIFY(HeadsetSettings().load() == vr::HeadsetSettings());
+    vr::HeadsetSettings settings{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
+    settings.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
+    visit.request(settings);
+    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettings().load() == settings, 60'000);
     QSettings().setValue(QStringLiteral("headset/raised"), QStringLiteral("a lot"));
     QSettings().setValue(QStringLiteral("headset/preset"), QStringLiteral("another"));
-    QCOMPARE(HeadsetSettings().choice().heightOffset, 0.0);
-    QCOMPARE(HeadsetSettings().choice().wands.preset, vr::ButtonPreset::Paper);
-    QCOMPARE(HeadsetSettings().choice().wands.sculpting, vr::Side::Left);
+    QCOMPARE(HeadsetSettings().load().heightOffset, 0.0);
+    QCOMPARE(HeadsetSettings().load().wands.preset, vr::ButtonPreset::Paper);
+    QCOMPARE(HeadsetSettings().load().wands.sculpting, vr::Side::Left);
 }
 
-void TestHeadsetWishes::files_comeWithPictures()
+void TestHeadsetControllerRequests::files_comeWithPictures()
 {
     core::writeMesh(at("cup.stl").toStdString(), core::icosphere(2, 20));
     QFile broken(at("broken.ply"));
@@ -459,25 +460,25 @@ void TestHeadsetWishes::files_comeWithPictures()
     QDir(m_folder->path()).mkdir(QStringLiteral("more.stl"));
     Visit visit(at("vase.glb"));
     const auto tile = [&](const char* name) {
-        for (const vr::FileTile& file : visit.news().files)
+        for (const vr::FileTile& file : visit.update().files)
             if (file.path == at(name) && file.name == QLatin1StringView(name))
                 return file;
         return vr::FileTile();
     };
-    QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 3, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 3, 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(tile("broken.ply").isBroken, 60'000);
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 5, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 5, 60'000);
     QFile::remove(at("cup.stl"));
-    QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 4, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 4, 60'000);
 }
 
-void TestHeadsetWishes::presence_isSeen()
+void TestHeadsetControllerRequests::avatar_isSeen()
 {
     Visit visit(at("vase.glb"));
     QList<std::optional<vr::AvatarState>> all;
-    connect(&visit.desk, &HeadsetDesk::seen, this,
+    connect(&visit.controller, &HeadsetController::avatarChanged, this,
             [&](const std::optional<vr::AvatarState>& presence) { all << presence; });
     vr::AvatarState presence;
     for (int i = 1; i <= 50; ++i) {
@@ -486,13 +487,13 @@ void TestHeadsetWishes::presence_isSeen()
     }
     QTRY_COMPARE_WITH_TIMEOUT(all.size(), 1, 60'000);
     QCOMPARE(all[0]->model.translation().x(), 50.0);
-    visit.desk.close();
+    visit.controller.close();
     QCOMPARE(all.size(), 2);
     QVERIFY(!all[1]);
 }
 
-/// What was wished for and drawn last; then another visit.
-void TestHeadsetWishes::close_doesWhatWasWished()
+/// The last requests and strokes of a visit are done; then another visit.
+void TestHeadsetControllerRequests::close_doesWhatWasRequested()
 {
     Visit visit(at("vase.glb"));
     visit.stroke({50, 0, 0});
@@ -503,45 +504,45 @@ void TestHeadsetWishes::close_doesWhatWasWished()
     core::StrokeSample sample;
     sample.position = {0, 50, 0};
     visit.port->addSample(sample);
-    visit.desk.close();
+    visit.controller.close();
     visit.wait();
     QCOMPARE(visit.program.worker.strokesBegun(), quint64(2));
     QCOMPARE(visit.program.document.undoStack().count(), 1);
-    visit.port = visit.desk.open();
+    visit.port = visit.controller.open();
     visit.stroke({0, 0, 50});
     QCOMPARE(visit.program.document.undoStack().count(), 2);
     QVERIFY(visit.port->takePatch()->whole);
 }
 
 /// Each time anew, and a window that closes meanwhile waits for the end.
-void TestHeadsetWishes::headset_thatIsNotThereSaysSo()
+void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
 {
     qputenv("XR_RUNTIME_JSON", at("none.json").toLocal8Bit());
     Visit visit(at("vase.glb"));
-    visit.desk.close();
+    visit.controller.close();
     auto* headset = visit.program.window.findChild<Headset*>();
     QList<vr::HeadsetReport> reports;
     connect(headset, &Headset::reported, this, [&](const vr::HeadsetReport& report) { reports << report; });
     for (int i = 0; i < 3; ++i) {
         reports.clear();
         visit.program.window.action(QStringLiteral("vr.enter"))->trigger();
-        QVERIFY(headset->isIn());
+        QVERIFY(headset->isActive());
         QTRY_VERIFY_WITH_TIMEOUT(!reports.isEmpty() && reports.last().isEnded(), 60'000);
-        QVERIFY(!headset->isIn() && reports.last().end == vr::HeadsetEnd::Unavailable);
+        QVERIFY(!headset->isActive() && reports.last().end == vr::HeadsetEnd::Unavailable);
         QCOMPARE(notice(visit.program), reports.last().text);
     }
     headset->enter();
     visit.program.window.close();
     QVERIFY(visit.program.window.isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(!visit.program.window.isVisible(), 60'000);
-    QVERIFY(!headset->isIn());
+    QVERIFY(!headset->isActive());
 }
 
 int main(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 200);
-    TestHeadsetWishes::disk = &disk;
-    return runOnScreen<TestHeadsetWishes>(argc, argv, "tst_headset_wishes");
+    TestHeadsetControllerRequests::disk = &disk;
+    return runOnScreen<TestHeadsetControllerRequests>(argc, argv, "tst_headset_wishes");
 }
 #include "tst_headset_controller_requests.moc"

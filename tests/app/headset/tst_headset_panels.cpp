@@ -31,10 +31,10 @@ vr::ToolPanel tools()
 /// With the tool panel open, which is held up beside the model, and painted.
 struct AtTools : Alone
 {
-    explicit AtTools(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
-        : Alone(choice, pixels)
+    explicit AtTools(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
+        : Alone(settings, pixels)
     {
-        const Side support = choice.wands.sculpting == Side::Right ? Side::Left : Side::Right;
+        const Side support = settings.wands.sculpting == Side::Right ? Side::Left : Side::Right;
         hand.put(support, {support == Side::Left ? -0.35 : 0.35, 1.25, -0.3});
         hand.press(support, "menu");
         for (const core::Tool tool : {core::Tool::Flatten, core::Tool::Pull})
@@ -51,7 +51,7 @@ struct AtTools : Alone
         hand.click(tools(), vr::ShowPanel{kind, true});
         hand.press(Side::Left, "menu");
     }
-    vr::HeadsetSettings choice() const { return HeadsetSettings().choice(); }
+    vr::HeadsetSettings settings() const { return HeadsetSettings().load(); }
 
     /// What the person sees who turns to that place of the room, and back.
     Look lookAt(const Vec3& place)
@@ -262,7 +262,7 @@ void TestHeadsetPanels::bothWands_pointAtAPanel()
     AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
     v.hand.waitForPanels();
-    const vr::PanelLayout layout = layoutOf(vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General));
+    const vr::PanelLayout layout = layoutOf(vr::SettingsPanel::of(v.settings(), vr::SettingsPage::General));
     const vr::Pose pose = v.hand.placeOf(layout);
     const Vec3 towards = pose.rotation * -Vec3::UnitZ();
     const auto before = [&](double x, double distance) -> Vec3 {
@@ -313,10 +313,10 @@ void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
 }
 
 /// What the files panel shows of the visit's folder.
-vr::FilesPanel filesOf(const Desk& desk)
+vr::FilesPanel filesOf(const HeadsetFixture& fixture)
 {
     HeadsetFiles files;
-    files.look(QFileInfo(desk.path("clay.glb")).absolutePath());
+    files.look(QFileInfo(fixture.path("clay.glb")).absolutePath());
     [&] { QTRY_VERIFY_WITH_TIMEOUT(!files.tiles().isEmpty(), 60'000); }();
     vr::FilesPanel panel;
     panel.files = files.tiles();
@@ -405,23 +405,24 @@ void TestHeadsetPanels::settings_general()
 {
     AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
-    const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
+    const auto panel = [&] { return vr::SettingsPanel::of(v.settings(), vr::SettingsPage::General); };
     const Vec3 before = v.model().translation();
     QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::Height, 0.2},
-                          [&] { return std::abs(v.choice().heightOffset - 0.2) < 0.021; }));
-    QVERIFY((v.model().translation() - before - Vec3(0, v.choice().heightOffset, 0)).norm() < 1e-3);
-    QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::TurnSpeed, 180}, [&] { return v.choice().turnRate == 180; }));
+                          [&] { return std::abs(v.settings().heightOffset - 0.2) < 0.021; }));
+    QVERIFY((v.model().translation() - before - Vec3(0, v.settings().heightOffset, 0)).norm() < 1e-3);
+    QVERIFY(
+        v.hand.choose(panel(), vr::Slide{PanelSlider::TurnSpeed, 180}, [&] { return v.settings().turnRate == 180; }));
     const auto floor = [&] {
         v.putWandsAside();
         return v.lookAt({1.4, 0, -1.4}).between({1.2, 0, -1.6}, {1.6, 0, -1.2});
     };
     const QImage grid = floor();
-    QVERIFY(v.hand.choose(panel(), vr::ShowFloor{false}, [&] { return !v.choice().showsFloor; }));
+    QVERIFY(v.hand.choose(panel(), vr::ShowFloor{false}, [&] { return !v.settings().showsFloor; }));
     QVERIFY(floor() != grid);
     QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Studio,
-                          [&] { return v.choice().wands.preset == vr::ButtonPreset::Studio; }));
+                          [&] { return v.settings().wands.preset == vr::ButtonPreset::Studio; }));
     QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Paper,
-                          [&] { return v.choice().wands.preset == vr::ButtonPreset::Paper; }));
+                          [&] { return v.settings().wands.preset == vr::ButtonPreset::Paper; }));
     v.hand.click(panel(), vr::ShowPanel{PanelKind::Settings, false});
     const auto yaw = [&] {
         return std::atan2(-v.model().linear()(2, 0), v.model().linear()(0, 0)) * 180 / std::numbers::pi;
@@ -434,7 +435,7 @@ void TestHeadsetPanels::settings_general()
     v.hand.leave();
     v.hand.enter(); // it is kept
     v.hand.settle();
-    QVERIFY(std::abs((v.model().translation() - before).y() - v.choice().heightOffset) < 1e-3);
+    QVERIFY(std::abs((v.model().translation() - before).y() - v.settings().heightOffset) < 1e-3);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -442,8 +443,9 @@ void TestHeadsetPanels::settings_swapHands()
 {
     AtTools v;
     v.open(PanelKind::Settings);
-    const auto panel = vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General);
-    QVERIFY(v.hand.choose(panel, vr::ChooseHand{Side::Left}, [&] { return v.choice().wands.sculpting == Side::Left; }));
+    const auto panel = vr::SettingsPanel::of(v.settings(), vr::SettingsPage::General);
+    QVERIFY(
+        v.hand.choose(panel, vr::ChooseHand{Side::Left}, [&] { return v.settings().wands.sculpting == Side::Left; }));
     v.hand.put(Side::Right, {0.5, 1.1, -0.2});
     v.hand.put(Side::Left, v.hand.place({0, 49, 0}));
     v.hand.frame();
@@ -473,13 +475,13 @@ void TestHeadsetPanels::settings_vibration()
 {
     AtTools v;
     v.open(PanelKind::Settings);
-    const auto page = [&](vr::SettingsPage shown) { return vr::SettingsPanel::of(v.choice(), shown); };
+    const auto page = [&](vr::SettingsPage shown) { return vr::SettingsPanel::of(v.settings(), shown); };
     v.hand.waitForPanels();
     v.hand.click(page(vr::SettingsPage::General), vr::SettingsPage::Haptics);
     for (std::size_t i = 0; i < vr::sensationCount; ++i) {
         const auto slider = static_cast<PanelSlider>(static_cast<std::size_t>(PanelSlider::Contact) + i);
         QVERIFY(v.hand.choose(page(vr::SettingsPage::Haptics), vr::Slide{slider, 0},
-                              [&] { return v.choice().hapticLevels.of[i] == 0; }));
+                              [&] { return v.settings().hapticLevels.of[i] == 0; }));
     }
     v.hand.click(page(vr::SettingsPage::Haptics), vr::ShowPanel{PanelKind::Settings, false});
     const qsizetype before = v.hand.headset().report()["haptics"].toArray().size();
@@ -498,19 +500,19 @@ void TestHeadsetPanels::settings_performance()
     AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
     v.hand.setSlow(true); // the numbers change twice a second
-    const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
+    const auto panel = [&] { return vr::SettingsPanel::of(v.settings(), vr::SettingsPage::General); };
     const vr::PanelLayout layout = layoutOf(vr::PerformancePanel());
     const QRectF lost = layout.items.back().area;
     const auto* number = std::get_if<vr::TextLook>(&layout.items.back().look);
     QVERIFY(number && number->text == QStringLiteral("0"));
     const QImage before = v.areaOf(layout, lost);
-    QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{true}, [&] { return v.choice().showsPerformance; }));
+    QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{true}, [&] { return v.settings().showsPerformance; }));
     const QImage none = v.areaOf(layout, lost);
     QVERIFY(none != before);
     QCOMPARE(v.areaOf(layout, lost), none);
     v.hand.headset().step("{'late_ms': 400}");
     QVERIFY(v.areaOf(layout, lost) != none);
-    QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{false}, [&] { return !v.choice().showsPerformance; }));
+    QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{false}, [&] { return !v.settings().showsPerformance; }));
     QCOMPARE(v.areaOf(layout, lost), before);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }

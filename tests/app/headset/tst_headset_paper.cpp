@@ -69,17 +69,17 @@ void TestHeadsetPaper::turns(double x, int sign)
 void TestHeadsetPaper::togglesTopology(double y)
 {
     Alone v;
-    const auto vertices = v.program.document.facts().vertices;
+    const auto vertices = v.program.document.modelInfo().vertices;
     QCOMPARE(v.brush().topology, core::Topology::Adaptive);
     v.hand.pressPad(Side::Left, 0, y);
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, 60'000);
     v.pull();
     QVERIFY(v.program.document.isModified());
-    QVERIFY(v.program.document.facts().vertices < vertices + 20);
+    QVERIFY(v.program.document.modelInfo().vertices < vertices + 20);
     v.hand.pressPad(Side::Left, 0, y);
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Adaptive, 60'000);
     v.pull();
-    QVERIFY(v.program.document.facts().vertices > vertices + 100);
+    QVERIFY(v.program.document.modelInfo().vertices > vertices + 100);
 }
 
 /// The brush stays as large as it is in the room.
@@ -279,9 +279,9 @@ void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
 
 void TestHeadsetPaper::handsMaySwap()
 {
-    vr::HeadsetSettings choice;
-    choice.wands.sculpting = Side::Left;
-    Alone v(choice);
+    vr::HeadsetSettings settings;
+    settings.wands.sculpting = Side::Left;
+    Alone v(settings);
     v.hand.put(Side::Left, v.hand.place({0, 49.5, 0}));
     v.hand.frame();
     v.hand.press(Side::Left, "trigger", 8);

@@ -116,8 +116,8 @@ vr::HapticInput refusal()
 /// The document as one in the headset hears of it, without a headset.
 struct Listener
 {
-    Listener() { port = headsetDesk.open(); }
-    vr::DocumentUpdate news()
+    Listener() { port = controller.open(); }
+    vr::DocumentUpdate update()
     {
         QCoreApplication::processEvents();
         if (auto next = port->takeUpdate())
@@ -125,8 +125,8 @@ struct Listener
         return last;
     }
 
-    Desk desk;
-    HeadsetDesk headsetDesk{{&desk.program.document, &desk.program.worker, &desk.program.window}};
+    HeadsetFixture fixture;
+    HeadsetController controller{{&fixture.program.document, &fixture.program.worker, &fixture.program.window}};
     std::shared_ptr<HeadsetPort> port;
     vr::DocumentUpdate last;
 };
@@ -144,8 +144,8 @@ private Q_SLOTS:
     void pointing_endsAtRestAndBeside();
     void pointing_byAKeyThatIsHeld();
     void choices_comeToTheHand();
-    void choices_areTold();
-    void takingOver_refusesTheWearer();
+    void choices_areAnnounced();
+    void takingOver_refusesTheHeadset();
     void takingOver_endsWithTheVisit();
     void takingOver_isTold();
     void caption_tellsTheBrush();
@@ -302,35 +302,36 @@ void TestHeadsetPartner::choices_comeToTheHand()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-void TestHeadsetPartner::choices_areTold()
+void TestHeadsetPartner::choices_areAnnounced()
 {
     Listener listener;
-    QVERIFY(listener.news().notice.isEmpty());
-    Desk& desk = listener.desk;
-    desk.trigger("tool.clay");
-    desk.program.window.brush()->setValue(core::Parameter::Radius, 12);
-    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner chose Clay, 12 mm."), 60'000);
+    QVERIFY(listener.update().notice.isEmpty());
+    HeadsetFixture& fixture = listener.fixture;
+    fixture.trigger("tool.clay");
+    fixture.program.window.brush()->setValue(core::Parameter::Radius, 12);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner chose Clay, 12 mm."), 60'000);
     QCOMPARE(listener.last.radiusChange, 1U);
-    desk.program.window.brush()->setValue(core::Parameter::Strength, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner chose a strength of 80 %."), 60'000);
+    fixture.program.window.brush()->setValue(core::Parameter::Strength, 0.8);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner chose a strength of 80 %."),
+                              60'000);
 
     core::StrokeSettings paint = listener.last.brush;
     paint.tool = core::Tool::Paint;
     const quint64 notices = listener.last.noticeCount;
     listener.port->request(vr::ChooseBrush{paint});
-    QTRY_COMPARE_WITH_TIMEOUT(listener.news().brush.tool, core::Tool::Paint, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, 60'000);
     QTest::qWait(700);
-    QCOMPARE(listener.news().noticeCount, notices); // nobody is told what they did themselves
+    QCOMPARE(listener.update().noticeCount, notices); // nobody is told what they did themselves
 
-    drag(desk.program.window.viewport(), {30, 10});
-    QTRY_COMPARE_WITH_TIMEOUT(desk.changes(), 1, 60'000);
-    desk.trigger("edit.undo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner took back: Paint."), 60'000);
-    desk.trigger("edit.redo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner did again: Paint."), 60'000);
+    drag(fixture.program.window.viewport(), {30, 10});
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, 60'000);
+    fixture.trigger("edit.undo");
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner took back: Paint."), 60'000);
+    fixture.trigger("edit.redo");
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner did again: Paint."), 60'000);
 }
 
-void TestHeadsetPartner::takingOver_refusesTheWearer()
+void TestHeadsetPartner::takingOver_refusesTheHeadset()
 {
     Pair v;
     v.pull();
@@ -377,20 +378,20 @@ void TestHeadsetPartner::takingOver_endsWithTheVisit()
 void TestHeadsetPartner::takingOver_isTold()
 {
     Listener listener;
-    listener.headsetDesk.setTakenOver(true);
-    QCOMPARE(listener.news().notice, QStringLiteral("Your partner sculpts now."));
+    listener.controller.setTakenOver(true);
+    QCOMPARE(listener.update().notice, QStringLiteral("Your partner sculpts now."));
     const quint64 first = listener.last.noticeCount;
     QVERIFY(!listener.port->beginStroke({}));
     listener.port->show({});
-    QTRY_VERIFY(listener.news().noticeCount > first);
+    QTRY_VERIFY(listener.update().noticeCount > first);
     const quint64 brush = listener.last.brushChange;
     core::StrokeSettings paint = listener.last.brush;
     paint.tool = core::Tool::Paint;
     listener.port->request(vr::ChooseBrush{paint});
-    QTRY_VERIFY(listener.news().brushChange > brush); // it is told back what there is
+    QTRY_VERIFY(listener.update().brushChange > brush); // it is told back what there is
     QVERIFY(listener.last.brush.tool != core::Tool::Paint);
-    listener.headsetDesk.setTakenOver(false);
-    QCOMPARE(listener.news().notice, QStringLiteral("It is your turn again."));
+    listener.controller.setTakenOver(false);
+    QCOMPARE(listener.update().notice, QStringLiteral("It is your turn again."));
     QVERIFY(listener.port->beginStroke({}));
     listener.port->endStroke();
 }
@@ -409,7 +410,7 @@ void TestHeadsetPartner::caption_tellsTheBrush()
     QCOMPARE(v.caption().text().tool, QStringLiteral("Crease"));
     QTRY_COMPARE(v.caption().text().radius, QStringLiteral("12 mm"));
     v.hand.slide(Side::Right, {0.8, 0});
-    QTRY_VERIFY(v.caption().text().radius != QStringLiteral("12 mm")); // the wearer's
+    QTRY_VERIFY(v.caption().text().radius != QStringLiteral("12 mm")); // the headset's
     v.keep("caption");
     v.trigger("view.caption");
     QTRY_VERIFY(!v.caption().isVisible() && v.bar().isVisible());
@@ -456,8 +457,8 @@ void TestHeadsetPartner::classTime_isToldInBoth()
 {
     constexpr qint64 minute = 60'000;
     const QTemporaryDir home;
-    Desk desk({}, {270, 300});
-    JournalShelf shelf(home.filePath(QStringLiteral("journals")).toStdString());
+    HeadsetFixture fixture({}, {270, 300});
+    RecoveryStore store(home.filePath(QStringLiteral("journals")).toStdString());
     qint64 now = 0;
     const ui::Classroom classroom{QStringLiteral("5b"),
                                   home.path(),
@@ -468,30 +469,30 @@ void TestHeadsetPartner::classTime_isToldInBoth()
                                   false,
                                   ui::Language::System,
                                   pinRecord(QStringLiteral("2468"))};
-    const ClassPlaces places{home.filePath(QStringLiteral("journals")).toStdString(),
-                             home.filePath(QStringLiteral("waiting")), home.filePath(QStringLiteral("turn.json"))};
-    ClassroomMode mode({&desk.program.window, &desk.program.document, &shelf}, classroom, places,
+    const ClassPaths places{home.filePath(QStringLiteral("journals")).toStdString(),
+                            home.filePath(QStringLiteral("waiting")), home.filePath(QStringLiteral("turn.json"))};
+    ClassroomMode mode({&fixture.program.window, &fixture.program.document, &store}, classroom, places,
                        [&now] { return now; });
-    wireClassroom(desk.program.window, mode);
+    connectClassroom(fixture.program.window, mode);
     mode.begin();
-    auto* panel = desk.program.window.findChild<ui::PupilNamePanel*>();
-    const auto rests = [&] { return desk.program.document.isSettled() && !desk.program.document.isBusy(); };
+    auto* panel = fixture.program.window.findChild<ui::PupilNamePanel*>();
+    const auto rests = [&] { return fixture.program.document.isSettled() && !fixture.program.document.isBusy(); };
     QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && rests(), 60'000);
-    auto* name = desk.program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
+    auto* name = fixture.program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     QTest::keyClicks(name, QStringLiteral("Anna"));
     QTest::keyClick(name, Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(!panel->isVisible() && rests(), 60'000);
-    desk.hand.enter();
-    desk.hand.frames(5);
-    const QImage before = desk.hand.picture();
-    desk.hand.frames(5);
-    const int still = differences(before, desk.hand.picture());
+    fixture.hand.enter();
+    fixture.hand.frames(5);
+    const QImage before = fixture.hand.picture();
+    fixture.hand.frames(5);
+    const int still = differences(before, fixture.hand.picture());
     now = 17 * minute;
     mode.tick();
-    QVERIFY(notice(desk.program).contains(QStringLiteral("3 minutes are left")));
-    desk.hand.waitForPanels();
-    desk.hand.frames(20);
-    const int told = differences(before, desk.hand.picture());
+    QVERIFY(notice(fixture.program).contains(QStringLiteral("3 minutes are left")));
+    fixture.hand.waitForPanels();
+    fixture.hand.frames(20);
+    const int told = differences(before, fixture.hand.picture());
     QCOMPARE(still, 0);
     QVERIFY2(told > 300, qPrintable(QString::number(told)));
 }
@@ -504,7 +505,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     Q_EMIT panel->lessonChosen(QStringLiteral("first-clay"));
     QTRY_VERIFY_WITH_TIMEOUT(panel->shown(), 60'000);
     v.hand.settle();
-    v.hand.lookAgain();
+    v.hand.placeModelAgain();
     v.hand.waitForPanels();
     const auto content = [&] {
         const ui::LessonPanelState& shown = *panel->shown();

@@ -31,8 +31,8 @@ core::StrokeSample sampleAt(const core::Vec3& position)
     return sample;
 }
 
-/// A document with a ball of clay of radius 50, and the port of a visit. Its gui thread obeys wishes when it is told
-/// to.
+/// A document with a ball of clay of radius 50, and the port of a visit. Its gui thread handles requests when handle()
+/// is called.
 struct Visit
 {
     Visit()
@@ -82,27 +82,27 @@ struct Visit
         return begun;
     }
 
-    /// What the gui thread does: all that was wished for, in order.
-    void obey()
+    /// What the gui thread does: handles all requests in order.
+    void handle()
     {
-        for (const vr::DocumentRequest& wish : port->takeMail().wishes)
-            turns.push_back(wish);
-        obeyNext();
+        for (const vr::DocumentRequest& request : port->takeMessages().requests)
+            turns.push_back(request);
+        handleNext();
     }
-    void obeyNext()
+    void handleNext()
     {
-        if (turns.empty() || std::exchange(isObeying, true))
+        if (turns.empty() || std::exchange(isHandling, true))
             return;
-        const vr::DocumentRequest wish = turns.front();
+        const vr::DocumentRequest request = turns.front();
         turns.pop_front();
-        if (std::holds_alternative<vr::Undo>(wish))
+        if (std::holds_alternative<vr::Undo>(request))
             document.undo();
-        if (std::holds_alternative<vr::RestoreModel>(wish))
+        if (std::holds_alternative<vr::RestoreModel>(request))
             document.apply(core::Reset());
-        document.inTurn([this] {
-            port->wishDone();
-            isObeying = false;
-            obeyNext();
+        document.enqueue([this] {
+            port->requestDone();
+            isHandling = false;
+            handleNext();
         });
     }
 
@@ -110,7 +110,7 @@ struct Visit
     Document document{&worker};
     std::shared_ptr<HeadsetPort> port = std::make_shared<HeadsetPort>(&worker);
     std::deque<vr::DocumentRequest> turns;
-    bool isObeying = false;
+    bool isHandling = false;
 };
 
 const core::Vec3 right(50, 0, 0), top(0, 50, 0), front(0, 0, 50);
@@ -124,11 +124,11 @@ private Q_SLOTS:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
     void strokes_areTheDocuments();
     void strokesAfterAnUndo_comeAfterIt();
-    void strokesBetweenWishes_comeBetweenThem();
+    void strokesBetweenRequests_comeBetweenThem();
     void strokesAfterARestore_comeAfterIt();
     void heldStroke_goesOnWhereItWas();
     void heldStroke_isThinned();
-    void brushWishes_holdNoStroke();
+    void brushRequests_holdNoStroke();
     void stroke_isRefusedWhileTheDesktopDraws();
     void desktop_isRefusedWhileTheHeadsetDraws();
     void heldStroke_isRefusedWhileTheDesktopDraws();
@@ -143,8 +143,8 @@ private Q_SLOTS:
     void end_isBeforeTheWorkers();
     void nothingIsSculptedWhileAnotherModelComes();
     void anotherModel_comesWhole();
-    void news_latestWins();
-    void mail_ringsOnce();
+    void update_latestWins();
+    void messages_areAnnouncedOnce();
     void port_outlivesItsVisit();
     void twoThreads_getAlong();
 };
@@ -174,7 +174,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
     QVERIFY(other.stroke(top)); // nobody has undone yet
     QVERIFY(other.port->takeEffect().refusals == 0);
     QCOMPARE(other.worker.strokesBegun(), quint64(1));
-    other.obey();
+    other.handle();
     other.wait();
     QCOMPARE(other.worker.strokesBegun(), quint64(2));
     QCOMPARE(other.document.undoStack().count(), 1);
@@ -182,7 +182,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
 }
 
 /// The gui thread sleeps through all of it.
-void TestHeadsetPort::strokesBetweenWishes_comeBetweenThem()
+void TestHeadsetPort::strokesBetweenRequests_comeBetweenThem()
 {
     Visit one, other;
     QVERIFY(one.stroke(front));
@@ -195,7 +195,7 @@ void TestHeadsetPort::strokesBetweenWishes_comeBetweenThem()
     other.port->request(vr::Undo());
     QVERIFY(other.stroke(front));
     QCOMPARE(other.worker.strokesBegun(), quint64(1));
-    other.obey();
+    other.handle();
     other.wait();
     QCOMPARE(other.worker.strokesBegun(), quint64(3));
     QCOMPARE(other.document.undoStack().count(), 1);
@@ -207,14 +207,14 @@ void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
     Visit one, other;
     QVERIFY(one.stroke(top));
     one.wait();
-    const quint64 expected = one.document.facts().faces;
+    const quint64 expected = one.document.modelInfo().faces;
     QVERIFY(other.stroke(right));
     other.port->request(vr::RestoreModel());
     QVERIFY(other.stroke(top));
-    other.obey();
+    other.handle();
     QTRY_COMPARE_WITH_TIMEOUT(other.document.undoStack().count(), 3, 60'000);
     other.wait();
-    QCOMPARE(other.document.facts().faces, expected);
+    QCOMPARE(other.document.modelInfo().faces, expected);
     const std::uint64_t now = other.stateHash();
     for (int i = 0; i < 3; ++i)
         other.document.undo();
@@ -230,7 +230,7 @@ void TestHeadsetPort::heldStroke_goesOnWhereItWas()
     visit.port->request(vr::Undo());
     QVERIFY(visit.port->beginStroke(brush()));
     visit.port->addSample(sampleAt(right));
-    visit.obey();
+    visit.handle();
     QCOMPARE(visit.worker.strokesBegun(), quint64(1));
     QVERIFY(visit.worker.strokeOpen());
     visit.port->addSample(sampleAt({51, 0, 0}));
@@ -249,14 +249,14 @@ void TestHeadsetPort::heldStroke_isThinned()
     for (int i = 0; i <= 1000; ++i)
         visit.port->addSample(sampleAt({50, 0.01 * i, 0}));
     visit.port->endStroke();
-    visit.obey();
+    visit.handle();
     visit.wait();
     const WorkerStats stats = visit.worker.stats();
     QVERIFY(stats.samples >= JobQueue::maxWaitingSamples / 2);
     QVERIFY(stats.samples + stats.droppedSamples <= JobQueue::maxWaitingSamples);
 }
 
-void TestHeadsetPort::brushWishes_holdNoStroke()
+void TestHeadsetPort::brushRequests_holdNoStroke()
 {
     Visit visit;
     visit.port->request(vr::ChooseBrush());
@@ -302,7 +302,7 @@ void TestHeadsetPort::heldStroke_isRefusedWhileTheDesktopDraws()
     visit.port->request(vr::Undo());
     QVERIFY(visit.stroke(right));
     visit.worker.beginStroke(Source::Desktop, brush());
-    visit.port->wishDone();
+    visit.port->requestDone();
     QCOMPARE(visit.port->takeEffect().refusals, 1);
     visit.worker.endStroke(Source::Desktop);
     visit.wait();
@@ -428,14 +428,14 @@ void TestHeadsetPort::end_keepsWhatIsHeld()
     QVERIFY(visit.port->beginStroke(brush()));
     visit.port->addSample(sampleAt(front));
     visit.port->end();
-    visit.obey();
+    visit.handle();
     visit.wait();
     QCOMPARE(visit.worker.strokesBegun(), quint64(3));
     QVERIFY(!visit.worker.strokeOpen());
     QCOMPARE(visit.document.undoStack().count(), 2);
 }
 
-/// A visit that was given up comes back: what it draws and wishes for then is nobody's.
+/// A visit that was given up comes back: its strokes and requests have no effect.
 void TestHeadsetPort::end_isTheHeadsetsEnd()
 {
     Visit visit;
@@ -445,7 +445,8 @@ void TestHeadsetPort::end_isTheHeadsetsEnd()
     visit.wait();
     QCOMPARE(visit.document.undoStack().count(), 1);
     const std::uint64_t hash = visit.stateHash();
-    QSignalSpy rings(visit.port.get(), &HeadsetPort::mailCame), refusals(&visit.worker, &SculptWorker::strokeRefused);
+    QSignalSpy rings(visit.port.get(), &HeadsetPort::messagesArrived),
+        refusals(&visit.worker, &SculptWorker::strokeRefused);
     visit.port->addSample(sampleAt(top));
     visit.port->endStroke();
     QVERIFY(!visit.stroke(top));
@@ -454,7 +455,7 @@ void TestHeadsetPort::end_isTheHeadsetsEnd()
     QVERIFY(!visit.stroke(top));
     visit.port->show({});
     visit.port->querySurface({{{0, 0, 200}, {0, 0, -1}}, brush()});
-    visit.obey();
+    visit.handle();
     visit.wait();
     QCOMPARE(rings.size(), 0);
     QCOMPARE(refusals.size(), 0);
@@ -516,23 +517,23 @@ void TestHeadsetPort::anotherModel_comesWhole()
     QVERIFY(viewerOf(*whole).drawsLike(visit.mesh()));
 }
 
-void TestHeadsetPort::news_latestWins()
+void TestHeadsetPort::update_latestWins()
 {
     Visit visit;
     QVERIFY(!visit.port->takeUpdate());
-    vr::DocumentUpdate news;
+    vr::DocumentUpdate update;
     for (quint64 i = 1; i <= 3; ++i) {
-        news.model = i;
-        visit.port->tell(news);
+        update.model = i;
+        visit.port->setUpdate(update);
     }
     QCOMPARE(visit.port->takeUpdate()->model, quint64(3));
     QVERIFY(!visit.port->takeUpdate());
 }
 
-void TestHeadsetPort::mail_ringsOnce()
+void TestHeadsetPort::messages_areAnnouncedOnce()
 {
     Visit visit;
-    QSignalSpy rings(visit.port.get(), &HeadsetPort::mailCame);
+    QSignalSpy rings(visit.port.get(), &HeadsetPort::messagesArrived);
     vr::AvatarState presence;
     for (int i = 1; i <= 100; ++i) {
         presence.model.translation().x() = i;
@@ -540,10 +541,10 @@ void TestHeadsetPort::mail_ringsOnce()
     }
     visit.port->request(vr::ChooseBrush());
     QCOMPARE(rings.size(), 1);
-    const HeadsetMail mail = visit.port->takeMail();
-    QCOMPARE(mail.wishes.size(), std::size_t(1));
-    QCOMPARE(mail.presence->model.translation().x(), 100.0);
-    QVERIFY(!visit.port->takeMail().presence);
+    const HeadsetMessages messages = visit.port->takeMessages();
+    QCOMPARE(messages.requests.size(), std::size_t(1));
+    QCOMPARE(messages.avatar->model.translation().x(), 100.0);
+    QVERIFY(!visit.port->takeMessages().avatar);
     visit.port->show(presence);
     QCOMPARE(rings.size(), 2);
 }
@@ -586,11 +587,11 @@ void TestHeadsetPort::twoThreads_getAlong()
         isOver = true;
     });
     while (!isOver) {
-        visit.obey();
+        visit.handle();
         QTest::qWait(7);
     }
     headset.join();
-    visit.obey();
+    visit.handle();
     visit.wait();
     QCOMPARE(begun, 60);
     QCOMPARE(visit.worker.strokesBegun(), quint64(60));

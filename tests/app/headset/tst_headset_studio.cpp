@@ -12,9 +12,9 @@ namespace
 {
 vr::HeadsetSettings studio()
 {
-    vr::HeadsetSettings choice;
-    choice.wands.preset = vr::ButtonPreset::Studio;
-    return choice;
+    vr::HeadsetSettings settings;
+    settings.wands.preset = vr::ButtonPreset::Studio;
+    return settings;
 }
 
 struct AtStudio : Alone

@@ -1,5 +1,5 @@
-// The VR simulator as somebody at a desk has it: keys and mouse on its window, the real loader, the very same headset
-// code.
+// The VR simulator as a user at the desktop sees it: keys and mouse on its window, the real loader, the very same
+// headset code.
 #include "app/commands/command_line.h"
 #include "app/headset/headset.h"
 #include "app/headset/headset_settings.h"
@@ -30,19 +30,19 @@ namespace
 constexpr int longEnough = 120'000; ///< milliseconds; frames are drawn in software, on a busy machine
 
 /// The program with a ball of 100 mm, started with --vr-simulator.
-struct Desk
+struct SimulatorFixture
 {
-    explicit Desk(const vr::HeadsetSettings& choice = {})
+    explicit SimulatorFixture(const vr::HeadsetSettings& settings = {})
     {
         QSettings().clear();
-        HeadsetSettings().setChoice(choice);
+        HeadsetSettings().save(settings);
         core::writeMesh(m_folder.filePath(QStringLiteral("clay.glb")).toStdU16String(), core::icosphere(4, 50));
-        new SimulatorDesk(&program.window, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
+        new SimulatorController(&program.window, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
         window = program.window.findChild<ui::SimulatorWindow*>();
         view = window->view();
         openFile(program, m_folder.filePath(QStringLiteral("clay.glb")), {640, 480});
         auto* headset = program.window.findChild<Headset*>();
-        QObject::connect(headset, &Headset::seen, headset,
+        QObject::connect(headset, &Headset::avatarChanged, headset,
                          [this](const std::optional<vr::AvatarState>& presence) { seen = presence.value_or(seen); });
     }
 
@@ -57,7 +57,7 @@ struct Desk
         QTRY_VERIFY_WITH_TIMEOUT(seen.brush, longEnough);
         frames(4);
     }
-    bool isIn() const { return program.window.findChild<Headset*>()->isIn(); }
+    bool isIn() const { return program.window.findChild<Headset*>()->isActive(); }
     /// The headset shows so many more.
     void frames(int count)
     {
@@ -85,8 +85,8 @@ struct Desk
         move(placeOf(front));
         const Vec3 eye = view->person().head().translation();
         const Vec3 tip = view->person().tip(view->person().hand()).translation();
-        constexpr double metresANotch = 0.02;
-        const double notches = ((front - eye).norm() - (tip - eye).norm()) / metresANotch;
+        constexpr double metresPerNotch = 0.02;
+        const double notches = ((front - eye).norm() - (tip - eye).norm()) / metresPerNotch;
         QWheelEvent event(QPointF(9, 9), view->mapToGlobal(QPointF(9, 9)), {}, {0, qRound(120 * notches)}, {}, {},
                           Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(view, &event);
@@ -163,110 +163,110 @@ private Q_SLOTS:
 /// desktop and in VR.
 void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
 {
-    Desk desk;
-    QVERIFY(!desk.window->isVisible());
-    const std::uint64_t before = desk.hash();
-    desk.enter();
-    QVERIFY(modelPixels(desk.view->picture()) > 1000);
+    SimulatorFixture fixture;
+    QVERIFY(!fixture.window->isVisible());
+    const std::uint64_t before = fixture.hash();
+    fixture.enter();
+    QVERIFY(modelPixels(fixture.view->picture()) > 1000);
 
-    desk.stroke();
-    QCOMPARE(desk.changes(), 1);
-    QVERIFY(desk.hash() != before);
+    fixture.stroke();
+    QCOMPARE(fixture.changes(), 1);
+    QVERIFY(fixture.hash() != before);
     const std::string unsoundness =
-        desk.ask([](core::Sculptor& sculptor) { return mesh_asserts::unsoundness(sculptor.mesh()); });
+        fixture.ask([](core::Sculptor& sculptor) { return mesh_asserts::unsoundness(sculptor.mesh()); });
     QVERIFY2(unsoundness.empty(), unsoundness.c_str());
 
-    const double radius = desk.seen.brush->radius;
-    QTest::keyPress(desk.view, Qt::Key_Control);
-    desk.frames(3);
+    const double radius = fixture.seen.brush->radius;
+    QTest::keyPress(fixture.view, Qt::Key_Control);
+    fixture.frames(3);
     for (int i = 1; i <= 4; ++i) {
-        desk.move({0.1 * i, 0}, Qt::NoButton, Qt::ControlModifier);
-        desk.frames(2);
+        fixture.move({0.1 * i, 0}, Qt::NoButton, Qt::ControlModifier);
+        fixture.frames(2);
     }
-    QTest::keyRelease(desk.view, Qt::Key_Control);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.seen.brush && desk.seen.brush->radius > 1.1 * radius, longEnough);
+    QTest::keyRelease(fixture.view, Qt::Key_Control);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.brush && fixture.seen.brush->radius > 1.1 * radius, longEnough);
 
-    desk.click(Qt::Key_Left); // the sculpting wand's pad
-    QTRY_COMPARE_WITH_TIMEOUT(desk.changes(), 0, longEnough);
-    QCOMPARE(desk.hash(), before);
+    fixture.click(Qt::Key_Left); // the sculpting wand's pad
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 0, longEnough);
+    QCOMPARE(fixture.hash(), before);
 
-    QTest::keyClick(desk.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
-    QVERIFY(!desk.window->isVisible());
-    desk.program.window.action(QStringLiteral("edit.redo"))->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(desk.changes(), 1, longEnough);
-    desk.enter();
-    QTest::keyClick(desk.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
-    QCOMPARE(desk.runtime.clientErrors(), QStringList());
-    QCOMPARE(desk.runtime.clientWarnings(), QStringList());
+    QTest::keyClick(fixture.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QVERIFY(!fixture.window->isVisible());
+    fixture.program.window.action(QStringLiteral("edit.redo"))->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longEnough);
+    fixture.enter();
+    QTest::keyClick(fixture.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QCOMPARE(fixture.runtime.clientErrors(), QStringList());
+    QCOMPARE(fixture.runtime.clientWarnings(), QStringList());
 }
 
 /// In the paper's preset the other hand's trigger grabs.
 void TestSimulator::hand_thatRestsMovesTheModel()
 {
-    Desk desk;
-    desk.enter();
-    desk.click(Qt::Key_Tab);
-    desk.move({-0.2, 0.3});
-    desk.frames(3);
-    const Vec3 before = desk.seen.model.translation();
-    QTest::keyPress(desk.view, Qt::Key_Space);
-    desk.frames(3);
-    desk.move({-0.4, 0.3});
-    desk.frames(3);
-    QTest::keyRelease(desk.view, Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(before.x() - desk.seen.model.translation().x() > 0.03, longEnough);
-    QCOMPARE(desk.changes(), 0);
-    QTest::keyClick(desk.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+    SimulatorFixture fixture;
+    fixture.enter();
+    fixture.click(Qt::Key_Tab);
+    fixture.move({-0.2, 0.3});
+    fixture.frames(3);
+    const Vec3 before = fixture.seen.model.translation();
+    QTest::keyPress(fixture.view, Qt::Key_Space);
+    fixture.frames(3);
+    fixture.move({-0.4, 0.3});
+    fixture.frames(3);
+    QTest::keyRelease(fixture.view, Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(before.x() - fixture.seen.model.translation().x() > 0.03, longEnough);
+    QCOMPARE(fixture.changes(), 0);
+    QTest::keyClick(fixture.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
 }
 
 /// In the preset Studio squeezing grabs: one hand moves the model, both stretch it.
 void TestSimulator::bothHands_stretchTheModel()
 {
-    vr::HeadsetSettings choice;
-    choice.wands.preset = vr::ButtonPreset::Studio;
-    Desk desk(choice);
-    desk.enter();
-    const auto scale = [&desk] { return desk.seen.model.linear().col(0).norm(); };
+    vr::HeadsetSettings settings;
+    settings.wands.preset = vr::ButtonPreset::Studio;
+    SimulatorFixture fixture(settings);
+    fixture.enter();
+    const auto scale = [&fixture] { return fixture.seen.model.linear().col(0).norm(); };
     const double before = scale();
-    desk.move({-0.1, -0.3});
-    desk.frames(3);
-    QTest::keyPress(desk.view, Qt::Key_B);
-    desk.frames(3);
+    fixture.move({-0.1, -0.3});
+    fixture.frames(3);
+    QTest::keyPress(fixture.view, Qt::Key_B);
+    fixture.frames(3);
     for (int i = 1; i <= 4; ++i) {
-        desk.move({-0.1 + 0.2 * i, -0.3});
-        desk.frames(2);
+        fixture.move({-0.1 + 0.2 * i, -0.3});
+        fixture.frames(2);
     }
-    QTest::keyRelease(desk.view, Qt::Key_B);
+    QTest::keyRelease(fixture.view, Qt::Key_B);
     QTRY_VERIFY_WITH_TIMEOUT(scale() > 1.3 * before, longEnough);
-    desk.frames(4);
-    const Vec3 place = desk.seen.model.translation();
+    fixture.frames(4);
+    const Vec3 place = fixture.seen.model.translation();
     const double stretched = scale();
-    QTest::keyPress(desk.view, Qt::Key_G);
-    desk.frames(3);
-    desk.move({0.5, 0});
-    desk.frames(3);
-    QTest::keyRelease(desk.view, Qt::Key_G);
-    QTRY_VERIFY_WITH_TIMEOUT((desk.seen.model.translation() - place).norm() > 0.02, longEnough);
+    QTest::keyPress(fixture.view, Qt::Key_G);
+    fixture.frames(3);
+    fixture.move({0.5, 0});
+    fixture.frames(3);
+    QTest::keyRelease(fixture.view, Qt::Key_G);
+    QTRY_VERIFY_WITH_TIMEOUT((fixture.seen.model.translation() - place).norm() > 0.02, longEnough);
     QVERIFY(std::abs(scale() / stretched - 1) < 1e-6);
-    QCOMPARE(desk.changes(), 0);
-    QTest::keyClick(desk.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+    QCOMPARE(fixture.changes(), 0);
+    QTest::keyClick(fixture.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
 }
 
 void TestSimulator::window_closedLeavesVr()
 {
-    Desk desk;
-    desk.enter();
-    desk.window->close();
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
-    QVERIFY(desk.program.window.isVisible());
-    desk.enter();
-    desk.program.window.close(); // leaves first
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.program.window.isVisible(), longEnough);
-    QVERIFY(!desk.isIn() && !desk.window->isVisible());
+    SimulatorFixture fixture;
+    fixture.enter();
+    fixture.window->close();
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QVERIFY(fixture.program.window.isVisible());
+    fixture.enter();
+    fixture.program.window.close(); // leaves first
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.program.window.isVisible(), longEnough);
+    QVERIFY(!fixture.isIn() && !fixture.window->isVisible());
 }
 
 /// As from a shell: no other runtime is asked, VR is entered with the file's model, and closing the windows ends all.

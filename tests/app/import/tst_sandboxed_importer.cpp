@@ -85,7 +85,7 @@ double volume(const TriangleMesh& mesh)
 }
 } // namespace
 
-class TestForeignReader : public QObject
+class TestSandboxedImporter : public QObject
 {
     Q_OBJECT
 
@@ -93,8 +93,8 @@ private Q_SLOTS:
     void initTestCase()
     {
         QVERIFY(m_dir.isValid());
-        app::installForeignReader(); // of this test, which is no such program
-        core::setExternalReader(app::foreignReaderBy(FETTLE_PROGRAM));
+        app::installSandboxedImporter(); // of this test, which is no such program
+        core::setExternalReader(app::sandboxedImporter(FETTLE_PROGRAM));
     }
 
     void endings_areAssimps();
@@ -147,7 +147,7 @@ private:
     QTemporaryDir m_dir;
 };
 
-void TestForeignReader::endings_areAssimps()
+void TestSandboxedImporter::endings_areAssimps()
 {
     const Assimp::Importer importer;
     for (const std::string_view ending : core::externalReader().endings) {
@@ -158,7 +158,7 @@ void TestForeignReader::endings_areAssimps()
     QCOMPARE(core::readEndings().size(), core::meshEndings().size() + core::externalReader().endings.size());
 }
 
-void TestForeignReader::formats_areRead_data()
+void TestSandboxedImporter::formats_areRead_data()
 {
     QTest::addColumn<QString>("exporter");
     QTest::addColumn<QString>("name");
@@ -179,7 +179,7 @@ void TestForeignReader::formats_areRead_data()
                          << "a.fbx" << 10.0 << false << true;
 }
 
-void TestForeignReader::formats_areRead()
+void TestSandboxedImporter::formats_areRead()
 {
     QFETCH(QString, exporter);
     QFETCH(QString, name);
@@ -188,7 +188,7 @@ void TestForeignReader::formats_areRead()
     QFETCH(bool, isColored);
     const TriangleMesh mesh = shapes::cube(2); // of numbers that all formats hold
     const TriangleMesh read = core::readMesh(written(qPrintable(exporter), name, mesh, isColored));
-    QCOMPARE(app::foreignHoldsUnit(file(name)), millimetres != 1);
+    QCOMPARE(app::assimpHoldsUnit(file(name)), millimetres != 1);
     QCOMPARE(read.triangles.size(), mesh.triangles.size());
     QCOMPARE(read.points.size(), mesh.points.size());
     QCOMPARE(volume(read), volume(mesh) * millimetres * millimetres * millimetres);
@@ -200,7 +200,7 @@ void TestForeignReader::formats_areRead()
         QVERIFY(read.colors == std::vector<core::Rgb>(read.points.size(), color));
 }
 
-void TestForeignReader::mirroredNodes_stayOutward()
+void TestSandboxedImporter::mirroredNodes_stayOutward()
 {
     aiMatrix4x4 mirror;
     mirror.a1 = -2;
@@ -210,7 +210,7 @@ void TestForeignReader::mirroredNodes_stayOutward()
     QCOMPARE(volume(read), volume(shapes::cube(1)) * 2e9);
 }
 
-void TestForeignReader::commas_changeNothing()
+void TestSandboxedImporter::commas_changeNothing()
 {
     const auto path = written("collada", QStringLiteral("c.dae"), core::icosphere(2, 1.23), true);
     const TriangleMesh before = core::readMesh(path);
@@ -220,7 +220,7 @@ void TestForeignReader::commas_changeNothing()
     QVERIFY(before.points == after.points && before.triangles == after.triangles);
 }
 
-void TestForeignReader::commands_takeThem()
+void TestSandboxedImporter::commands_takeThem()
 {
     const auto path =
         QString::fromStdString(written("collada", QStringLiteral("d.dae"), core::icosphere(2, 1.5), false).string());
@@ -241,7 +241,7 @@ void TestForeignReader::commands_takeThem()
     QCOMPARE(fettle({QStringLiteral("convert"), path, QStringLiteral("d.fbx")}), 2); // is only read
 }
 
-void TestForeignReader::brokenReaders_areOneSentence_data()
+void TestSandboxedImporter::brokenReaders_areOneSentence_data()
 {
     QTest::addColumn<QByteArray>("lines");
     for (const char* lines :
@@ -251,23 +251,24 @@ void TestForeignReader::brokenReaders_areOneSentence_data()
         QTest::newRow(lines) << QByteArray(lines);
 }
 
-void TestForeignReader::brokenReaders_areOneSentence()
+void TestSandboxedImporter::brokenReaders_areOneSentence()
 {
     QFETCH(QByteArray, lines);
     write(QStringLiteral("a.fbx"), "x");
-    const auto reader = app::foreignReaderBy(script(lines));
+    const auto reader = app::sandboxedImporter(script(lines));
     const auto error = errorOf([&] { reader.read(file(QStringLiteral("a.fbx")), {}); });
     QVERIFY(error);
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::ReaderDied));
-    const auto none = errorOf([&] { app::foreignReaderBy("/nowhere/fettle").read(file(QStringLiteral("a.fbx")), {}); });
+    const auto none =
+        errorOf([&] { app::sandboxedImporter("/nowhere/fettle").read(file(QStringLiteral("a.fbx")), {}); });
     QVERIFY(none && none->kind == Kind::ReaderDied);
 }
 
-void TestForeignReader::whoStops_waitsForNobody()
+void TestSandboxedImporter::whoStops_waitsForNobody()
 {
     write(QStringLiteral("a.fbx"), "x");
     std::stop_source source;
-    const auto reader = app::foreignReaderBy(script("sleep 3600"));
+    const auto reader = app::sandboxedImporter(script("sleep 3600"));
     std::jthread stopper([&source] {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         source.request_stop();
@@ -275,19 +276,19 @@ void TestForeignReader::whoStops_waitsForNobody()
     QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled, reader.read(file(QStringLiteral("a.fbx")), source.get_token()));
 }
 
-void TestForeignReader::slowReaders_areEnded()
+void TestSandboxedImporter::slowReaders_areEnded()
 {
-    const app::ChildAnswer answer = app::runChild(
+    const app::ChildResult answer = app::runChild(
         {.command = {script("echo begun; exec sleep 3600")}, .time = std::chrono::seconds(1), .maxBytes = 100});
-    QCOMPARE(static_cast<int>(answer.end), static_cast<int>(app::ChildAnswer::End::TooSlow));
+    QCOMPARE(static_cast<int>(answer.end), static_cast<int>(app::ChildResult::End::TooSlow));
     QCOMPARE(answer.bytes, std::string("begun\n"));
-    const app::ChildAnswer silent = app::runChild(
+    const app::ChildResult silent = app::runChild(
         {.command = {script("exec >&-; exec sleep 3600")}, .time = std::chrono::seconds(60), .maxBytes = 1});
-    QVERIFY(silent.end != app::ChildAnswer::End::Exited); // it has closed its output, and still does not go
+    QVERIFY(silent.end != app::ChildResult::End::Exited); // it has closed its output, and still does not go
 }
 
 /// A few bytes that ask for a ball of four to the thirtieth triangles.
-void TestForeignReader::hungryFiles_areRefused()
+void TestSandboxedImporter::hungryFiles_areRefused()
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     QSKIP("sanitizers need address space without limits");
@@ -298,7 +299,7 @@ void TestForeignReader::hungryFiles_areRefused()
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::ReaderOutOfMemory));
 }
 
-void TestForeignReader::ownLimits_hold()
+void TestSandboxedImporter::ownLimits_hold()
 {
 #ifndef Q_OS_LINUX
     QSKIP("uses what Linux has");
@@ -320,7 +321,7 @@ void TestForeignReader::ownLimits_hold()
 #endif
 }
 
-void TestForeignReader::badFiles_areRefused()
+void TestSandboxedImporter::badFiles_areRefused()
 {
     for (const char* name : {"bad.fbx", "bad.dae", "bad.3ds", "bad.blend", "bad.x"}) {
         write(QLatin1StringView(name), "this is nothing of the kind");
@@ -335,7 +336,7 @@ void TestForeignReader::badFiles_areRefused()
 }
 
 /// A LightWave scene is made of the files that it names.
-void TestForeignReader::filesBeyondTheFolder_areNotRead()
+void TestSandboxedImporter::filesBeyondTheFolder_areNotRead()
 {
     QVERIFY(QDir(m_dir.path()).mkpath(QStringLiteral("scene")));
     const QByteArray part = "p 3\n0.5 0 0\n1.25 0 0\n0 1.75 0\n";
@@ -356,7 +357,7 @@ void TestForeignReader::filesBeyondTheFolder_areNotRead()
     }
 }
 
-void TestForeignReader::mutatedFiles_neverGetThrough()
+void TestSandboxedImporter::mutatedFiles_neverGetThrough()
 {
     const int rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 5000 : 20;
     std::mt19937 engine(seed);
@@ -380,5 +381,5 @@ void TestForeignReader::mutatedFiles_neverGetThrough()
     qInfo("%d of %d refused, seed %u", refused, 4 * rounds, seed);
 }
 
-QTEST_GUILESS_MAIN(TestForeignReader)
+QTEST_GUILESS_MAIN(TestSandboxedImporter)
 #include "tst_sandboxed_importer.moc"

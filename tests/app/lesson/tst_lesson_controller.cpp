@@ -1,4 +1,4 @@
-// A lesson in the real window: shown, tried, judged, and left.
+// A lesson in the real window: shown, tried, checked, and left.
 #include "tests/support/program_driver.h"
 
 #include "core/io/mesh_io.h"
@@ -20,7 +20,7 @@ using namespace app;
 
 namespace
 {
-const std::filesystem::path shelf = FETTLE_SOURCE_DIR "/resources/lessons";
+const std::filesystem::path lessonsFolder = FETTLE_SOURCE_DIR "/resources/lessons";
 
 template <class Widget> Widget* part(Program& program, const char* name)
 {
@@ -78,7 +78,8 @@ void showStep(Program& program)
 
 std::uint64_t teachersHash(const char* name, std::size_t steps)
 {
-    core::LessonPlayback playback(std::make_shared<const core::Lesson>(core::readLesson(shelf / name)), shelf);
+    core::LessonPlayback playback(std::make_shared<const core::Lesson>(core::readLesson(lessonsFolder / name)),
+                                  lessonsFolder);
     for (std::size_t i = 0; i < steps; ++i) {
         playback.goTo(i);
         playback.finish();
@@ -87,7 +88,7 @@ std::uint64_t teachersHash(const char* name, std::size_t steps)
 }
 } // namespace
 
-class TestLessonDesk : public QObject
+class TestLessonController : public QObject
 {
     Q_OBJECT
 
@@ -111,7 +112,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The pupil's own strokes stay until they are taken back, and are judged.
+    /// The pupil's own strokes stay until they are undone, and are checked.
     void tried_isThePupils()
     {
         Program program;
@@ -177,7 +178,7 @@ private Q_SLOTS:
     /// The lesson's own model, to the bit as core has it.
     void startFromAFile_isGiven()
     {
-        core::Lesson lesson = core::readLesson(shelf / "first-clay");
+        core::Lesson lesson = core::readLesson(lessonsFolder / "first-clay");
         core::TriangleMesh start = core::starterModel(core::Starter::Ball);
         for (core::Vec3f& point : start.points)
             point *= 0.7F;
@@ -250,6 +251,6 @@ private Q_SLOTS:
 
 int main(int argc, char* argv[])
 {
-    return runOnScreen<TestLessonDesk>(argc, argv, "tst_lesson_desk");
+    return runOnScreen<TestLessonController>(argc, argv, "tst_lesson_desk");
 }
 #include "tst_lesson_controller.moc"

@@ -150,8 +150,8 @@ std::uint64_t playedHash(const QString& path)
 
 void edit(Program& program, const char* lesson)
 {
-    auto* shelf = part<QComboBox>(program, "lessonShelf");
-    shelf->setCurrentIndex(shelf->findData(QLatin1StringView(lesson)));
+    auto* lessons = part<QComboBox>(program, "lessonShelf");
+    lessons->setCurrentIndex(lessons->findData(QLatin1StringView(lesson)));
     press(program, "lessonEdit");
     QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), 60'000);
 }
@@ -213,11 +213,11 @@ private Q_SLOTS:
         Program program;
         show(program);
         stroke(program, {40, 20});
-        const auto before = program.document.facts().size;
+        const auto before = program.document.modelInfo().size;
         record(program, -1);
         QVERIFY(program.document.isModified()); // it is in no file of its own
         QCOMPARE(program.document.undoStack().count(), 0);
-        QVERIFY((program.document.facts().size - before).norm() < 1e-3);
+        QVERIFY((program.document.modelInfo().size - before).norm() < 1e-3);
         stroke(program, {-30, 25});
         write(program, "On", "Go on.");
         const QTemporaryDir folder;
@@ -338,7 +338,7 @@ private Q_SLOTS:
         };
         {
             Program program;
-            wireLessonKeeping(program.document, root);
+            connectLessonAutosave(program.document, root);
             show(program);
             record(program, static_cast<int>(core::Starter::Torus));
             QTest::keyClicks(part<QLineEdit>(program, "lessonName"), QStringLiteral("Mine"));
@@ -357,20 +357,20 @@ private Q_SLOTS:
         }
         QVERIFY(!isKept(root)); // this one ended in order
         Program program;
-        wireLessonKeeping(program.document, left);
+        connectLessonAutosave(program.document, left);
         show(program);
         QVERIFY(notice(program).contains(QStringLiteral("was not saved is kept")));
-        auto* shelf = part<QComboBox>(program, "lessonShelf");
-        QCOMPARE(shelf->itemText(0), QStringLiteral("Not saved: Mine"));
-        QCOMPARE(shelf->count(), 4);
-        shelf->setCurrentIndex(0);
+        auto* lessons = part<QComboBox>(program, "lessonShelf");
+        QCOMPARE(lessons->itemText(0), QStringLiteral("Not saved: Mine"));
+        QCOMPARE(lessons->count(), 4);
+        lessons->setCurrentIndex(0);
         press(program, "lessonEdit");
         QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), 60'000);
         QCOMPARE(part<QLineEdit>(program, "lessonName")->text(), QStringLiteral("Mine"));
         QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(),
                  QString()); // no word that nobody wrote
         QCOMPARE(strokesOf(program), 1);
-        QCOMPARE(shelf->count(), 3);
+        QCOMPARE(lessons->count(), 3);
         press(program, "lessonSave");
         QVERIFY(question(program, "problem")->text().contains(QStringLiteral("has no text yet")));
         question(program, "problem")->close();
@@ -441,7 +441,7 @@ private Q_SLOTS:
     {
         core::LessonDraft draft(readLesson(QStringLiteral("first-clay")));
         draft.addStroke(1, core::FileCommand{core::FlattenBase{500}, {}});
-        const TriedLesson tried = LessonSaving::attempt(draft, "broken.zip", {}, {});
+        const CheckedLesson tried = LessonSaving::check(draft, "broken.zip", {}, {});
         QVERIFY(!tried.lesson);
         QVERIFY2(tried.problem.contains(QStringLiteral("step 2")), qPrintable(tried.problem));
         QVERIFY2(tried.problem.contains(QStringLiteral("stroke %1").arg(draft.step(1).strokes.size())),

@@ -21,7 +21,7 @@ using namespace app;
 namespace
 {
 constexpr int gapToCircle = 8;
-const ModelExport::Tell quiet = [](const QString&) {};
+const ModelExport::OnStage quiet = [](const QString&) {};
 
 std::shared_ptr<core::Mesh> ball(double radius)
 {
@@ -161,12 +161,12 @@ void TestModelExport::stoppedInTime_writesNothing()
 void TestModelExport::stoppedLater_isNotReadBack()
 {
     std::stop_source stop;
-    const auto tell = [&](const QString& what) {
+    const auto onProgress = [&](const QString& what) {
         if (what.startsWith(QStringLiteral("Reading")))
             stop.request_stop();
     };
     const ExportOutcome outcome =
-        ModelExport::run({path("later.stl"), 0, false, {}, ball(20)}, tell, {stop.get_token(), {}});
+        ModelExport::run({path("later.stl"), 0, false, {}, ball(20)}, onProgress, {stop.get_token(), {}});
     QVERIFY2(outcome.verdict.contains(QStringLiteral("not read back")), qPrintable(outcome.verdict));
     QVERIFY(QFile::exists(path("later.stl")));
 }
@@ -175,13 +175,13 @@ void TestModelExport::fewerTriangles_leaveTheModelAlone()
 {
     Program program;
     sculptBall(program);
-    const quint64 faces = program.document.facts().faces;
+    const quint64 faces = program.document.modelInfo().faces;
     QSignalSpy exported(&program.document, &Document::exported);
     program.document.exportTo(path("few.stl"), 500);
     QTRY_COMPARE(exported.size(), 1);
     const core::TriangleMesh few = core::readMesh(path("few.stl").toStdString());
     QVERIFY(few.triangles.size() <= 500 && core::checkMesh(few).printReady());
-    QCOMPARE(program.document.facts().faces, faces);
+    QCOMPARE(program.document.modelInfo().faces, faces);
     QVERIFY(program.document.isModified() && program.document.path().isEmpty());
 }
 
@@ -355,12 +355,12 @@ void TestModelExport::slicer_thatHangsIsStopped()
 {
     const SlicerOnPath slicer("exec sleep 1000");
     std::stop_source stop;
-    const auto tell = [&](const QString& what) {
+    const auto onProgress = [&](const QString& what) {
         if (what.startsWith(QStringLiteral("Slicing")))
             stop.request_stop();
     };
     const ExportOutcome outcome =
-        ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, tell, {stop.get_token(), {}});
+        ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, onProgress, {stop.get_token(), {}});
     QVERIFY2(outcome.verdict.contains(QStringLiteral("was stopped")), qPrintable(outcome.verdict));
 }
 

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-constexpr int longestWait = 60'000;
+constexpr int timeoutMs = 60'000;
 constexpr core::Rgb red{250, 10, 20};
 constexpr core::JournalLimits smallLimits{.segmentBytes = 256 << 10, .logBytes = 2 << 20}; ///< so that bases come, too
 
@@ -58,14 +58,14 @@ State stateIn(const QByteArray& line)
                : State();
 }
 
-/// Comes back as soon as it is so: the event loop is awake at each letter, so that victims seldom rest.
+/// Comes back as soon as it is so: every posted task wakes the event loop, so that the wait is short.
 template <class Condition> void until(Condition isSo)
 {
-    QTimer tick; // letters that came before
+    QTimer tick; // tasks that were posted before
     tick.start(20);
     QElapsedTimer clock;
     clock.start();
-    while (!isSo() && clock.elapsed() < longestWait)
+    while (!isSo() && clock.elapsed() < timeoutMs)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     if (!isSo())
         qFatal("waited too long");
@@ -74,9 +74,9 @@ template <class Condition> void until(Condition isSo)
 /// A document whose changes are recorded.
 struct Session
 {
-    explicit Session(const fs::path& root) : home(root.parent_path()), shelf(root, smallLimits), document(&worker)
+    explicit Session(const fs::path& root) : home(root.parent_path()), store(root, smallLimits), document(&worker)
     {
-        document.keepJournals(&shelf);
+        document.keepJournals(&store);
     }
 
     void openBall()
@@ -86,7 +86,7 @@ struct Session
     }
     void wait()
     {
-        until([this] { return !document.isBusy() && document.isSettled() && document.facts().faces > 0; });
+        until([this] { return !document.isBusy() && document.isSettled() && document.modelInfo().faces > 0; });
     }
     /// As it is now; with `recorded` not before that would survive the program.
     State state(bool recorded = true)
@@ -162,13 +162,14 @@ struct Session
             return;
         core::BrushChange brush = core::brushOf(last->report.stroke()->settings);
         brush.radius *= factor;
-        document.redoStroke(*last, std::make_shared<const core::Stroke>(core::changed(*last->report.stroke(), brush)),
-                            {}, [](const auto&) {});
+        document.replaceLastStroke(*last,
+                                   std::make_shared<const core::Stroke>(core::changed(*last->report.stroke(), brush)),
+                                   {}, [](const auto&) {});
         wait();
     }
     void wholeModel(StrokeFuzzer& random)
     {
-        const double height = document.facts().size.y();
+        const double height = document.modelInfo().size.y();
         switch (random.below(12)) {
         case 0:
             return apply(core::Fill{{static_cast<std::uint8_t>(random.below(256)), 10, 20}});
@@ -209,7 +210,7 @@ struct Session
 
     fs::path home;
     ui::ThreadMailbox mail;
-    JournalShelf shelf;
+    RecoveryStore store;
     SculptWorker worker;
     Document document;
 };
@@ -283,9 +284,9 @@ constexpr Kind kinds[] = {
     {"reset", whole<core::Reset>},
     {"import",
      [](Session& s, StrokeFuzzer& random) { s.document.open(s.file("ball.stl")), s.wait(), strokes(s, random); }},
-    {"legalise", [](Session& s, StrokeFuzzer&) { s.document.openMended(s.file("bad.stl"), {}), s.wait(); }},
+    {"legalise", [](Session& s, StrokeFuzzer&) { s.document.openRepaired(s.file("bad.stl"), {}), s.wait(); }},
     {"save", [](Session& s, StrokeFuzzer&) { s.document.save(s.file("saved.glb")), s.wait(); }},
-    {"lose the file", [](Session& s, StrokeFuzzer&) { s.document.loseFile(), s.wait(); }},
+    {"lose the file", [](Session& s, StrokeFuzzer&) { s.document.onFileDeleted(), s.wait(); }},
 };
 
 /// Those up to that one; says the state after each, and rests.
@@ -305,10 +306,10 @@ int runKinds(const fs::path& root, int last)
 /// On a display of its own: a window, and a document with a change that no file holds, or with none.
 int runOnDisplay(const fs::path& root, bool changes)
 {
-    JournalShelf shelf(root);
+    RecoveryStore store(root);
     SculptWorker worker;
     Document document(&worker);
-    document.keepJournals(&shelf);
+    document.keepJournals(&store);
     QWidget window;
     window.show();
     const auto ready = [] { std::cout << "ready" << std::endl; };
@@ -376,7 +377,7 @@ public:
         m_server.start(QStringLiteral("Xvfb"),
                        {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                         QStringLiteral("0"), QStringLiteral("640x480x24")});
-        m_server.waitForReadyRead(longestWait);
+        m_server.waitForReadyRead(timeoutMs);
         m_name = ":" + m_server.readLine().trimmed();
     }
     ~XServer() { die(); }
@@ -384,7 +385,7 @@ public:
     void die()
     {
         m_server.kill();
-        m_server.waitForFinished(longestWait);
+        m_server.waitForFinished(timeoutMs);
     }
 
 private:
@@ -447,7 +448,7 @@ State TestRecovery::leaveJournal(const fs::path& root, std::uint64_t seed, int c
 {
     QProcess victim;
     startVictim(victim, root, seed, changes);
-    victim.waitForFinished(longestWait);
+    victim.waitForFinished(timeoutMs);
     const QList<QByteArray> lines = victim.readAllStandardOutput().trimmed().split('\n');
     return lines.size() < 2 ? State() : stateIn(lines[lines.size() - 2]);
 }
@@ -479,9 +480,9 @@ void TestRecovery::kill_losesNothingThatWasFinished()
     QProcess whole;
     QElapsedTimer clock;
     startVictim(whole, newRoot(), seed, changes);
-    QVERIFY(whole.waitForReadyRead(longestWait));
+    QVERIFY(whole.waitForReadyRead(timeoutMs));
     clock.start();
-    QVERIFY(whole.waitForFinished(longestWait * 5));
+    QVERIFY(whole.waitForFinished(timeoutMs * 5));
     const auto lasts = static_cast<std::uint64_t>(clock.elapsed());
     std::vector<State> states;
     for (const QByteArray& line : whole.readAllStandardOutput().trimmed().split('\n'))
@@ -496,10 +497,10 @@ void TestRecovery::kill_losesNothingThatWasFinished()
         QProcess victim;
         startVictim(victim, root, seed, changes);
         if (random.below(10) > 0) // it has a model
-            QVERIFY(victim.waitForReadyRead(longestWait));
+            QVERIFY(victim.waitForReadyRead(timeoutMs));
         QTest::qWait(static_cast<int>(random.below(lasts)));
         victim.kill(); // it may be done already
-        QTRY_COMPARE_WITH_TIMEOUT(victim.state(), QProcess::NotRunning, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(victim.state(), QProcess::NotRunning, timeoutMs);
         QList<QByteArray> lines = victim.readAllStandardOutput().split('\n');
         lines.pop_back(); // perhaps half of one
         lines.removeAll("done");
@@ -551,7 +552,7 @@ void TestRecovery::kill_afterEachKindOfChange()
         ++found;
         QVERIFY(document->history.isWhole &&
                 std::ranges::all_of(document->history.steps,
-                                    [](const core::JournalStep& step) { return step.deed != nullptr; }));
+                                    [](const core::JournalStep& step) { return step.entry != nullptr; }));
     }
     QCOMPARE(found, 1);
 }
@@ -563,12 +564,12 @@ QList<QByteArray> TestRecovery::killAfter(const fs::path& root, int last)
     victim.start(QCoreApplication::applicationFilePath(),
                  {QStringLiteral("--kinds"), QString::fromStdString(root.string()), QString::number(last)});
     QList<QByteArray> lines;
-    while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(longestWait))) {
+    while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(timeoutMs))) {
         if (victim.canReadLine())
             lines.append(victim.readLine().trimmed());
     }
     victim.kill();
-    victim.waitForFinished(longestWait);
+    victim.waitForFinished(timeoutMs);
     return lines;
 }
 
@@ -581,15 +582,15 @@ void TestRecovery::recovered_goesOnWithItsHistory()
     {
         Session session(root);
         session.openBall();
-        QSignalSpy offers(&session.shelf, &JournalShelf::offered);
-        session.shelf.look();
+        QSignalSpy offers(&session.store, &RecoveryStore::offered);
+        session.store.findAbandoned();
         QTRY_COMPARE(offers.size(), 1);
         const auto offer = offers[0][0].value<RecoveryOffer>();
         QVERIFY(offer.id != 0);
         QCOMPARE(offer.steps, left.present);
         QSignalSpy opened(&session.document, &Document::opened);
         session.document.recover(offer.id, offer.name);
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
         session.wait();
         QVERIFY(session.state() == left);
         QVERIFY(session.document.isModified());
@@ -621,12 +622,12 @@ void TestRecovery::recovered_itsLastStrokeCanBeEdited()
     QCOMPARE(killAfter(root, 0).size(), 1);
     Session session(root);
     session.openBall();
-    QSignalSpy offers(&session.shelf, &JournalShelf::offered), opened(&session.document, &Document::opened);
-    session.shelf.look();
+    QSignalSpy offers(&session.store, &RecoveryStore::offered), opened(&session.document, &Document::opened);
+    session.store.findAbandoned();
     QTRY_COMPARE(offers.size(), 1);
     const auto offer = offers[0][0].value<RecoveryOffer>();
     session.document.recover(offer.id, offer.name);
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
     session.wait();
     QVERIFY(session.document.lastStroke().has_value());
     session.editLast(1.2);
@@ -663,20 +664,20 @@ void TestRecovery::discarded_isNeverOfferedAgain()
     leaveJournal(root, 6, 10);
     leaveJournal(root, 7, 10);
     {
-        JournalShelf shelf(root);
-        QSignalSpy offers(&shelf, &JournalShelf::offered);
-        shelf.look();
+        RecoveryStore store(root);
+        QSignalSpy offers(&store, &RecoveryStore::offered);
+        store.findAbandoned();
         QTRY_COMPARE(offers.size(), 1);
-        shelf.discard(offers[0][0].value<RecoveryOffer>().id);
+        store.discard(offers[0][0].value<RecoveryOffer>().id);
         QCOMPARE(offers.size(), 2);
         QVERIFY(offers[1][0].value<RecoveryOffer>().id != 0); // the other one
     }
     {
-        JournalShelf shelf(root);
-        QSignalSpy offers(&shelf, &JournalShelf::offered);
-        shelf.look();
+        RecoveryStore store(root);
+        QSignalSpy offers(&store, &RecoveryStore::offered);
+        store.findAbandoned();
         QTRY_COMPARE(offers.size(), 1);
-        shelf.discard(offers[0][0].value<RecoveryOffer>().id);
+        store.discard(offers[0][0].value<RecoveryOffer>().id);
         QCOMPARE(offers[1][0].value<RecoveryOffer>().id, quint64(0));
     }
     QVERIFY(fs::is_empty(root));
@@ -702,7 +703,7 @@ void TestRecovery::earlierVersions_areKeptIfAskedFor()
     const auto kept = [&](int version) { return core::NumberedBackup::nameOf(file.toStdU16String(), version); };
     Session session(newRoot());
     session.openBall();
-    for (int i = 0; i < 6; ++i) { // the last four with the wish
+    for (int i = 0; i < 6; ++i) { // the last four with the request
         ui::Settings().setPreferences({.input = {}, .keepsBackups = i >= 2});
         session.apply(core::Fill{{static_cast<std::uint8_t>(i), 0, 0}});
         session.document.save(file);
@@ -721,13 +722,13 @@ void TestRecovery::another_program_isLeftAlone()
     QProcess victim;
     startVictim(victim, root, 8, 100'000);
     for (int told = 0; told < 8;) { // a victim that has something to lose
-        QVERIFY(victim.canReadLine() || victim.waitForReadyRead(longestWait));
+        QVERIFY(victim.canReadLine() || victim.waitForReadyRead(timeoutMs));
         told += victim.canReadLine() && !victim.readLine().isEmpty();
     }
     {
         Session session(root);
-        QSignalSpy offers(&session.shelf, &JournalShelf::offered);
-        session.shelf.look();
+        QSignalSpy offers(&session.store, &RecoveryStore::offered);
+        session.store.findAbandoned();
         QTRY_COMPARE(offers.size(), 1);
         QCOMPARE(offers[0][0].value<RecoveryOffer>().id, quint64(0));
         session.openBall();
@@ -735,7 +736,7 @@ void TestRecovery::another_program_isLeftAlone()
     }
     QCOMPARE(victim.state(), QProcess::Running);
     victim.kill();
-    QVERIFY(victim.waitForFinished(longestWait));
+    QVERIFY(victim.waitForFinished(timeoutMs));
     const auto found = core::recoverJournal(onlyFolderIn(root));
     QVERIFY(found && !found->history.steps.empty());
     // Two that start at once: one of them offers it.
@@ -755,13 +756,13 @@ void TestRecovery::damagedBeyondUse_isPutAsideAndSaid()
         cut(core::baseFile(folder, base.first));
     {
         core::JournalFolder::make(root); // of a program that ended before it had a model: nothing is lost with that
-        JournalShelf shelf(root);
-        QSignalSpy offers(&shelf, &JournalShelf::offered), told(&shelf, &JournalShelf::told);
-        shelf.look();
+        RecoveryStore store(root);
+        QSignalSpy offers(&store, &RecoveryStore::offered), told(&store, &RecoveryStore::noticed);
+        store.findAbandoned();
         QTRY_COMPARE(told.size(), 1);
         QVERIFY(told[0][0].toString().contains(QString::fromStdString((aside / folder.filename()).string())));
         QCOMPARE(offers[0][0].value<RecoveryOffer>().id, quint64(0));
-        shelf.look(); // it is not said again
+        store.findAbandoned(); // it is not said again
         QTRY_COMPARE(offers.size(), 2);
         QCOMPARE(told.size(), 1);
     }
@@ -789,17 +790,17 @@ void TestRecovery::damagedInPart_comesBackAndIsKept()
     {
         Session session(root);
         session.openBall();
-        QSignalSpy offers(&session.shelf, &JournalShelf::offered), opened(&session.document, &Document::opened),
+        QSignalSpy offers(&session.store, &RecoveryStore::offered), opened(&session.document, &Document::opened),
             notices(&session.document, &Document::noticed);
-        session.shelf.look();
+        session.store.findAbandoned();
         QTRY_COMPARE(offers.size(), 1);
         const auto offer = offers[0][0].value<RecoveryOffer>();
         QVERIFY(offer.id != 0);
         session.document.recover(offer.id, offer.name);
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
         QVERIFY(session.state(false) == stateOf(*partly));
         QVERIFY(notices.size() == 1 && notices[0][0].toString().contains(QString::fromStdString(aside.string())));
-        QTRY_VERIFY_WITH_TIMEOUT(fs::exists(aside / folder.filename()), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(fs::exists(aside / folder.filename()), timeoutMs);
         QVERIFY(session.document.journal());
         session.apply(core::Fill{red});
         const State now = session.state();
@@ -816,7 +817,7 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
         QSKIP("This system does not let the test have a small disk.");
     const fs::path root = largerDisk->folder() / "journals";
     Session session(root);
-    session.shelf.setPatience(std::chrono::milliseconds(20));
+    session.store.setRetryInterval(std::chrono::milliseconds(20));
     QSignalSpy notices(&session.document, &Document::noticed);
     const auto told = [&](const char* words) {
         return std::ranges::count_if(
@@ -895,7 +896,7 @@ void TestRecovery::closedFolder_isSaidOnceAndAgainWhenItIsOpen()
     fs::create_directories(root);
     fs::permissions(root, fs::perms::owner_read | fs::perms::owner_exec);
     Session session(root);
-    session.shelf.setPatience(std::chrono::milliseconds(20));
+    session.store.setRetryInterval(std::chrono::milliseconds(20));
     QSignalSpy notices(&session.document, &Document::noticed);
     session.openBall();
     session.apply(core::Fill{red});
@@ -922,10 +923,10 @@ QByteArray TestRecovery::killDisplayOf(const fs::path& root, const QString& chan
     victim.setProcessEnvironment(environment);
     victim.start(QCoreApplication::applicationFilePath(),
                  {QStringLiteral("--window"), QString::fromStdString(root.string()), changes});
-    if (!victim.waitForReadyRead(longestWait) || !victim.readAllStandardOutput().contains("ready"))
+    if (!victim.waitForReadyRead(timeoutMs) || !victim.readAllStandardOutput().contains("ready"))
         return "not ready: " + victim.readAllStandardError();
     display.die();
-    if (!victim.waitForFinished(longestWait) || victim.exitStatus() != QProcess::NormalExit)
+    if (!victim.waitForFinished(timeoutMs) || victim.exitStatus() != QProcess::NormalExit)
         return "did not end in order";
     return victim.readAllStandardError();
 }
@@ -945,9 +946,9 @@ void TestRecovery::lostDisplay_withoutChangesKeepsNothing()
     const fs::path root = newRoot();
     const QByteArray word = killDisplayOf(root, QStringLiteral("unchanged"));
     QVERIFY2(!word.contains("kept") && !word.contains("not ready"), word.constData());
-    JournalShelf shelf(root);
-    QSignalSpy offers(&shelf, &JournalShelf::offered);
-    shelf.look();
+    RecoveryStore store(root);
+    QSignalSpy offers(&store, &RecoveryStore::offered);
+    store.findAbandoned();
     QTRY_COMPARE(offers.size(), 1);
     QCOMPARE(offers[0][0].value<RecoveryOffer>().id, quint64(0));
     QVERIFY(fs::is_empty(root));

@@ -80,7 +80,7 @@ void TestEndToEnd::openPullUndoExport()
     const core::TriangleMesh mesh = core::readMesh(out.toStdString());
     const core::MeshReport report = core::checkMesh(mesh);
     QVERIFY(report.printReady());
-    QCOMPARE(quint64(report.faces), program.document.facts().faces);
+    QCOMPARE(quint64(report.faces), program.document.modelInfo().faces);
     QVERIFY(report.volume.value_or(0) > core::checkMesh(core::readMesh(in.toStdString())).volume.value_or(0));
     QVERIFY(program.window.isWindowModified()); // an export is no saving
     const ui::ViewportStats stats = program.window.viewport()->stats();
@@ -186,7 +186,7 @@ void TestEndToEnd::refusedFileLeavesTheModel()
     QSignalSpy refused(&program.document, &Document::refused);
     Q_EMIT program.window.openRequested(path);
     QTRY_COMPARE(refused.size(), 1);
-    QCOMPARE(program.document.facts().vertices, quint64(2562));
+    QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
     QVERIFY(program.document.path().isEmpty());
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget != &program.window)
@@ -201,7 +201,7 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     program.document.openSphere();
     QTRY_VERIFY(!program.document.isBusy());
     int asked = 0;
-    program.document.setMayDiscard([&](const std::function<void()>&) { return ++asked > 1; });
+    program.document.setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
     core::StrokeSample sample;
     sample.position = {50, 0, 0};
     program.document.beginStroke({});
@@ -226,7 +226,7 @@ void TestEndToEnd::closing_waitsForThePress()
     QTRY_VERIFY(!program.document.isBusy());
     QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     int asked = 0;
-    program.document.setMayDiscard([&](const std::function<void()>&) { return ++asked > 1; });
+    program.document.setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
     QTest::mousePress(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
     QVERIFY(program.window.viewport()->isPressPending());
     QVERIFY(!program.window.close());
@@ -327,7 +327,7 @@ void TestEndToEnd::opening_maySaveFirst()
     chooseFile(program, "saveDialog", path);
     QTRY_COMPARE(program.document.path(), other);
     QTRY_VERIFY(!program.document.isBusy());
-    QCOMPARE(program.document.facts().vertices, quint64(162));
+    QCOMPARE(program.document.modelInfo().vertices, quint64(162));
     QVERIFY(isSound(path));
     QVERIFY(core::readMesh(path.toStdString()).points.size() > 162);
 }

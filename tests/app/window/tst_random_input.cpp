@@ -24,13 +24,13 @@ using namespace app;
 namespace
 {
 constexpr int shortSeconds = 8, soakSeconds = 150;
-constexpr quint64 mostVertices = 60'000; ///< more, and the hand begins anew
+constexpr quint64 maxVertices = 60'000; ///< more, and the hand begins anew
 
 /// Somebody who presses, drags, types and chooses whatever comes, on the window and in every dialog that opens.
-class RandomHand
+class RandomInput
 {
 public:
-    RandomHand(Program& program, unsigned seed) : m_program(program), m_random(seed)
+    RandomInput(Program& program, unsigned seed) : m_program(program), m_random(seed)
     {
         m_answers.callOnTimeout([this] { answer(); });
         m_answers.start(30);
@@ -57,17 +57,17 @@ private:
     Program& m_program;
     std::mt19937 m_random;
     QTimer m_answers;
-    int m_patience = 0;
+    int m_framesToWait = 0;
 };
 
-Qt::KeyboardModifiers RandomHand::modifiers()
+Qt::KeyboardModifiers RandomInput::modifiers()
 {
     constexpr Qt::KeyboardModifier held[] = {Qt::NoModifier,      Qt::NoModifier,    Qt::NoModifier,
                                              Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
     return held[below(std::size(held))];
 }
 
-QWidget* RandomHand::someWidget()
+QWidget* RandomInput::someWidget()
 {
     QList<QWidget*> shown;
     for (QWidget* widget : m_program.window.findChildren<QWidget*>())
@@ -76,7 +76,7 @@ QWidget* RandomHand::someWidget()
     return shown[below(static_cast<int>(shown.size()))];
 }
 
-void RandomHand::drag(QWidget* widget)
+void RandomInput::drag(QWidget* widget)
 {
     constexpr Qt::MouseButton buttons[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::MiddleButton,
                                            Qt::RightButton};
@@ -95,7 +95,7 @@ void RandomHand::drag(QWidget* widget)
         QTest::mouseRelease(widget, button, keys, at);
 }
 
-void RandomHand::wheel(QWidget* widget)
+void RandomInput::wheel(QWidget* widget)
 {
     const QPoint at = placeIn(widget);
     QWheelEvent turn(at, widget->mapToGlobal(at), {}, {0, 120 * (below(5) - 2)}, Qt::NoButton, modifiers(),
@@ -103,7 +103,7 @@ void RandomHand::wheel(QWidget* widget)
     QApplication::sendEvent(widget, &turn);
 }
 
-void RandomHand::type()
+void RandomInput::type()
 {
     constexpr Qt::Key keys[] = {Qt::Key_Escape, Qt::Key_Return, Qt::Key_Tab, Qt::Key_Space, Qt::Key_Up,
                                 Qt::Key_Down,   Qt::Key_0,      Qt::Key_9,   Qt::Key_F,     Qt::Key_A,
@@ -116,7 +116,7 @@ void RandomHand::type()
 }
 
 /// Any command but the end of the program, and those that change files.
-void RandomHand::choose()
+void RandomInput::choose()
 {
     const auto table = ui::actionTable();
     const ui::ActionInfo& row = table[static_cast<std::size_t>(below(static_cast<int>(table.size())))];
@@ -124,13 +124,13 @@ void RandomHand::choose()
         m_program.window.action(id)->trigger();
 }
 
-void RandomHand::act()
+void RandomInput::act()
 {
     if (QWidget* popup = QApplication::activePopupWidget())
         popup->close();
     if (QApplication::activeModalWidget())
         return QTest::qWait(10); // answer() is at it
-    if (m_program.document.facts().vertices > mostVertices && !m_program.document.isBusy())
+    if (m_program.document.modelInfo().vertices > maxVertices && !m_program.document.isBusy())
         m_program.window.action(QStringLiteral("model.reset"))->trigger();
     switch (below(10)) {
     case 0:
@@ -152,7 +152,7 @@ void RandomHand::act()
 }
 
 /// Dialogs get keys and clicks, too, but not for ever.
-void RandomHand::answer()
+void RandomInput::answer()
 {
     if (QWidget* popup = QApplication::activePopupWidget()) {
         popup->close();
@@ -160,10 +160,10 @@ void RandomHand::answer()
     }
     QWidget* const modal = QApplication::activeModalWidget();
     if (!modal) {
-        m_patience = 6;
+        m_framesToWait = 6;
         return;
     }
-    if (--m_patience < 0) {
+    if (--m_framesToWait < 0) {
         modal->close();
         return;
     }
@@ -173,7 +173,7 @@ void RandomHand::answer()
         QTest::mouseClick(child, Qt::LeftButton, {}, placeIn(child));
 }
 
-void RandomHand::rest()
+void RandomInput::rest()
 {
     m_answers.stop();
     for (QWidget* open = nullptr;
@@ -186,7 +186,7 @@ void RandomHand::rest()
 
 /// Minutes of senseless work on the real window (FETTLE_SOAK; seconds without it). What goes wrong shows as a crash,
 /// under the sanitizers best, as a model that is not sound, or as steps that cannot be undone and done again.
-class TestRandomHand : public QObject
+class TestRandomInput : public QObject
 {
     Q_OBJECT
 
@@ -195,13 +195,13 @@ private Q_SLOTS:
     void theModelStaysSound();
 };
 
-void TestRandomHand::theModelStaysSound_data()
+void TestRandomInput::theModelStaysSound_data()
 {
     QTest::addColumn<unsigned>("seed");
     QTest::newRow("20261121") << 20261121u;
 }
 
-void TestRandomHand::theModelStaysSound()
+void TestRandomInput::theModelStaysSound()
 {
     if (!ui::graphicsProblem().isEmpty())
         QSKIP("There is no OpenGL here.");
@@ -213,7 +213,7 @@ void TestRandomHand::theModelStaysSound()
     program.document.openSphere();
     QTRY_VERIFY(!program.document.isBusy());
     {
-        RandomHand hand(program, seed);
+        RandomInput hand(program, seed);
         QElapsedTimer clock;
         clock.start();
         const int seconds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? soakSeconds : shortSeconds;
@@ -224,7 +224,7 @@ void TestRandomHand::theModelStaysSound()
         qInfo("%d acts, %d steps to undo", acts, program.document.undoStack().count());
     }
     program.window.viewport()->finish();
-    program.document.stop();
+    program.document.cancelJob();
     QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled() && !program.document.isBusy(), 120'000);
 
     const auto ask = [&](auto question) {
@@ -257,7 +257,7 @@ int main(int argc, char* argv[])
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));
     QCoreApplication::setApplicationName(QStringLiteral("tst_random_hand"));
-    TestRandomHand test;
+    TestRandomInput test;
     return QTest::qExec(&test, argc, argv);
 }
 #include "tst_random_input.moc"

@@ -51,7 +51,7 @@ namespace
 {
 constexpr QSize smallScreen{1280, 720}, largeScreen{1920, 1080};
 constexpr int flightMs = 600; ///< of the view, to a place
-constexpr int longestWait = 60'000;
+constexpr int timeoutMs = 60'000;
 constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
 
 /// The words of one language, while it lives.
@@ -147,7 +147,7 @@ private:
     void takeStrokeBar(Program& program);
     void takeUnits(Program& program);
     void takePrint(Program& program);
-    void takeMending(Program& program);
+    void takeRepair(Program& program);
     void takeExport(Program& program);
     void takePanels(Program& program);
     void showModels(ui::FileBrowser* panel);
@@ -204,7 +204,7 @@ void TestScreenshots::states()
     takeStrokeBar(program);
     takeUnits(program);
     takePrint(program);
-    takeMending(program);
+    takeRepair(program);
     takeExport(program);
     takePanels(program);
     takeMenus(program);
@@ -332,7 +332,7 @@ void TestScreenshots::takePrint(Program& program)
     program.window.action(QStringLiteral("view.frame"))->trigger();
 }
 
-void TestScreenshots::takeMending(Program& program)
+void TestScreenshots::takeRepair(Program& program)
 {
     core::MeshReport report;
     report.openEdges.count = 1234;
@@ -476,35 +476,35 @@ void TestScreenshots::takeClass()
                             starters,
                             {core::Tool::Pull, core::Tool::Smooth}};
     classroom.fullScreen = false;
-    JournalShelf shelf(own.filePath(QStringLiteral("journals")).toStdString());
+    RecoveryStore store(own.filePath(QStringLiteral("journals")).toStdString());
     Program program;
-    program.document.keepJournals(&shelf);
+    program.document.keepJournals(&store);
     qint64 now = 0;
-    const ClassPlaces places{{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))};
-    ClassroomMode mode({&program.window, &program.document, &shelf}, classroom, places, [&now] { return now; });
-    wireClassroom(program.window, mode);
+    const ClassPaths places{{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))};
+    ClassroomMode mode({&program.window, &program.document, &store}, classroom, places, [&now] { return now; });
+    connectClassroom(program.window, mode);
     program.window.resize(smallScreen);
     program.window.show();
     mode.begin();
     const auto* panel = program.window.findChild<ui::PupilNamePanel*>();
     auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), timeoutMs);
     QTRY_COMPARE(program.window.size(), smallScreen);
     const auto isReadable = [&program] {
         return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isReadable(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(isReadable(), timeoutMs);
     take(program.window, QStringLiteral("class-name"));
     const auto begin = [&](const QString& pupil) {
         QTest::keyClicks(name, pupil);
         QTest::keyClick(name, Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.isBusy() && isReadable(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.isBusy() && isReadable(), timeoutMs);
     };
     begin(QStringLiteral("Anna-Lena the Great"));
     take(program.window, QStringLiteral("class-turn"));
     next->click();
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), timeoutMs);
     begin(QStringLiteral("Ben"));
     now = 18 * 60'000;
     mode.tick();
@@ -519,7 +519,7 @@ void TestScreenshots::takeClass()
 /// While the teacher works, and when the checkpoint is met.
 void TestScreenshots::takeLesson(Program& program)
 {
-    program.document.setMayDiscard([](const std::function<void()>&) { return true; });
+    program.document.setDiscardPrompt([](const std::function<void()>&) { return true; });
     program.window.action(QStringLiteral("help.lessons"))->trigger();
     auto* dock = program.window.findChild<QDockWidget*>(QStringLiteral("lessonPanel"));
     QTRY_VERIFY(dock->isVisible());
@@ -545,7 +545,7 @@ void TestScreenshots::takeLessonEditor(Program& program)
     QTRY_VERIFY(editor->isVisible());
     take(program.window, QStringLiteral("lesson-editor-start"));
     Q_EMIT editor->lessonChosen(QStringLiteral("mug"));
-    QTRY_VERIFY_WITH_TIMEOUT(editor->isOpen(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(editor->isOpen(), timeoutMs);
     auto* pages = editor->findChild<ui::LessonStepEditor*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
@@ -553,7 +553,7 @@ void TestScreenshots::takeLessonEditor(Program& program)
     }
     editor->findChild<QPushButton*>(QStringLiteral("lessonRecord"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(
-        editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), longestWait);
+        editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), timeoutMs);
     take(program.window, QStringLiteral("lesson-editor-recording"));
 }
 

@@ -245,7 +245,7 @@ void TestTranslations::fault_isFound()
     QCOMPARE(!fault(message, translation).isEmpty(), isFault);
 }
 
-/// What lupdate finds in the sources now is what the file has: to be mended with the target update_translations.
+/// What lupdate finds in the sources now is what the file has: the target update_translations updates it.
 void TestTranslations::everySource_isThere()
 {
     QFETCH(QString, language);

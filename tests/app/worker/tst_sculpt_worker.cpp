@@ -48,9 +48,9 @@ core::Vec3 onSphere(std::mt19937_64& random)
 }
 
 /// What a signal brought.
-template <class Value> struct Heard
+template <class Value> struct SignalValues
 {
-    template <class Signal> Heard(SculptWorker& worker, Signal signal)
+    template <class Signal> SignalValues(SculptWorker& worker, Signal signal)
     {
         QObject::connect(&worker, signal, &here, [this](const Value& value) { all << value; });
     }
@@ -189,8 +189,8 @@ void TestSculptWorker::queue_whoAsksWithoutEnd_keepsNoJobWaiting()
 void TestSculptWorker::worker_reportsEachStrokeOnce()
 {
     SculptWorker worker;
-    Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
     QTRY_COMPARE(modelSet.size(), 1);
     std::mt19937_64 random(1);
@@ -218,8 +218,8 @@ void TestSculptWorker::worker_reportsEachStrokeOnce()
 void TestSculptWorker::worker_refusesASecondSource()
 {
     SculptWorker worker;
-    Heard<Source> refused(worker, &SculptWorker::strokeRefused);
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<Source> refused(worker, &SculptWorker::strokeRefused);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
     QVERIFY(worker.beginStroke(Source::Headset, settings()));
     QVERIFY(!worker.beginStroke(Source::Desktop, settings()));
@@ -240,7 +240,7 @@ void TestSculptWorker::worker_refusesASecondSource()
 void TestSculptWorker::worker_ignoresSamplesOutsideAStroke()
 {
     SculptWorker worker;
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
     worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
     worker.endStroke(Source::Desktop);
@@ -253,8 +253,8 @@ void TestSculptWorker::worker_ignoresSamplesOutsideAStroke()
 void TestSculptWorker::worker_answersDuringAStroke()
 {
     SculptWorker worker;
-    Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
-    Heard<Answer> answered(worker, &SculptWorker::answeredDesktop);
+    SignalValues<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
+    SignalValues<Answer> answered(worker, &SculptWorker::answeredDesktop);
     worker.setModel(sphere());
     QTRY_COMPARE(modelSet.size(), 1);
     QVERIFY(worker.beginStroke(Source::Desktop, settings()));
@@ -300,7 +300,7 @@ void TestSculptWorker::worker_answersTheNewestQuestion()
     QList<Answer> answered;
     ui::ThreadMailbox mail;
     SculptWorker worker;
-    Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
+    SignalValues<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
     connect(
         &worker, &SculptWorker::answeredHeadset, &mail,
         [&](const Answer& hit) { mail.post([&answered, hit] { answered << hit; }); }, Qt::DirectConnection);
@@ -319,11 +319,11 @@ void TestSculptWorker::worker_answersTheNewestQuestion()
 void TestSculptWorker::worker_answersWhatABallTouches()
 {
     SculptWorker worker;
-    Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
+    SignalValues<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
     worker.setModel(sphere());
     QTRY_COMPARE(modelSet.size(), 1);
     const auto at = [&](const core::Vec3& centre, const core::StrokeSettings& brush) {
-        Heard<Answer> answered(worker, &SculptWorker::answeredDesktop);
+        SignalValues<Answer> answered(worker, &SculptWorker::answeredDesktop);
         worker.ask(Source::Desktop, {centre, core::Vec3(1, 0, 0)}, brush);
         return QTest::qWaitFor([&] { return !answered.isEmpty(); }) ? answered.last() : Answer();
     };
@@ -339,7 +339,7 @@ void TestSculptWorker::worker_answersWhatABallTouches()
 void TestSculptWorker::worker_addsOneSphereAStroke()
 {
     SculptWorker worker;
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
     core::StrokeSettings adding = settings();
     adding.add = true;
@@ -368,7 +368,7 @@ void TestSculptWorker::worker_pullsWhereASphereWouldTouch()
     std::vector<std::uint64_t> states;
     for (const bool adds : {false, true}) {
         SculptWorker worker;
-        Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+        SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
         worker.setModel(sphere());
         core::StrokeSettings pull = settings();
         pull.add = adds;
@@ -405,7 +405,7 @@ void TestSculptWorker::worker_tellsWhatTheHeadsetsSamplesDid()
         worker.addSample(source, sampleAt({50, 0, 0}));
         worker.endStroke(source);
     }
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     QTRY_COMPARE(finished.size(), 4);
     worker.stop();
     QCOMPARE(told, (QList<core::Shortfall>{core::Shortfall::Inside, core::Shortfall::None}));
@@ -414,8 +414,8 @@ void TestSculptWorker::worker_tellsWhatTheHeadsetsSamplesDid()
 void TestSculptWorker::worker_answersWithoutAModel()
 {
     SculptWorker worker;
-    Heard<Answer> answered(worker, &SculptWorker::answeredDesktop);
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<Answer> answered(worker, &SculptWorker::answeredDesktop);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.ask(Source::Desktop, {});
     QTRY_COMPARE(answered.size(), 1);
     QVERIFY(!answered.at(0));
@@ -428,8 +428,8 @@ void TestSculptWorker::worker_answersWithoutAModel()
 void TestSculptWorker::worker_endsTheStrokeWhenTheModelChanges()
 {
     SculptWorker worker;
-    Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
     worker.beginStroke(Source::Headset, settings());
     worker.addSample(Source::Headset, sampleAt({50, 0, 0}));
@@ -445,9 +445,9 @@ void TestSculptWorker::worker_endsTheStrokeWhenTheModelChanges()
 void TestSculptWorker::worker_findsTheExactBoxAfterwards()
 {
     SculptWorker worker;
-    Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
-    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
-    Heard<MeshFacts> facts(worker, &SculptWorker::factsChanged);
+    SignalValues<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
+    SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    SignalValues<MeshFacts> facts(worker, &SculptWorker::factsChanged);
     worker.setModel(sphere());
     QTRY_COMPARE(modelSet.size(), 1);
     const core::Box before = modelSet.at(0).box;
