@@ -143,7 +143,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_modelInfo.name = model->name;
     m_modelInfo.path = model->path;
     m_modelInfo.metadata = model->metadata;
-    m_clock = {};
+    m_workTimer = {};
     m_modelInfo.unitGuess = model->unitGuess;
     m_start = std::exchange(model->start, nullptr);
     m_recovered = std::exchange(model->recovered, nullptr);

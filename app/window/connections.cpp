@@ -326,7 +326,7 @@ void connectRecovery(ui::MainWindow& window, Document& document, RecoveryStore& 
     document.keepJournals(&recoveryStore);
     const auto show = [&window, &document, &recoveryStore](const RecoveryOffer& offer) {
         for (RecoveryBar* before : window.findChildren<RecoveryBar*>())
-            before->leave();
+            before->dismiss();
         if (offer.id == 0)
             return;
         auto* bar = new RecoveryBar({offer.name, offer.changed, offer.steps}, &window);

@@ -16,8 +16,8 @@ namespace ui
 {
 namespace
 {
-constexpr QSize usualSize{820, 480};
-constexpr int largestWidth = 1200; ///< fits a small screen
+constexpr QSize defaultSize{820, 480};
+constexpr int maxWidth = 1200; ///< fits a small screen
 } // namespace
 
 CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
@@ -44,7 +44,7 @@ CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
     auto* modifierHelp = new QLabel(Actions::modifierHelp(actions.keys().preset));
     modifierHelp->setWordWrap(true);
     column->addWidget(modifierHelp);
-    resize(std::clamp(m_list->wholeWidth() + 2 * gap, usualSize.width(), largestWidth), usualSize.height());
+    resize(std::clamp(m_list->wholeWidth() + 2 * gap, defaultSize.width(), maxWidth), defaultSize.height());
 
     connect(m_words, &QLineEdit::textChanged, m_list, &CommandList::filter);
     connect(m_list, &QTreeWidget::itemActivated, this, &CommandPalette::run);

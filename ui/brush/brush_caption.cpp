@@ -35,19 +35,19 @@ struct CaptionLine
         const QFontMetrics metrics(font);
         const int height = metrics.height(), space = static_cast<int>(captionGap * metrics.capHeight());
         int x = gap;
-        const auto take = [&](int wide) {
+        const auto place = [&](int wide) {
             const QRect place(x, 0, wide, height);
             x += wide + space;
             return place;
         };
-        icon = take(height);
-        tool = take(metrics.horizontalAdvance(words.tool));
+        icon = place(height);
+        tool = place(metrics.horizontalAdvance(words.tool));
         x += space;
-        radius = take(metrics.horizontalAdvance(words.radius));
+        radius = place(metrics.horizontalAdvance(words.radius));
         if (!words.time.isEmpty()) {
             x += space;
-            clock = take(height);
-            time = take(metrics.horizontalAdvance(words.time));
+            clock = place(height);
+            time = place(metrics.horizontalAdvance(words.time));
         }
         width = x - space + gap;
     }

@@ -101,7 +101,7 @@ template <class What> void BrushShapes::setShape(ShapeSlot<What>& slot, const st
     Q_EMIT changed();
 }
 
-/// What a hand chose and was refused is not offered again; a stored file may only be away.
+/// Drops a refused file that the user chose from the list; a stored file stays, as its disk may only be unmounted.
 template <class What>
 void BrushShapes::refuse(ShapeSlot<What>& slot, const QString& path, Origin origin, const QString& problem)
 {

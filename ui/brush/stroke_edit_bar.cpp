@@ -38,17 +38,18 @@ StrokeEditBar::StrokeEditBar(const core::BrushChange& brush, const ModelInfo& mo
     m_hint->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_hint->setContentsMargins(gap, 0, gap, 0);
     addWidget(m_hint);
-    QPushButton* keep = addButton("keepStroke", tr("&Keep"), tr("Leaves the stroke as it is now, and hides this bar."));
-    keep->setDefault(true);
+    QPushButton* keepButton =
+        addButton("keepStroke", tr("&Keep"), tr("Leaves the stroke as it is now, and hides this bar."));
+    keepButton->setDefault(true);
     QPushButton* cancel =
         addButton("cancelStroke", tr("&Cancel"), tr("Gives the stroke back as it was, and hides this bar."));
     const auto dismissWith = [this](void (StrokeEditBar::*what)()) {
         Q_EMIT(this->*what)();
         dismiss();
     };
-    connect(keep, &QPushButton::clicked, this, [dismissWith] { dismissWith(&StrokeEditBar::accepted); });
+    connect(keepButton, &QPushButton::clicked, this, [dismissWith] { dismissWith(&StrokeEditBar::accepted); });
     connect(cancel, &QPushButton::clicked, this, [dismissWith] { dismissWith(&StrokeEditBar::cancelled); });
-    connect(numbers, &BrushBar::entered, keep, [keep] { keep->setFocus(); });
+    connect(numbers, &BrushBar::entered, keepButton, [keepButton] { keepButton->setFocus(); });
     connect(&m_brush, &BrushSettings::changed, this, &StrokeEditBar::emitChanged);
     m_tools->setFocus();
 }

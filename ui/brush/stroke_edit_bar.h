@@ -12,7 +12,7 @@ class QComboBox;
 
 namespace ui
 {
-/// A tool that the bar offers, with the action that shows its name and icon.
+/// A tool in the list of the bar, with the action that shows its name and icon.
 struct ToolOption
 {
     core::Tool tool;

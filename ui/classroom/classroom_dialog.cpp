@@ -119,7 +119,7 @@ private:
 
     void addTimes(QFormLayout* form)
     {
-        const Classroom usual;
+        const Classroom defaults;
         const auto minutes = [this](const char* name, int value, const QString& none, const QString& tip) {
             auto* count = named(new QSpinBox, name, tip);
             count->setRange(0, maxTurnMinutes);
@@ -128,13 +128,13 @@ private:
             count->setSpecialValueText(none);
             return count;
         };
-        m_turn = minutes("classTurn", usual.turnMinutes, tr("no limit"),
+        m_turn = minutes("classTurn", defaults.turnMinutes, tr("no limit"),
                          tr("So long is a turn. Nothing is taken away when it is over."));
-        m_warning = minutes("classWarning", usual.warningMinutes, tr("none"),
+        m_warning = minutes("classWarning", defaults.warningMinutes, tr("none"),
                             tr("So long before the end a word is said, in the headset, too."));
         m_fullScreen = named(new QCheckBox(tr("Full &screen")), "classFullScreen",
                              tr("Nothing else is to be seen on the screen."));
-        m_fullScreen->setChecked(usual.fullScreen);
+        m_fullScreen->setChecked(defaults.fullScreen);
         m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
         for (const Named<Language>& row : languages)
             m_language->addItem(PreferencesDialog::words(row.value), static_cast<int>(row.value));
@@ -148,13 +148,13 @@ private:
     {
         const QString tip = tr("Leaving the class takes it. It is kept as a fingerprint, not as you type it.");
         m_pin = named(new QLineEdit, "classPin", tip);
-        m_again = named(new QLineEdit, "classPinAgain", tip);
-        for (QLineEdit* field : {m_pin, m_again}) {
+        m_pinRepeated = named(new QLineEdit, "classPinAgain", tip);
+        for (QLineEdit* field : {m_pin, m_pinRepeated}) {
             field->setEchoMode(QLineEdit::Password);
             field->setMaxLength(maxPinLength);
         }
         form->addRow(tr("&PIN:"), m_pin);
-        form->addRow(tr("PIN once &more:"), m_again);
+        form->addRow(tr("PIN once &more:"), m_pinRepeated);
     }
 
     QWidget* choices(const QString& title, const Actions& actions, MenuId menu)
@@ -190,13 +190,13 @@ private:
             return tr("Choose at least one tool.");
         if (draft.pin.size() < minPinLength)
             return tr("The PIN needs at least %n characters.", nullptr, minPinLength);
-        if (draft.pin != m_again->text())
+        if (draft.pin != m_pinRepeated->text())
             return tr("The two PINs are not the same.");
         return {};
     }
 
     QString m_startFolder;
-    QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_again = nullptr;
+    QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_pinRepeated = nullptr;
     QSpinBox *m_turn = nullptr, *m_warning = nullptr;
     QCheckBox* m_fullScreen = nullptr;
     QComboBox* m_language = nullptr;

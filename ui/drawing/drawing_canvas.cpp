@@ -108,10 +108,10 @@ void DrawingCanvas::render()
     const DrawingStyle style{ink, mixed(ink, palette().color(QPalette::Base)), 1.6, small};
     m_background.run([order = Order{m_drawing, m_options, style, size(), devicePixelRatioF(), m_zoom,
                                     m_shift}] { return pictureOf(order); },
-                     [this](const QImage& picture) { take(picture); });
+                     [this](const QImage& picture) { setPicture(picture); });
 }
 
-void DrawingCanvas::take(const QImage& picture)
+void DrawingCanvas::setPicture(const QImage& picture)
 {
     m_isRendering = false;
     m_picture = picture;

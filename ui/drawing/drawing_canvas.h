@@ -48,7 +48,7 @@ private:
     void zoomBy(double factor, const QPointF& at);
     void moveBy(const QPointF& step);
     void render();
-    void take(const QImage& picture);
+    void setPicture(const QImage& picture);
 
     SharedDrawing m_drawing;
     DrawingSettings m_options;

@@ -34,7 +34,7 @@ constexpr double sheetMargin = 10, stripHeight = 24, pad = 4; ///< mm
 constexpr double smallText = 3, largeText = 5;                ///< mm
 constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254, pdfDotsPerInch = 1200;
 constexpr double mmPerInch = 25.4;
-constexpr double longestBar = 50; ///< mm of paper
+constexpr double maxBarLength = 50; ///< mm of paper
 
 QRectF frame()
 {
@@ -245,7 +245,7 @@ QRectF sheetScaleBar(const DrawingSheet& sheet)
     const double scale = sheetScale(sheet);
     if (!(scale > 0))
         return {};
-    const double length = roundBelow(longestBar / scale) * scale;
+    const double length = roundBelow(maxBarLength / scale) * scale;
     return {strip().left() + pad / 2, strip().bottom() - pad - 0.5, length, 2};
 }
 

@@ -15,7 +15,7 @@ class Viewport;
 /// Changing: on the way in or out.
 enum class HeadsetState { Out, Changing, In };
 
-/// The VR menu's commands, as far as they fit the state; the look for a headset is somebody else's. Gui thread.
+/// The VR menu's commands, as far as they fit the state; the headset is looked for elsewhere. Gui thread.
 class HeadsetActions : public QObject
 {
     Q_OBJECT

@@ -11,9 +11,9 @@ using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 
 // Metres and radians.
-constexpr double roomSide = 3, minEyeHeight = 0.3, maxEyeHeight = 2.5;
+constexpr double maxOffset = 3, minEyeHeight = 0.3, maxEyeHeight = 2.5;
 constexpr double steepest = 1.4;
-constexpr double nearest = 0.15, farthest = 2;
+constexpr double minReach = 0.15, maxReach = 2;
 /// The right one, as seen from the eyes: a wand comes from there, out of the view's way.
 const Vec3 wrist{0.14, -0.24, 0.08};
 const Vec3 restPosition{0.26, -0.34,
@@ -92,8 +92,8 @@ void SimulatorControls::turnHead(double left, double up)
 void SimulatorControls::walk(const Vec3& metres)
 {
     m_position += body().linear() * metres;
-    m_position =
-        m_position.cwiseMax(Vec3(-roomSide, minEyeHeight, -roomSide)).cwiseMin(Vec3(roomSide, maxEyeHeight, roomSide));
+    m_position = m_position.cwiseMax(Vec3(-maxOffset, minEyeHeight, -maxOffset))
+                     .cwiseMin(Vec3(maxOffset, maxEyeHeight, maxOffset));
 }
 
 void SimulatorControls::pointAt(const Eigen::Vector2d& place)
@@ -103,6 +103,6 @@ void SimulatorControls::pointAt(const Eigen::Vector2d& place)
 
 void SimulatorControls::reach(double metres)
 {
-    m_reach = std::clamp(m_reach + metres, nearest, farthest);
+    m_reach = std::clamp(m_reach + metres, minReach, maxReach);
 }
 } // namespace ui

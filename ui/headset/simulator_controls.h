@@ -43,7 +43,7 @@ public:
 
     /// The one that follows the mouse.
     SimulatedHand hand() const { return m_hand; }
-    /// The one before comes to rest; if it holds something, where it is.
+    /// The hand used so far returns to its rest pose; if it holds something, it stays.
     void swapHands();
     void releaseAll() { m_buttons = {}; }
 

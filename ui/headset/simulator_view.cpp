@@ -242,7 +242,7 @@ void SimulatorView::releaseAll()
     Q_EMIT buttonsChanged();
 }
 
-/// Whoever looks elsewhere presses nothing here.
+/// Releases all buttons when the focus leaves.
 void SimulatorView::focusOutEvent(QFocusEvent* event)
 {
     releaseAll();

@@ -10,8 +10,8 @@
 
 namespace ui
 {
-/// What the simulated headset shows, and the hand of who sits before it: mouse and keys become a person's head and
-/// wands. Gui thread.
+/// Shows what the simulated headset shows, and controls it: mouse and keys move the simulated user's head and wands.
+/// Gui thread.
 class SimulatorView : public QWidget
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ public:
     QSize minimumSizeHint() const override { return {360, 320}; }
 
 Q_SIGNALS:
-    /// Buttons of a wand are pressed or let go.
+    /// Buttons of a wand are pressed or released.
     void buttonsChanged();
     /// Another hand follows the mouse.
     void handChanged();

@@ -17,7 +17,7 @@ public:
     explicit SimulatorWindow(QWidget* main);
 
     SimulatorView* view() const { return m_view; }
-    /// A visit begins: the window comes, with a person who presses nothing.
+    /// Shows the window at the start of a visit, with nothing pressed.
     void begin();
 
 Q_SIGNALS:

@@ -22,7 +22,7 @@ namespace ui
 {
 namespace
 {
-constexpr QSize usualSize{860, 600};
+constexpr QSize defaultSize{860, 600};
 constexpr int contentsWidth = 250;
 enum Role { Id = Qt::UserRole, Text };
 
@@ -101,12 +101,12 @@ GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
     parts->addWidget(left);
     parts->addWidget(m_text);
     parts->setStretchFactor(1, 1);
-    parts->setSizes({contentsWidth, usualSize.width() - contentsWidth});
+    parts->setSizes({contentsWidth, defaultSize.width() - contentsWidth});
     parts->setChildrenCollapsible(false);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(gap, gap, gap, gap);
     all->addWidget(parts);
-    resize(usualSize);
+    resize(defaultSize);
 
     fillContents();
     connect(m_contents, &QListWidget::currentItemChanged, this, &GuideWindow::showPage);

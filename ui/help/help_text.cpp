@@ -53,7 +53,7 @@ QString asKey(const QString& key)
     return u'`' + key + u'`';
 }
 
-QString keyWords(const ActionInfo& row, const Actions& actions)
+QString shortcutText(const ActionInfo& row, const Actions& actions)
 {
     QStringList keys;
     for (const QKeySequence& key : actions.get(QLatin1StringView(row.id))->shortcuts())
@@ -61,7 +61,7 @@ QString keyWords(const ActionInfo& row, const Actions& actions)
     return keys.isEmpty() ? HelpText::tr("(no key)") : keys.join(HelpText::tr(" or ", "one key or the other"));
 }
 
-QString menuWords(const ActionInfo& row, const Actions& actions)
+QString menuPathText(const ActionInfo& row, const Actions& actions)
 {
     QList<MenuId> way{row.menu};
     if (row.menu == MenuId::New)
@@ -86,8 +86,8 @@ QString fill(const QString& what, const QString& id, const Actions& actions)
         return asKey(Actions::modifierName(Qt::ShiftModifier));
     if (!row)
         return {};
-    return what == QLatin1StringView("key")    ? keyWords(*row, actions)
-           : what == QLatin1StringView("menu") ? menuWords(*row, actions)
+    return what == QLatin1StringView("key")    ? shortcutText(*row, actions)
+           : what == QLatin1StringView("menu") ? menuPathText(*row, actions)
                                                : QString();
 }
 } // namespace

@@ -67,13 +67,13 @@ void Timeline::setHistory(const History& history)
     for (const HistoryStep& step : history.steps)
         names << step.name;
     const int before = std::exchange(m_present, history.present);
-    const bool isOther = std::exchange(m_names, names) != names;
+    const bool hasOtherNames = std::exchange(m_names, names) != names;
     const auto away = [this](int state) { return std::abs(state - m_requested.value_or(state)); };
     const bool isLost =
         m_requested && m_present != before && away(m_present) >= away(before); // somebody else went elsewhere
-    if (isOther || isLost || m_requested == m_present)
+    if (hasOtherNames || isLost || m_requested == m_present)
         m_requested.reset();
-    if (isOther || isLost)
+    if (hasOtherNames || isLost)
         setPlaying(false);
     const QSignalBlocker quiet(m_slider);
     m_slider->setRange(history.first, history.last);

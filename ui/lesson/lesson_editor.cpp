@@ -173,7 +173,7 @@ void LessonEditor::addHead(QVBoxLayout* rows)
     row->addWidget(m_language);
     rows->addLayout(row);
     rows->addWidget(m_summary);
-    connect(m_language, &QComboBox::activated, this, &LessonEditor::showWords);
+    connect(m_language, &QComboBox::activated, this, &LessonEditor::showTexts);
     connect(m_title, &QLineEdit::textEdited, this,
             [this](const QString& words) { m_draft->setTitle(language(), words.toStdString()); });
     connect(m_summary, &QLineEdit::textEdited, this,
@@ -200,7 +200,7 @@ void LessonEditor::addSteps(QVBoxLayout* rows)
         row->addWidget(each);
     rows->addWidget(m_steps);
     rows->addLayout(row);
-    connect(m_steps, &QListWidget::currentRowChanged, this, [this] { showWords(); });
+    connect(m_steps, &QListWidget::currentRowChanged, this, [this] { showTexts(); });
     connect(add, &QPushButton::clicked, this, &LessonEditor::addStep);
     connect(m_remove, &QToolButton::clicked, this, &LessonEditor::removeStep);
     connect(m_up, &QToolButton::clicked, this, [this] { moveStep(-1); });
@@ -276,7 +276,7 @@ void LessonEditor::showStarts()
     m_stack->setCurrentIndex(0);
 }
 
-void LessonEditor::showWords()
+void LessonEditor::showTexts()
 {
     if (!m_draft)
         return;
@@ -306,7 +306,7 @@ void LessonEditor::fillSteps(int row)
             m_steps->addItem(lineOf(i));
         m_steps->setCurrentRow(std::min(row, m_steps->count() - 1));
     }
-    showWords();
+    showTexts();
 }
 
 QString LessonEditor::lineOf(std::size_t step) const

@@ -66,7 +66,7 @@ private:
     void addFoot(QVBoxLayout* rows);
     std::string language() const;
     void fillLanguages();
-    void showWords();
+    void showTexts();
     void fillSteps(int row);
     QString lineOf(std::size_t step) const;
     void removeStep();

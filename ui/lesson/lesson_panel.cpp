@@ -24,7 +24,7 @@ namespace ui
 namespace
 {
 constexpr double speeds[] = {0.25, 0.5, 1, 2, 4};
-constexpr int usualSpeed = 2;                                      ///< its place
+constexpr int defaultSpeed = 2;                                    ///< its place
 constexpr int pictureSide = 80, cardSide = 72, progressHeight = 8; ///< pixels
 
 QLabel* label(const char* name)
@@ -130,7 +130,7 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     m_speed->setToolTip(tr("How fast the teacher works."));
     for (const double speed : speeds)
         m_speed->addItem(tr("%1 ×", "speed").arg(QLocale().toString(speed)));
-    m_speed->setCurrentIndex(usualSpeed);
+    m_speed->setCurrentIndex(defaultSpeed);
     m_try = new QPushButton(tr("Try It"));
     m_try->setObjectName(QStringLiteral("lessonTry"));
     m_try->setToolTip(tr("Takes the step's strokes back: now it is your turn."));

@@ -82,7 +82,7 @@ void LessonStepEditor::addText()
         m_draft->setStepTitle(m_step, m_language, words.toStdString());
         Q_EMIT titleEdited();
     });
-    connect(m_text, &QPlainTextEdit::textChanged, this, &LessonStepEditor::takeText);
+    connect(m_text, &QPlainTextEdit::textChanged, this, &LessonStepEditor::storeText);
     addTab(page, tr("Text"));
 }
 
@@ -120,7 +120,7 @@ void LessonStepEditor::addTools(const Actions& actions)
         const int place = static_cast<int>(m_tools.size());
         m_tools.emplace(tool, box);
         grid->addWidget(box, place / columns, place % columns);
-        connect(box, &QCheckBox::clicked, this, &LessonStepEditor::takeTools);
+        connect(box, &QCheckBox::clicked, this, &LessonStepEditor::storeTools);
     }
     rows->addLayout(grid);
     rows->addStretch();
@@ -141,7 +141,7 @@ void LessonStepEditor::addFact(QGridLayout* grid, core::Fact fact, const QString
     bounds.min->setAccessibleName(tr("%1, at least").arg(words));
     bounds.max->setAccessibleName(tr("%1, at most").arg(words));
     for (const QDoubleSpinBox* box : {bounds.min, bounds.max})
-        connect(box, &QDoubleSpinBox::valueChanged, this, [this, bounds, box] { takeFact(bounds, box); });
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, bounds, box] { storeFact(bounds, box); });
     m_facts.push_back(bounds);
 }
 
@@ -174,12 +174,13 @@ void LessonStepEditor::addCheckpoint()
     rows->addLayout(grid);
     m_printReady = new QCheckBox(tr("Ready to print"));
     m_printReady->setObjectName(QStringLiteral("lessonPrintReady"));
-    auto* take = new QPushButton(tr("Take from the Model"));
-    take->setObjectName(QStringLiteral("lessonFacts"));
-    take->setToolTip(tr("Asks for the holes and parts that the model in the window has, for its height at least, and "
-                        "that it can be printed."));
+    auto* factsButton = new QPushButton(tr("Take from the Model"));
+    factsButton->setObjectName(QStringLiteral("lessonFacts"));
+    factsButton->setToolTip(
+        tr("Asks for the holes and parts that the model in the window has, for its height at least, and "
+           "that it can be printed."));
     rows->addWidget(m_printReady);
-    rows->addWidget(take);
+    rows->addWidget(factsButton);
     rows->addStretch();
     connect(m_printReady, &QCheckBox::clicked, this, [this](bool on) {
         m_draft->setFact(m_step, on ? core::FactBounds{Fact::PrintReady, 1, 1} : core::FactBounds{Fact::PrintReady});
@@ -188,17 +189,17 @@ void LessonStepEditor::addCheckpoint()
         if (!m_isShowing && hasStep())
             m_draft->setTolerance(m_step, millimetres);
     });
-    connect(take, &QPushButton::clicked, this, &LessonStepEditor::factsRequested);
+    connect(factsButton, &QPushButton::clicked, this, &LessonStepEditor::factsRequested);
     addTab(scrolledWithAllItsWidth(page), tr("Goal"));
 }
 
-void LessonStepEditor::takeText()
+void LessonStepEditor::storeText()
 {
     if (!m_isShowing && hasStep())
         m_draft->setStepText(m_step, m_language, m_text->toPlainText().toStdString());
 }
 
-void LessonStepEditor::takeTools()
+void LessonStepEditor::storeTools()
 {
     std::vector<core::Tool> tools;
     for (const auto& [tool, box] : m_tools)
@@ -208,7 +209,7 @@ void LessonStepEditor::takeTools()
 }
 
 /// The other bound gives way.
-void LessonStepEditor::takeFact(const Bounds& bounds, const QDoubleSpinBox* changed)
+void LessonStepEditor::storeFact(const Bounds& bounds, const QDoubleSpinBox* changed)
 {
     if (m_isShowing || !hasStep())
         return;

@@ -64,9 +64,9 @@ private:
     void addTools(const Actions& actions);
     void addCheckpoint();
     void addFact(QGridLayout* grid, core::Fact fact, const QString& words);
-    void takeText();
-    void takeTools();
-    void takeFact(const Bounds& bounds, const QDoubleSpinBox* changed);
+    void storeText();
+    void storeTools();
+    void storeFact(const Bounds& bounds, const QDoubleSpinBox* changed);
     void cutStroke();
     bool hasStep() const { return m_draft && m_step < m_draft->steps(); }
 

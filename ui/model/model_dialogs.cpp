@@ -22,7 +22,7 @@ namespace ui
 namespace
 {
 constexpr int explanationWidth = 320;
-constexpr double farthest = 1e6; ///< mm, for what is typed
+constexpr double maxCoordinate = 1e6; ///< mm, for what is typed
 
 class ModelDialogs
 {
@@ -31,12 +31,12 @@ class ModelDialogs
 
 struct Number
 {
-    double value = 0, min = -farthest, max = farthest;
+    double value = 0, min = -maxCoordinate, max = maxCoordinate;
     int decimals = 3;
     QString unit;
 };
 
-Number millimetreField(double value, double min = -farthest, double max = farthest)
+Number millimetreField(double value, double min = -maxCoordinate, double max = maxCoordinate)
 {
     return {value, min, max, 3, ModelDialogs::tr(" mm")};
 }
@@ -250,13 +250,13 @@ void askForRemesh(QWidget* parent, const ModelInfo& modelInfo, const CommandCall
 
 void askForBase(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
 {
-    constexpr double usualShare = 0.02; ///< of the height
+    constexpr double defaultShare = 0.02; ///< of the height
     const double height = modelInfo.size.y(), min = std::min(0.001, height / 2);
     auto* dialog = new CommandDialog(parent, "baseDialog", ModelDialogs::tr("Flatten the Base"),
                                      ModelDialogs::tr("What lies below a level cut goes, and the model stands flat. "
                                                       "How high above its lowest point is the cut?"));
     const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"),
-                                        millimetreField(usualShare * height, min, std::max(height - min, min)));
+                                        millimetreField(defaultShare * height, min, std::max(height - min, min)));
     dialog->openFor(ModelDialogs::tr("Flatten"), callback, [cut] { return core::FlattenBase{cut->value()}; });
 }
 

@@ -18,7 +18,7 @@ namespace ui
 {
 namespace
 {
-constexpr QSize usualSize{560, 520};
+constexpr QSize defaultSize{560, 520};
 
 QFormLayout* formIn(QWidget* page)
 {
@@ -56,7 +56,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, const Actions& acti
     column->setSpacing(gap);
     column->addWidget(pages);
     column->addWidget(buttonRow());
-    resize(minimumSizeHint().expandedTo(usualSize));
+    resize(minimumSizeHint().expandedTo(defaultSize));
     setPreferences(now);
 }
 
@@ -172,7 +172,7 @@ void PreferencesDialog::addPen(QFormLayout* form)
 }
 
 /// part(preferences): which of them the box is about.
-template <class Part> void PreferencesDialog::addCheck(QFormLayout* form, const Words& words, Part part)
+template <class Part> void PreferencesDialog::addCheck(QFormLayout* form, const ControlText& words, Part part)
 {
     auto* box = new QCheckBox(words.label);
     box->setObjectName(QLatin1StringView(words.name));
@@ -188,8 +188,8 @@ template <class Part> void PreferencesDialog::addCheck(QFormLayout* form, const 
 }
 
 template <class T, std::size_t count>
-void PreferencesDialog::addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices,
-                                  T Preferences::*what)
+void PreferencesDialog::addChoice(QFormLayout* form, const ControlText& words,
+                                  const std::array<Named<T>, count>& choices, T Preferences::*what)
 {
     auto* box = new QComboBox;
     box->setObjectName(QLatin1StringView(words.name));

@@ -34,7 +34,7 @@ Q_SIGNALS:
     void resetRequested();
 
 private:
-    struct Words
+    struct ControlText
     {
         const char* name; ///< of the control
         QString label, tip;
@@ -47,9 +47,9 @@ private:
     QWidget* buttonRow();
     void askToReset();
     template <class T, std::size_t count>
-    void addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices,
+    void addChoice(QFormLayout* form, const ControlText& words, const std::array<Named<T>, count>& choices,
                    T Preferences::*what);
-    template <class Part> void addCheck(QFormLayout* form, const Words& words, Part part);
+    template <class Part> void addCheck(QFormLayout* form, const ControlText& words, Part part);
     void addPen(QFormLayout* form);
     static QString words(ThemeChoice theme);
     static QString words(TextSize size);

@@ -39,7 +39,7 @@ void ReferenceImages::restore()
 }
 
 /// Calls `take` on this thread with the picture, unless the side was given another meanwhile.
-template <class Take> void ReferenceImages::read(OrbitCamera::Side side, const QString& path, Take take)
+template <class OnRead> void ReferenceImages::read(OrbitCamera::Side side, const QString& path, OnRead onRead)
 {
     const int asked = ++at(side).asked;
     m_background.run([path] { return std::pair(readReference(path), QFileInfo::exists(path)); },
@@ -48,7 +48,7 @@ template <class Take> void ReferenceImages::read(OrbitCamera::Side side, const Q
                          if (asked != at(side).asked)
                              return;
                          if (picture)
-                             take(picture);
+                             onRead(picture);
                          else
                              Q_EMIT refused(isThere ? ErrorMessages::notAPicture(path)
                                                     : ErrorMessages::missingReference(path));

@@ -55,7 +55,7 @@ private:
 
     Slot& at(OrbitCamera::Side side) { return m_slots[static_cast<std::size_t>(side)]; }
     const Slot& at(OrbitCamera::Side side) const { return m_slots[static_cast<std::size_t>(side)]; }
-    template <class Take> void read(OrbitCamera::Side side, const QString& path, Take take);
+    template <class OnRead> void read(OrbitCamera::Side side, const QString& path, OnRead onRead);
     void save(OrbitCamera::Side side);
 
     Settings* m_settings;

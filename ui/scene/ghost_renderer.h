@@ -12,7 +12,7 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// Draws a person in the headset and a teacher's brush, half transparent, with OpenGL 3.3 core into the framebuffer
+/// Draws the headset's avatar and a teacher's brush, half transparent, with OpenGL 3.3 core into the framebuffer
 /// that is bound, after all else; clay hides them. Plain OpenGL and not Qt3D, so that they are there in layers, too,
 /// and so that to move them costs nothing. The context that was current at create() must be current at every call but
 /// show().

@@ -10,8 +10,8 @@ namespace
 {
 constexpr double halfFieldOfView = 0.5 * 35.0 * std::numbers::pi / 180.0; ///< vertical; narrow, for true proportions
 constexpr double frameMargin = 1.05;
-constexpr double nearestZoom = 1e-3, farthestZoom = 40; ///< distances, in radii of the scene
-constexpr double groundReach = 6;                       ///< radii of the scene that the far plane must hold
+constexpr double minZoomDistance = 1e-3, maxZoomDistance = 40; ///< distances, in radii of the scene
+constexpr double groundReach = 6;                              ///< radii of the scene that the far plane must hold
 
 core::Vec3 direction(double yaw, double pitch)
 {
@@ -53,7 +53,7 @@ void OrbitCamera::frame(const core::Box& box)
             std::max(std::abs(corner.dot(up())) / vertical, std::abs(corner.dot(right())) / horizontal);
         distance = std::max(distance, nearer + aside);
     }
-    m_distance = std::max(distance * frameMargin, m_sceneRadius * nearestZoom);
+    m_distance = std::max(distance * frameMargin, m_sceneRadius * minZoomDistance);
 }
 
 void OrbitCamera::orbit(const Pixel& delta)
@@ -130,7 +130,7 @@ core::SavedView OrbitCamera::saved() const
 
 void OrbitCamera::setView(const core::SavedView& view)
 {
-    if ((view.target - m_sceneCenter).norm() > m_sceneRadius * farthestZoom)
+    if ((view.target - m_sceneCenter).norm() > m_sceneRadius * maxZoomDistance)
         return;
     m_pivot.reset();
     m_projection = view.orthographic ? Projection::Orthographic : Projection::Perspective;
@@ -142,7 +142,7 @@ void OrbitCamera::setView(const core::SavedView& view)
 
 double OrbitCamera::reachable(double distance) const
 {
-    return std::clamp(distance, m_sceneRadius * nearestZoom, m_sceneRadius * farthestZoom);
+    return std::clamp(distance, m_sceneRadius * minZoomDistance, m_sceneRadius * maxZoomDistance);
 }
 
 void OrbitCamera::setPose(const Pose& pose)

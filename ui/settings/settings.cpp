@@ -125,11 +125,11 @@ void Settings::setExporting(const ExportSettings& options)
 
 PrintSettings Settings::print() const
 {
-    const PrintSettings usual;
+    const PrintSettings defaults;
     return {m_settings.value(printerKey).toString(),
-            stored::number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, usual.wall),
-            stored::number(m_settings, printOverhangKey, 0, 90, usual.overhang),
-            static_cast<int>(stored::number(m_settings, printPictureKey, 0, 2, usual.picture))};
+            stored::number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, defaults.wall),
+            stored::number(m_settings, printOverhangKey, 0, 90, defaults.overhang),
+            static_cast<int>(stored::number(m_settings, printPictureKey, 0, 2, defaults.picture))};
 }
 
 void Settings::setPrint(const PrintSettings& options)

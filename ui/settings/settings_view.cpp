@@ -87,15 +87,15 @@ void Settings::setSwatches(const QList<core::Rgb>& swatches)
 StoredReference Settings::reference(ViewSide side) const
 {
     const QString key = stored::referenceKeys + stored::wordFor(side, viewSides) + u'/';
-    const ReferencePlacement usual;
+    const ReferencePlacement defaults;
     StoredReference stored;
     stored.path = m_settings.value(key + QStringLiteral("path")).toString();
     stored.placement = {
-        stored::number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, usual.width),
-        stored::number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, usual.x),
-        stored::number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, usual.y),
-        stored::number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, usual.opacity),
-        stored::yesNo(m_settings, key + QStringLiteral("inFront"), usual.inFront)};
+        stored::number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, defaults.width),
+        stored::number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, defaults.x),
+        stored::number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, defaults.y),
+        stored::number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, defaults.opacity),
+        stored::yesNo(m_settings, key + QStringLiteral("inFront"), defaults.inFront)};
     return stored;
 }
 

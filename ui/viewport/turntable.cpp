@@ -10,7 +10,7 @@ namespace ui
 namespace
 {
 constexpr std::chrono::milliseconds interval(16); ///< a frame
-constexpr double longestStep = 0.1;               ///< seconds; a window that stood still does not jump afterwards
+constexpr double maxStepSeconds = 0.1;            ///< seconds; a window that stood still does not jump afterwards
 } // namespace
 
 Turntable::Turntable(QObject* parent) : QObject(parent)
@@ -44,7 +44,7 @@ void Turntable::setClockwise(bool clockwise)
 
 void Turntable::step()
 {
-    const double seconds = std::min(static_cast<double>(m_sinceStep.nsecsElapsed()) * 1e-9, longestStep);
+    const double seconds = std::min(static_cast<double>(m_sinceStep.nsecsElapsed()) * 1e-9, maxStepSeconds);
     m_sinceStep.start();
     Q_EMIT turned((m_isClockwise ? -1 : 1) * m_speed * seconds * std::numbers::pi / 180, seconds);
 }

@@ -88,7 +88,7 @@ public Q_SLOTS:
     void setBrushModel(const QString& path);
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);
-    /// Something long is going on, in the status bar; Open, Save, Export and the model's menu rest meanwhile.
+    /// Something long is going on, in the status bar; Open, Save, Export and the model's menu are disabled meanwhile.
     void setBusy(const QString& what);
     /// How far it is, 0 to 1; not known until the first call.
     void setProgress(double share);

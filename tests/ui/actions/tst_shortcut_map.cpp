@@ -141,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(ShortcutMap(choice).keys(pull), keys("Q; Num+4"));
         choice = ui::withKeys(choice, pull, keys("1"));
         QVERIFY(choice.custom.isEmpty());
-        QVERIFY(ui::withKeys({}, pull, {}).own.contains(pull));
+        QVERIFY(ui::withKeys({}, pull, {}).custom.contains(pull));
     }
 
     void someKeysAreNobodys()

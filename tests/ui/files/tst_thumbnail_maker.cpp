@@ -105,7 +105,7 @@ private Q_SLOTS:
         QVERIFY(m.one(folder.path()).picture.isNull());
     }
 
-    void theyComeInTheOrderOfTheLastWish()
+    void theyComeInTheOrderOfTheLastRequest()
     {
         const QTemporaryDir folder;
         Maker m(folder.filePath(QStringLiteral("cache")));

@@ -168,7 +168,7 @@ void TestModelDialogs::insert_givesThePlace()
     asking.type("insertDialog", "y", 70);
     asking.in<QComboBox>("insertDialog", "unit")->setCurrentText(QStringLiteral("Inches"));
     asking.dialog("insertDialog")->accept();
-    QVERIFY(insertion && insertion->path == QStringLiteral("/models/part.stl") && !insertion->mend);
+    QVERIFY(insertion && insertion->path == QStringLiteral("/models/part.stl") && !insertion->repair);
     QVERIFY(insertion->place == Insert::Place::Centre && insertion->centre == Vec3(0, 70, 0));
     QCOMPARE(insertion->unit, 25.4);
 }

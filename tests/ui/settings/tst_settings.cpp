@@ -119,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(settings.swatches(), (QList<core::Rgb>{{1, 2, 3}}));
     }
 
-    void theLookComesBack()
+    void theAppearanceComesBack()
     {
         QCOMPARE(ui::Settings().appearance(), ui::ViewAppearance());
         for (const auto& material : ui::materials)

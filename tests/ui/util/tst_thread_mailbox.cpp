@@ -26,11 +26,11 @@ private Q_SLOTS:
 
 void TestThreadMailbox::runsHereInOrder()
 {
-    ThreadMailbox mail;
+    ThreadMailbox mailbox;
     std::vector<int> opened; // only ever touched here, or the thread sanitizer tells
     std::thread poster([&] {
         for (int i = 0; i < 1000; ++i)
-            mail.post([&opened, page = std::make_shared<int>(i)] {
+            mailbox.post([&opened, page = std::make_shared<int>(i)] {
                 opened.push_back(QThread::currentThread() == qApp->thread() ? *page : -1);
             });
     });
@@ -56,19 +56,19 @@ void TestThreadMailbox::keepsOrderAmongOtherMail()
 
 void TestThreadMailbox::losesNothingOfManyPosters()
 {
-    constexpr int posters = 4, letters = 500;
-    ThreadMailbox mail;
+    constexpr int posters = 4, tasks = 500;
+    ThreadMailbox mailbox;
     std::vector<std::vector<int>> opened(posters);
     std::vector<std::thread> threads;
     for (int p = 0; p < posters; ++p)
         threads.emplace_back([&, p] {
-            for (int i = 0; i < letters; ++i)
-                mail.post([&opened, p, pages = std::vector<int>(3, i)] {
+            for (int i = 0; i < tasks; ++i)
+                mailbox.post([&opened, p, pages = std::vector<int>(3, i)] {
                     opened[p].insert(opened[p].end(), pages.begin(), pages.end());
                 });
         });
     const auto isComplete = [&] {
-        return std::all_of(opened.begin(), opened.end(), [](const auto& each) { return each.size() == 3 * letters; });
+        return std::all_of(opened.begin(), opened.end(), [](const auto& each) { return each.size() == 3 * tasks; });
     };
     QTRY_VERIFY(isComplete());
     for (auto& thread : threads)
@@ -80,11 +80,11 @@ void TestThreadMailbox::losesNothingOfManyPosters()
 /// As a question to the person does.
 void TestThreadMailbox::runsOthersWhileOneWaits()
 {
-    ThreadMailbox mail;
+    ThreadMailbox mailbox;
     QEventLoop question;
     bool isAnswered = false, isOver = false;
-    mail.post([&] {
-        mail.post([&] {
+    mailbox.post([&] {
+        mailbox.post([&] {
             isAnswered = true;
             question.quit();
         });
@@ -99,8 +99,8 @@ void TestThreadMailbox::dropsWhatWaitsWhenItGoes()
     const auto page = std::make_shared<int>();
     bool isOpened = false;
     {
-        ThreadMailbox mail;
-        mail.post([&isOpened, page] { isOpened = true; });
+        ThreadMailbox mailbox;
+        mailbox.post([&isOpened, page] { isOpened = true; });
         QCOMPARE(page.use_count(), 2L);
     }
     QCOMPARE(page.use_count(), 1L);

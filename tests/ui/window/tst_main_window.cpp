@@ -699,7 +699,7 @@ private Q_SLOTS:
     }
 
     /// By key and by menu; it is there again at the next start.
-    void theLookIsChosenAndRemembered()
+    void theAppearanceIsChosenAndRemembered()
     {
         ui::ViewAppearance appearance;
         {
