@@ -119,7 +119,8 @@ constexpr qsizetype maxFiles = 40;
 /// Many formats; one file for each part of the specification.
 const QStringList largeFolders{"core/io/mesh", "vr/simulator"};
 
-const QRegularExpression includeLine(R"(^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"])");
+// Not a raw string, because moc loses count of the quotes in one.
+const QRegularExpression includeLine("^[ \\t]*#[ \\t]*include[ \\t]*([<\"])([^>\"]+)[>\"]");
 const QRegularExpression platformHeader(
     R"(^(GL/(glx|wgl)\w*\.h|(X11|xcb|EGL|sys|linux|mach|wayland-\w+)/.*|(windows|unistd|fcntl|dlfcn|poll|)"
     R"(pthread|pwd|sched|spawn|termios|io|direct|process|malloc)\.h)$)",
