@@ -16,7 +16,7 @@
 #include "core/operations/reference_surface.h"
 #include "core/operations/transform.h"
 #include "core/sculpt/remesh/remesh.h"
-#include "core/sculpt/verify/verified_mesh.h"
+#include "core/sculpt/verify/mesh_transaction.h"
 
 #include <algorithm>
 
@@ -186,13 +186,12 @@ bool UniformRemesher::isOutOfBounds() const
 
 void UniformRemesher::doSoundly(const Step& step)
 {
-    const Region::Saved saved = m_region.save();
-    const Mesh::Mark mark = m_mesh.mark();
-    step(MeshEditor(m_mesh));
-    if (m_surface.verify(mark))
-        return;
-    m_mesh.rollback(mark);
-    m_region.restore(saved);
+    {
+        MeshTransaction transaction(m_surface, m_region);
+        step(MeshEditor(m_mesh));
+        if (transaction.commit())
+            return;
+    }
     step(MeshEditor(m_mesh, [&](const auto& operation) { return m_surface.tryOperation(operation); }));
 }
 

@@ -77,6 +77,15 @@ TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
 }
 } // namespace
 
+bool wantsSolid(const VerifiedMesh& surface, const StrokeSettings& settings, const Dab& dab, const Region& region)
+{
+    if (!settings.add || !canAddSolid(settings.tool) || settings.brush != BrushShape::Sphere ||
+        settings.place != Placement::Point || !region.empty())
+        return false;
+    const std::optional<SurfaceHit> nearest = nearestPoint(surface.mesh(), surface.octree(), dab.position);
+    return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
+}
+
 Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers, double radius)
 {
     for (const Vec3& center : centers) {

@@ -1,12 +1,17 @@
 #pragma once
 
 #include "core/sculpt/edit/mirror_map.h"
+#include "core/sculpt/select/region.h"
 #include "core/sculpt/verify/verified_mesh.h"
 #include "core/stroke/stroke.h"
 
 namespace core
 {
 class BrushModel;
+
+/// Whether the dab is to add a solid: the stroke asks for that, and nothing is under the brush. `region`: what it
+/// selects.
+bool wantsSolid(const VerifiedMesh& surface, const StrokeSettings& settings, const Dab& dab, const Region& region);
 
 /// Why spheres of that radius may not be added at these places together, if so; what stands there twice is one.
 Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers, double radius);

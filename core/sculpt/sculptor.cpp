@@ -1,26 +1,62 @@
 #include "core/sculpt/sculptor.h"
 
-#include "core/sculpt/dab_engine.h"
+#include "core/sculpt/brush_footprint.h"
+#include "core/sculpt/dab_selection.h"
+#include "core/sculpt/radial_dabs.h"
 #include "core/stroke/stroke_anchor.h"
 #include "core/stroke/stroke_path.h"
+#include "core/util/phase_timer.h"
 
 namespace core
 {
+namespace
+{
+bool isAtRest(const StrokeSettings& settings, const Dab& dab)
+{
+    return isDragTool(settings.tool) && (settings.tool == Tool::Twist ? dab.turn == 0 : dab.motion.isZero());
+}
+} // namespace
+
+/// The mesh, the state of its stroke, and those who do a dab.
 class Sculptor::Engine
 {
 public:
-    explicit Engine(Mesh& mesh) : dabs(mesh) {}
+    explicit Engine(Mesh& mesh) : surface(mesh) { warmUp(); }
 
-    DabEngine dabs;
-    StrokeSettings settings;
-    std::optional<StrokePath> path;
-    std::optional<StrokeAnchor> anchor;
+    void beginStroke(const StrokeSettings& strokeSettings);
+    std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
+    DabReport apply(Dab dab);
+
+    VerifiedMesh surface;
+    DabPipeline pipeline;
+    MirroredDab mirroredDab{surface, pipeline};
+    RadialDabs radialDabs{surface, mirroredDab};
+    BrushFootprint footprint;
+    SculptorTotals totals;
     std::function<void()> betweenSubsteps;
     std::function<void(const DabReport&)> afterDab;
 
-    std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
-    DabReport apply(Dab dab);
+    StrokeSettings settings;
+    std::optional<StrokePath> path;
+    std::optional<StrokeAnchor> anchor;
+    SectorGrabs grabs{surface};
+    LayerHeights heights;
+    std::optional<EdgeBounds> lastBounds; ///< of the last dab, if it remeshes
+
+private:
+    void warmUp();
+    DabReport sculpt(const Dab& dab);
+    DabReport rest(DabRequest& request, const Dab& dab);
 };
+
+void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
+{
+    settings = strokeSettings;
+    path.emplace(settings);
+    anchor.emplace(settings);
+    grabs.beginStroke();
+    heights.clear();
+}
 
 /// Where a dab's centre comes from (`place`, DESIGN section 4).
 std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
@@ -32,10 +68,10 @@ std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3&
     case Placement::Point:
         return position;
     case Placement::Nearest:
-        hit = nearestPoint(dabs.mesh(), dabs.octree(), position);
+        hit = nearestPoint(surface.mesh(), surface.octree(), position);
         break;
     case Placement::Ray:
-        hit = firstHit(dabs.mesh(), dabs.octree(), {position, direction});
+        hit = firstHit(surface.mesh(), surface.octree(), {position, direction});
         break;
     }
     return hit ? std::optional(hit->position) : std::nullopt;
@@ -44,9 +80,61 @@ std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3&
 DabReport Sculptor::Engine::apply(Dab dab)
 {
     anchor->place(dab);
-    const DabReport report = dabs.apply(settings, dab, betweenSubsteps);
+    const DabReport report = sculpt(dab);
     anchor->follow(dab, report);
     return report;
+}
+
+DabReport Sculptor::Engine::sculpt(const Dab& dab)
+{
+    lastBounds.reset();
+    DabReport report;
+    if (!(dab.strength > 0))
+        return report;
+    DabRequest request = {settings, heights, betweenSubsteps, totals};
+    if (isAtRest(settings, dab))
+        return rest(request, dab);
+    const double verifiedBefore = surface.verifyMs();
+    surface.forgetDirtyFaces();
+    {
+        const PhaseTimer timer(report.totalMs);
+        report = settings.radial > 1 ? radialDabs.apply(request, dab, grabs)
+                                     : mirroredDab.apply(request, dab, grabs.first());
+    }
+    lastBounds = request.bounds;
+    report.verifyMs = surface.verifyMs() - verifiedBefore;
+    if (report.touchedFaces == 0)
+        report.touchedFaces = surface.maxDirtyFaces();
+    return report;
+}
+
+/// The dab of a drag tool that has not moved: it selects, and moves nothing.
+DabReport Sculptor::Engine::rest(DabRequest& request, const Dab& dab)
+{
+    DabContext context(surface, request, dab, grabs.first().own);
+    if (!context.grab.state.isOn)
+        selectRegion(context);
+    context.report.outcome = context.region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
+    context.report.touchedVertices = context.region.size();
+    return context.report;
+}
+
+/// With a dab of the usual size at the last vertex: the memory that has room for it has room for all.
+void Sculptor::Engine::warmUp()
+{
+    const Mesh& mesh = surface.mesh();
+    if (mesh.live().vertices == 0)
+        return;
+    Slot v = mesh.slots().vertices - 1;
+    while (!mesh.isVertex(v))
+        --v;
+    Dab dab;
+    dab.position = mesh.point(v).cast<double>();
+    dab.radius = mesh.uniformDetail() / edgeBounds(1, settings.detail).detail;
+    dab.strength = 1;
+    DabRequest request = {settings, heights, betweenSubsteps, totals};
+    DabContext context(surface, request, dab, grabs.first().own);
+    pipeline.warmUp(context);
 }
 
 Sculptor::Sculptor(std::unique_ptr<Mesh> mesh) : m_mesh(std::move(mesh)), m_engine(std::make_unique<Engine>(*m_mesh)) {}
@@ -55,7 +143,7 @@ Sculptor::~Sculptor() = default;
 
 void Sculptor::setVerification(bool on)
 {
-    m_engine->dabs.setVerification(on);
+    m_engine->surface.setVerification(on);
 }
 
 void Sculptor::setBetweenSubsteps(std::function<void()> hook)
@@ -70,10 +158,7 @@ void Sculptor::setAfterDab(std::function<void(const DabReport&)> hook)
 
 void Sculptor::beginStroke(const StrokeSettings& settings)
 {
-    m_engine->settings = settings;
-    m_engine->path.emplace(settings);
-    m_engine->anchor.emplace(settings);
-    m_engine->dabs.beginStroke();
+    m_engine->beginStroke(settings);
     m_mesh->beginStroke();
 }
 
@@ -108,32 +193,35 @@ MeshDelta Sculptor::endStroke()
 void Sculptor::swap(MeshDelta& delta)
 {
     m_mesh->swap(delta);
-    m_engine->dabs.follow(delta);
+    m_engine->surface.follow(delta);
+    m_engine->lastBounds.reset(); // what the last dab selected may be no more
 }
 
 std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const
 {
-    return firstHit(*m_mesh, m_engine->dabs.octree(), ray);
+    return firstHit(*m_mesh, m_engine->surface.octree(), ray);
 }
 
 std::optional<SurfaceHit> Sculptor::nearest(const Vec3& point, double within) const
 {
-    return nearestPoint(*m_mesh, m_engine->dabs.octree(), point, within);
+    return nearestPoint(*m_mesh, m_engine->surface.octree(), point, within);
 }
 
 std::optional<SelectionQuality> Sculptor::selectionQuality() const
 {
-    return m_engine->dabs.selectionQuality();
+    if (!m_engine->lastBounds)
+        return std::nullopt;
+    return core::selectionQuality(*m_mesh, m_engine->grabs.first().own.region, *m_engine->lastBounds);
 }
 
 Footprint Sculptor::footprint(const StrokeSettings& settings, const Vec3& center)
 {
-    return m_engine->dabs.footprint(settings, center);
+    return m_engine->footprint.find(*m_mesh, m_engine->surface.octree(), settings, center);
 }
 
 MeshPatch Sculptor::takePatch()
 {
-    return m_engine->dabs.dirtySlots().take(*m_mesh);
+    return m_engine->surface.dirtySlots().take(*m_mesh);
 }
 
 MeshPatch Sculptor::wholePatch() const
@@ -143,11 +231,13 @@ MeshPatch Sculptor::wholePatch() const
 
 SculptorTotals Sculptor::totals() const
 {
-    return m_engine->dabs.totals();
+    SculptorTotals totals = m_engine->totals;
+    totals.verifyTiers = m_engine->surface.tiers();
+    return totals;
 }
 
 bool Sculptor::indexIsConsistent() const
 {
-    return m_engine->dabs.octree().isConsistent(*m_mesh);
+    return m_engine->surface.octree().isConsistent(*m_mesh);
 }
 } // namespace core

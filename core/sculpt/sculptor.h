@@ -4,6 +4,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_patch.h"
 #include "core/mesh/surface_query.h"
+#include "core/sculpt/sculptor_totals.h"
 #include "core/sculpt/selection_quality.h"
 #include "core/stroke/stroke.h"
 
@@ -12,12 +13,6 @@
 
 namespace core
 {
-struct SculptorTotals
-{
-    std::uint64_t splits = 0, collapses = 0, flips = 0, fusions = 0, separations = 0, rolledBack = 0;
-    std::array<std::uint64_t, 3> verifyTiers{}; ///< sub-steps proved by patch certificate, by stars, by pairs
-};
-
 /// Sculpts one mesh. Not thread-safe: lives on the mesh thread. After every dab the mesh is closed, manifold,
 /// consistently oriented, free of self-intersections and bounds a solid, if it was before; a dab that would break this
 /// ends early.

@@ -32,7 +32,7 @@ const FolderRule folderRules[] = {
     {"core/render", "core/geometry core/mesh"},
     {"core/sculpt/select", "core/util core/geometry core/stroke core/mesh"},
     {"core/sculpt/edit", "core/util core/stroke core/mesh"},
-    {"core/sculpt/verify", "core/util core/geometry core/analysis core/mesh"},
+    {"core/sculpt/verify", "core/util core/geometry core/analysis core/mesh core/sculpt/select"},
     {"core/sculpt/remesh", "core/util core/geometry core/mesh core/sculpt/select core/sculpt/edit"},
     {"core/sculpt/deform", "core/util core/geometry core/analysis core/stroke core/mesh core/sculpt/select "
                            "core/sculpt/edit"},

@@ -1,0 +1,250 @@
+// A dab at one place (paper, section 3; DESIGN, section 3):
+//   select     the vertices under the brush                                     3.1   dab_selection, select/
+//   or add     a solid, where no surface is                                     3.5.1 add_solid
+//   or paint                                                                    3.5.3 attribute_brush
+//   refine     the mesh becomes fine enough to plan on                          3.2   dab_steps, remesh/
+//   plan       how far each vertex is to move, in sub-steps of at most d_move   3.3   dab_steps, deform/, step_plan
+// then, for each sub-step, or for several at once where nothing can meet:
+//   displace   each vertex moves its part of the plan, snapped to the lattice   3.3   dab_steps
+//   optimise   the mesh becomes quasi-uniform where it is now                   3.2   dab_steps, remesh/
+//   commit     what changed is verified exactly, then octree and draw ranges follow   verify/
+//   join       what the next sub-step would bring into contact                  3.4   dab_steps, fuse/
+//   separate   thin necks, and specks                                           3.4   dab_steps, fuse/
+// A sub-step that does not verify is rolled back, made easier and tried again; failing that, fallback_step does what
+// can be done.
+
+#include "core/sculpt/dab_pipeline.h"
+
+#include "core/sculpt/add_solid.h"
+#include "core/sculpt/dab_bounds.h"
+#include "core/sculpt/dab_selection.h"
+#include "core/sculpt/deform/deform.h"
+#include "core/sculpt/verify/mesh_transaction.h"
+#include "core/util/phase_timer.h"
+
+#include <bit>
+#include <utility>
+
+namespace core
+{
+namespace
+{
+/// A guard, not a tuning knob: tries to do the sub-steps of a dab. One that would need more ends early.
+constexpr int maxAttempts = 4 * 4096;
+/// Vertices of the warm-up dab at most: where the mesh is far finer than elsewhere there is none.
+constexpr Slot maxWarmUpVertices = 1024;
+/// Sub-steps after which motion limits are lifted for one try, at the latest.
+constexpr unsigned maxLimitedSteps = 8;
+
+/// Motion limits persist across sub-steps. They are lifted for one try after 1, 2, 4, 8, then every 8 sub-steps, in
+/// case the obstacle is gone.
+bool shouldLiftLimits(const DabContext& context)
+{
+    return std::has_single_bit(context.fallbackSteps) || context.fallbackSteps % maxLimitedSteps == 0;
+}
+
+std::vector<Slot> cornersOf(const Mesh& mesh, const std::vector<Slot>& faces)
+{
+    std::vector<Slot> corners;
+    for (Slot f : faces)
+        corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    return corners;
+}
+} // namespace
+
+void DabPipeline::apply(DabContext& context)
+{
+    {
+        const PhaseTimer timer(context.report.selectMs);
+        selectRegion(context);
+    }
+    applyToRegion(context);
+}
+
+void DabPipeline::applyToRegion(DabContext& context)
+{
+    const StrokeSettings& settings = context.settings;
+    if (wantsSolid(context.surface, settings, context.dab, context.region))
+        context.report = addSolid(context.surface, settings.model.get(), context.dab, context.mirror);
+    else if (paintsAttribute(settings.tool))
+        m_attributeBrush.apply(context);
+    else
+        sculpt(context);
+}
+
+void DabPipeline::sculpt(DabContext& context)
+{
+    begin(context);
+    deform(context);
+    finish(context);
+}
+
+void DabPipeline::begin(DabContext& context)
+{
+    const Grab& grab = context.grab;
+    context.dab.axis = grab.state.axis;
+    if (grab.state.isOn)
+        context.ball = grab.ball(context.mesh());
+    m_foldSmoothing.clear();
+    m_steps.begin(context);
+    if (grab.isLimitedFor(context.dab)) {
+        context.limits = std::move(context.grab.state.limits);
+        context.fallbackSteps = grab.state.fallbackSteps;
+        context.allowFusion();
+    }
+}
+
+/// Takes the sub-steps of the plan, until it is done or no more can be.
+void DabPipeline::deform(DabContext& context)
+{
+    StepPlan plan;
+    WorkBudget& work = context.request.work;
+    DabReport& report = context.report;
+    report.outcome = DabOutcome::Committed;
+    for (int attempt = 0; !plan.isDone(); ++attempt, work.spend(context.region.size())) {
+        const bool isTooMuch = attempt >= maxAttempts || work.isSpent();
+        const Step result = isTooMuch ? Step::Failed : step(context, plan);
+        if (result == Step::Retry)
+            continue;
+        if (result == Step::Empty) { // from the start, or because everything under the brush has vanished
+            if (report.substeps == 0)
+                report.outcome = DabOutcome::Empty;
+            break;
+        }
+        if (result == Step::Failed || context.isCapped) {
+            report.outcome = DabOutcome::EndedEarly;
+            report.capped = isTooMuch || context.isCapped || work.isSpent();
+            break;
+        }
+        report.substeps += plan.substeps();
+        plan.advance();
+        if (result == Step::Fallback) {
+            report.outcome = DabOutcome::Fallback;
+            ++context.fallbackSteps;
+        }
+        if (context.request.afterSubstep)
+            context.request.afterSubstep();
+    }
+}
+
+/// Does the next sub-step directly, unless motion limits are in force. One that failed is made easier, to be tried
+/// again, or else is done by the fallback step.
+DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
+{
+    const bool isLimited = context.limits.inUse();
+    if (!isLimited || shouldLiftLimits(context)) {
+        MotionLimits limits = std::exchange(context.limits, {});
+        const Step result = directStep(context, plan);
+        if (result != Step::Failed)
+            return result;
+        context.limits = std::move(limits);
+        if (!isLimited && ease(context, plan))
+            return Step::Retry;
+    }
+    const bool hasMoved = m_fallback.apply(context, plan);
+    m_steps.separate(context);
+    return hasMoved ? Step::Fallback : Step::Failed;
+}
+
+/// Does a sub-step in one transaction. The first one refines the mesh and makes the plan, too.
+DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
+{
+    MeshTransaction transaction(context.surface, context.region); // rolls back what is not committed
+    const bool isFirst = !plan.isCut();
+    RemeshCounts counts;
+    if (isFirst)
+        counts = m_steps.refineAndPlan(context, plan, context.editor()); // 3.2, 3.3
+    if (context.region.empty())
+        return Step::Empty;
+    context.badVertices.clear();
+    const bool isInside = m_steps.displaceAndOptimise(context, plan.part(), counts); // 3.3, 3.2
+    if (!isInside || !transaction.commit()) {
+        if (isInside)
+            context.badVertices = cornersOf(context.mesh(), context.surface.badFaces());
+        if (isFirst)
+            plan.discard();
+        ++context.request.totals.rolledBack;
+        return Step::Failed;
+    }
+    context.count(counts);
+    context.report.reached += plan.part() * context.report.asked;
+    m_steps.join(context, plan); // 3.4
+    m_steps.separate(context);
+    return Step::Direct;
+}
+
+/// Makes a sub-step that failed easier: joins what was about to meet; failing that, in turns, smooths what has folded
+/// up, or makes the motion smoother where faces turned over and halves the sub-step. False if it is to be left to the
+/// fallback step.
+bool DabPipeline::ease(DabContext& context, StepPlan& plan)
+{
+    if (!plan.isCut() && !refineAndPlanAlone(context, plan)) {
+        context.allowFusion();
+        return false;
+    }
+    if (plan.halveTransaction())
+        return true;
+    context.allowFusion();
+    if (m_steps.join(context, plan))
+        return true;
+    context.report.contact = context.report.contact || m_steps.isContact(context, plan);
+    if (!plan.mayRetry())
+        return false;
+    const std::vector<Slot>& bad = context.badVertices;
+    const bool isOdd = plan.retries() % 2 == 1, mayTakeBack = plan.retries() > 1;
+    if (isOdd && m_foldSmoothing.smooth(context.surface, context.editor(), context.region, bad, mayTakeBack))
+        return true;
+    smoothPlan(context.region, context.mesh(), bad);
+    if (!isOdd)
+        plan.halveStep();
+    return true;
+}
+
+/// Refines the mesh in a transaction of its own: what made the first sub-step fail was more likely its motion.
+bool DabPipeline::refineAndPlanAlone(DabContext& context, StepPlan& plan)
+{
+    MeshTransaction transaction(context.surface, context.region);
+    const RemeshCounts counts = m_steps.refineAndPlan(context, plan, context.editor());
+    if (!transaction.commit()) {
+        plan.discard();
+        return false;
+    }
+    context.count(counts);
+    return true;
+}
+
+/// Reports what was reached, and notes what the stroke's next dab has to know.
+void DabPipeline::finish(DabContext& context)
+{
+    DabReport& report = context.report;
+    Grab& grab = context.grab;
+    context.request.bounds = context.bounds;
+    if (report.asked > 0)
+        report.reached = m_foldSmoothing.shareLeft(context.region, report.reached / report.asked) * report.asked;
+    report.touchedVertices = context.touchedVertices();
+    if (context.settings.tool == Tool::Layer && report.asked > 0)
+        context.request.heights.note(context.region, report.reached / report.asked, context.mirror);
+    if (!keepsSelection(context.settings.tool) || context.region.empty())
+        return;
+    grab.keep(context.mesh(), context.mirror != nullptr);
+    if (context.limits.inUse() && report.isWhole()) // else the limits are too tight
+        grab.noteLimits(context.dab, std::move(context.limits), context.fallbackSteps);
+}
+
+void DabPipeline::warmUp(DabContext& context)
+{
+    Mesh& mesh = context.surface.mesh();
+    mesh.beginStroke();
+    const Mesh::Mark mark = mesh.mark();
+    selectRegion(context);
+    if (context.region.size() <= maxWarmUpVertices) {
+        StepPlan plan;
+        RemeshCounts counts = m_steps.refineAndPlan(context, plan, context.editor());
+        m_steps.displaceAndOptimise(context, plan.part(), counts);
+        context.surface.warmUp(mark);
+    }
+    mesh.rollback(mark);
+    mesh.endStroke();
+    context.region.clear();
+}
+} // namespace core

@@ -1,0 +1,162 @@
+#include "core/sculpt/dab_steps.h"
+
+#include "core/sculpt/dab_bounds.h"
+#include "core/sculpt/dab_selection.h"
+#include "core/sculpt/deform/deform.h"
+#include "core/sculpt/deform/mirrored_deform.h"
+#include "core/sculpt/select/selector.h"
+#include "core/util/phase_timer.h"
+
+namespace core
+{
+namespace
+{
+/// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
+constexpr double maxImageDistance = 4;
+
+/// Even where surfaces face each other, as long as none stops it: the two sides of a line, the walls of an imprint and
+/// the sides of what is dragged face each other, and seldom meet.
+bool takesLongSteps(Tool tool)
+{
+    return sharpens(tool) || tool == Tool::Stamp || isDragTool(tool);
+}
+
+bool keepsShape(Tool tool)
+{
+    return sharpens(tool) || tool == Tool::Stamp;
+}
+
+FusionInput fusionInput(const DabContext& context, const StepPlan& plan)
+{
+    return {pushes(context.settings), context.bounds, plan.part()};
+}
+} // namespace
+
+void DabSteps::begin(DabContext& context)
+{
+    m_fusion.beginDab(context.mirror, detailShare(context.settings));
+    const PhaseTimer timer(context.report.fuseMs);
+    context.canFuse = canFacesFuse(context);
+}
+
+/// With a brush along the surface, and with a grabbed region, the candidates are of the region's own sheet alone.
+bool DabSteps::canFacesFuse(const DabContext& context)
+{
+    const Sphere& ball = context.ball;
+    const MirrorMap* mirror = context.mirror;
+    if (mirror && (mirror->imageOf(ball.center) - ball.center).norm() < maxImageDistance * ball.radius)
+        return true; // with its image, even if nothing else is there
+    if (context.settings.brush == BrushShape::Sphere && !context.grab.state.isOn)
+        return TopologyFusion::mayFuse(context.mesh(), context.region, context.candidates);
+    const Selector selector(context.mesh(), context.surface.octree());
+    return TopologyFusion::mayFuse(context.mesh(), context.region, selector.facesIn(ball));
+}
+
+RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEditor edit)
+{
+    RemeshCounts counts;
+    if (!context.grab.state.isOn) {
+        const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
+        counts = refine(edit, context.region, context.candidates, context.ball, context.bounds);
+    }
+    if (context.settings.brush == BrushShape::Ray && counts.splits > 0) {
+        const PhaseTimer timer(context.report.selectMs);
+        selectRefined(context, context.region);
+        if (context.mirror)
+            keepHalf(context.region, *context.mirror);
+    }
+    const PhaseTimer timer(context.report.deformMs, context.report.fuseMs);
+    context.report.asked = this->plan(context);
+    const EdgeBounds fine = context.grab.bounds(context.settings, context.mesh(), context.bounds);
+    if (context.canFuse && takesLongSteps(context.settings.tool) && !context.limits.inUse()) {
+        const PhaseTimer fuseTimer(context.report.fuseMs);
+        context.canFuse = m_fusion.predictContact(context.surface, context.region, fine);
+    }
+    if (!context.canFuse)
+        context.bounds = fine;
+    plan.cut(context);
+    context.isCapped = plan.isTooLong();
+    return counts;
+}
+
+/// Returns the longest displacement planned, in mm.
+double DabSteps::plan(DabContext& context)
+{
+    const StrokeSettings& settings = context.settings;
+    if (settings.tool == Tool::Layer)
+        context.request.heights.recall(context.region, context.mesh());
+    if (!context.mirror)
+        return planDeformation(context.region, context.mesh(), settings, context.dab);
+    selectBothSides(context, m_whole);
+    return planMirrored(context.region, m_whole, *context.mirror, context.mesh(), settings, context.dab);
+}
+
+bool DabSteps::displace(DabContext& context, double part)
+{
+    const Mesh& mesh = context.mesh();
+    const Lattice& lattice = mesh.lattice();
+    const Region& region = context.region;
+    const MotionLimits& limits = context.limits;
+    MeshEditor edit = context.editor();
+    bool isInside = true;
+    region.forEach([&](Slot v) {
+        const double share = part * limits.share(region, v);
+        const Vec3f before = mesh.point(v);
+        const Vec3f after = edit.kept(v, lattice.snap(before.cast<double>() + share * region.plan(v)));
+        isInside = isInside && lattice.contains(after.cast<double>());
+        if (isInside && after != before)
+            edit.move(v, after);
+    });
+    return isInside;
+}
+
+RemeshCounts DabSteps::optimise(DabContext& context, MeshEditor edit)
+{
+    const EdgeBounds& bounds = context.bounds;
+    if (!keepsShape(context.settings.tool))
+        return core::optimise(edit, context.region, bounds);
+    const auto place = [&](Slot v) { return relaxedAlongSharp(context.mesh(), bounds, v); };
+    return optimiseKeepingShape(edit, context.region, bounds, place);
+}
+
+bool DabSteps::displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts)
+{
+    {
+        const PhaseTimer timer(context.report.deformMs);
+        if (!displace(context, part))
+            return false;
+    }
+    const PhaseTimer timer(context.report.optimiseMs);
+    counts += optimise(context, context.editor());
+    return true;
+}
+
+bool DabSteps::join(DabContext& context, const StepPlan& plan)
+{
+    if (!context.settings.fusion || !context.canFuse)
+        return false;
+    const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
+    const FusionCounts counts =
+        m_fusion.join(context.surface, context.region, context.limits, fusionInput(context, plan));
+    if (counts.fusions > 0)
+        context.limits.clear();
+    context.request.totals.fusions += counts.fusions;
+    return counts.fusions > 0;
+}
+
+void DabSteps::separate(DabContext& context)
+{
+    if (!context.settings.fusion || context.blocked.empty())
+        return;
+    const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
+    const FusionCounts counts = m_fusion.separate(context.surface, context.region, context.blocked, context.bounds);
+    context.request.totals.separations += counts.separations;
+    context.blocked.clear();
+}
+
+bool DabSteps::isContact(const DabContext& context, const StepPlan& plan)
+{
+    return m_fusion.isContact(context.surface, context.region, fusionInput(context, plan), context.settings.fusion,
+                              context.badVertices);
+}
+} // namespace core

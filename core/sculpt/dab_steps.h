@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/sculpt/fuse/fusion.h"
+#include "core/sculpt/step_plan.h"
+
+namespace core
+{
+/// The steps of a dab (paper, sections 3.2 to 3.4). Each changes the mesh and none is a transaction, except that fusion
+/// verifies each join and each cut by itself. Owns their scratch memory.
+class DabSteps
+{
+public:
+    /// Forgets what earlier dabs could not join, and finds out whether surfaces face each other under this one.
+    void begin(DabContext& context);
+
+    /// Makes the mesh under the brush fine enough to plan on, plans how far each vertex is to move, and cuts the plan.
+    RemeshCounts refineAndPlan(DabContext& context, StepPlan& plan, MeshEditor edit);
+    /// Moves each vertex of the region by a part of its plan. False if one would leave the working volume.
+    bool displace(DabContext& context, double part);
+    /// Makes the mesh under the brush quasi-uniform. Keeps edges that the tool has made sharp.
+    RemeshCounts optimise(DabContext& context, MeshEditor edit);
+    /// Displaces, and optimises unless a vertex would leave the working volume: false.
+    bool displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts);
+
+    /// Joins what the next transaction of the plan would bring into contact. Returns whether anything was joined.
+    bool join(DabContext& context, const StepPlan& plan);
+    /// Cuts necks that have grown too thin to be collapsed, and removes specks.
+    void separate(DabContext& context);
+    /// Whether surfaces that may not be joined are about to meet at the context's bad vertices.
+    bool isContact(const DabContext& context, const StepPlan& plan);
+
+private:
+    double plan(DabContext& context);
+    static bool canFacesFuse(const DabContext& context);
+
+    TopologyFusion m_fusion;
+    Region m_whole; ///< with a mirror: what the dab alone selects, on both sides
+};
+} // namespace core

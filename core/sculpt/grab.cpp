@@ -1,0 +1,114 @@
+#include "core/sculpt/grab.h"
+
+#include "core/sculpt/dab_bounds.h"
+#include "core/sculpt/deform/deform.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// Cosine of the largest angle between the motions of two dabs that go the same way.
+constexpr double sameWay = 0.9;
+
+Vec3 wayOf(const Dab& dab)
+{
+    return dab.turn != 0 ? Vec3(dab.turn * dab.axis) : dab.motion;
+}
+
+/// Returns the mean length of the edges within the region, in mm; 0 if it has none.
+double meanEdge(const Region& region, const Mesh& mesh)
+{
+    double sum = 0;
+    int n = 0;
+    region.forEach([&](Slot v) {
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            if (const Slot other = mesh.to(h); other > v && region.contains(other)) {
+                sum += (mesh.point(other) - mesh.point(v)).cast<double>().norm();
+                ++n;
+            }
+        });
+    });
+    return n > 0 ? sum / n : 0;
+}
+} // namespace
+
+void Grab::measure(const Mesh& mesh)
+{
+    state = {};
+    state.axis = meanNormal(region, mesh);
+    state.detail = detailPerMeanEdge * meanEdge(region, mesh);
+}
+
+void Grab::keep(const Mesh& mesh, bool isHalf)
+{
+    state = {true, isHalf, state.axis, state.detail, mesh.removedVertices().size()};
+}
+
+void Grab::grow(const StrokeSettings& settings, const Mesh& mesh, double radius)
+{
+    if (settings.falloff == 0) // every vertex of the region weighs
+        return;
+    const EdgeBounds brushBounds = dabBounds(settings, mesh, radius);
+    const double detail = state.limits.inUse() ? brushBounds.detail : bounds(settings, mesh, brushBounds).detail;
+    std::vector<Slot> rim;
+    region.forEach([&](Slot v) {
+        if (region.distance(v) >= radius && !(state.isHalf && region.carried(v) < radius))
+            return; // was added here itself
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            const Slot other = mesh.to(h);
+            if (!region.contains(other) &&
+                (mesh.point(other) - mesh.point(v)).cast<double>().squaredNorm() > detail * detail)
+                rim.push_back(other);
+        });
+    });
+    for (Slot v : rim)
+        region.add(v, radius, Vec3::Zero(), 2 * radius);
+}
+
+void Grab::dropRemoved(const Mesh& mesh)
+{
+    const std::vector<Slot>& removed = mesh.removedVertices();
+    for (; state.known < removed.size(); ++state.known) {
+        if (const Slot v = removed[state.known]; region.contains(v))
+            region.remove(v);
+    }
+}
+
+std::vector<Slot> Grab::faces(const Mesh& mesh)
+{
+    SlotSet& faces = region.scratch();
+    faces.clear();
+    region.forEach([&](Slot v) { mesh.forEachOutgoing(v, [&](Slot h) { faces.add(mesh.face(h)); }); });
+    faces.sort();
+    return faces.slots();
+}
+
+Sphere Grab::ball(const Mesh& mesh) const
+{
+    Box box;
+    region.forEach([&](Slot v) { box.extend(mesh.point(v).cast<double>()); });
+    return {box.center(), 0.5 * box.diagonal().norm()};
+}
+
+EdgeBounds Grab::bounds(const StrokeSettings& settings, const Mesh& mesh, const EdgeBounds& bounds) const
+{
+    if (!keepsSelection(settings.tool) || settings.topology == Topology::Uniform || !(state.detail > 0))
+        return bounds;
+    return edgeBounds(std::clamp(state.detail, mesh.lattice().minDetail(), bounds.detail));
+}
+
+bool Grab::isLimitedFor(const Dab& dab) const
+{
+    const Vec3 way = wayOf(dab);
+    return state.limits.inUse() && way.dot(state.way) >= sameWay * way.norm() * state.way.norm();
+}
+
+void Grab::noteLimits(const Dab& dab, MotionLimits limits, unsigned fallbackSteps)
+{
+    state.way = wayOf(dab);
+    state.limits = std::move(limits);
+    state.fallbackSteps = fallbackSteps;
+}
+} // namespace core

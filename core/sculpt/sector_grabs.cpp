@@ -1,0 +1,110 @@
+#include "core/sculpt/sector_grabs.h"
+
+#include "core/sculpt/patch_copy.h"
+
+#include <utility>
+
+namespace core
+{
+void SectorGrabs::beginStroke()
+{
+    m_sectors.resize(1);
+    first().own.release();
+    first().image.release();
+    first().image.region.clear();
+}
+
+GrabPair& SectorGrabs::in(std::size_t sector, Tool tool)
+{
+    if (!keepsSelection(tool))
+        return first();
+    m_sectors[sector].grabs.dropRemoved(m_surface.mesh());
+    return m_sectors[sector].grabs;
+}
+
+void SectorGrabs::dropRemoved()
+{
+    for (Sector& sector : m_sectors)
+        sector.grabs.dropRemoved(m_surface.mesh());
+}
+
+GrabSnapshot SectorGrabs::snapshot(const GrabPair& grabs, const Dab& dab, Symmetry symmetry) const
+{
+    const Mesh& mesh = m_surface.mesh();
+    const Region& region = grabs.own.region;
+    GrabSnapshot snapshot = {grabs.own.state, grabs.image.state, {}, {}, dab};
+    if (!grabs.own.state.isHalf) {
+        const auto copy = [&](const Region& from, std::vector<GrabSnapshot::Point>& to) {
+            from.forEach([&](Slot v) { to.push_back({mesh.point(v), from.distance(v)}); });
+        };
+        copy(region, snapshot.ownPoints);
+        copy(grabs.image.region, snapshot.imagePoints);
+        return snapshot;
+    }
+    MirrorMap mirror(mesh);
+    mirror.setPlane(symmetry);
+    const bool isOver = mirror.folded(dab.position) != dab.position; // the half is the image's
+    region.forEach([&](Slot v) {
+        const Vec3f point = mesh.point(v), image = mirror.imageOf(point);
+        snapshot.ownPoints.push_back({isOver ? image : point, region.distance(v)});
+        if (!mirror.isOnPlane(v) && region.carried(v) <= dab.radius)
+            snapshot.ownPoints.push_back({isOver ? point : image, region.carried(v)});
+    });
+    if (isOver)
+        snapshot.own.axis = mirror.imageOf(snapshot.own.axis);
+    return snapshot;
+}
+
+/// A dab and its mirror image turn against each other.
+void SectorGrabs::separate(std::size_t sector, const GrabSnapshot& snapshot, const Turn& turn, Symmetry symmetry)
+{
+    GrabPair& grabs = m_sectors[sector].grabs;
+    if (std::exchange(m_sectors[sector].isSeparate, true) || !snapshot.own.isOn)
+        return;
+    if (snapshot.own.isHalf)
+        return grabHalf(grabs, snapshot, turn, symmetry);
+    const Turn back = {turn.cosine, -turn.sine};
+    const std::size_t known = m_surface.mesh().removedVertices().size();
+    grabs.own.state = {true, false, turn * snapshot.own.axis, snapshot.own.detail, known};
+    grabs.image.state = {snapshot.image.isOn, false, back * snapshot.image.axis, snapshot.image.detail, known};
+    grabPoints(grabs.own.region, snapshot.ownPoints, turn);
+    grabPoints(grabs.image.region, snapshot.imagePoints, back);
+}
+
+/// Where a half stood for both sides of the mirror, it does so in the other sector. A quarter turn takes the mirror
+/// elsewhere: there another half of the whole is taken.
+void SectorGrabs::grabHalf(GrabPair& grabs, const GrabSnapshot& snapshot, const Turn& turn, Symmetry symmetry) const
+{
+    const Mesh& mesh = m_surface.mesh();
+    MirrorMap mirror(mesh);
+    mirror.setPlane(symmetry);
+    const Vec3 position = turn * snapshot.dab.position, axis = turn * snapshot.own.axis;
+    const bool isOver = mirror.folded(position) != position; // the half is the image's
+    grabs.own.state = {true, true, isOver ? mirror.imageOf(axis) : axis, snapshot.own.detail,
+                       mesh.removedVertices().size()};
+    grabs.image.release();
+    grabs.image.region.clear();
+    Region& region = grabs.own.region;
+    const auto placeOf = [&](const GrabSnapshot::Point& point) {
+        return isOver ? mirror.imageOf(turn * point.place) : turn * point.place;
+    };
+    region.clear();
+    for (const GrabSnapshot::Point& point : snapshot.ownPoints) {
+        if (const Slot v = vertexAt(m_surface, placeOf(point)); v != noSlot && mirror.isInHalf(v))
+            region.add(v, point.distance, Vec3::Zero(), 2 * snapshot.dab.radius);
+    }
+    for (const GrabSnapshot::Point& point : snapshot.ownPoints) {
+        if (const Slot v = vertexAt(m_surface, mirror.imageOf(placeOf(point))); v != noSlot && region.contains(v))
+            region.setCarried(v, point.distance);
+    }
+}
+
+void SectorGrabs::grabPoints(Region& region, const std::vector<GrabSnapshot::Point>& points, const Turn& turn) const
+{
+    region.clear();
+    for (const GrabSnapshot::Point& point : points) {
+        if (const Slot v = vertexAt(m_surface, turn * point.place); v != noSlot)
+            region.add(v, point.distance);
+    }
+}
+} // namespace core
