@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/geometry/triangle_intersection.h"
 #include "core/mesh/face_octree.h"
-#include "core/sculpt/verify/patch_certificate.h"
-#include "core/util/sparse_index.h"
+#include "core/sculpt/verify/dirty_neighbourhood.h"
+#include "core/sculpt/verify/patch_components.h"
+#include "core/sculpt/verify/star_certificates.h"
 
 namespace core
 {
@@ -14,9 +14,9 @@ enum class VerifyTier { Patch, Stars, Pairs };
 struct VerifyResult
 {
     VerifyTier tier = VerifyTier::Patch;
-    std::vector<Slot>
-        badFaces; ///< ascending; complete: every face of every pair that meets, every face that is degenerate
-                  ///< or wrongly linked, every face of a shell that turned over or was swallowed
+    /// Ascending. Complete: every face of every pair that meets, every face that is degenerate or wrongly linked, every
+    /// face of a shell that turned over or was swallowed.
+    std::vector<Slot> badFaces;
 
     bool ok() const { return badFaces.empty(); }
 };
@@ -29,65 +29,41 @@ public:
     /// `touched` comes from the mesh's journal and holds all that changed since `octree` was last up to date.
     VerifyResult verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
 
-    /// For whoever looks for a change that is sound: after a verify() that found fault, the same change again, only
-    /// that these vertices have gone less far. The bad faces at them; what else was bad is not looked for. Cost: what
-    /// lies around these vertices.
+    /// Returns bad faces at these vertices, after a verify() that found fault and the same change again, only that they
+    /// have moved less far. Does not look for other faces that were bad. Cost: the faces around these vertices.
     std::vector<Slot> recheck(const Mesh& mesh, std::span<const Slot> vertices);
 
     /// Only finds out which faces changed, and their boxes.
-    void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
+    void collectDirty(const Mesh& mesh, const TouchedSlots& touched) { m_neighbourhood.collectDirty(mesh, touched); }
 
-    /// The faces of the last verify() or collectDirty() that changed: relinked or with a moved corner, and alive.
-    std::span<const Slot> dirtyFaces() const { return std::span(m_gathered.slots()).first(m_dirtyCount); }
-    /// Their boxes, in their order.
-    std::span<const LatticeBox> dirtyBoxes() const { return std::span(m_boxes).first(m_dirtyCount); }
-    /// By the last verify() or collectDirty(): those that changed, and all near them.
-    Slot facesVisited() const { return static_cast<Slot>(m_gathered.size()); }
+    /// Returns the faces of the last verify() or collectDirty() that changed: relinked or with a moved corner, and
+    /// alive.
+    std::span<const Slot> dirtyFaces() const
+    {
+        return std::span(m_neighbourhood.faces()).first(m_neighbourhood.dirtyCount());
+    }
+    /// Returns their boxes, in their order.
+    std::span<const LatticeBox> dirtyBoxes() const
+    {
+        return m_neighbourhood.boxes().first(m_neighbourhood.dirtyCount());
+    }
+    /// Returns how many faces the last verify() or collectDirty() looked at: those that changed, and all near them.
+    Slot facesVisited() const { return m_neighbourhood.size(); }
 
 private:
-    void gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
-    std::vector<LatticeBox> boxesOf(const Mesh& mesh, const TouchedSlots& touched);
-    void readFaces(const Mesh& mesh, std::span<const Slot> faces, std::size_t first);
     bool certifyAll(const Mesh& mesh);
-    IntegerDirection directionOfChange() const;
-    void collectBoundary(const Mesh& mesh);
     void findMislinked(const Mesh& mesh);
     void findDegenerate();
-    bool isLinked(const Mesh& mesh, Slot local) const;
-    void notePlaces();
-    void findComponents(const Mesh& mesh);
-    void addComponent(const Mesh& mesh, Slot seed);
-    bool isCertified() const;
     void testPairs(const Mesh& mesh);
-    bool areInOneCertified(Slot i, Slot j) const;
-    bool meetBadly(Slot i, Slot j) const;
     bool certifyStars(const Mesh& mesh);
+    bool meetBadly(Slot i, Slot j) const;
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
-    bool isDirty(Slot f) const { return m_places.find(f) < m_dirtyCount; }
-
-    /// Of the gathered faces, connected through edges.
-    struct Component
-    {
-        bool isClosed = true;     ///< no half-edge leaves the gathered faces
-        bool isCertified = false; ///< sound in itself; of those with dirty faces only
-    };
+    bool isNestedWell(const Mesh& mesh, const FaceOctree& octree, Slot component) const;
+    void addBad(Slot place) { m_result.badFaces.push_back(m_neighbourhood.faces()[place]); }
 
     VerifyResult m_result;
-    /// Changed faces first, of these the relinked ones first; then all that meet a box of the change.
-    SlotSet m_gathered;
-    SparseIndex m_places;            ///< where each stands among them; for what tier a leaves over
-    std::vector<PatchFace> m_shapes; ///< of m_gathered, in its order; what stands behind these is of no use
-    std::vector<LatticeBox> m_boxes; ///< likewise
-    Slot m_relinkedCount = 0;
-    Slot m_dirtyCount = 0;
-    std::vector<Slot> m_component; ///< by gathered face
-    std::vector<Component> m_components;
-    Slot m_dirtyComponents = 0;           ///< the first ones, which hold dirty faces
-    std::vector<PatchFace> m_patch;       ///< the component at work
-    std::vector<BoundaryEdge> m_boundary; ///< of that, or of all that was gathered
-    std::vector<Slot> m_front;            ///< of that, whose neighbours are to be looked at
-    SparseIndex m_moved;                  ///< vertices that were there before
-    SparseIndex m_stars;                  ///< vertices asked about
-    std::vector<char> m_starCertified;
+    DirtyNeighbourhood m_neighbourhood;
+    PatchComponents m_components;
+    StarCertificates m_stars;
 };
 } // namespace core

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/mesh/face_octree.h"
+#include "core/sculpt/verify/patch_certificate.h"
+#include "core/util/sparse_index.h"
+
+namespace core
+{
+/// The faces that a change has touched, the dirty ones, and every face that these may meet. Faces are known by their
+/// place: relinked ones come first, then the other dirty ones, then the rest. Not thread-safe: owns scratch memory.
+class DirtyNeighbourhood
+{
+public:
+    /// Collects the dirty faces alone: relinked, or with a corner that moved, and alive. `touched`: from the mesh's
+    /// journal.
+    void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
+    /// Adds every other face that meets a box of the change. Precondition: collectDirty(), of the same change.
+    void gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
+    /// Prepares place(). Cost: the faces.
+    void index();
+    /// Reads a face again whose corners have moved.
+    void reread(const Mesh& mesh, Slot place) { read(mesh, std::span(&faces()[place], 1), place); }
+
+    const std::vector<Slot>& faces() const { return m_faces.slots(); }
+    bool contains(Slot f) const { return m_faces.contains(f); }
+    Slot size() const { return static_cast<Slot>(m_faces.size()); }
+    Slot dirtyCount() const { return m_dirtyCount; }
+    Slot relinkedCount() const { return m_relinkedCount; }
+    /// The place of a face, or noSlot. Precondition: index().
+    Slot place(Slot f) const { return m_places.find(f); }
+
+    // --- by place ----------------------------------------------------------------------------------------------------
+    const PatchFace& shape(Slot place) const { return m_shapes[place]; }
+    std::span<const PatchFace> shapes() const { return std::span(m_shapes).first(m_faces.size()); }
+    std::span<const LatticeBox> boxes() const { return std::span(m_boxes).first(m_faces.size()); }
+    bool isDegenerate(Slot place) const;
+    /// Twice the area long. Exact.
+    Vec3 normal(Slot place) const;
+
+private:
+    std::span<const LatticeBox> dirtyBoxes() const { return std::span(m_boxes).first(m_dirtyCount); }
+    std::vector<LatticeBox> boxesOfChange(const Mesh& mesh, const TouchedSlots& touched);
+    void read(const Mesh& mesh, std::span<const Slot> faces, std::size_t first);
+
+    SlotSet m_faces;
+    SparseIndex m_places;
+    std::vector<PatchFace> m_shapes; ///< in the order of m_faces; more may follow, of no use
+    std::vector<LatticeBox> m_boxes; ///< likewise
+    Slot m_relinkedCount = 0;
+    Slot m_dirtyCount = 0;
+    SparseIndex m_moved; ///< vertices that were there before the change
+};
+} // namespace core
