@@ -42,14 +42,6 @@ bool shouldLiftLimits(const DabContext& context)
 {
     return std::has_single_bit(context.fallbackSteps) || context.fallbackSteps % maxLimitedSteps == 0;
 }
-
-std::vector<Slot> cornersOf(const Mesh& mesh, const std::vector<Slot>& faces)
-{
-    std::vector<Slot> corners;
-    for (Slot f : faces)
-        corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
-    return corners;
-}
 } // namespace
 
 void DabPipeline::apply(DabContext& context)

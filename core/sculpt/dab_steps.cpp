@@ -47,9 +47,9 @@ bool DabSteps::canFacesFuse(const DabContext& context)
     if (mirror && (mirror->imageOf(ball.center) - ball.center).norm() < maxImageDistance * ball.radius)
         return true; // with its image, even if nothing else is there
     if (context.settings.brush == BrushShape::Sphere && !context.grab.state.isOn)
-        return TopologyFusion::mayFuse(context.mesh(), context.region, context.candidates);
+        return FusionCandidates::mayFace(context.mesh(), context.region, context.candidates);
     const Selector selector(context.mesh(), context.surface.octree());
-    return TopologyFusion::mayFuse(context.mesh(), context.region, selector.facesIn(ball));
+    return FusionCandidates::mayFace(context.mesh(), context.region, selector.facesIn(ball));
 }
 
 RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEditor edit)
@@ -136,12 +136,12 @@ bool DabSteps::join(DabContext& context, const StepPlan& plan)
     if (!context.settings.fusion || !context.canFuse)
         return false;
     const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
-    const FusionCounts counts =
+    const std::uint64_t joins =
         m_fusion.join(context.surface, context.region, context.limits, fusionInput(context, plan));
-    if (counts.fusions > 0)
+    if (joins > 0)
         context.limits.clear();
-    context.request.totals.fusions += counts.fusions;
-    return counts.fusions > 0;
+    context.request.totals.fusions += joins;
+    return joins > 0;
 }
 
 void DabSteps::separate(DabContext& context)
@@ -149,8 +149,8 @@ void DabSteps::separate(DabContext& context)
     if (!context.settings.fusion || context.blocked.empty())
         return;
     const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
-    const FusionCounts counts = m_fusion.separate(context.surface, context.region, context.blocked, context.bounds);
-    context.request.totals.separations += counts.separations;
+    context.request.totals.separations +=
+        m_fusion.separate(context.surface, context.region, context.blocked, context.bounds);
     context.blocked.clear();
 }
 

@@ -28,9 +28,7 @@ void MotionLimits::extend(const Region& region, const Mesh& mesh)
 
 std::vector<Slot> MotionLimits::tighten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings)
 {
-    std::vector<Slot> around;
-    for (Slot f : badFaces)
-        around.insert(around.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    std::vector<Slot> around = cornersOf(mesh, badFaces);
     for (int ring = 0; ring < rings; ++ring)
         around = withNeighbours(region, mesh, around);
     std::erase_if(around, [&](Slot v) {

@@ -1,10 +1,11 @@
-// The first step of fusion.cpp: what the motion is about to bring into contact.
+// Vertices that the motion is about to bring into contact:
 //   gather     the vertices within d_thickness of the region
-//   near       pairs that are no neighbours, face each other, approach each other, and would meet in a sub-step
+//   turned     those that do not look the way that the region does on the whole: of each pair one is among them
+//   pairs      no neighbours, face each other, approach each other, and would meet in a sub-step
 // Two filters, as in Ginier's FreeStyle implementations: surfaces that meet from outside join whatever the tool; the
 // two sides of a wall do only when they are pushed.
 
-#include "core/sculpt/fuse/fusion.h"
+#include "core/sculpt/fuse/fusion_candidates.h"
 
 #include "core/geometry/proximity_grid.h"
 #include "core/mesh/normals.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace core
 {
@@ -29,7 +31,7 @@ constexpr double safeConeCosine = 0.39; // a little narrower: rounding does not 
 constexpr double closingShare = 1 / 1.5;
 /// ... or when the gap is below this part of d_detail and closing.
 constexpr double contactPerDetail = 0.05;
-/// What a core takes at a time.
+/// Faces that a core takes at a time.
 constexpr std::size_t facesPerChunk = 1024;
 
 bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
@@ -46,7 +48,12 @@ Vec3 unit(const Vec3& v)
 }
 } // namespace
 
-bool TopologyFusion::mayFuse(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
+double FusionInput::reach() const
+{
+    return thicknessPerDetail * bounds.detail;
+}
+
+bool FusionCandidates::mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
 {
     std::vector<Vec3> normals(faces.size()); // exact, and so is their sum: the order of the faces does not matter
     std::vector<Vec3> sums(1 + chunksOf(faces.size(), facesPerChunk), Vec3::Zero());
@@ -64,21 +71,16 @@ bool TopologyFusion::mayFuse(const Mesh& mesh, const Region& region, std::span<c
     });
 }
 
-double FusionInput::reach() const
+void FusionCandidates::find(const VerifiedMesh& surface, const Region& region, const MotionLimits& limits,
+                            const FusionInput& input)
 {
-    return thicknessPerDetail * bounds.detail;
+    gather(surface, region, input.reach());
+    findTurned(surface.mesh(), region);
+    findPairs(surface.mesh(), region, limits, input);
 }
 
-bool TopologyFusion::predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds)
-{
-    const FusionInput whole = {true, bounds, 1};
-    gather(surface, region, whole.reach());
-    findNear(surface.mesh(), region, {}, whole);
-    return !m_near.empty();
-}
-
-/// The vertices of all faces that come within reach of the region's box.
-void TopologyFusion::gather(const VerifiedMesh& surface, const Region& region, double reach)
+/// Gathers the vertices of all faces that come within reach of the region's box.
+void FusionCandidates::gather(const VerifiedMesh& surface, const Region& region, double reach)
 {
     const Mesh& mesh = surface.mesh();
     const Lattice& lattice = mesh.lattice();
@@ -107,35 +109,7 @@ void TopologyFusion::gather(const VerifiedMesh& surface, const Region& region, d
 }
 
 /// Vertices whose normals lie within one cone do not face each other: one of each pair has another normal.
-void TopologyFusion::findNear(const Mesh& mesh, const Region& region, const MotionLimits& limits,
-                              const FusionInput& input)
-{
-    m_near.clear();
-    findTurned(mesh, region);
-    if (m_turned.empty())
-        return;
-    const double reach = input.reach(), reach2 = reach * reach;
-    const ProximityGrid grid(m_points, reach);
-    for (Slot turned : m_turned) {
-        grid.forEachNear(m_points[turned], [&](Slot near) {
-            const double distance2 = (m_points[near] - m_points[turned]).squaredNorm();
-            if (distance2 >= reach2 || near == turned ||
-                (m_isTurned[near] && near < turned)) // the last: met from the other side
-                return;
-            const Slot lower = std::min(near, turned), upper = std::max(near, turned);
-            const bool fromLower = region.contains(m_vertices.slots()[lower]);
-            const Slot i = fromLower ? lower : upper, j = fromLower ? upper : lower;
-            const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
-            if (!region.contains(v) || !isNamed(v, other) || !willJoin(i, j, mesh, region, limits, input))
-                return;
-            m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
-                              (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
-        });
-    }
-}
-
-/// Those that do not look the way that the region does on the whole.
-void TopologyFusion::findTurned(const Mesh& mesh, const Region& region)
+void FusionCandidates::findTurned(const Mesh& mesh, const Region& region)
 {
     Vec3 sum = Vec3::Zero();
     for (Slot i = 0; i < m_points.size(); ++i) {
@@ -154,39 +128,79 @@ void TopologyFusion::findTurned(const Mesh& mesh, const Region& region)
     }
 }
 
-bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,
-                               const std::vector<Slot>& vertices)
+void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const MotionLimits& limits,
+                                 const FusionInput& input)
 {
-    SlotSet& at = m_done;
-    at.clear();
-    for (Slot v : vertices) { // some came with what was taken back
-        if (v >= surface.mesh().slots().vertices || !surface.mesh().isVertex(v))
-            continue;
-        if (const Slot named = m_mirror && !m_mirror->isInHalf(v) ? m_mirror->imageOf(v) : v; named != noSlot)
-            at.add(named);
+    m_pairs.clear();
+    if (m_turned.empty())
+        return;
+    const double reach = input.reach(), reach2 = reach * reach;
+    const ProximityGrid grid(m_points, reach);
+    for (Slot turned : m_turned) {
+        grid.forEachNear(m_points[turned], [&](Slot near) {
+            const double distance2 = (m_points[near] - m_points[turned]).squaredNorm();
+            if (distance2 >= reach2 || near == turned ||
+                (m_isTurned[near] && near < turned)) // the last: met from the other side
+                return;
+            const Slot lower = std::min(near, turned), upper = std::max(near, turned);
+            const bool fromLower = region.contains(m_vertices.slots()[lower]);
+            const Slot i = fromLower ? lower : upper, j = fromLower ? upper : lower;
+            const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
+            if (!region.contains(v) || !mayPair(v, other) || !areFacing(mesh, i, j) ||
+                !willMeet(i, j, region, limits, input))
+                return;
+            m_pairs.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
+                               (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
+        });
     }
-    FusionInput pushing = input;
-    pushing.pushes = true; // which meets the other side of a wall, too
-    gather(surface, region, input.reach());
-    findNear(surface.mesh(), region, {}, pushing);
-    return std::ranges::any_of(m_near, [&](const Near& near) {
-        const bool mayJoin = fusion && (input.pushes || !near.inside) && !surface.mesh().isMasked(near.p) &&
-                             !surface.mesh().isMasked(near.q);
-        return !mayJoin && (at.contains(near.p) || at.contains(near.q));
-    });
+}
+
+/// In a mirror a vertex of the half may join another of it, or its own image.
+bool FusionCandidates::mayPair(Slot v, Slot other) const
+{
+    return !m_mirror || m_mirror->isInHalf(other) || m_mirror->imageOf(v) == other;
+}
+
+bool FusionCandidates::areFacing(const Mesh& mesh, Slot i, Slot j) const
+{
+    return !(m_normals[i].dot(m_normals[j]) > facingCosine) &&
+           mesh.findHalfedge(m_vertices.slots()[i], m_vertices.slots()[j]) == noSlot;
+}
+
+/// Precondition: areFacing(). The region contains the first of the two.
+bool FusionCandidates::willMeet(Slot i, Slot j, const Region& region, const MotionLimits& limits,
+                                const FusionInput& input) const
+{
+    const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
+    const Vec3 &n = m_normals[i], &m = m_normals[j];
+    const Vec3 between = m_points[j] - m_points[i];
+    const double ahead = between.dot(n), back = -between.dot(m);
+    const bool meetOutside = ahead > 0 && back > 0, meetInside = ahead < 0 && back < 0;
+    if (!meetOutside && !(meetInside && input.pushes))
+        return false;
+    const auto motion = [&](Slot w) -> Vec3 {
+        return region.contains(w) ? Vec3(input.part * limits.share(region, w) * region.plan(w)) : Vec3::Zero();
+    };
+    const bool isImage = m_mirror && !m_mirror->isInHalf(other);
+    const Vec3 otherMotion = isImage ? m_mirror->imageOf(motion(v)) : motion(other);
+    const Vec3 axis = unit(meetOutside ? n - m : m - n);
+    const double gap = between.dot(axis), closing = (motion(v) - otherMotion).dot(axis);
+    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * input.bounds.detail);
 }
 
 /// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a
 /// new tube beside that would leave a hole in between.
-void TopologyFusion::keepToSeams(const Mesh& mesh)
+void FusionCandidates::keepToSeams(const Mesh& mesh)
 {
-    const auto meetsImage = [&](const Near& near) {
-        return !m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q);
+    if (!m_mirror)
+        return;
+    const auto meetsImage = [&](const FusionPair& pair) {
+        return !m_mirror->isInHalf(pair.p) || !m_mirror->isInHalf(pair.q);
     };
     SlotSet meeting, grown; // vertices of the half
-    for (const Near& near : m_near) {
-        if (meetsImage(near))
-            meeting.add(m_mirror->isInHalf(near.p) ? near.p : near.q);
+    for (const FusionPair& pair : m_pairs) {
+        if (meetsImage(pair))
+            meeting.add(m_mirror->isInHalf(pair.p) ? pair.p : pair.q);
     }
     for (Slot v : meeting.slots()) {
         mesh.forEachOutgoing(v, [&](Slot h) {
@@ -202,36 +216,15 @@ void TopologyFusion::keepToSeams(const Mesh& mesh)
                 grown.add(mesh.to(h));
         });
     }
-    std::erase_if(m_near, [&](const Near& near) {
-        return near.isolated && meetsImage(near) && (grown.contains(near.p) || grown.contains(near.q));
+    std::erase_if(m_pairs, [&](const FusionPair& pair) {
+        return pair.isolated && meetsImage(pair) && (grown.contains(pair.p) || grown.contains(pair.q));
     });
 }
 
-/// In a mirror a vertex of the half may join another of it, or its own image.
-bool TopologyFusion::isNamed(Slot v, Slot other)
+void FusionCandidates::sort()
 {
-    return !m_mirror || m_mirror->isInHalf(other) || m_mirror->imageOf(v) == other;
-}
-
-bool TopologyFusion::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const MotionLimits& limits,
-                              const FusionInput& input)
-{
-    const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
-    const Vec3 &n = m_normals[i], &m = m_normals[j];
-    if (n.dot(m) > facingCosine || mesh.findHalfedge(v, other) != noSlot)
-        return false;
-    const Vec3 between = m_points[j] - m_points[i];
-    const double ahead = between.dot(n), back = -between.dot(m);
-    const bool meetOutside = ahead > 0 && back > 0, meetInside = ahead < 0 && back < 0;
-    if (!meetOutside && !(meetInside && input.pushes))
-        return false;
-    const auto motion = [&](Slot w) -> Vec3 {
-        return region.contains(w) ? Vec3(input.part * limits.share(region, w) * region.plan(w)) : Vec3::Zero();
-    };
-    const bool isImage = m_mirror && !m_mirror->isInHalf(other);
-    const Vec3 otherMotion = isImage ? m_mirror->imageOf(motion(v)) : motion(other);
-    const Vec3 axis = unit(meetOutside ? n - m : m - n);
-    const double gap = between.dot(axis), closing = (motion(v) - otherMotion).dot(axis);
-    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * input.bounds.detail);
+    std::ranges::sort(m_pairs, [](const FusionPair& a, const FusionPair& b) {
+        return std::tie(a.isolated, a.distance2, a.p, a.q) < std::tie(b.isolated, b.distance2, b.p, b.q);
+    });
 }
 } // namespace core

@@ -1,7 +1,4 @@
-// The last step of fusion.cpp, where an edge that is too short can no longer be collapsed: a neck three edges around is
-// cut, a speck is removed.
-
-#include "core/sculpt/fuse/fusion.h"
+#include "core/sculpt/fuse/separation.h"
 
 #include "core/sculpt/fuse/ring_join.h"
 
@@ -16,43 +13,18 @@ constexpr double neckGaps[] = {0.5, 0.1};
 /// A speck: a component smaller than this, in terms of the brush's d; one of few faces may be a little larger.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
-} // namespace
 
-FusionCounts TopologyFusion::separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
-                                      const EdgeBounds& bounds)
+/// Returns the third vertex of the shortest cycle of three edges that holds this edge and is no face; noSlot if there
+/// is none of that length.
+Slot neckAt(const Mesh& mesh, const VertexPair& edge, double maxPerimeter)
 {
-    FusionCounts counts;
-    const Mesh& mesh = surface.mesh();
-    for (const VertexPair& edge : blocked) {
-        if (!mesh.isVertex(edge[0]) || !mesh.isVertex(edge[1]) || mesh.findHalfedge(edge[0], edge[1]) == noSlot)
-            continue;
-        counts.separations += cut(surface, region, edge, bounds) || removeSpeck(surface, region, edge[0], bounds);
-    }
-    return counts;
-}
-
-/// And no face around it reaches across.
-bool TopologyFusion::isOnPlane(const Mesh& mesh, const Triangle& cycle) const
-{
-    bool clear = true;
-    for (Slot v : cycle) {
-        clear = clear && m_mirror->isOnPlane(v);
-        mesh.forEachOutgoing(v, [&](Slot h) { clear = clear && !m_mirror->isAcross(mesh.next(h) / 2); });
-    }
-    return clear;
-}
-
-/// Through the shortest cycle of three edges that holds this one and is no face.
-bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds)
-{
-    const Mesh& mesh = surface.mesh();
-    const auto [a, b] = edge;
+    const Slot a = edge[0], b = edge[1];
     const Slot h = mesh.findHalfedge(a, b);
     const Slot left = mesh.to(mesh.next(h)), right = mesh.to(mesh.next(h ^ 1));
     const auto length = [&](Slot v, Slot w) {
         return (mesh.point(v).cast<double>() - mesh.point(w).cast<double>()).norm();
     };
-    double shortest = neckPerimeter * bounds.minimum;
+    double shortest = maxPerimeter;
     Slot third = noSlot;
     mesh.forEachOutgoing(a, [&](Slot g) {
         const Slot c = mesh.to(g);
@@ -64,28 +36,62 @@ bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const VertexPair
             third = c;
         }
     });
-    if (third == noSlot || !mayTry(a) || !mayTry(b))
+    return third;
+}
+} // namespace
+
+std::uint64_t Separation::separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
+                                   const EdgeBounds& bounds)
+{
+    std::uint64_t separations = 0;
+    const Mesh& mesh = surface.mesh();
+    for (const VertexPair& edge : blocked) {
+        if (!mesh.isVertex(edge[0]) || !mesh.isVertex(edge[1]) || mesh.findHalfedge(edge[0], edge[1]) == noSlot)
+            continue;
+        separations += cutNeck(surface, region, edge, bounds) || removeSpeck(surface, region, edge[0], bounds);
+    }
+    return separations;
+}
+
+bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    const Slot third = neckAt(mesh, edge, neckPerimeter * bounds.minimum);
+    if (third == noSlot || !m_surgery.mayTry(edge[0]) || !m_surgery.mayTry(edge[1]))
         return false;
-    const Triangle cycle = {a, b, third};
+    const Triangle cycle = {edge[0], edge[1], third};
     for (double gap : neckGaps) {
-        const std::optional<Surgery> neck = cutNeck(mesh, cycle, gap * bounds.minimum);
-        const bool isOwnImage = m_mirror && isOnPlane(mesh, cycle);
-        const std::optional<Surgery> surgery = isOwnImage ? neck : completed(surface, neck);
+        const std::optional<Surgery> neck = core::cutNeck(mesh, cycle, gap * bounds.minimum);
+        const std::optional<Surgery> surgery = isOwnImage(mesh, cycle) ? neck : m_surgery.withItsImage(surface, neck);
         if (!surgery)
             return false;
-        if (const auto created = operate(surface, region, *surgery)) {
-            removeSpecks(surface, region, {(*created)[0], (*created)[3]},
-                         bounds); // a copy of the cycle's vertex on each side
+        if (const auto created = m_surgery.operate(surface, region, *surgery)) {
+            // a copy of the cycle's vertex on each side
+            removeSpecks(surface, region, {(*created)[0], (*created)[3]}, bounds);
             return true;
         }
     }
-    countFailure(a);
-    countFailure(b);
+    m_surgery.countFailure(edge[0]);
+    m_surgery.countFailure(edge[1]);
     return false;
 }
 
-void TopologyFusion::removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
-                                  const EdgeBounds& bounds)
+/// Whether the neck lies on the mirror's plane, and no face around it reaches across.
+bool Separation::isOwnImage(const Mesh& mesh, const Triangle& cycle) const
+{
+    const MirrorMap* mirror = m_surgery.mirror();
+    if (!mirror)
+        return false;
+    bool isClear = true;
+    for (Slot v : cycle) {
+        isClear = isClear && mirror->isOnPlane(v);
+        mesh.forEachOutgoing(v, [&](Slot h) { isClear = isClear && !mirror->isAcross(mesh.next(h) / 2); });
+    }
+    return isClear;
+}
+
+void Separation::removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
+                              const EdgeBounds& bounds)
 {
     for (Slot v : vertices) {
         if (surface.mesh().isVertex(v)) // else it went with one before
@@ -93,11 +99,11 @@ void TopologyFusion::removeSpecks(VerifiedMesh& surface, Region& region, const s
     }
 }
 
-/// The component of a vertex, if it is small and not all there is. (One that holds another is not sound to remove.)
-bool TopologyFusion::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
+/// Removes the component of a vertex, if it is small and not all there is. (One that holds another is not sound to
+/// remove.)
+bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
-    Surgery surgery;
     LatticeBox box;
     SlotSet& found = region.scratch();
     found.clear();
@@ -116,9 +122,11 @@ bool TopologyFusion::removeSpeck(VerifiedMesh& surface, Region& region, Slot ver
         if (isTooLarge())
             return false;
     }
+    Surgery surgery;
     surgery.removed = found.slots();
     surgery.near = vertex;
-    const std::optional<Surgery> removal = completed(surface, surgery);
-    return removal && removal->removed.size() < mesh.live().faces && operate(surface, region, *removal).has_value();
+    const std::optional<Surgery> removal = m_surgery.withItsImage(surface, surgery);
+    return removal && removal->removed.size() < mesh.live().faces &&
+           m_surgery.operate(surface, region, *removal).has_value();
 }
 } // namespace core

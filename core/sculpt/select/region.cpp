@@ -75,6 +75,14 @@ std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<con
     return present;
 }
 
+std::vector<Slot> cornersOf(const Mesh& mesh, std::span<const Slot> faces)
+{
+    std::vector<Slot> corners;
+    for (Slot f : faces)
+        corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    return corners;
+}
+
 void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
                   const Sphere& ball)
 {
@@ -97,7 +105,7 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
 
 namespace
 {
-/// Of the candidates, the one that holds the ball's centre.
+/// Returns the candidate triangle that holds the ball's centre.
 Slot faceUnder(const Vec3& center, const std::vector<Slot>& candidates, const Mesh& mesh)
 {
     Slot face = noSlot;

@@ -17,17 +17,17 @@ class Region
 public:
     void clear();
     bool empty() const { return m_live == 0; }
-    /// Vertices that are still there.
+    /// Returns the number of vertices that are still there.
     Slot size() const { return m_live; }
     bool contains(Slot v) const { return m_present.contains(v); }
 
     /// `distance`: from the brush's centre, as the brush measures it (r_i in the paper). `carried`: see below.
     void add(Slot v, double distance, const Vec3& plan = Vec3::Zero(), double carried = 0);
-    /// In the middle of a and b, which belong to it.
+    /// Adds a vertex in the middle of a and b, which belong to the region.
     void addBetween(Slot v, Slot a, Slot b);
     void remove(Slot v);
 
-    /// Every slot that ever joined, and where one stands among them (stable).
+    /// Returns every slot that was ever added, in that order; position() is a slot's place in it, and never changes.
     const std::vector<Slot>& slots() const { return m_index.slots(); }
     Slot position(Slot v) const { return m_index.position(v); }
 
@@ -35,17 +35,17 @@ public:
     const Vec3& plan(Slot v) const { return m_plan[m_index.position(v)]; }
     void setPlan(Slot v, const Vec3& plan) { m_plan[m_index.position(v)] = plan; }
 
-    /// What a tool has to know of a vertex besides: Layer how far the stroke has raised it, a tool that keeps its
-    /// selection the distance from the image of where it took hold.
+    /// A tool's own value for a vertex. Layer: how far the stroke has raised it. A tool that keeps its selection: the
+    /// distance from the mirror image of where it was grabbed. Units: mm.
     double carried(Slot v) const { return m_carried[m_index.position(v)]; }
     void setCarried(Slot v, double carried) { m_carried[m_index.position(v)] = carried; }
 
-    /// Vertices around the remeshing of this sub-step.
+    /// Vertices around the operations of the last remeshing.
     SlotSet& remeshed() { return m_remeshed; }
-    /// For whoever needs a set of slots for a moment.
+    /// A set of slots for any function's own use.
     SlotSet& scratch() { return m_scratch; }
 
-    /// To go back after a sub-step that failed. Cost: the region.
+    /// A copy of the region's state, to return to after a sub-step that failed. Cost: the region.
     struct Saved
     {
         std::vector<Slot> slots;
@@ -75,20 +75,22 @@ private:
     Slot m_live = 0;
 };
 
-/// Those of the vertices that are still there, and their neighbours, as far as the region holds them.
+/// Returns those of the vertices that still exist, and their neighbours, as far as the region contains them.
 std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<const Slot> vertices);
+/// Returns the corners of the faces, a vertex as often as it is one.
+std::vector<Slot> cornersOf(const Mesh& mesh, std::span<const Slot> faces);
 
-/// Spherical brush (paper, section 3.1.2): the vertices within the ball, by Euclidean distance, ascending by slot.
-/// `candidates` becomes the candidate triangles of section 3.1.1: those whose boxes meet the ball's, in no useful
-/// order.
+/// Selects the vertices within the ball, by Euclidean distance: the spherical brush (paper, section 3.1.2). Ascending
+/// by slot. `candidates` becomes the candidate triangles of section 3.1.1, those whose boxes meet the ball's, in no
+/// useful order.
 void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
                   const Sphere& ball);
 
-/// Ray brush (paper, section 3.1.3): the vertices whose geodesic distance from a point of the surface is at most the
-/// ball's radius, by Dijkstra over the graph of edges inside the ball, from the three corners of the face that holds
-/// the point: one of `candidates`, which then become the faces reached. Ascending by slot. A path along edges is never
-/// shorter than the true geodesic, and on even meshes up to 15 % longer. `most`: of more vertices none is selected, and
-/// the search ends there.
+/// Selects the vertices whose geodesic distance from a point of the surface is at most the ball's radius: the ray brush
+/// (paper, section 3.1.3). Runs Dijkstra's algorithm over the edges inside the ball, from the three corners of the face
+/// that holds the point. That face is one of `candidates`, which then become the faces reached. Ascending by slot. A
+/// path along edges is never shorter than the true geodesic, and on even meshes up to 15 % longer. `max`: if there are
+/// more vertices, none is selected.
 void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball,
                     Slot max = noSlot);
 } // namespace core

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/sculpt/deform/motion_limits.h"
+#include "core/sculpt/edit/mirror_map.h"
+#include "core/sculpt/verify/verified_mesh.h"
+
+namespace core
+{
+/// What a sub-step tells fusion about the motion that is to come.
+struct FusionInput
+{
+    bool pushes = false; ///< a wall whose two sides meet gets a hole
+    EdgeBounds bounds;
+    double part = 1;      ///< share of the plan that one sub-step does
+    double reach() const; ///< d_thickness, in mm: surfaces farther apart do not join
+};
+
+/// Two vertices that are about to meet.
+struct FusionPair
+{
+    bool isolated; ///< no vertex lies in both 1-rings: the join is a new tube, not the next stitch of a seam
+    double distance2;
+    Slot p, q;   ///< p < q
+    bool inside; ///< the two sides of a wall
+};
+
+/// Finds the vertices that a motion is about to bring into contact (paper, section 3.4). Owns scratch memory.
+class FusionCandidates
+{
+public:
+    /// Whether two of the faces may face each other: else there is nothing to find. Cheap, and never wrong when it says
+    /// no. `faces`: all around the region.
+    static bool mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces);
+
+    /// `mirror`: null, or on; then the region is of the half.
+    void setMirror(MirrorMap* mirror) { m_mirror = mirror; }
+    /// Finds the pairs that the motion of the region within its limits brings together.
+    void find(const VerifiedMesh& surface, const Region& region, const MotionLimits& limits, const FusionInput& input);
+    /// With a mirror: drops pairs that would begin a new tube between a patch and its image, where the two have met
+    /// already.
+    void keepToSeams(const Mesh& mesh);
+    /// Sorts the pairs: the next stitches of seams first, then the nearest.
+    void sort();
+
+    const std::vector<FusionPair>& pairs() const { return m_pairs; }
+
+private:
+    void gather(const VerifiedMesh& surface, const Region& region, double reach);
+    void findTurned(const Mesh& mesh, const Region& region);
+    void findPairs(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input);
+    bool mayPair(Slot v, Slot other) const;
+    bool areFacing(const Mesh& mesh, Slot i, Slot j) const;
+    bool willMeet(Slot i, Slot j, const Region& region, const MotionLimits& limits, const FusionInput& input) const;
+
+    MirrorMap* m_mirror = nullptr;
+    SlotSet m_vertices;           ///< near the region
+    std::vector<Vec3> m_points;   ///< by position among them
+    std::vector<Vec3> m_normals;  ///< by position; unit length, or zero
+    std::vector<Slot> m_turned;   ///< positions of those that may face another
+    std::vector<char> m_isTurned; ///< by position
+    std::vector<FusionPair> m_pairs;
+};
+} // namespace core

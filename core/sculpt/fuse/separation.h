@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/sculpt/fuse/fusion_surgery.h"
+#include "core/sculpt/remesh/remesh.h"
+
+namespace core
+{
+/// Separates the surface where an edge that is too short can no longer be collapsed (the counterpart of the paper's
+/// section 3.4): cuts a neck three edges around, removes a speck.
+class Separation
+{
+public:
+    explicit Separation(FusionSurgery& surgery) : m_surgery(surgery) {}
+
+    /// `detailShare`: the tool's own d in terms of the brush's. A speck is small against the brush, however fine the
+    /// mesh.
+    void beginDab(double detailShare) { m_detailShare = detailShare; }
+
+    /// Cuts necks that have grown as thin as a triangle, and removes specks smaller than 2 of the brush's d. `blocked`:
+    /// edges shorter than d that could not be collapsed. Returns how many separations there were.
+    std::uint64_t separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
+                           const EdgeBounds& bounds);
+
+    /// Removes the components of these vertices that are specks.
+    void removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
+                      const EdgeBounds& bounds);
+
+private:
+    bool cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
+    bool removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
+    bool isOwnImage(const Mesh& mesh, const Triangle& cycle) const;
+
+    FusionSurgery& m_surgery;
+    double m_detailShare = 1;
+};
+} // namespace core
