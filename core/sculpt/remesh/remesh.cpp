@@ -8,9 +8,12 @@
 // No step after the splits makes an edge longer than d_detail, the last two none shorter than d.
 // Keys of each order are total (length, then slots), so that results depend only on the mesh.
 
-#include "core/sculpt/remesh/remesher.h"
+#include "core/sculpt/remesh/remesh.h"
 
 #include "core/mesh/normals.h"
+#include "core/sculpt/remesh/edge_collapse.h"
+#include "core/sculpt/remesh/edge_flip.h"
+#include "core/sculpt/remesh/edge_split.h"
 
 #include <algorithm>
 
@@ -18,115 +21,38 @@ namespace core
 {
 namespace
 {
-/// Operations per sub-step, by the region's vertices and in all: guards against endless work, not a tuning knob.
-constexpr std::uint64_t opsPerVertex = 64, minOps = 4096, maxOps = 1 << 19;
-/// A step may turn a face by at most about 78 degrees (cos > 0.2: notes of El Topo's legality tests, Brochu 2009).
-constexpr double minTurnCosine = 0.2;
 /// The smallest angle that relaxation may make, unless there was a smaller one before: 20 degrees, the least that a dab
 /// should leave.
 constexpr double relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
 constexpr double sharpCosine = 0.766; ///< of 40 degrees between two faces
 
-/// Twice a triangle's area, and the squared sine of its smallest angle: the one between the two longest sides.
-struct Shape
+/// Moves the vertex to the place, as far as its mask lets it, where its faces stay sound by that.
+void moveVertex(RemeshPass& pass, Slot v, const Vec3& place)
 {
-    Vec3 normal;
-    double area2; ///< the normal's squared length
-    double smallestSine2;
-};
+    const Mesh& mesh = pass.mesh();
+    const Vec3 p = pass.point(v);
+    const Vec3 free = p + mesh.freedom(v) * (place - p);
+    if (!mesh.lattice().contains(free))
+        return; // along the surface, but past the wall of the volume
+    const Vec3f target = pass.edit().kept(v, mesh.lattice().snap(free));
+    if (pass.staysSound(v, noSlot, target.cast<double>(), {relaxedAngleSine, pass.minimum2()}))
+        pass.edit().move(v, target);
+}
 
-Shape shapeOf(const Vec3& a, const Vec3& b, const Vec3& c)
+/// The steps 1 to 4. Relaxes vertices to `place(v)`.
+RemeshCounts optimise(RemeshPass& pass, bool keepsShape, const std::function<Vec3(Slot)>& place)
 {
-    const Vec3 normal = (b - a).cross(c - a);
-    const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-    const double shortest = std::min({ab, bc, ca});
-    const double longest = shortest == ab ? bc * ca : shortest == bc ? ca * ab : ab * bc;
-    const double area2 = normal.squaredNorm();
-    return {normal, area2, longest > 0 ? area2 / longest : 0};
+    EdgeCollapse(pass, keepsShape).collapseShortEdges(EdgeSplit(pass).splitLongEdges());
+    EdgeFlip(pass).flipEdges();
+    pass.changed().sort();
+    for (Slot v : pass.changed().slots()) {
+        if (pass.mesh().isVertex(v) && pass.region().contains(v))
+            moveVertex(pass, v, place(v));
+    }
+    return pass.counts;
 }
 } // namespace
-
-Remesher::Remesher(MeshEditor& edit, Region& region, const EdgeBounds& bounds, bool keepsShape)
-    : m_edit(edit)
-    , m_mesh(edit.mesh())
-    , m_region(region)
-    , m_detail2(bounds.detail * bounds.detail)
-    , m_minimum2(bounds.minimum * bounds.minimum)
-    , m_opsLeft(std::min(maxOps, minOps + opsPerVertex * region.size()))
-    , m_changed(region.remeshed())
-    , m_keepsShape(keepsShape)
-{
-    m_changed.clear();
-}
-
-bool Remesher::mayGoOn()
-{
-    if (m_opsLeft == 0) {
-        counts.capped = true;
-        return false;
-    }
-    --m_opsLeft;
-    return true;
-}
-
-RemeshEdge Remesher::edgeAt(Slot e) const
-{
-    const Slot a = m_mesh.to(2 * e), b = m_mesh.to(2 * e + 1);
-    return {length2(e), std::min(a, b), std::max(a, b), e};
-}
-
-/// Whether the faces around v, but those with `ignored`, stay sound when v moves to the target.
-bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, const Limits& limits) const
-{
-    bool sound = true;
-    const Vec3 p = point(v);
-    m_mesh.forEachOutgoing(v, [&](Slot h) {
-        const Slot b = m_mesh.to(h), c = m_mesh.to(m_mesh.next(h));
-        if (!sound || b == ignored || c == ignored)
-            return;
-        const Vec3 pb = point(b), pc = point(c);
-        const Shape before = shapeOf(p, pb, pc), after = shapeOf(target, pb, pc);
-        const double turn = before.normal.dot(after.normal);
-        const double before2 = (p - pb).squaredNorm(), after2 = (target - pb).squaredNorm();
-        if (turn <= 0 || turn * turn <= minTurnCosine * minTurnCosine * before.area2 * after.area2 ||
-            after.smallestSine2 <
-                std::min(limits.angleSine * limits.angleSine, limits.keptSliver2 * before.smallestSine2) ||
-            after2 > std::max(m_detail2, before2) || after2 < std::min(limits.shortest2, before2))
-            sound = false;
-    });
-    return sound;
-}
-
-// --- 4. relax
-
-void Remesher::relax(const std::function<Vec3(Slot)>& place)
-{
-    m_changed.sort();
-    for (Slot v : m_changed.slots()) {
-        if (m_mesh.isVertex(v) && m_region.contains(v))
-            moveVertex(v, place(v));
-    }
-}
-
-void Remesher::moveTo(const std::function<Vec3(Slot)>& place)
-{
-    m_region.forEach([&](Slot v) { moveVertex(v, place(v)); });
-}
-
-void Remesher::moveVertex(Slot v, const Vec3& place)
-{
-    const Lattice& lattice = m_mesh.lattice();
-    const Vec3 p = point(v);
-    const Vec3 free = p + m_mesh.freedom(v) * (place - p);
-    if (!lattice.contains(free))
-        return; // along the surface, but past the wall of the volume
-    const Vec3f target = m_edit.kept(v, lattice.snap(free));
-    if (staysSound(v, noSlot, target.cast<double>(), {relaxedAngleSine, m_minimum2}))
-        m_edit.move(v, target);
-}
-
-// --- what remesh.h offers
 
 Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
 {
@@ -172,39 +98,34 @@ RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)
 RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> candidates, const Sphere& ball,
                     const EdgeBounds& bounds)
 {
-    Remesher remesher(edit, region, bounds);
-    remesher.refine(candidates, ball);
-    return remesher.counts;
+    RemeshPass pass(edit, region, bounds);
+    EdgeSplit(pass).refine(candidates, ball);
+    return pass.counts;
 }
 
 RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
 {
-    Remesher remesher(edit, region, bounds);
-    remesher.collapseShortEdges(remesher.splitLongEdges());
-    remesher.flipEdges();
-    remesher.relax([&](Slot v) { return relaxedPlace(edit.mesh(), bounds, v); });
-    return remesher.counts;
+    RemeshPass pass(edit, region, bounds);
+    return optimise(pass, false, [&](Slot v) { return relaxedPlace(edit.mesh(), bounds, v); });
 }
 
 RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBounds& bounds,
                                   const std::function<Vec3(Slot)>& place)
 {
-    Remesher remesher(edit, region, bounds, true);
-    remesher.collapseShortEdges(remesher.splitLongEdges());
-    remesher.flipEdges();
-    remesher.relax(place);
-    return remesher.counts;
+    RemeshPass pass(edit, region, bounds);
+    return optimise(pass, true, place);
 }
 
 void moveSoundly(MeshEditor& edit, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place)
 {
-    Remesher(edit, region, bounds).moveTo(place);
+    RemeshPass pass(edit, region, bounds);
+    region.forEach([&](Slot v) { moveVertex(pass, v, place(v)); });
 }
 
 RemeshCounts splitLongEdges(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
 {
-    Remesher remesher(edit, region, bounds);
-    remesher.splitLongEdges();
-    return remesher.counts;
+    RemeshPass pass(edit, region, bounds);
+    EdgeSplit(pass).splitLongEdges();
+    return pass.counts;
 }
 } // namespace core

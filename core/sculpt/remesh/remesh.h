@@ -21,32 +21,32 @@ struct RemeshCounts
     RemeshCounts& operator+=(const RemeshCounts& more);
 };
 
-/// Where the mesh is coarser than the brush: splits the longest edge of each face that meets the ball, until none there
-/// is longer than d_detail. New vertices within the ball join the region. `candidates`: at least the faces that meet
-/// the ball. With a mirror, faces that reach across its plane are first parted there; then only those of the half are
-/// looked at.
+/// Refines a mesh that is coarser than the brush: splits the longest edge of each face that meets the ball, until none
+/// there is longer than d_detail. New vertices within the ball join the region. `candidates`: at least the faces that
+/// meet the ball. With a mirror, faces that reach across its plane are first split there; then only those of the half
+/// are looked at.
 RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> candidates, const Sphere& ball,
                     const EdgeBounds& bounds);
 
 /// Makes the edges with both ends in the region quasi-uniform (paper, section 3.2): splits those longer than d_detail,
-/// until none is (but for refused splits, and the cap), collapses those shorter than d, flips those whose opposite
+/// until none is (except for refused splits, and the cap), collapses those shorter than d, flips those whose opposite
 /// angles exceed 180 degrees together, and relaxes vertices around the changes along the surface. Each operation is
-/// legal by itself: closed and manifold, no face turned over or made degenerate. Whether distant faces meet is not its
-/// question. O(region).
+/// legal by itself: closed and manifold, no face turned over or made degenerate. It does not ask whether distant
+/// faces meet. Cost: O(region).
 RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds);
-/// The same for a surface that is to stay as it is: creases and corners outlive collapses, a thin wall keeps both sides
-/// of its rim, whose edges may then stay shorter than d; relaxing takes vertices to `place(v)`.
+/// As optimise(), for a surface that is to keep its shape: creases and corners outlive collapses, and a thin wall keeps
+/// both sides of its rim, whose edges may then stay shorter than d. Relaxes vertices to `place(v)`.
 RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBounds& bounds,
                                   const std::function<Vec3(Slot)>& place);
 
 /// Moves the region's vertices, in the order in which they joined, to `place(v)` where their faces stay sound by that:
 /// as optimise() relaxes those around its changes. O(region).
 void moveSoundly(MeshEditor& edit, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place);
-/// Half way towards the mean of the neighbours, along the surface, by d/2 at most.
+/// Returns a place half way towards the mean of the neighbours, along the surface, at most d/2 away.
 Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
-/// The same, but for vertices on an edge sharper than 40 degrees, which stay where they are.
+/// As relaxedPlace(), except that a vertex on an edge sharper than 40 degrees stays where it is.
 Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
 
-/// Only the splitting: restores the d_detail tight property after vertices moved.
+/// Only splits: restores the d_detail tight property after vertices moved.
 RemeshCounts splitLongEdges(MeshEditor& edit, Region& region, const EdgeBounds& bounds);
 } // namespace core

@@ -1,6 +1,4 @@
-// Step 3 of remesh.cpp: edges are flipped by Delaunay's criterion.
-
-#include "core/sculpt/remesh/remesher.h"
+#include "core/sculpt/remesh/edge_flip.h"
 
 #include <algorithm>
 
@@ -14,11 +12,11 @@ constexpr int flipPasses = 4;
 } // namespace
 
 /// Delaunay's criterion, cot(alpha) + cot(beta) < 0, on faces that lie nearly in one plane before and after.
-bool Remesher::shouldFlip(Slot e) const
+bool EdgeFlip::shouldFlip(Slot e) const
 {
     const Slot h = 2 * e;
-    const Vec3 a = point(m_mesh.from(h)), b = point(m_mesh.to(h));
-    const Vec3 c = point(m_mesh.to(m_mesh.next(h))), d = point(m_mesh.to(m_mesh.next(h ^ 1)));
+    const Vec3 a = m_pass.point(m_mesh.from(h)), b = m_pass.point(m_mesh.to(h));
+    const Vec3 c = m_pass.point(m_mesh.to(m_mesh.next(h))), d = m_pass.point(m_mesh.to(m_mesh.next(h ^ 1)));
     const double dot0 = (a - c).dot(b - c), dot1 = (a - d).dot(b - d);
     if (dot0 >= 0 && dot1 >= 0)
         return false; // neither angle is obtuse
@@ -31,31 +29,31 @@ bool Remesher::shouldFlip(Slot e) const
         return false;
     const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
     const double min = flatCosine * area0, length2 = (c - d).squaredNorm();
-    return m0.dot(n0) > min * m0.norm() && m1.dot(n0) > min * m1.norm() && length2 >= m_minimum2 &&
-           length2 <= m_detail2 && m_mesh.isFlipOk(e);
+    return m0.dot(n0) > min * m0.norm() && m1.dot(n0) > min * m1.norm() && !m_pass.isTooShort(length2) &&
+           !m_pass.isTooLong(length2) && m_mesh.isFlipOk(e);
 }
 
-void Remesher::flipEdges()
+void EdgeFlip::flipEdges()
 {
-    std::vector<RemeshEdge> edges = regionEdges([&](double, Slot e) { return shouldFlip(e); });
+    std::vector<RemeshEdge> edges = m_pass.edges([&](double, Slot e) { return shouldFlip(e); });
     for (int pass = 0; pass < flipPasses && !edges.empty(); ++pass)
         edges = flip(std::move(edges));
 }
 
 /// Returns those that should be flipped next: only around a flip can an edge have changed its mind.
-std::vector<RemeshEdge> Remesher::flip(std::vector<RemeshEdge> edges)
+std::vector<RemeshEdge> EdgeFlip::flip(std::vector<RemeshEdge> edges)
 {
     std::ranges::sort(
         edges, [](const RemeshEdge& a, const RemeshEdge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
-    SlotSet& around = m_region.scratch();
+    SlotSet& around = m_pass.region().scratch();
     around.clear();
     for (const RemeshEdge& e : edges) {
-        if (!shouldFlip(e.edge) || !mayGoOn() || !m_edit.flip(e.edge))
+        if (!shouldFlip(e.edge) || !m_pass.mayGoOn() || !m_pass.edit().flip(e.edge))
             continue;
-        ++counts.flips;
+        ++m_pass.counts.flips;
         for (Slot h : {2 * e.edge, 2 * e.edge + 1}) {
             for (Slot v : {m_mesh.to(h), m_mesh.to(m_mesh.next(h))}) {
-                m_changed.add(v);
+                m_pass.changed().add(v);
                 around.add(v);
             }
         }
@@ -64,8 +62,9 @@ std::vector<RemeshEdge> Remesher::flip(std::vector<RemeshEdge> edges)
     for (Slot v : around.slots()) {
         m_mesh.forEachOutgoing(v, [&](Slot h) {
             for (Slot e : {h / 2, m_mesh.next(h) / 2}) { // of all faces around v
-                if (m_region.contains(m_mesh.to(2 * e)) && m_region.contains(m_mesh.to(2 * e + 1)) && shouldFlip(e))
-                    next.push_back(edgeAt(e));
+                if (m_pass.region().contains(m_mesh.to(2 * e)) && m_pass.region().contains(m_mesh.to(2 * e + 1)) &&
+                    shouldFlip(e))
+                    next.push_back(m_pass.edgeAt(e));
             }
         });
     }
