@@ -1,6 +1,6 @@
 // A dab in several sectors about the Y axis. Sectors that lie to each other by quarter or half turns are an orbit. Its
 // first dab is done as any other, and then
-//   copied     to the other sectors: its patch is exchanged there for the turned copy, bit for bit      patch_copy
+//   copied     to the other sectors: its patch is exchanged there for the turned copy, bit for bit      copy/patch_copy
 //   or redone  where that cannot be: the surface is not its own image there, or the patches meet
 // Orbits are done one after the other. Each sector has grabs of its own.                                sector_grabs
 

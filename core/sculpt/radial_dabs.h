@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/sculpt/copy/patch_copy.h"
 #include "core/sculpt/mirrored_dab.h"
-#include "core/sculpt/patch_copy.h"
 #include "core/sculpt/sector_grabs.h"
 
 namespace core

@@ -1,6 +1,6 @@
 #include "core/sculpt/sector_grabs.h"
 
-#include "core/sculpt/patch_copy.h"
+#include "core/sculpt/copy/patch_match.h"
 
 #include <utility>
 
