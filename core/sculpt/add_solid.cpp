@@ -23,7 +23,7 @@ double clearanceOf(const Sphere& ball)
     return clearPerDetail * edgeBounds(ball.radius, 1).detail;
 }
 
-/// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
+/// Decides by ray parity, as the paper does, and by distance: a large triangle may be near though no vertex is.
 Refusal refusalOf(const VerifiedMesh& surface, const Sphere& ball)
 {
     const Mesh& mesh = surface.mesh();
@@ -52,7 +52,7 @@ void reverseOrientation(TriangleMesh& shell)
         std::swap(t[1], t[2]);
 }
 
-/// The sphere or the model where the dab wants it, not snapped.
+/// Returns the solid's faces, and in `places` its points where the dab wants them, not snapped.
 TriangleMesh solidAt(const Dab& dab, const BrushModel* model, std::vector<Vec3>& places)
 {
     TriangleMesh solid = model ? model->surface() : icosphere(sphereSubdivisions, dab.radius);

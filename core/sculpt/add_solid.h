@@ -13,12 +13,12 @@ class BrushModel;
 /// selects.
 bool wantsSolid(const VerifiedMesh& surface, const StrokeSettings& settings, const Dab& dab, const Region& region);
 
-/// Why spheres of that radius may not be added at these places together, if so; what stands there twice is one.
+/// Returns why spheres of that radius may not be added at these places together, if so. Equal places count once.
 Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers, double radius);
 
-/// Free topology (paper, section 3.5.1): adds a sphere of the dab's radius, or the brush's model in it, upright, if
-/// that sphere lies outside the surface, clear of it and inside the working volume. With a mirror (or none: null) its
-/// image is added too, or neither is; one whose centre is on the plane is its own image, or a model is taken for that,
-/// another must be clear of its image. A refused one changes nothing. Precondition: a stroke is open.
+/// Adds a sphere of the dab's radius, or the brush's model in it, upright (free topology: paper, section 3.5.1). The
+/// sphere must lie outside the surface, clear of it, and inside the working volume; a solid that is refused changes
+/// nothing. `mirror`: null, or one in which the image is added, too, or neither is. A solid whose centre is on the
+/// mirror's plane counts as its own image, another must be clear of its image. Precondition: a stroke is open.
 DabReport addSolid(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror);
 } // namespace core

@@ -25,7 +25,7 @@ private:
     double m_spent = 0;
 };
 
-/// What a stroke hands to each of its dabs, and what all images of the dab share.
+/// A dab as the stroke hands it down: shared by all images of the dab.
 struct DabRequest
 {
     const StrokeSettings& settings;
@@ -64,7 +64,7 @@ struct DabContext
     bool canFuse = false; ///< surfaces face each other under the brush and will meet, or something stopped the motion
     MotionLimits limits{};
     unsigned fallbackSteps = 0;        ///< done within these limits
-    std::vector<Slot> badVertices{};   ///< of the faces at which the last direct step failed
+    std::vector<Slot> badVertices{};   ///< corners of the faces at which the last direct step failed
     std::vector<VertexPair> blocked{}; ///< edges that the last optimisation could not collapse
     bool isCapped = false;             ///< a cap on operations or steps was reached: the dab ends there
     DabReport report{};

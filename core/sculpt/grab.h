@@ -7,7 +7,7 @@
 
 namespace core
 {
-/// What a stroke's first dab has grabbed, besides the vertices.
+/// The state of a grab, besides its vertices.
 struct GrabState
 {
     bool isOn = false;
@@ -16,7 +16,7 @@ struct GrabState
     double detail = 0;          ///< d_detail that keeps it as fine as it was then, in mm
     std::size_t known = 0;      ///< removed vertices of the mesh that are no longer in the region, by their count
     Vec3 way = Vec3::Zero();    ///< motion of the last dab: if the next one goes the same way, `limits` still hold
-    MotionLimits limits{};      ///< of the last dab
+    MotionLimits limits{};      ///< left by the last dab
     unsigned fallbackSteps = 0; ///< done within these limits
 };
 
@@ -62,6 +62,6 @@ struct GrabPair
     }
 
     Grab own;
-    Grab image; ///< of the dab's mirror image
+    Grab image; ///< grab of the dab's mirror image
 };
 } // namespace core

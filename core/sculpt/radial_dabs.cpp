@@ -12,13 +12,13 @@
 
 namespace core
 {
-/// What the dabs of an orbit share. Its sectors are `first`, and each `step` on.
+/// The dabs of an orbit, and what they share. Its sectors are `first`, and each `step` on.
 struct RadialDabs::Orbit
 {
     DabRequest& request;
     SectorGrabs& grabs;
-    std::span<const Dab> dabs;     ///< of all sectors
-    std::span<const Dab> previous; ///< of the orbits before
+    std::span<const Dab> dabs;     ///< dabs of all sectors
+    std::span<const Dab> previous; ///< dabs of the orbits before
     std::size_t first, step;
     bool addsSolids;
 

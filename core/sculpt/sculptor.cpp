@@ -17,7 +17,7 @@ bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 }
 } // namespace
 
-/// The mesh, the state of its stroke, and those who do a dab.
+/// The surface, the stages of a dab, and the state of the open stroke.
 class Sculptor::Engine
 {
 public:
@@ -41,7 +41,7 @@ public:
     std::optional<StrokeAnchor> anchor;
     SectorGrabs grabs{surface};
     LayerHeights heights;
-    std::optional<EdgeBounds> lastBounds; ///< of the last dab, if it remeshes
+    std::optional<EdgeBounds> lastBounds; ///< edge lengths of the last dab, if it remeshes
 
 private:
     void warmUp();
@@ -58,7 +58,7 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
     heights.clear();
 }
 
-/// Where a dab's centre comes from (`place`, DESIGN section 4).
+/// Returns a dab's centre as the stroke places it (StrokeSettings::place); nothing where a ray misses.
 std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
 {
     if (anchor->isSet())
@@ -85,6 +85,7 @@ DabReport Sculptor::Engine::apply(Dab dab)
     return report;
 }
 
+/// Routes the dab. A pipeline adds solids, paints, or deforms, by what is under the brush.
 DabReport Sculptor::Engine::sculpt(const Dab& dab)
 {
     lastBounds.reset();
@@ -108,7 +109,7 @@ DabReport Sculptor::Engine::sculpt(const Dab& dab)
     return report;
 }
 
-/// The dab of a drag tool that has not moved: it selects, and moves nothing.
+/// Selects, and moves nothing: a drag tool has not moved since the dab before.
 DabReport Sculptor::Engine::rest(DabRequest& request, const Dab& dab)
 {
     DabContext context(surface, request, dab, grabs.first().own);
@@ -119,7 +120,7 @@ DabReport Sculptor::Engine::rest(DabRequest& request, const Dab& dab)
     return context.report;
 }
 
-/// With a dab of the usual size at the last vertex: the memory that has room for it has room for all.
+/// Warms the pipeline up with a dab at the last vertex: memory that has room for it has room for all.
 void Sculptor::Engine::warmUp()
 {
     const Mesh& mesh = surface.mesh();
@@ -194,7 +195,7 @@ void Sculptor::swap(MeshDelta& delta)
 {
     m_mesh->swap(delta);
     m_engine->surface.follow(delta);
-    m_engine->lastBounds.reset(); // what the last dab selected may be no more
+    m_engine->lastBounds.reset(); // the last selection may be gone
 }
 
 std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const

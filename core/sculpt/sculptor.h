@@ -13,9 +13,9 @@
 
 namespace core
 {
-/// Sculpts one mesh. Not thread-safe: lives on the mesh thread. After every dab the mesh is closed, manifold,
-/// consistently oriented, free of self-intersections and bounds a solid, if it was before; a dab that would break this
-/// ends early.
+/// Sculpts one mesh. After every dab the mesh is closed, manifold, consistently oriented, free of self-intersections
+/// and bounds a solid, if it was before. A dab that would break this ends early. Thread: the mesh thread; not
+/// thread-safe.
 class Sculptor
 {
 public:
@@ -25,17 +25,17 @@ public:
 
     const Mesh& mesh() const { return *m_mesh; }
 
-    /// On from the start. Off only to learn what verification costs: then the promise is not kept.
+    /// Verification is on from the start. Switched off to measure its cost; the promise is not kept then.
     void setVerification(bool on);
-    /// Called between sub-steps, on the thread that called addSample; the mesh is valid then and may be read.
+    /// The hook is called between sub-steps. The mesh is valid then and may be read. Thread: that of addSample().
     void setBetweenSubsteps(std::function<void()> hook);
-    /// Called after each dab, on the same thread, outside the times that the report tells.
+    /// The hook is called after each dab, outside the times of the report. Thread: that of addSample().
     void setAfterDab(std::function<void(const DabReport&)> hook);
 
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
-    /// Places the dabs that the path up to this sample holds, and applies them. A sample that is not usable (isUsable)
-    /// is one empty dab, and no part of the path.
+    /// Places the dabs of the path up to this sample, and applies them. Returns their reports. A sample that is not
+    /// usable (isUsable) counts as one empty dab, and is no part of the path.
     std::vector<DabReport> addSample(const StrokeSample& sample);
     /// Closes the stroke. The delta is already applied; it is empty if nothing changed.
     MeshDelta endStroke();
@@ -43,27 +43,28 @@ public:
     /// Applies a delta backwards, or forwards again: swaps its images with the mesh's. Cost: the delta's elements.
     void swap(MeshDelta& delta);
 
-    /// First hit from outside, or nothing. Cost: O(faces near the ray).
+    /// Returns the first hit from outside, or nothing. Cost: O(faces near the ray).
     std::optional<SurfaceHit> hit(const Ray& ray) const;
-    /// The surface's nearest point, if it is no farther than that. Cost: O(faces in the ball of that radius).
+    /// Returns the surface's nearest point, if it is no farther than `within`, in mm. Cost: O(faces in that ball).
     std::optional<SurfaceHit> nearest(const Vec3& point, double within) const;
 
-    /// What the next dab with these settings selects on the mesh as it is, if its centre is there; of the ray brush
+    /// Returns what a dab with these settings and this centre would select on the mesh as it is. A ray brush selects
     /// nothing where it would be more than Footprint::maxSlots on a side. May be called between sub-steps. Cost: the
     /// selection.
     Footprint footprint(const StrokeSettings& settings, const Vec3& center);
 
-    /// What changed since the last call.
+    /// Returns what has changed since the last call.
     MeshPatch takePatch();
-    /// Everything, for a viewer that comes late. Does not change what takePatch returns next.
+    /// Returns everything, for a viewer that comes late. Does not change what takePatch() returns next.
     MeshPatch wholePatch() const;
 
-    /// Of what the last dab selected, as the mesh is now; nothing if that dab remeshes nothing. Cost: O(selection).
+    /// Returns the quality of the last dab's selection on the mesh as it is now; nothing if that dab remeshes nothing.
+    /// Cost: O(selection).
     std::optional<SelectionQuality> selectionQuality() const;
 
     SculptorTotals totals() const;
 
-    /// For tests: the octree against the mesh.
+    /// Compares the octree with the mesh, for tests.
     bool indexIsConsistent() const;
 
 private:

@@ -17,7 +17,7 @@ struct GrabSnapshot
     GrabState own{}, image{};
     std::vector<Point> ownPoints{};
     std::vector<Point> imagePoints{}; ///< none where a half stands for both sides of the mirror
-    Dab dab{};                        ///< that grabbed it
+    Dab dab{};                        ///< the dab before which the snapshot was taken
 };
 
 /// The grabs of a stroke, by sector; one that is not radial has one sector.
@@ -38,7 +38,7 @@ public:
     /// Drops the vertices that dabs have removed from the grabs of all sectors.
     void dropRemoved();
 
-    /// What these grabs of the dab hold now.
+    /// Returns a snapshot of these grabs, before the dab.
     GrabSnapshot snapshot(const GrabPair& grabs, const Dab& dab, Symmetry symmetry) const;
     /// Gives the sector grabs of its own for the rest of the stroke, if it has none: those of the snapshot, turned.
     void separate(std::size_t sector, const GrabSnapshot& snapshot, const Turn& turn, Symmetry symmetry);

@@ -9,10 +9,10 @@ namespace core
 struct SelectionQuality
 {
     double longestEdge = 0;       ///< in d_detail; d_detail-tight: at most 1
-    double conformingShare = 0;   ///< of the edges, those at least d long
-    double smallestAngleSine = 0; ///< of the smallest angle of each face, the 1st percentile
+    double conformingShare = 0;   ///< share of the edges that are at least d long
+    double smallestAngleSine = 0; ///< 1st percentile over the faces, of the sine of a face's smallest angle
 };
 
-/// Nothing if no face is selected. Cost: O(selection log selection).
+/// Returns nothing if no face is selected. Cost: O(selection log selection).
 std::optional<SelectionQuality> selectionQuality(const Mesh& mesh, const Region& region, const EdgeBounds& bounds);
 } // namespace core

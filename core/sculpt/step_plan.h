@@ -34,7 +34,7 @@ public:
     void takeSingleSteps();
     /// Counts a retry of this sub-step. False if it, or the dab, has had too many.
     bool mayRetry() { return ++m_retries <= maxRetriesPerStep && ++m_totalRetries <= maxRetriesPerDab; }
-    unsigned retries() const { return m_retries; } ///< of this sub-step
+    unsigned retries() const { return m_retries; } ///< retries of this sub-step
 
 private:
     static constexpr unsigned ticksPerStep = 8;
@@ -42,8 +42,8 @@ private:
                               maxRetriesPerDab = 12; ///< then the fallback step limits the motion
 
     double m_steps = 0;
-    unsigned m_maxTicks = ticksPerStep; ///< of a transaction
-    unsigned m_ticks = ticksPerStep;    ///< of the next transaction
+    unsigned m_maxTicks = ticksPerStep; ///< ticks of a transaction at most
+    unsigned m_ticks = ticksPerStep;    ///< ticks of the next transaction
     unsigned m_ticksLeft = 0;
     unsigned m_retries = 0;
     unsigned m_totalRetries = 0;

@@ -6,8 +6,8 @@
 
 namespace core
 {
-/// What a dab has changed, and the surface around it as it was before: read from the mesh's journal. Not thread-safe:
-/// remembers a dab.
+/// The change that a dab has made, and the surface around it as it was before: read from the mesh's journal. Not
+/// thread-safe: remembers a dab.
 class ChangedPatch
 {
 public:

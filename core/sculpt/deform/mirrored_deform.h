@@ -6,18 +6,19 @@
 
 namespace core
 {
-/// Leaves those vertices in the region that lie in the mirror's half, its plane included.
+/// Removes the vertices from the region that do not lie in the mirror's half, its plane included.
 void keepHalf(Region& region, const MirrorMap& mirror);
 
-/// What a spherical brush selects on both sides of the plane: of a half selected by the ball, and its images.
+/// Selects what a spherical brush selects on both sides of the plane: the half, and those of its images that lie in the
+/// ball.
 void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mesh& mesh, const Sphere& ball);
 
-/// The same of a grabbed half: an image belongs to it if what its vertex carries, the image's distance, is within the
+/// As selectWhole(), for a grabbed half: an image is selected if its distance, which its vertex carries, is within the
 /// radius.
 void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, double radius);
 
-/// Plans the deformation of a half that stands for both. The dab and its image are two dabs of one moment, d1 and d2
-/// with the weights w1 and w2; where they overlap they are one field,
+/// Plans the deformation of a half that stands for both sides. The dab and its image are two dabs of one moment, d1 and
+/// d2 with the weights w1 and w2; where they overlap they are one field,
 ///   D = (w1 d1 + w2 d2) / max(1, w1 + w2)
 /// so that on the plane nothing moves off it. `whole`: the selection of the dab alone, on both sides of the plane;
 /// every vertex of the half belongs to it. Its plans are overwritten. Returns the longest displacement planned.

@@ -6,13 +6,13 @@
 
 namespace core
 {
-/// How far each vertex of a region may go: the share of its plan that it may do before it would touch something. Limits
-/// persist across the sub-steps of a dab.
+/// Limits on the motion of a region's vertices: the share of its plan that a vertex may do before it would touch
+/// something. Limits persist across the sub-steps of a dab.
 class MotionLimits
 {
 public:
     void clear() { m_share.clear(); }
-    /// Whether anything has been asked of it in this dab.
+    /// Whether there are limits.
     bool inUse() const { return !m_share.empty(); }
 
     /// Precondition: extend() since v joined the region, if in use.
@@ -22,13 +22,13 @@ public:
         return m_share.empty() ? 1 : m_share[region.position(v)];
     }
 
-    /// Vertices that joined the region since are limited as their neighbours are.
+    /// Limits vertices that have joined the region since as their neighbours are limited.
     void extend(const Region& region, const Mesh& mesh);
     /// Tightens the limits of the region's vertices at the bad faces and in `rings` > 0 rings around them: 1 -> 1/4 ->
     /// 0. Returns those whose limit changed.
     std::vector<Slot> tighten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings);
 
 private:
-    std::vector<double> m_share; ///< by position in the region; empty: all of it
+    std::vector<double> m_share; ///< by position in the region; empty: no limits
 };
 } // namespace core

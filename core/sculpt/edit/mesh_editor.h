@@ -17,9 +17,8 @@ using TryOperation = std::function<bool(const std::function<void()>& operation)>
 class MeshEditor
 {
 public:
-    /// `tryOperation`: none if operations are not verified. `mirror`: none, or one that is on. `frozen`: none, or
-    /// vertices that have to stay as they are, and the shape of the faces around them, too: nothing moves, collapses or
-    /// flips there.
+    /// `tryOperation`: empty if operations are not verified. `mirror`: null, or on. `frozen`: null, or vertices at
+    /// which nothing moves, collapses or flips, so that the faces around them keep their shape, too.
     explicit MeshEditor(Mesh& mesh, TryOperation tryOperation = {}, MirrorMap* mirror = nullptr,
                         const SlotSet* frozen = nullptr)
         : m_mesh(mesh)
@@ -31,9 +30,9 @@ public:
     const Mesh& mesh() const { return m_mesh; }
     MirrorMap* mirror() { return m_mirror; }
 
-    /// Without a mirror every face; with one those of the half.
+    /// Whether the editor may be asked to change the face: any without a mirror, one of the half with it.
     bool names(Slot f) const { return !m_mirror || m_mirror->isInHalf(m_mesh.corners(f)); }
-    /// Where p, on the lattice, is allowed for v.
+    /// Returns the place nearest to p, on the lattice, that v may have.
     Vec3f kept(Slot v, const Vec3f& p) const
     {
         if (m_mesh.freedom(v) == 0)
@@ -41,19 +40,20 @@ public:
         return m_mirror ? m_mirror->kept(p, m_mirror->isOnPlane(v)) : p;
     }
 
-    /// Puts a vertex into the middle of an edge. Returns it, or noSlot if it was taken back.
+    /// Puts a vertex into the middle of an edge. Returns it, or noSlot if it was rolled back.
     Slot split(Slot e);
 
-    /// Of the edge, on the lattice.
+    /// Returns the middle of the edge, on the lattice.
     Vec3f middle(Slot e) const;
-    /// The half-edge whose start is to be merged into its end: with just one end on the mirror's plane that is the end.
+    /// Returns the half-edge whose start is to be merged into its end. If just one end is on the mirror's plane, it
+    /// stays.
     Slot collapsing(Slot e) const;
     /// Merges from(h) into to(h), which moves to p. Preconditions: h is collapsing(), Mesh::isCollapseOk(h), p is
-    /// kept(to(h), p). False if it was refused or taken back.
+    /// kept(to(h), p). False if it was refused or rolled back.
     bool collapse(Slot h, const Vec3f& p);
-    /// Precondition: Mesh::isFlipOk. False if it was refused or taken back.
+    /// Precondition: Mesh::isFlipOk. False if it was refused or rolled back.
     bool flip(Slot e);
-    /// Precondition: p is kept(v, p). False if it was refused or taken back.
+    /// Precondition: p is kept(v, p). False if it was refused or rolled back.
     bool move(Slot v, const Vec3f& p);
 
 private:

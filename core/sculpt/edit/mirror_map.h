@@ -7,9 +7,9 @@
 
 namespace core
 {
-/// Each vertex's mirror image of a surface about x, y or z = 0. Which vertex is the image of which is a question of
-/// geometry alone: the negative of a lattice coordinate is exact, and no two vertices of a sound mesh share a point. So
-/// nothing of it is stored in the mesh, and undo knows nothing of it. Not thread-safe: remembers what it found.
+/// Finds the mirror image of each vertex of a surface about x, y or z = 0. Geometry alone decides which vertex is the
+/// image of which: the negative of a lattice coordinate is exact, and no two vertices of a sound mesh share a point. So
+/// the mesh stores nothing of it, and undo knows nothing of it. Not thread-safe: remembers what it found.
 class MirrorMap
 {
 public:
@@ -25,28 +25,28 @@ public:
         p[m_axis] = 0 - p[m_axis]; // never -0
         return p;
     }
-    /// The one of a point and its image whose coordinate is not negative.
+    /// Returns the point or its image, whichever has a coordinate that is not negative.
     template <class Vector> Vector folded(const Vector& p) const { return p[m_axis] < 0 ? imageOf(p) : p; }
 
-    /// Turning the other way, and seen in a mirror.
+    /// Returns the dab as seen in the mirror: it turns the other way, too.
     Dab imageOf(Dab dab) const;
 
-    /// Signed distance from the plane.
+    /// Returns the signed distance from the plane, in mm.
     float height(const Vec3f& p) const { return p[m_axis]; }
     float height(Slot v) const { return height(m_mesh.point(v)); }
     bool isOnPlane(Slot v) const { return height(v) == 0; }
     bool isInHalf(Slot v) const { return height(v) >= 0; }
-    /// The ends of the edge are each other's image.
+    /// Whether the ends of the edge are each other's image.
     bool isAcross(Slot e) const;
     bool isInHalf(const Triangle& corners) const;
 
-    /// The vertex whose point is the image of v's, or noSlot: v itself on the plane. Found if it was learnt, or shares
-    /// a neighbour's image.
+    /// Returns the vertex whose point is the image of v's; v itself on the plane. It is found if it was learnt, or is
+    /// next to a neighbour's image; else noSlot.
     Slot imageOf(Slot v);
-    /// The half-edge that runs from the image of h's start to that of its end, or noSlot. On the plane h, across it
-    /// h^1.
+    /// Returns the half-edge that runs from the image of h's start to that of its end, or noSlot: h itself on the
+    /// plane, h^1 across it.
     Slot imageOfHalfedge(Slot h);
-    /// Or noSlot.
+    /// Returns noSlot if it has none.
     Slot imageOfFace(Slot f);
     void pair(Slot v, Slot image);
 
@@ -54,8 +54,8 @@ public:
     /// their corners. Precondition: the octree is up to date. Cost: the faces.
     bool learn(std::span<const Slot> faces, const FaceOctree& octree);
 
-    /// Where p is allowed: a vertex on the plane stays on it, another stays at least one lattice unit off it, on its
-    /// side.
+    /// Returns the place nearest to p that is allowed: a vertex on the plane stays on it, another stays at least one
+    /// lattice unit off it, on its side.
     Vec3f kept(Vec3f p, bool onPlane) const;
 
 private:

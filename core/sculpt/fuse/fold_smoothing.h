@@ -11,7 +11,7 @@ namespace core
 class FoldSmoothing
 {
 public:
-    /// Forgets what was taken back: a new dab begins.
+    /// Forgets the motion that was taken back: a new dab begins.
     void clear();
 
     /// Moves the region's vertices at and around the given ones half way to the mean of their neighbours, as a
@@ -20,8 +20,8 @@ public:
     bool smooth(VerifiedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices,
                 bool mayTakeBack);
 
-    /// Of the longest displacement planned, the share that is left when this share of the plan has been done. O(1) if
-    /// nothing was smoothed, else O(region).
+    /// Returns the share of the longest displacement planned that is left when the share `done` of the plan has been
+    /// done. Cost: O(1) if nothing was smoothed, else O(region).
     double shareLeft(const Region& region, double done) const;
 
 private:

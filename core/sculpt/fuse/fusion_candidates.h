@@ -6,7 +6,7 @@
 
 namespace core
 {
-/// What a sub-step tells fusion about the motion that is to come.
+/// The motion that is to come, as fusion needs to know it.
 struct FusionInput
 {
     bool pushes = false; ///< a wall whose two sides meet gets a hole

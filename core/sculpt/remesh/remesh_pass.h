@@ -16,7 +16,7 @@ struct RemeshEdge
 bool isShorter(const RemeshEdge& a, const RemeshEdge& b);
 bool isLonger(const RemeshEdge& a, const RemeshEdge& b);
 
-/// What a step may do to a face, unless it was worse before.
+/// Limits on what a step may do to a face, unless it was worse before.
 struct FaceLimits
 {
     double angleSine;
@@ -24,7 +24,8 @@ struct FaceLimits
     double keptSliver2 = 1; ///< share of a smaller angle's squared sine that must be left
 };
 
-/// What the steps of one remeshing share: the region and its bounds, the operations that are left, and what was done.
+/// The state that the steps of one remeshing share: the region and its bounds, the operations that are left, and what
+/// was done.
 class RemeshPass
 {
 public:

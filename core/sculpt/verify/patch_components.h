@@ -35,7 +35,7 @@ private:
     std::vector<Slot> m_component; ///< by place
     std::vector<Component> m_components;
     Slot m_dirtyComponents = 0;           ///< the first ones, which hold dirty faces
-    std::vector<PatchFace> m_patch;       ///< of the component that is being added
+    std::vector<PatchFace> m_patch;       ///< faces of the component that is being added
     std::vector<BoundaryEdge> m_boundary; ///< likewise
     std::vector<Slot> m_front;            ///< places whose neighbours are still to be visited
 };

@@ -22,22 +22,22 @@ public:
     /// See Sculptor::setVerification.
     void setVerification(bool on) { m_verification = on; }
 
-    /// Verifies what changed since the mark: true commits it, false leaves it to be rolled back, and badFaces() tells
-    /// why.
+    /// Verifies what changed since the mark, and commits it if it is sound. Otherwise it is left to be rolled back, and
+    /// badFaces() tells why.
     bool verify(const Mesh::Mark& mark);
-    /// After a change that verify() found fault with: whether it may be sound now that these vertices go less far
-    /// (Verifier::recheck). It is still to be verified. If not, badFaces() tells why.
+    /// Whether a change in which verify() found a fault may be sound now that these vertices have moved less far
+    /// (Verifier::recheck). It is still to be verified. If it is not, badFaces() tells why.
     bool recheck(std::span<const Slot> vertices);
     /// Verifies once without effect, so that the first verification that counts is fast.
     void warmUp(const Mesh::Mark& mark) { m_verifier.verify(m_mesh, m_octree, m_mesh.touchedSince(mark)); }
-    /// Runs the operation, and takes it back unless it is sound.
+    /// Runs the operation, and rolls it back unless the result is sound.
     bool tryOperation(const std::function<void()>& operation);
-    /// By the last verify(), which costs some microsecond for each where the surface is crumpled.
+    /// Returns the faces that the last verify() looked at: some microseconds each where the surface is crumpled.
     Slot facesVisited() const { return m_verifier.facesVisited(); }
-    /// Of the last verify() or recheck() that found fault.
+    /// Returns the faces in which the last verify() or recheck() found a fault.
     const std::vector<Slot>& badFaces() const { return m_badFaces; }
 
-    /// Commits what moved nothing, as painting does.
+    /// Commits a change that moved nothing, as painting does.
     void commitUnverified(const Mesh::Mark& mark);
     /// Follows Mesh::swap.
     void follow(const MeshDelta& swapped);

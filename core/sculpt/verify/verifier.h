@@ -7,7 +7,7 @@
 
 namespace core
 {
-/// What was needed to prove a change sound, besides tests of pairs of different patches: a certificate of each patch
+/// The means that proved a change sound, besides tests of pairs of different patches: a certificate of each patch
 /// that changed, certificates of all stars of one and tests of its disjoint pairs, or tests of neighbouring pairs too.
 enum class VerifyTier { Patch, Stars, Pairs };
 
