@@ -169,9 +169,9 @@ int showWindow(const app::WindowStart& start)
     if (start.entersVr)
         enterVrOnce(document, window);
     if (start.file.isEmpty())
-        document.openSphere();
+        document.opener().openSphere();
     else
-        document.open(start.file);
+        document.opener().open(start.file);
     if (start.file.isEmpty() && !start.entersVr && ui::Settings().showsStartPage())
         window.action(QStringLiteral("help.start"))->trigger();
     return QApplication::exec();
@@ -196,7 +196,7 @@ int showClass(QApplication& application, const app::WindowStart& start)
     app::Document document(&worker);
     ui::MainWindow window;
     app::connectAll(window, document, worker, inbox);
-    document.keepJournals(&recoveryStore);
+    document.journaling().setRecoveryStore(&recoveryStore);
     app::ClassroomMode mode({&window, &document, &recoveryStore}, classroom, paths);
     app::connectClassroom(window, mode);
     if (simulator)

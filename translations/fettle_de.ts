@@ -166,6 +166,17 @@
     </message>
 </context>
 <context>
+    <name>app::ClassWork</name>
+    <message>
+        <source>%1 Until then they are in %2.</source>
+        <translation>%1 Bis dahin sind sie in %2.</translation>
+    </message>
+    <message>
+        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
+        <translation>%1 Die Arbeit ist auf diesem Rechner aufgehoben und kommt dorthin, sobald das möglich ist.</translation>
+    </message>
+</context>
+<context>
     <name>app::ClassroomMode</name>
     <message>
         <source>somebody</source>
@@ -182,14 +193,6 @@
     <message>
         <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
         <translation>%1 Die Arbeit bleibt offen (%2), und nichts davon geht verloren.</translation>
-    </message>
-    <message>
-        <source>%1 Until then they are in %2.</source>
-        <translation>%1 Bis dahin sind sie in %2.</translation>
-    </message>
-    <message>
-        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
-        <translation>%1 Die Arbeit ist auf diesem Rechner aufgehoben und kommt dorthin, sobald das möglich ist.</translation>
     </message>
     <message>
         <source>This ends the class. The work of the present turn is kept.</source>
@@ -402,44 +405,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::Document</name>
     <message>
-        <source>Preparing the clay</source>
-        <translation>Der Ton wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
         <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
         <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
     </message>
     <message>
         <source>Sculpting rests until the model is ready.</source>
         <translation>Das Formen ruht, bis das Modell fertig ist.</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>%1 wird gespeichert</translation>
-    </message>
-    <message>
-        <source>The model that you chose opens as soon as this is done.</source>
-        <translation>Das gewählte Modell wird geöffnet, sobald dies fertig ist.</translation>
-    </message>
-    <message>
-        <source>%1 was not written.</source>
-        <translation>%1 wurde nicht geschrieben.</translation>
-    </message>
-    <message>
-        <source>Recovering %1</source>
-        <translation>%1 wird wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>Making a brush of %1</source>
-        <translation>%1 wird zum Pinsel gemacht</translation>
     </message>
 </context>
 <context>
@@ -466,6 +437,16 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 It can be mended at the window.</source>
         <translation>%1 Im Fenster lässt es sich reparieren.</translation>
     </message>
+</context>
+<context>
+    <name>app::RuntimeProbe</name>
+    <message>
+        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
+        <translation>Das Programm der VR-Brille antwortet nicht. Falls es nicht gerade startet, bitte neu starten.</translation>
+    </message>
+</context>
+<context>
+    <name>app::HeadsetRequests</name>
     <message>
         <source>The model was not restored: other work on it is not done yet.</source>
         <translation>Das Modell wurde nicht zurückgesetzt: Andere Arbeit daran ist noch nicht fertig.</translation>
@@ -497,38 +478,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>The mask was not changed: other work on the model is not done yet.</source>
         <translation>Die Maske wurde nicht geändert: Andere Arbeit am Modell ist noch nicht fertig.</translation>
-    </message>
-    <message>
-        <source>Your partner took back: %1.</source>
-        <translation>Am Fenster rückgängig gemacht: %1.</translation>
-    </message>
-    <message>
-        <source>Your partner did again: %1.</source>
-        <translation>Am Fenster wiederholt: %1.</translation>
-    </message>
-    <message>
-        <source>Your partner chose %1, %2 mm.</source>
-        <extracomment>%1: a tool; %2: a length</extracomment>
-        <translation>Am Fenster gewählt: %1, %2 mm.</translation>
-    </message>
-    <message>
-        <source>Your partner chose a strength of %1 %.</source>
-        <translation>Am Fenster gewählt: Stärke %1 %.</translation>
-    </message>
-    <message>
-        <source>Your partner sculpts now.</source>
-        <translation>Jetzt wird am Fenster geformt.</translation>
-    </message>
-    <message>
-        <source>It is your turn again.</source>
-        <translation>Sie sind wieder an der Reihe.</translation>
-    </message>
-</context>
-<context>
-    <name>app::RuntimeProbe</name>
-    <message>
-        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
-        <translation>Das Programm der VR-Brille antwortet nicht. Falls es nicht gerade startet, bitte neu starten.</translation>
     </message>
 </context>
 <context>
@@ -698,41 +647,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Playing the lesson to its end</source>
         <translation>Die Lektion wird bis zum Ende abgespielt</translation>
-    </message>
-    <message>
-        <source>lesson</source>
-        <translation>Lektion</translation>
-    </message>
-    <message>
-        <source>%1 was not written.</source>
-        <translation>%1 wurde nicht geschrieben.</translation>
-    </message>
-    <message numerus="yes">
-        <source>And %n more.</source>
-        <translation>
-            <numerusform>Und %n weitere Meldung.</numerusform>
-            <numerusform>Und %n weitere Meldungen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Save the lesson</source>
-        <translation>Lektion speichern</translation>
-    </message>
-    <message>
-        <source>Not everything is as the lesson asks for.</source>
-        <translation>Nicht alles ist so, wie die Lektion es verlangt.</translation>
-    </message>
-    <message>
-        <source>Save All the Same</source>
-        <translation>Trotzdem speichern</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>%1 wird gespeichert</translation>
-    </message>
-    <message>
-        <source>%1 was written.</source>
-        <translation>%1 wurde geschrieben.</translation>
     </message>
     <message>
         <source>Unsaved lesson</source>
@@ -976,6 +890,52 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::LessonWriter</name>
+    <message>
+        <source>lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>Und %n weitere Meldung.</numerusform>
+            <numerusform>Und %n weitere Meldungen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>Not everything is as the lesson asks for.</source>
+        <translation>Nicht alles ist so, wie die Lektion es verlangt.</translation>
+    </message>
+    <message>
+        <source>Save All the Same</source>
+        <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Not yet: other work on the model is not done.</source>
+        <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>Playing the lesson to its end</source>
+        <translation>Die Lektion wird bis zum Ende abgespielt</translation>
+    </message>
+</context>
+<context>
     <name>app::ModelExport</name>
     <message>
         <source>Reducing the triangles</source>
@@ -1075,6 +1035,44 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
         <translation>%1 ist in Millimetern sehr klein (%2). Wenn es in einer anderen Einheit entstand, machen Sie das Einfügen rückgängig und nennen Sie beim nächsten Mal die Einheit.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelOpener</name>
+    <message>
+        <source>Preparing the clay</source>
+        <translation>Der Ton wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>The model that you chose opens as soon as this is done.</source>
+        <translation>Das gewählte Modell wird geöffnet, sobald dies fertig ist.</translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>%1 wird wiederhergestellt</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelSaver</name>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Making a brush of %1</source>
+        <translation>%1 wird zum Pinsel gemacht</translation>
     </message>
 </context>
 <context>
@@ -1305,6 +1303,34 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>The mask is like that already.</source>
         <translation>Die Maske ist schon so.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PartnerView</name>
+    <message>
+        <source>Your partner took back: %1.</source>
+        <translation>Am Fenster rückgängig gemacht: %1.</translation>
+    </message>
+    <message>
+        <source>Your partner did again: %1.</source>
+        <translation>Am Fenster wiederholt: %1.</translation>
+    </message>
+    <message>
+        <source>Your partner chose %1, %2 mm.</source>
+        <extracomment>%1: a tool; %2: a length</extracomment>
+        <translation>Am Fenster gewählt: %1, %2 mm.</translation>
+    </message>
+    <message>
+        <source>Your partner chose a strength of %1 %.</source>
+        <translation>Am Fenster gewählt: Stärke %1 %.</translation>
+    </message>
+    <message>
+        <source>Your partner sculpts now.</source>
+        <translation>Jetzt wird am Fenster geformt.</translation>
+    </message>
+    <message>
+        <source>It is your turn again.</source>
+        <translation>Sie sind wieder an der Reihe.</translation>
     </message>
 </context>
 <context>

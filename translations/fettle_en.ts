@@ -32,7 +32,7 @@
     </message>
 </context>
 <context>
-    <name>app::LessonEditorController</name>
+    <name>app::LessonWriter</name>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>

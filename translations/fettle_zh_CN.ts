@@ -166,6 +166,17 @@
     </message>
 </context>
 <context>
+    <name>app::ClassWork</name>
+    <message>
+        <source>%1 Until then they are in %2.</source>
+        <translation>%1 在此之前它们位于 %2。</translation>
+    </message>
+    <message>
+        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
+        <translation>%1 作品已保存在本机，一旦可行就会移到那里。</translation>
+    </message>
+</context>
+<context>
     <name>app::ClassroomMode</name>
     <message>
         <source>somebody</source>
@@ -182,14 +193,6 @@
     <message>
         <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
         <translation>%1 作品（%2）保持打开，不会丢失。</translation>
-    </message>
-    <message>
-        <source>%1 Until then they are in %2.</source>
-        <translation>%1 在此之前它们位于 %2。</translation>
-    </message>
-    <message>
-        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
-        <translation>%1 作品已保存在本机，一旦可行就会移到那里。</translation>
     </message>
     <message>
         <source>This ends the class. The work of the present turn is kept.</source>
@@ -399,44 +402,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::Document</name>
     <message>
-        <source>Preparing the clay</source>
-        <translation>正在准备黏土</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>正在打开 %1</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>正在导出 %1</translation>
-    </message>
-    <message>
         <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
         <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
     </message>
     <message>
         <source>Sculpting rests until the model is ready.</source>
         <translation>模型处理完成之前暂停雕刻。</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>正在保存 %1</translation>
-    </message>
-    <message>
-        <source>The model that you chose opens as soon as this is done.</source>
-        <translation>此操作完成后将打开您选择的模型。</translation>
-    </message>
-    <message>
-        <source>%1 was not written.</source>
-        <translation>未写入 %1。</translation>
-    </message>
-    <message>
-        <source>Recovering %1</source>
-        <translation>正在恢复 %1</translation>
-    </message>
-    <message>
-        <source>Making a brush of %1</source>
-        <translation>正在把 %1 做成笔刷</translation>
     </message>
 </context>
 <context>
@@ -463,6 +434,16 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 It can be mended at the window.</source>
         <translation>%1 可以在窗口中修复。</translation>
     </message>
+</context>
+<context>
+    <name>app::RuntimeProbe</name>
+    <message>
+        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
+        <translation>头显的程序没有响应。如果它不是正在启动，请重新启动它。</translation>
+    </message>
+</context>
+<context>
+    <name>app::HeadsetRequests</name>
     <message>
         <source>The model was not restored: other work on it is not done yet.</source>
         <translation>模型没有重置：对它的其他处理尚未完成。</translation>
@@ -494,38 +475,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>The mask was not changed: other work on the model is not done yet.</source>
         <translation>遮罩未更改：模型上的其他操作尚未完成。</translation>
-    </message>
-    <message>
-        <source>Your partner took back: %1.</source>
-        <translation>窗口旁的搭档撤销了：%1。</translation>
-    </message>
-    <message>
-        <source>Your partner did again: %1.</source>
-        <translation>窗口旁的搭档重做了：%1。</translation>
-    </message>
-    <message>
-        <source>Your partner chose %1, %2 mm.</source>
-        <extracomment>%1: a tool; %2: a length</extracomment>
-        <translation>窗口旁的搭档选了%1，%2 毫米。</translation>
-    </message>
-    <message>
-        <source>Your partner chose a strength of %1 %.</source>
-        <translation>窗口旁的搭档选了强度 %1 %。</translation>
-    </message>
-    <message>
-        <source>Your partner sculpts now.</source>
-        <translation>现在由窗口旁的搭档雕刻。</translation>
-    </message>
-    <message>
-        <source>It is your turn again.</source>
-        <translation>又轮到您了。</translation>
-    </message>
-</context>
-<context>
-    <name>app::RuntimeProbe</name>
-    <message>
-        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
-        <translation>头显的程序没有响应。如果它不是正在启动，请重新启动它。</translation>
     </message>
 </context>
 <context>
@@ -695,40 +644,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Playing the lesson to its end</source>
         <translation>正在把课程播放到底</translation>
-    </message>
-    <message>
-        <source>lesson</source>
-        <translation>课程</translation>
-    </message>
-    <message>
-        <source>%1 was not written.</source>
-        <translation>未写入 %1。</translation>
-    </message>
-    <message numerus="yes">
-        <source>And %n more.</source>
-        <translation>
-            <numerusform>还有 %n 条。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Save the lesson</source>
-        <translation>保存课程</translation>
-    </message>
-    <message>
-        <source>Not everything is as the lesson asks for.</source>
-        <translation>并非一切都符合课程的要求。</translation>
-    </message>
-    <message>
-        <source>Save All the Same</source>
-        <translation>仍然保存</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>正在保存 %1</translation>
-    </message>
-    <message>
-        <source>%1 was written.</source>
-        <translation>已写入 %1。</translation>
     </message>
     <message>
         <source>Unsaved lesson</source>
@@ -972,6 +887,51 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::LessonWriter</name>
+    <message>
+        <source>lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>未写入 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>还有 %n 条。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation>保存课程</translation>
+    </message>
+    <message>
+        <source>Not everything is as the lesson asks for.</source>
+        <translation>并非一切都符合课程的要求。</translation>
+    </message>
+    <message>
+        <source>Save All the Same</source>
+        <translation>仍然保存</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>正在保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Not yet: other work on the model is not done.</source>
+        <translation>请稍候：模型上的其他操作尚未完成。</translation>
+    </message>
+    <message>
+        <source>Playing the lesson to its end</source>
+        <translation>正在把课程播放到底</translation>
+    </message>
+</context>
+<context>
     <name>app::ModelExport</name>
     <message>
         <source>Reducing the triangles</source>
@@ -1071,6 +1031,44 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
         <translation>%1 以毫米计非常小（%2）。如果它是用其他单位制作的，请撤销，再次插入时选择单位。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelOpener</name>
+    <message>
+        <source>Preparing the clay</source>
+        <translation>正在准备黏土</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>The model that you chose opens as soon as this is done.</source>
+        <translation>此操作完成后将打开您选择的模型。</translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>正在恢复 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelSaver</name>
+    <message>
+        <source>Exporting %1</source>
+        <translation>正在导出 %1</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>正在保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>未写入 %1。</translation>
+    </message>
+    <message>
+        <source>Making a brush of %1</source>
+        <translation>正在把 %1 做成笔刷</translation>
     </message>
 </context>
 <context>
@@ -1301,6 +1299,34 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>The mask is like that already.</source>
         <translation>遮罩已经是这样了。</translation>
+    </message>
+</context>
+<context>
+    <name>app::PartnerView</name>
+    <message>
+        <source>Your partner took back: %1.</source>
+        <translation>窗口旁的搭档撤销了：%1。</translation>
+    </message>
+    <message>
+        <source>Your partner did again: %1.</source>
+        <translation>窗口旁的搭档重做了：%1。</translation>
+    </message>
+    <message>
+        <source>Your partner chose %1, %2 mm.</source>
+        <extracomment>%1: a tool; %2: a length</extracomment>
+        <translation>窗口旁的搭档选了%1，%2 毫米。</translation>
+    </message>
+    <message>
+        <source>Your partner chose a strength of %1 %.</source>
+        <translation>窗口旁的搭档选了强度 %1 %。</translation>
+    </message>
+    <message>
+        <source>Your partner sculpts now.</source>
+        <translation>现在由窗口旁的搭档雕刻。</translation>
+    </message>
+    <message>
+        <source>It is your turn again.</source>
+        <translation>又轮到您了。</translation>
     </message>
 </context>
 <context>

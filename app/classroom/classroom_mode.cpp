@@ -10,11 +10,9 @@
 #include "ui/window/main_window.h"
 
 #include <QCryptographicHash>
-#include <QDir>
 #include <QElapsedTimer>
 #include <QEvent>
 #include <QFileInfo>
-#include <QPointer>
 #include <QStandardPaths>
 #include <QUuid>
 
@@ -25,9 +23,14 @@ namespace app
 {
 namespace
 {
-constexpr int tickMs = 1000, retryMs = 60'000;
+constexpr int tickMs = 1000;
 constexpr qint64 minuteMs = 60'000;
 constexpr int keyLength = 16; ///< digits that tell class files from each other
+
+QString newId()
+{
+    return QUuid::createUuid().toString(QUuid::WithoutBraces);
+}
 
 /// As a part of a sentence.
 QString nameOf(const ClassTurn& turn)
@@ -62,15 +65,16 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     : m_program(program)
     , m_classroom(std::move(classroom))
     , m_paths(std::move(paths))
-    , m_nowMs(std::move(nowMs))
     , m_bar(new ui::ClassBar(m_classroom.title, program.window))
     , m_panel(new ui::PupilNamePanel(m_classroom.starters, program.window->commands(), program.window->centralWidget()))
     , m_pinPrompt(new ui::PinPrompt([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
                                     program.window))
+    , m_clock({m_classroom.turnMinutes, m_classroom.warningMinutes}, std::move(nowMs))
+    , m_openings(program.document)
+    , m_work(program.document, m_bar, {m_classroom.folder, m_paths.outbox})
 {
     program.window->setClassroom(m_classroom);
     program.window->installEventFilter(this);
-    m_retryTimer.setSingleShot(true);
     connectAll();
 }
 
@@ -85,15 +89,13 @@ void ClassroomMode::connectAll()
     connect(m_panel, &ui::PupilNamePanel::begun, this, &ClassroomMode::prepareTurn);
     connect(m_program.recoveryStore, &RecoveryStore::offered, this, &ClassroomMode::onRecoveryOffered);
     connect(document, &Document::stepped, this, &ClassroomMode::onStep);
-    connect(document, &Document::busy, m_bar, [this] { m_bar->setBusy(true); });
-    connect(document, &Document::idle, m_bar, [this] { m_bar->setBusy(false); });
-    connect(document, &Document::opened, this, [this] { m_isOpened = true; });
-    connect(document, &Document::opened, this, &ClassroomMode::proceed, Qt::QueuedConnection);
-    connect(document, &Document::idle, this, &ClassroomMode::checkOpened, Qt::QueuedConnection);
-    connect(&m_clock, &QTimer::timeout, this, &ClassroomMode::tick);
-    connect(&m_retryTimer, &QTimer::timeout, this, &ClassroomMode::deliver);
-    document->setDiscardPrompt([this](const std::function<void()>& proceed) {
-        saveThen(m_stage == Stage::Sculpting ? turnNow() : ClassTurn{newId(), {}, {}, 0}, proceed);
+    connect(&document->job(), &BackgroundJob::busy, m_bar, [this] { m_bar->setBusy(true); });
+    connect(&document->job(), &BackgroundJob::idle, m_bar, [this] { m_bar->setBusy(false); });
+    connect(&m_openings, &OpeningQueue::failed, this, &ClassroomMode::askForPupil); // a class goes on all the same
+    connect(&m_work, &ClassWork::noticed, this, &ClassroomMode::noticed);
+    connect(&m_tick, &QTimer::timeout, this, &ClassroomMode::tick);
+    document->opener().setDiscardPrompt([this](const std::function<void()>& proceed) {
+        saveThen(m_stage == Stage::Sculpting ? m_clock.turn() : ClassTurn{newId(), {}, {}, 0}, proceed);
         return false;
     });
     m_program.window->setGuard([this] { return canClose(); });
@@ -101,21 +103,10 @@ void ClassroomMode::connectAll()
 
 void ClassroomMode::begin()
 {
-    m_clock.start(tickMs);
-    m_background.run([archive = archive()] { archive.removeUnfinished(); });
-    deliver();
+    m_tick.start(tickMs);
+    m_work.begin();
     show();
     m_program.recoveryStore->findAbandoned();
-}
-
-WorkArchive ClassroomMode::archive() const
-{
-    return {m_classroom.folder, m_paths.outbox};
-}
-
-QString ClassroomMode::newId()
-{
-    return QUuid::createUuid().toString(QUuid::WithoutBraces);
 }
 
 // --- what a program before left
@@ -133,8 +124,8 @@ void ClassroomMode::recoverNext()
     if (m_offer.id == 0)
         return askForPupil();
     const RecoveryOffer offer = m_offer;
-    openThen([this, offer] { m_program.document->recover(offer.id, offer.name); },
-             [this, offer] { saveRecovered(offer); });
+    m_openings.openThen([this, offer] { m_program.document->opener().recover(offer.id, offer.name); },
+                        [this, offer] { saveRecovered(offer); });
 }
 
 /// Of one that was resumed what came before is not known any more.
@@ -155,11 +146,11 @@ void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 void ClassroomMode::askForPupil()
 {
     m_stage = Stage::Asking;
-    m_turn = {};
+    m_clock.clear();
     m_recordBefore.emplace();
     m_panel->open();
-    openThen([this] { m_program.document->openStarter(m_classroom.starters.constFirst()); },
-             [this] { m_program.window->beginTurn(); });
+    m_openings.openThen([this] { m_program.document->opener().openStarter(m_classroom.starters.constFirst()); },
+                        [this] { m_program.window->beginTurn(); });
     show();
 }
 
@@ -167,20 +158,18 @@ void ClassroomMode::prepareTurn(const QString& pupil, core::Starter starter)
 {
     if (m_stage != Stage::Asking)
         return;
-    openThen([this, starter] { m_program.document->openStarter(starter); },
-             [this, pupil] {
-                 m_program.window->beginTurn();
-                 m_program.document->setName(pupil);
-                 startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, TurnRecord(std::in_place));
-             });
+    m_openings.openThen([this, starter] { m_program.document->opener().openStarter(starter); },
+                        [this, pupil] {
+                            m_program.window->beginTurn();
+                            m_program.document->setName(pupil);
+                            startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, TurnRecord(std::in_place));
+                        });
 }
 
 void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
 {
     m_stage = Stage::Sculpting;
-    m_turn = turn;
-    m_startMs = m_nowMs();
-    m_isWarned = m_isOver = false;
+    m_clock.start(turn);
     m_recordBefore = before;
     writeTurnNote(m_paths.turnNote, turn);
     m_panel->close();
@@ -190,16 +179,16 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
 void ClassroomMode::next()
 {
     if (m_stage == Stage::Sculpting)
-        saveThen(turnNow(), [this] { askForPupil(); });
+        saveThen(m_clock.turn(), [this] { askForPupil(); });
 }
 
 void ClassroomMode::resume()
 {
-    if (!m_ended || (m_stage != Stage::Asking && m_stage != Stage::Sculpting))
+    if (!m_work.ended() || (m_stage != Stage::Asking && m_stage != Stage::Sculpting))
         return;
-    Ended ended = *m_ended;
+    EndedTurn ended = *m_work.ended();
     ended.turn.isResumed = true;
-    const auto make = [archive = archive(), ended](const core::JobControl& control) {
+    const auto make = [archive = m_work.archive(), ended](const core::JobControl& control) {
         LoadedModel model;
         for (int attempt = 0; attempt < 2 && !model.sculptor && !control.isCancelled();
              ++attempt) // between look and reading it may be delivered
@@ -209,45 +198,21 @@ void ClassroomMode::resume()
         model.name = ended.turn.pupil;
         return model;
     };
-    openThen(
+    m_openings.openThen(
         [this, ended, make] {
-            m_program.document->openMade({tr("Opening the work of %1").arg(nameOf(ended.turn)), make, {}, false});
+            m_program.document->opener().openMade(
+                {tr("Opening the work of %1").arg(nameOf(ended.turn)), make, {}, false});
         },
         [this, ended] {
-            m_ended.reset();
+            m_work.forgetEnded();
             startTurn(ended.turn, ended.record);
         });
-}
-
-/// One after the other, so that what came is what was asked for.
-void ClassroomMode::openThen(const std::function<void()>& open, const std::function<void()>& then)
-{
-    if (m_then) {
-        m_then = [this, open, then] { openThen(open, then); };
-        return;
-    }
-    m_then = then;
-    open();
-}
-
-void ClassroomMode::proceed()
-{
-    m_isOpened = false;
-    if (const auto then = std::exchange(m_then, nullptr))
-        then();
-}
-
-/// What was to be opened could not be, which the window has said, or somebody stopped it: a class goes on all the same.
-void ClassroomMode::checkOpened()
-{
-    if (!m_isOpened && !m_program.document->isBusy() && std::exchange(m_then, nullptr))
-        askForPupil();
 }
 
 void ClassroomMode::onStep()
 {
     if (m_stage == Stage::Sculpting)
-        m_ended.reset();
+        m_work.forgetEnded();
     show();
 }
 
@@ -259,35 +224,18 @@ void ClassroomMode::saveThen(const ClassTurn& turn, std::function<void()> then)
     if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->finish();
-    const auto ended = std::make_shared<Ended>(Ended{turn, {}, {}});
-    const auto problem = std::make_shared<QString>();
-    const auto keep = [archive = archive(), turn, before = m_recordBefore, ended,
-                       problem](const Document::Present& present) {
-        const QDateTime end = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
-        ended->record = joined(before, present.steps);
-        const ArchivedWork kept = archive.add({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh,
-                                               present.hash, present.metadata, ended->record});
-        ended->folder = kept.folder;
-        *problem = kept.problem;
-        return kept.problem.isEmpty();
+    const auto done = [this, then = std::move(then)](const EndedTurn& ended, const QString& problem) {
+        onSaved(ended, problem, then);
     };
-    const auto done = [self = QPointer(this), ended, problem, then = std::move(then)](bool) {
-        if (self)
-            self->onSaved(*ended, *problem, then);
-    };
-    if (m_program.document->saveExternally(tr("Keeping the work of %1").arg(nameOf(turn)), keep, done))
+    if (m_work.save(tr("Keeping the work of %1").arg(nameOf(turn)), turn, m_recordBefore, done)) {
         m_before = std::exchange(m_stage, Stage::Saving);
-    else
-        refuseForNow();
-}
-
-void ClassroomMode::refuseForNow()
-{
+        return;
+    }
     m_canLeave = false;
     Q_EMIT noticed(tr("Not yet: other work on the model is not done."));
 }
 
-void ClassroomMode::onSaved(const Ended& ended, const QString& problem, const std::function<void()>& then)
+void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, const std::function<void()>& then)
 {
     m_stage = m_before;
     if (!problem.isEmpty()) {
@@ -295,30 +243,11 @@ void ClassroomMode::onSaved(const Ended& ended, const QString& problem, const st
         return m_program.window->showProblem(
             tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(problem, nameOf(ended.turn)));
     }
-    m_ended = ended;
-    m_ended->turn.ended = {};
-    deliver();
+    EndedTurn resumable = ended;
+    resumable.turn.ended = {};
+    m_work.setEnded(resumable);
+    m_work.deliver();
     then();
-}
-
-void ClassroomMode::deliver()
-{
-    m_background.run(
-        [archive = archive()] { return archive.deliver(); },
-        [this](const Delivery& delivery) {
-            if (m_ended)
-                m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
-            m_bar->setUndelivered(
-                delivery.undelivered,
-                tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_paths.outbox)));
-            const bool hasChanged = std::exchange(m_undelivered, delivery.undelivered) != delivery.undelivered;
-            if (delivery.undelivered == 0)
-                return;
-            if (hasChanged)
-                Q_EMIT noticed(tr("%1 The work is kept on this computer and goes there as soon as that is possible.")
-                                   .arg(delivery.problem));
-            m_retryTimer.start(retryMs);
-        });
 }
 
 // --- the way out
@@ -337,7 +266,7 @@ void ClassroomMode::leave()
         if (m_stage != Stage::Sculpting)
             m_program.window->close();
         else
-            saveThen(turnNow(), [this] {
+            saveThen(m_clock.turn(), [this] {
                 m_stage = Stage::Asking;
                 m_program.window->close();
             });
@@ -356,29 +285,15 @@ bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
 
 // --- the clock
 
-qint64 ClassroomMode::remainingMs() const
-{
-    return std::max<qint64>(m_classroom.turnMinutes * minuteMs - turnNow().usedMs, 0);
-}
-
-ClassTurn ClassroomMode::turnNow() const
-{
-    ClassTurn turn = m_turn;
-    turn.usedMs += m_nowMs() - m_startMs;
-    return turn;
-}
-
 void ClassroomMode::tick()
 {
-    if (m_stage == Stage::Sculpting && m_classroom.turnMinutes > 0) {
-        const qint64 left = remainingMs();
-        if (left == 0 && !std::exchange(m_isOver, true)) {
-            m_isWarned = true;
+    if (m_stage == Stage::Sculpting && m_clock.hasEnd()) {
+        const TurnClock::Notice notice = m_clock.takeNotice();
+        if (notice == TurnClock::Notice::Over)
             Q_EMIT noticed(tr("The time is up. Finish what you are doing; then it is the next one's turn."));
-        } else if (left <= m_classroom.warningMinutes * minuteMs && !std::exchange(m_isWarned, true)) {
+        else if (notice == TurnClock::Notice::Warning)
             Q_EMIT noticed(tr("%n minutes are left: come to an end soon.", nullptr,
-                              static_cast<int>((left + minuteMs - 1) / minuteMs)));
-        }
+                              static_cast<int>((m_clock.remainingMs() + minuteMs - 1) / minuteMs)));
     }
     show();
 }
@@ -386,10 +301,12 @@ void ClassroomMode::tick()
 void ClassroomMode::show()
 {
     const bool isTurn = m_stage == Stage::Sculpting || (m_stage == Stage::Saving && m_before == Stage::Sculpting);
-    m_bar->setPupil(isTurn ? std::optional(m_turn.pupil) : std::nullopt);
-    m_bar->setResumable(m_ended && m_stage != Stage::Recovering ? std::optional(nameOf(m_ended->turn)) : std::nullopt);
-    const bool hasEnd = isTurn && m_classroom.turnMinutes > 0;
-    m_bar->setTime(hasEnd ? std::optional(ui::TurnTime{static_cast<int>((remainingMs() + 999) / 1000), m_isWarned})
-                          : std::nullopt);
+    m_bar->setPupil(isTurn ? std::optional(m_clock.pupil()) : std::nullopt);
+    m_bar->setResumable(m_work.ended() && m_stage != Stage::Recovering ? std::optional(nameOf(m_work.ended()->turn))
+                                                                       : std::nullopt);
+    const bool hasEnd = isTurn && m_clock.hasEnd();
+    m_bar->setTime(
+        hasEnd ? std::optional(ui::TurnTime{static_cast<int>((m_clock.remainingMs() + 999) / 1000), m_clock.isWarned()})
+               : std::nullopt);
 }
 } // namespace app

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "app/classroom/work_archive.h"
+#include "app/classroom/class_work.h"
+#include "app/classroom/opening_queue.h"
+#include "app/classroom/turn_clock.h"
 #include "app/recovery/recovery_store.h"
 
 #include "ui/classroom/class_bar.h"
 #include "ui/classroom/classroom.h"
-#include "ui/util/background_thread.h"
 
 #include <QObject>
 #include <QTimer>
@@ -72,15 +73,8 @@ protected:
 
 private:
     enum class Stage { Recovering, Asking, Sculpting, Saving };
-    struct Ended
-    {
-        ClassTurn turn;
-        QString folder; ///< of its work
-        TurnRecord record;
-    };
 
     void connectAll();
-    WorkArchive archive() const;
     void onRecoveryOffered(const RecoveryOffer& offer);
     void recoverNext();
     void saveRecovered(const RecoveryOffer& offer);
@@ -89,25 +83,16 @@ private:
     void startTurn(const ClassTurn& turn, const TurnRecord& before);
     void next();
     void resume();
-    void openThen(const std::function<void()>& open, const std::function<void()>& then);
-    void proceed();
-    void checkOpened();
     bool canClose();
     void leave();
     void saveThen(const ClassTurn& turn, std::function<void()> then);
-    void refuseForNow();
-    void onSaved(const Ended& ended, const QString& problem, const std::function<void()>& then);
+    void onSaved(const EndedTurn& ended, const QString& problem, const std::function<void()>& then);
     void onStep();
-    void deliver();
     void show();
-    qint64 remainingMs() const;
-    ClassTurn turnNow() const;
-    static QString newId();
 
     Program m_program;
     ui::Classroom m_classroom;
     ClassPaths m_paths;
-    std::function<qint64()> m_nowMs;
     ui::ClassBar* m_bar;
     ui::PupilNamePanel* m_panel;
     ui::PinPrompt* m_pinPrompt;
@@ -115,16 +100,11 @@ private:
     Stage m_before = Stage::Recovering; ///< of Saving
     RecoveryOffer m_offer;
     bool m_hasStartedRecovery = false; ///< for works that an earlier run left
-    ClassTurn m_turn;                  ///< of Sculpting; else nobody's
-    qint64 m_startMs = 0;
-    bool m_isWarned = false, m_isOver = false;
     bool m_canLeave = false;
-    TurnRecord m_recordBefore;    ///< of what was done before the document's history begins
-    std::optional<Ended> m_ended; ///< the turn before, while it can be resumed
-    std::function<void()> m_then; ///< when the model is there that is being opened
-    bool m_isOpened = false;      ///< it is there, and that goes on next
-    int m_undelivered = 0;        ///< works that could not be delivered
-    QTimer m_clock, m_retryTimer;
-    ui::BackgroundThread m_background; ///< last
+    TurnRecord m_recordBefore; ///< of what was done before the document's history begins
+    TurnClock m_clock;         ///< of Sculpting; else nobody's turn
+    OpeningQueue m_openings;
+    ClassWork m_work;
+    QTimer m_tick;
 };
 } // namespace app

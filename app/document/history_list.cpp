@@ -7,8 +7,8 @@ namespace app
 {
 ui::History historyOf(Document& document)
 {
-    const QUndoStack& stack = document.undoStack();
-    const HistoryStore& store = document.history();
+    const QUndoStack& stack = document.history().stack();
+    const HistoryStore& store = document.history().store();
     ui::History history;
     history.steps.reserve(stack.count());
     for (int i = 0; i < stack.count(); ++i) {

@@ -20,20 +20,21 @@ HistoryScrubber::HistoryScrubber(Document* document) : QObject(document), m_docu
 void HistoryScrubber::scrubTo(int state)
 {
     if (!m_target)
-        m_from = m_document->undoStack().index();
+        m_from = m_document->history().stack().index();
     m_target = state;
     proceed();
 }
 
 void HistoryScrubber::proceed()
 {
-    if (!m_target || !m_document->isSettled())
+    if (!m_target || !m_document->queue().isSettled())
         return;
-    const int present = m_document->undoStack().index();
-    const int target = std::clamp(*m_target, m_document->history().firstIndex(), m_document->history().lastIndex());
+    const int present = m_document->history().stack().index();
+    const int target =
+        std::clamp(*m_target, m_document->history().store().firstIndex(), m_document->history().store().lastIndex());
     if (present != m_from || present == target) // there, or somebody else went elsewhere
         return m_target.reset();
     m_from = std::clamp(target, present - stepsPerMove, present + stepsPerMove);
-    m_document->goTo(m_from);
+    m_document->history().goTo(m_from);
 }
 } // namespace app

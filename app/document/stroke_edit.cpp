@@ -24,9 +24,9 @@ StrokeEdit::StrokeEdit(ui::MainWindow& window, Document& document)
 {
     QAction* action = window.action(QStringLiteral("edit.lastStroke"));
     action->setEnabled(false);
-    connect(action, &QAction::triggered, this, [this] { m_document->enqueue([this] { begin(); }); });
+    connect(action, &QAction::triggered, this, [this] { m_document->queue().enqueue([this] { begin(); }); });
     connect(m_document, &Document::historyChanged, action,
-            [this, action] { action->setEnabled(m_document->lastStroke().has_value()); });
+            [this, action] { action->setEnabled(m_document->lastStroke().step().has_value()); });
     connect(m_document, &Document::historyChanged, this, &StrokeEdit::checkHistory);
     connect(m_document, &Document::opened, this, &StrokeEdit::end);
     connect(window.viewport(), &ui::Viewport::strokeBegan, this, &StrokeEdit::finish);
@@ -34,7 +34,7 @@ StrokeEdit::StrokeEdit(ui::MainWindow& window, Document& document)
 
 void StrokeEdit::begin()
 {
-    const auto stroke = m_document->lastStroke();
+    const auto stroke = m_document->lastStroke().step();
     if (!m_window || m_stroke || !stroke)
         return;
     m_stroke = stroke;
@@ -105,7 +105,7 @@ void StrokeEdit::replaceStroke(const core::BrushChange& brush)
         m_bar->setHint({});
     const core::Stroke& before = *m_stroke->report.stroke();
     const bool isUnchanged = brush == core::brushOf(before.settings);
-    m_document->replaceLastStroke(
+    m_document->lastStroke().replace(
         *m_stroke, isUnchanged ? nullptr : std::make_shared<const core::Stroke>(core::changed(before, brush)),
         m_stop.get_token(), [this](const std::optional<StrokeReport>& report) { onReplaced(report); });
 }
@@ -115,7 +115,7 @@ void StrokeEdit::onReplaced(const std::optional<StrokeReport>& report)
     m_isReplacing = false;
     if (!report || !m_stroke)
         return end();
-    m_index = m_document->undoStack().index();
+    m_index = m_document->history().stack().index();
     if (report->delta)
         m_present = core::brushOf(report->stroke()->settings); // it may have been stopped
     else if (m_bar)
@@ -134,7 +134,7 @@ void StrokeEdit::finish()
 /// Ends the edit if somebody else changed the history.
 void StrokeEdit::checkHistory()
 {
-    if (m_stroke && !m_isReplacing && m_document->undoStack().index() != m_index)
+    if (m_stroke && !m_isReplacing && m_document->history().stack().index() != m_index)
         end();
 }
 

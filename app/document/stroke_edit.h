@@ -42,7 +42,7 @@ private:
     QPointer<ui::MainWindow> m_window;
     QPointer<ui::StrokeEditBar> m_bar;
     Document* m_document;
-    std::optional<Document::LastStroke> m_stroke; ///< before the edit; none: no stroke is edited
+    std::optional<LastStroke::Step> m_stroke;     ///< before the edit; none: no stroke is edited
     std::optional<core::BrushChange> m_requested; ///< not applied yet
     core::BrushChange m_present;                  ///< what the model shows, or will after the present replacement
     int m_index = 0;                              ///< of the undo stack, between replacements

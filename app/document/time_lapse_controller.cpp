@@ -1,6 +1,7 @@
 #include "app/document/time_lapse_controller.h"
 
 #include "app/document/document.h"
+#include "app/document/history_visit.h"
 
 #include "ui/history/time_lapse_dialog.h"
 #include "ui/settings/settings.h"
@@ -43,7 +44,7 @@ TimeLapseController::TimeLapseController(ui::MainWindow& window, Document& docum
 
 void TimeLapseController::ask()
 {
-    const int steps = m_document->undoStack().index() - m_document->history().firstIndex();
+    const int steps = m_document->history().stack().index() - m_document->history().store().firstIndex();
     ui::askForTimeLapse(m_window, steps, [this](const ui::TimeLapseSettings& settings) {
         ui::askForFolder(m_window, ui::Settings().lastFolder(),
                          [this, settings](const QString& folder) { write(settings, folder); });
@@ -56,11 +57,11 @@ void TimeLapseController::write(const ui::TimeLapseSettings& settings, const QSt
         return;
     const TimeLapseRequest request{folder, settings.every, viewOf(m_window->viewport()->camera(), settings)};
     const auto outcome = std::make_shared<TimeLapseOutcome>();
-    const auto look = [request, outcome](const ModelHistory& history, const core::JobControl& control) {
+    const auto visit = [request, outcome](const ModelHistory& history, const core::JobControl& control) {
         *outcome = TimeLapse::run(request, history, control);
     };
-    if (!m_document->visitHistory(tr("Drawing the time-lapse"), look,
-                                  [this, folder, outcome] { finish(folder, *outcome); }))
+    if (!visitHistory(*m_document, tr("Drawing the time-lapse"), visit,
+                      [this, folder, outcome] { finish(folder, *outcome); }))
         m_window->showNotice(tr("The time-lapse has to wait until this is done; ask for it again then."));
 }
 

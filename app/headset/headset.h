@@ -28,9 +28,7 @@ public:
     void leave();
     /// Shows one sentence in the headset, if it is in use.
     void showNotice(const QString& sentence) { m_controller.showNotice(sentence); }
-    /// As HeadsetController's.
-    void point(const std::optional<core::SurfaceHit>& place) { m_controller.point(place); }
-    void setTakenOver(bool isTakenOver) { m_controller.setTakenOver(isTakenOver); }
+    PartnerView& partner() { return m_controller.partner(); }
     /// A visit has begun, and was neither ended nor given up.
     bool isActive() const { return m_thread.isActive(); }
     /// One was given up, and hinders others.

@@ -52,8 +52,9 @@ void connectVisits(ui::MainWindow& window, Headset* headset)
 /// What the one at the desktop does for the one in the headset.
 void connectPartner(ui::MainWindow& window, Headset* headset)
 {
-    QObject::connect(window.viewport(), &ui::Viewport::pointed, headset, &Headset::point);
-    QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, headset, &Headset::setTakenOver);
+    QObject::connect(window.viewport(), &ui::Viewport::pointed, &headset->partner(), &PartnerView::point);
+    QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, &headset->partner(),
+                     &PartnerView::setTakenOver);
     auto* bar = window.findChild<ui::PartnerBar*>();
     QObject::connect(headset, &Headset::avatarChanged, bar, [bar](const std::optional<vr::AvatarState>& avatar) {
         bar->setAvatar(avatar ? std::optional(avatarOf(*avatar)) : std::nullopt);
@@ -61,10 +62,10 @@ void connectPartner(ui::MainWindow& window, Headset* headset)
 }
 
 /// Who draws in the headset feels that somebody draws at the desktop, who in turn reads it.
-void connectRefusals(ui::MainWindow& window, const Document& document, SculptWorker& worker)
+void connectRefusals(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
-    QObject::connect(&worker, &SculptWorker::strokeRefused, &window, [&window, &document](Source source) {
-        if (source == Source::Desktop && !document.isBusy())
+    QObject::connect(&worker.strokes(), &StrokeGate::refused, &window, [&window, &document](Source source) {
+        if (source == Source::Desktop && !document.job().isBusy())
             window.showNotice(
                 Headset::tr("Somebody is sculpting in the headset: your turn comes when that stroke has ended."));
     });

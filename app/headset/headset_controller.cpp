@@ -1,12 +1,10 @@
-// What the headset is told of the document and of the window.
-
 #include "app/headset/headset_controller.h"
 
 #include "app/document/document.h"
+#include "app/headset/avatar.h"
 
 #include "ui/brush/color_panel.h"
 #include "ui/settings/brush_settings.h"
-#include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
@@ -34,10 +32,12 @@ HeadsetController::HeadsetController(const Program& program, QObject* parent)
     , m_worker(program.worker)
     , m_window(program.window)
     , m_colors(program.window->findChild<ui::ColorPanel*>())
+    , m_partner(program.document, program.window)
+    , m_requests(program.document, program.window, &m_partner)
 {
     onBrushChanged();
-    connectAll();
-    connectPartner();
+    connectDocument();
+    connectParts();
 }
 
 HeadsetController::~HeadsetController()
@@ -46,30 +46,42 @@ HeadsetController::~HeadsetController()
         m_port->end();
 }
 
-void HeadsetController::connectAll()
+void HeadsetController::connectDocument()
 {
     connect(m_document, &Document::opened, this, [this] {
         ++m_update.model;
         updateFolder();
     });
-    connect(m_document, &Document::busy, this, &HeadsetController::onBusyChanged);
-    connect(m_document, &Document::idle, this, &HeadsetController::onBusyChanged);
+    connect(&m_document->job(), &BackgroundJob::busy, this, &HeadsetController::onBusyChanged);
+    connect(&m_document->job(), &BackgroundJob::idle, this, &HeadsetController::onBusyChanged);
     connect(m_document, &Document::modelInfoChanged, this, &HeadsetController::scheduleUpdate);
     connect(m_document, &Document::historyChanged, this, &HeadsetController::scheduleUpdate);
-    connect(m_document, &Document::modifiedChanged, this, &HeadsetController::scheduleUpdate);
+    connect(&m_document->savedState(), &SavedState::modifiedChanged, this, &HeadsetController::scheduleUpdate);
     connect(m_document, &Document::noticed, this, &HeadsetController::showNotice);
     connect(m_document, &Document::refused, this, &HeadsetController::showNotice);
-    connect(m_document, &Document::repairable, this, [this](const QString&, const QString& problem) {
+    connect(&m_document->opener(), &ModelOpener::repairable, this, [this](const QString&, const QString& problem) {
         showNotice(tr("%1 It can be mended at the window.").arg(problem));
     });
-    connect(m_document, &Document::saved, this, [this](const QString& path) {
+    connect(&m_document->saver(), &ModelSaver::saved, this, [this](const QString& path) {
         m_update.saved = QFileInfo(path).fileName();
         updateFolder();
     });
     connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetController::onBrushChanged);
     connect(m_window->viewport(), &ui::Viewport::appearanceChanged, this, &HeadsetController::scheduleUpdate);
     connect(m_colors, &ui::ColorPanel::swatchesChanged, this, &HeadsetController::scheduleUpdate);
+}
+
+void HeadsetController::connectParts()
+{
+    const auto resendBrush = [this] { ++m_update.brushChange; };
     connect(&m_files, &HeadsetFiles::changed, this, &HeadsetController::scheduleUpdate);
+    connect(&m_partner, &PartnerView::changed, this, &HeadsetController::scheduleUpdate);
+    connect(&m_partner, &PartnerView::noticed, this, &HeadsetController::showNotice);
+    connect(&m_partner, &PartnerView::brushRefused, this, resendBrush);
+    connect(&m_partner, &PartnerView::takenOver, this, [this](bool isTakenOver) { m_port->setTakenOver(isTakenOver); });
+    connect(&m_requests, &HeadsetRequests::brushRefused, this, resendBrush);
+    connect(&m_requests, &HeadsetRequests::refused, this, &HeadsetController::showNotice);
+    connect(&m_requests, &HeadsetRequests::refused, this, &HeadsetController::noticed);
 }
 
 std::shared_ptr<HeadsetPort> HeadsetController::open()
@@ -78,7 +90,7 @@ std::shared_ptr<HeadsetPort> HeadsetController::open()
     m_update.saved.clear();
     m_update.notice.clear();
     m_update.noticeCount = 0;
-    beginPartner();
+    m_partner.begin(m_update.model);
     m_port = std::make_shared<HeadsetPort>(m_worker);
     connect(m_port.get(), &HeadsetPort::messagesArrived, this, &HeadsetController::takeMessages, Qt::QueuedConnection);
     m_port->begin();
@@ -95,9 +107,23 @@ void HeadsetController::close()
     m_port->end();
     takeMessages();
     m_port.reset();
-    m_choiceTimer.stop();
+    m_partner.end();
     m_files.stop();
     Q_EMIT avatarChanged({});
+}
+
+void HeadsetController::takeMessages()
+{
+    if (!m_port)
+        return;
+    HeadsetMessages messages = m_port->takeMessages();
+    m_requests.enqueue(m_port, std::move(messages.requests));
+    if (messages.wasRefused)
+        m_partner.refuse();
+    if (!messages.avatar)
+        return;
+    m_partner.setAvatarRadius(avatarOf(*messages.avatar).radius);
+    Q_EMIT avatarChanged(messages.avatar);
 }
 
 void HeadsetController::showNotice(const QString& sentence)
@@ -112,9 +138,9 @@ void HeadsetController::onBrushChanged()
     const core::StrokeSettings& brush = m_window->brush()->stroke();
     if (brush.symmetry != core::Symmetry::None)
         m_update.plane = brush.symmetry;
-    if (!m_isChoosing && sharedSettings(brush) != sharedSettings(m_update.brush)) {
+    if (!m_requests.isChoosing() && sharedSettings(brush) != sharedSettings(m_update.brush)) {
         ++m_update.brushChange;
-        m_choiceTimer.start();
+        m_partner.startChoiceTimer();
     }
     m_update.brush = brush;
     scheduleUpdate();
@@ -124,7 +150,7 @@ void HeadsetController::onBrushChanged()
 void HeadsetController::updateFolder()
 {
     if (m_port && !m_window->classroom())
-        m_files.watch(folder());
+        m_files.watch(HeadsetFiles::folderOf(m_document->modelInfo().path));
     scheduleUpdate();
 }
 
@@ -132,7 +158,7 @@ void HeadsetController::updateFolder()
 void HeadsetController::onBusyChanged()
 {
     if (m_port)
-        m_port->setRefusing(m_document->isOpening());
+        m_port->setRefusing(m_document->opener().isOpening());
     scheduleUpdate();
 }
 
@@ -148,29 +174,21 @@ void HeadsetController::sendUpdate()
     m_isUpdateScheduled = false;
     if (!m_port)
         return;
-    checkRadius();
     vr::DocumentUpdate update = m_update;
+    m_partner.addTo(update);
     const ui::Viewport& viewport = *m_window->viewport();
     update.box = m_document->modelInfo().box;
     update.shading = viewport.shading();
     update.isFlat = viewport.appearance().flat;
     update.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
     update.reducesMotion = viewport.reducesMotion();
-    update.canUndo = m_document->canUndo();
-    update.canRedo = m_document->canRedo();
-    m_undoText = m_document->undoText();
-    m_redoText = m_document->redoText();
-    update.isModified = m_document->isModified();
-    update.isBusy = m_document->isBusy();
+    update.canUndo = m_document->history().canUndo();
+    update.canRedo = m_document->history().canRedo();
+    update.isModified = m_document->savedState().isModified();
+    update.isBusy = m_document->job().isBusy();
     update.swatches = m_colors->swatches();
     update.folder = m_files.name();
     update.files = m_files.tiles();
     m_port->setUpdate(std::move(update));
-}
-
-QString HeadsetController::folder() const
-{
-    const QString& path = m_document->path();
-    return path.isEmpty() ? ui::Settings().lastFolder() : QFileInfo(path).absolutePath();
 }
 } // namespace app

@@ -1,5 +1,7 @@
 #include "app/headset/headset_files.h"
 
+#include "ui/settings/settings.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -28,6 +30,11 @@ HeadsetFiles::HeadsetFiles(QObject* parent) : QObject(parent)
 HeadsetFiles::~HeadsetFiles()
 {
     m_listing.request_stop();
+}
+
+QString HeadsetFiles::folderOf(const QString& path)
+{
+    return path.isEmpty() ? ui::Settings().lastFolder() : QFileInfo(path).absolutePath();
 }
 
 void HeadsetFiles::watch(const QString& folder)

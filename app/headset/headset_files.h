@@ -25,6 +25,9 @@ public:
     explicit HeadsetFiles(QObject* parent = nullptr);
     ~HeadsetFiles() override;
 
+    /// The folder of the model with that file; of a model without a file, the last folder used.
+    static QString folderOf(const QString& path);
+
     /// Lists that folder from now on, and watches it for changes.
     void watch(const QString& folder);
     void stop();

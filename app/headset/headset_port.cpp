@@ -164,7 +164,7 @@ bool HeadsetPort::beginStroke(const core::StrokeSettings& settings)
         m_open = Stroke::Held;
         return true;
     }
-    const bool isMine = m_worker->beginStroke(Source::Headset, settings);
+    const bool isMine = m_worker->strokes().beginStroke(Source::Headset, settings);
     m_effect.refusals += !isMine;
     m_open = isMine ? Stroke::Posted : Stroke::None;
     return isMine;
@@ -174,7 +174,7 @@ void HeadsetPort::addSample(const core::StrokeSample& sample)
 {
     const std::lock_guard lock(m_mutex);
     if (m_open == Stroke::Posted)
-        m_worker->addSample(Source::Headset, sample);
+        m_worker->strokes().addSample(Source::Headset, sample);
     else if (m_open == Stroke::Held) {
         m_held.back().samples.push_back(sample);
         thin(m_held.back().samples);
@@ -203,7 +203,7 @@ void HeadsetPort::addEffect(quint64 fusions, core::Shortfall shortfall)
 void HeadsetPort::endOpenStroke()
 {
     if (m_open == Stroke::Posted)
-        m_worker->endStroke(Source::Headset);
+        m_worker->strokes().endStroke(Source::Headset);
     else if (m_open == Stroke::Held)
         m_held.back().hasEnded = true;
     m_open = Stroke::None;
@@ -218,13 +218,13 @@ void HeadsetPort::postHeld()
 
 void HeadsetPort::post(const HeldStroke& stroke)
 {
-    const bool isMine = !m_isRefusing && m_worker->beginStroke(Source::Headset, stroke.settings);
+    const bool isMine = !m_isRefusing && m_worker->strokes().beginStroke(Source::Headset, stroke.settings);
     m_effect.refusals += !isMine;
     if (isMine)
         for (const core::StrokeSample& sample : stroke.samples)
-            m_worker->addSample(Source::Headset, sample);
+            m_worker->strokes().addSample(Source::Headset, sample);
     if (isMine && stroke.hasEnded)
-        m_worker->endStroke(Source::Headset);
+        m_worker->strokes().endStroke(Source::Headset);
     if (!stroke.hasEnded)
         m_open = isMine ? Stroke::Posted : Stroke::None;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/idle_analysis.h"
+#include "app/analysis/idle_analysis.h"
 
 #include "core/lesson/checkpoint.h"
 #include "core/lesson/lesson.h"

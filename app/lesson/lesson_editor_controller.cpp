@@ -3,21 +3,21 @@
 #include "app/document/document.h"
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_model.h"
+#include "app/lesson/lesson_saving.h"
 #include "app/model/command_names.h"
+#include "app/worker/sculpt_worker.h"
 #include "app/worker/stroke_step.h"
 
 #include "core/lesson/checkpoint.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 #include "ui/lesson/lesson_panel.h"
 #include "ui/util/error_messages.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/main_window.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QMessageBox>
-#include <QPushButton>
 
 #include <cmath>
 
@@ -25,8 +25,6 @@ namespace app
 {
 namespace
 {
-constexpr qsizetype maxRemarks = 8; ///< that are shown
-
 ui::LessonStroke describe(const core::FileEntry& entry)
 {
     if (const auto* const command = std::get_if<core::FileCommand>(&entry))
@@ -67,13 +65,13 @@ std::vector<core::FactBounds> factsOf(const core::TriangleMesh& mesh)
 }
 } // namespace
 
-LessonEditorController::LessonEditorController(ui::MainWindow& window, Document& document, SculptWorker& worker)
+LessonEditorController::LessonEditorController(ui::MainWindow& window, Document& document)
     : QObject(&document)
     , m_window(&window)
     , m_panel(window.findChild<ui::LessonEditor*>())
     , m_document(&document)
-    , m_worker(&worker)
     , m_recorder(document)
+    , m_writer(window, document, &m_draft, &m_recorder)
 {
     m_panel->setDescribe(describe);
     showLessons();
@@ -111,7 +109,11 @@ void LessonEditorController::connectAll()
     connect(m_panel, &LessonEditor::aboutToChange, this, &LessonEditorController::stopRecording);
     connect(m_panel, &LessonEditor::recordRequested, this, &LessonEditorController::record);
     connect(m_panel, &LessonEditor::factsRequested, this, &LessonEditorController::addFacts);
-    connect(m_panel, &LessonEditor::saveRequested, this, &LessonEditorController::save);
+    connect(m_panel, &LessonEditor::saveRequested, this, [this] { m_writer.save(m_path); });
+    connect(&m_writer, &LessonWriter::written, this, [this](const QString& path, std::uint64_t revision) {
+        m_path = path;
+        m_written = revision;
+    });
     connect(m_panel, &LessonEditor::closeRequested, this, [this] { confirmDiscard([this] { leave(); }); });
     connect(m_document, &Document::opened, this, &LessonEditorController::begin);
     connect(m_document, &Document::stepped, this, [this] { m_isAllRecorded = m_isAllRecorded && m_recorder.isOn(); });
@@ -144,7 +146,7 @@ void LessonEditorController::startFromModel()
 {
     const auto bytes = std::make_shared<std::string>();
     const auto problem = std::make_shared<QString>();
-    const auto save = [bytes, problem](const Document::Present& present) {
+    const auto save = [bytes, problem](const ModelSaver::Present& present) {
         try {
             *bytes = lessonStartOf(*present.mesh);
             if (bytes->size() > core::LessonLimits::maxBytes)
@@ -163,9 +165,9 @@ void LessonEditorController::startFromModel()
         lesson.start = lessonStart;
         lesson.files.emplace(lessonStart, std::move(*bytes));
         setLesson(std::move(lesson), {});
-        openAtEnd(true, m_document->isModified());
+        openAtEnd(true, m_document->savedState().isModified());
     };
-    if (!m_document->saveExternally(tr("Preparing the lesson"), save, done))
+    if (!m_document->saver().saveExternally(tr("Preparing the lesson"), save, done))
         m_window->showNotice(tr("Not yet: other work on the model is not done."));
 }
 
@@ -221,7 +223,7 @@ void LessonEditorController::leave()
 void LessonEditorController::record(bool on)
 {
     m_window->viewport()->finish();
-    on ? openAtEnd(m_isAllRecorded) : m_document->enqueue([this] { stopRecording(); });
+    on ? openAtEnd(m_isAllRecorded) : m_document->queue().enqueue([this] { stopRecording(); });
 }
 
 /// The model that the steps leave, to the bit as the lesson will be played.
@@ -234,13 +236,13 @@ void LessonEditorController::openAtEnd(bool discardsChanges, bool isUnsaved)
         loaded.isUnsaved = isUnsaved;
         return loaded;
     };
-    m_document->openMade({tr("Playing the lesson to its end"), make, m_opening, discardsChanges});
+    m_document->opener().openMade({tr("Playing the lesson to its end"), make, m_opening, discardsChanges});
 }
 
 void LessonEditorController::begin()
 {
     const std::shared_ptr<const core::Lesson> opening = std::exchange(m_opening, nullptr);
-    m_isAllRecorded = opening && m_document->mark() == opening;
+    m_isAllRecorded = opening && m_document->opener().mark() == opening;
     if (!m_isAllRecorded)
         return stopRecording();
     m_recorder.begin(&m_draft);
@@ -258,8 +260,8 @@ void LessonEditorController::stopRecording()
 
 void LessonEditorController::addFacts()
 {
-    m_document->enqueue([this] {
-        m_worker->post([this](core::Sculptor& sculptor) {
+    m_document->queue().enqueue([this] {
+        m_document->worker().post([this](core::Sculptor& sculptor) {
             auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
             m_background.run([mesh] { return factsOf(*mesh); },
                              [this](const std::vector<core::FactBounds>& facts) {
@@ -271,92 +273,6 @@ void LessonEditorController::addFacts()
                              });
         });
     });
-}
-
-// --- writing
-
-void LessonEditorController::save()
-{
-    m_window->viewport()->finish();
-    const QString missing = LessonSaving::missing(m_draft);
-    if (!missing.isEmpty())
-        return m_window->showProblem(missing);
-    const QString title = QFileInfo(m_path).completeBaseName();
-    ui::askForLessonTarget(m_window, title.isEmpty() ? tr("lesson") : title, [this](const QString& path) {
-        m_document->enqueue([this, path] {
-            if (!m_recorder.isOn())
-                return check(path, m_draft, {});
-            m_worker->post([this, path, draft = m_draft](core::Sculptor& sculptor) {
-                const std::uint64_t hash = sculptor.mesh().meshHash();
-                QMetaObject::invokeMethod(
-                    this, [this, path, draft, hash] { check(path, draft, hash); }, Qt::QueuedConnection);
-            });
-        });
-    });
-}
-
-void LessonEditorController::check(const QString& path, const core::LessonDraft& draft,
-                                   const std::optional<std::uint64_t>& hash)
-{
-    BackgroundJob* work = m_document->job();
-    if (work->isBusy())
-        return m_window ? m_window->showNotice(tr("Not yet: other work on the model is not done.")) : void();
-    const core::JobControl control = work->beginCancellable(tr("Playing the lesson to its end"));
-    work->run([draft, path, hash, control] { return LessonSaving::check(draft, toPath(path), hash, control); },
-              [this, path, revision = draft.revision()](const CheckedLesson& checked) {
-                  onChecked(path, checked, revision);
-              });
-}
-
-void LessonEditorController::onChecked(const QString& path, const CheckedLesson& checked, std::uint64_t revision)
-{
-    m_document->job()->commit();
-    m_document->job()->end();
-    if (!m_window)
-        return;
-    if (!checked.problem.isEmpty())
-        return m_window->showProblem(checked.problem);
-    if (!checked.lesson)
-        return m_window->showNotice(tr("%1 was not written.").arg(QDir::toNativeSeparators(path)));
-    if (checked.remarks.isEmpty())
-        return write(path, checked.lesson, revision);
-    QStringList remarks = checked.remarks.mid(0, maxRemarks);
-    if (checked.remarks.size() > maxRemarks)
-        remarks << tr("And %n more.", nullptr, static_cast<int>(checked.remarks.size() - maxRemarks));
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Save the lesson"),
-                                tr("Not everything is as the lesson asks for."), QMessageBox::Cancel, m_window);
-    box->setObjectName(QStringLiteral("lessonRemarks"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
-    box->setInformativeText(remarks.join(QLatin1Char('\n')));
-    const QPushButton* all = box->addButton(tr("Save All the Same"), QMessageBox::AcceptRole);
-    box->setDefaultButton(QMessageBox::Cancel);
-    connect(box, &QMessageBox::buttonClicked, this,
-            [this, all, path, checked, revision](const QAbstractButton* pressed) {
-                if (pressed == all)
-                    write(path, checked.lesson, revision);
-            });
-    box->open();
-}
-
-void LessonEditorController::write(const QString& path, const std::shared_ptr<const core::Lesson>& lesson,
-                                   std::uint64_t revision)
-{
-    BackgroundJob* work = m_document->job();
-    if (work->isBusy())
-        return m_window->showNotice(tr("Not yet: other work on the model is not done."));
-    work->begin(tr("Saving %1").arg(QFileInfo(path).fileName()));
-    work->run([path, lesson] { return LessonSaving::write(*lesson, toPath(path)); },
-              [this, path, revision](const QString& problem) {
-                  m_document->job()->end();
-                  if (!m_window)
-                      return;
-                  if (!problem.isEmpty())
-                      return m_window->showProblem(problem);
-                  m_path = path;
-                  m_written = revision;
-                  m_window->showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
-              });
 }
 
 // --- what would be lost
@@ -378,7 +294,7 @@ void LessonEditorController::confirmDiscard(std::function<void()> then)
     box->setDefaultButton(QMessageBox::Save);
     connect(box, &QDialog::finished, this, [this, then = std::move(then)](int answer) {
         if (answer == QMessageBox::Save)
-            save();
+            m_writer.save(m_path);
         else if (answer == QMessageBox::Discard)
             then();
     });

@@ -2,7 +2,7 @@
 
 #include "app/lesson/lesson_autosave.h"
 #include "app/lesson/lesson_recorder.h"
-#include "app/lesson/lesson_saving.h"
+#include "app/lesson/lesson_writer.h"
 
 #include "core/operations/starter_models.h"
 #include "ui/lesson/lesson_editor.h"
@@ -20,7 +20,6 @@ class MainWindow;
 namespace app
 {
 class Document;
-class SculptWorker;
 
 /// Edits a teacher's lesson in the window: records it from the document, changes, checks and writes it. Thread: gui.
 class LessonEditorController : public QObject
@@ -29,7 +28,7 @@ class LessonEditorController : public QObject
 
 public:
     /// All must outlive it but for the window: a child of the document.
-    LessonEditorController(ui::MainWindow& window, Document& document, SculptWorker& worker);
+    LessonEditorController(ui::MainWindow& window, Document& document);
 
     /// Autosaves unsaved lessons there, and offers those that earlier runs left. To be called once.
     void enableAutosave(const std::filesystem::path& root);
@@ -47,10 +46,6 @@ private:
     void begin();
     void stopRecording();
     void addFacts();
-    void save();
-    void check(const QString& path, const core::LessonDraft& draft, const std::optional<std::uint64_t>& hash);
-    void onChecked(const QString& path, const CheckedLesson& checked, std::uint64_t revision);
-    void write(const QString& path, const std::shared_ptr<const core::Lesson>& lesson, std::uint64_t revision);
     void leave();
     bool hasChanges() const;
     bool canClose();
@@ -60,13 +55,13 @@ private:
     QPointer<ui::MainWindow> m_window;
     QPointer<ui::LessonEditor> m_panel;
     Document* m_document;
-    SculptWorker* m_worker;
     core::LessonDraft m_draft;
     LessonRecorder m_recorder;
+    LessonWriter m_writer;
     QString m_path;              ///< of the lesson that was opened, or where it was written; empty: neither
     std::uint64_t m_written = 0; ///< revision of the draft that is in a file
-    std::shared_ptr<const core::Lesson>
-        m_opening;                              ///< at whose end recording begins once its model is there; null: none
+    /// At whose end recording begins once its model is there; null: none.
+    std::shared_ptr<const core::Lesson> m_opening;
     bool m_isAllRecorded = false;               ///< all steps of the document are in the lesson
     std::unique_ptr<LessonAutosave> m_autosave; ///< null: off
     ui::BackgroundThread m_background;          ///< last

@@ -24,7 +24,7 @@ bool needsFile(const core::FileEntry& entry)
 LessonRecorder::LessonRecorder(Document& document) : m_document(&document)
 {
     connect(&document, &Document::stepped, this, &LessonRecorder::add);
-    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &LessonRecorder::onIndexChanged);
+    connect(&document.history().stack(), &QUndoStack::indexChanged, this, &LessonRecorder::onIndexChanged);
 }
 
 void LessonRecorder::begin(core::LessonDraft* draft)
@@ -44,7 +44,7 @@ void LessonRecorder::add(const core::FileEntry& entry)
 {
     if (!isOn())
         return;
-    while (static_cast<int>(m_steps.size()) >= m_document->undoStack().index())
+    while (static_cast<int>(m_steps.size()) >= m_document->history().stack().index())
         removeLast();
     m_undone.clear();
     m_steps.push_back(m_draft->steps() - 1);
@@ -57,7 +57,7 @@ void LessonRecorder::onIndexChanged(int index)
 {
     if (!isOn())
         return;
-    if (m_document->undoStack().count() == 0) { // cleared: the strokes stay
+    if (m_document->history().stack().count() == 0) { // cleared: the strokes stay
         end();
         return Q_EMIT ended();
     }
@@ -82,7 +82,7 @@ void LessonRecorder::refuseUnfit()
 {
     if (m_steps.empty() || !needsFile(m_draft->step(m_steps.back()).strokes.back()))
         return;
-    QMetaObject::invokeMethod(m_document, &Document::undo, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&m_document->history(), &DocumentHistory::undo, Qt::QueuedConnection);
     Q_EMIT refused();
 }
 } // namespace app

@@ -1,12 +1,16 @@
 #pragma once
 
-#include "core/mesh/mesh.h"
 #include "core/util/job_control.h"
 
 #include <QCoreApplication>
 #include <QString>
 
 #include <memory>
+
+namespace core
+{
+class Mesh;
+}
 
 namespace app
 {

@@ -7,6 +7,101 @@
 
 namespace app
 {
+namespace
+{
+struct Names
+{
+    QString name, progress;
+};
+
+Names namesOf(const core::Move&)
+{
+    return {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model")};
+}
+
+Names namesOf(const core::Rotate&)
+{
+    return {CommandNames::tr("Rotate", "undo step"), CommandNames::tr("Rotating the model")};
+}
+
+Names namesOf(const core::Scale&)
+{
+    return {CommandNames::tr("Scale", "undo step"), CommandNames::tr("Scaling the model")};
+}
+
+Names namesOf(const core::Mirror&)
+{
+    return {CommandNames::tr("Mirror", "undo step"), CommandNames::tr("Mirroring the model")};
+}
+
+Names namesOf(const core::Recentre&)
+{
+    return {CommandNames::tr("Recentre", "undo step"), CommandNames::tr("Recentring the model")};
+}
+
+Names namesOf(const core::Insert&)
+{
+    return {CommandNames::tr("Insert", "undo step"), CommandNames::tr("Inserting a model")};
+}
+
+Names namesOf(const core::Fill&)
+{
+    return {CommandNames::tr("Fill", "undo step"), CommandNames::tr("Colouring the model")};
+}
+
+Names namesOf(const core::MaskOperation& change)
+{
+    using How = core::MaskOperation::Kind;
+    const QString progress = CommandNames::tr("Changing the mask");
+    switch (change.how) {
+    case How::Invert:
+        return {CommandNames::tr("Invert Mask", "undo step"), progress};
+    case How::Clear:
+        return {CommandNames::tr("Clear Mask", "undo step"), progress};
+    case How::Blur:
+        return {CommandNames::tr("Blur Mask", "undo step"), progress};
+    case How::Sharpen:
+        return {CommandNames::tr("Sharpen Mask", "undo step"), progress};
+    case How::Grow:
+        return {CommandNames::tr("Grow Mask", "undo step"), progress};
+    case How::Shrink:
+        return {CommandNames::tr("Shrink Mask", "undo step"), progress};
+    case How::Cavity:
+        return {CommandNames::tr("Mask Cavities", "undo step"), progress};
+    case How::Color:
+        return {CommandNames::tr("Mask by Colour", "undo step"), progress};
+    case How::Part:
+        return {CommandNames::tr("Mask Whole Parts", "undo step"), progress};
+    }
+    return {};
+}
+
+Names namesOf(const core::RemeshUniformly&)
+{
+    return {CommandNames::tr("Remesh", "undo step"), CommandNames::tr("Remeshing the model")};
+}
+
+Names namesOf(const core::Symmetrize&)
+{
+    return {CommandNames::tr("Symmetrize", "undo step"), CommandNames::tr("Making the model symmetric")};
+}
+
+Names namesOf(const core::Reset&)
+{
+    return {CommandNames::tr("Reset", "undo step"), CommandNames::tr("Going back to the start")};
+}
+
+Names namesOf(const core::PlaceOnBed&)
+{
+    return {CommandNames::tr("Place on Bed", "undo step"), CommandNames::tr("Placing the model on the bed")};
+}
+
+Names namesOf(const core::FlattenBase&)
+{
+    return {CommandNames::tr("Flatten Base", "undo step"), CommandNames::tr("Flattening the base")};
+}
+} // namespace
+
 QString CommandNames::name(const core::ModelCommand& command)
 {
     return std::visit([](const auto& each) { return namesOf(each).name; }, command);
@@ -27,93 +122,6 @@ QString CommandNames::icon(const core::ModelCommand& command)
 QString CommandNames::progress(const core::ModelCommand& command)
 {
     return std::visit([](const auto& each) { return namesOf(each).progress; }, command);
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Move&)
-{
-    return {tr("Move", "undo step"), tr("Moving the model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Rotate&)
-{
-    return {tr("Rotate", "undo step"), tr("Rotating the model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Scale&)
-{
-    return {tr("Scale", "undo step"), tr("Scaling the model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Mirror&)
-{
-    return {tr("Mirror", "undo step"), tr("Mirroring the model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Recentre&)
-{
-    return {tr("Recentre", "undo step"), tr("Recentring the model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Insert&)
-{
-    return {tr("Insert", "undo step"), tr("Inserting a model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Fill&)
-{
-    return {tr("Fill", "undo step"), tr("Colouring the model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::MaskOperation& change)
-{
-    using How = core::MaskOperation::Kind;
-    const QString progress = tr("Changing the mask");
-    switch (change.how) {
-    case How::Invert:
-        return {tr("Invert Mask", "undo step"), progress};
-    case How::Clear:
-        return {tr("Clear Mask", "undo step"), progress};
-    case How::Blur:
-        return {tr("Blur Mask", "undo step"), progress};
-    case How::Sharpen:
-        return {tr("Sharpen Mask", "undo step"), progress};
-    case How::Grow:
-        return {tr("Grow Mask", "undo step"), progress};
-    case How::Shrink:
-        return {tr("Shrink Mask", "undo step"), progress};
-    case How::Cavity:
-        return {tr("Mask Cavities", "undo step"), progress};
-    case How::Color:
-        return {tr("Mask by Colour", "undo step"), progress};
-    case How::Part:
-        return {tr("Mask Whole Parts", "undo step"), progress};
-    }
-    return {};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::RemeshUniformly&)
-{
-    return {tr("Remesh", "undo step"), tr("Remeshing the model")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Symmetrize&)
-{
-    return {tr("Symmetrize", "undo step"), tr("Making the model symmetric")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::Reset&)
-{
-    return {tr("Reset", "undo step"), tr("Going back to the start")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::PlaceOnBed&)
-{
-    return {tr("Place on Bed", "undo step"), tr("Placing the model on the bed")};
-}
-
-CommandNames::Names CommandNames::namesOf(const core::FlattenBase&)
-{
-    return {tr("Flatten Base", "undo step"), tr("Flattening the base")};
 }
 
 QString CommandNames::unchanged(const core::ModelCommand& command)

@@ -23,24 +23,5 @@ public:
     static QString refusal(const core::ModelChange& change, const QString& inserted);
     /// The notice if the command changed nothing.
     static QString unchanged(const core::ModelCommand& command);
-
-private:
-    struct Names
-    {
-        QString name, progress;
-    };
-    static Names namesOf(const core::Move&);
-    static Names namesOf(const core::Rotate&);
-    static Names namesOf(const core::Scale&);
-    static Names namesOf(const core::Mirror&);
-    static Names namesOf(const core::Recentre&);
-    static Names namesOf(const core::Insert&);
-    static Names namesOf(const core::Fill&);
-    static Names namesOf(const core::MaskOperation& change);
-    static Names namesOf(const core::RemeshUniformly&);
-    static Names namesOf(const core::Symmetrize&);
-    static Names namesOf(const core::Reset&);
-    static Names namesOf(const core::PlaceOnBed&);
-    static Names namesOf(const core::FlattenBase&);
 };
 } // namespace app

@@ -5,6 +5,7 @@
 
 #include "core/geometry/scale_mesh.h"
 #include "core/io/mesh_io.h"
+#include "core/mesh/mesh.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/repair_messages.h"
 
@@ -28,27 +29,27 @@ std::shared_ptr<core::Mesh> ModelChangeJob::copyOf(const core::Mesh& mesh)
     }
 }
 
-ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
-                                       const ui::InsertRequest& insertion, const OnStage& onStage,
-                                       const core::JobControl& control)
+ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, ModelChangeRequest request,
+                                       const OnStage& onStage, const core::JobControl& control)
 {
     ModelChangeOutcome outcome;
     core::JobControl changeControl = control;
     try {
         if (!copy)
             throw std::bad_alloc();
-        if (auto* insert = std::get_if<core::Insert>(&command)) {
-            const double share = insertion.repair ? afterInsertRepair : afterInsertReading;
-            read(outcome, *insert, insertion, onStage, control.part(0, share));
+        if (std::holds_alternative<core::Insert>(request.command)) {
+            const double share = request.insertion.repair ? afterInsertRepair : afterInsertReading;
+            read(outcome, request, onStage, control.part(0, share));
             changeControl = control.part(share, 1);
         }
         if (!outcome.problem.isEmpty() || control.isCancelled())
             return outcome;
-        outcome.change = core::applyToCopy(std::move(*copy), command, changeControl);
-        outcome.problem = CommandNames::refusal(outcome.change, insertion.path);
+        outcome.change = core::applyToCopy(std::move(*copy), request.command, changeControl);
+        outcome.problem = CommandNames::refusal(outcome.change, request.insertion.path);
         if (outcome.change.changes && outcome.change.report.volume)
             outcome.notice =
-                QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion, *outcome.change.report.volume)})
+                QStringList(
+                    {outcome.notice, ModelLoader::insertedUnitNotice(request.insertion, *outcome.change.report.volume)})
                     .join(u' ')
                     .trimmed();
         outcome.isRepairable = outcome.change.refusal == core::ModelRefusal::Unsound;
@@ -62,9 +63,10 @@ ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, 
 }
 
 /// Repaired or not, the model keeps the place that its file gives it: one that lay far from the origin goes back there.
-void ModelChangeJob::read(ModelChangeOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion,
-                          const OnStage& onStage, const core::JobControl& control)
+void ModelChangeJob::read(ModelChangeOutcome& outcome, ModelChangeRequest& request, const OnStage& onStage,
+                          const core::JobControl& control)
 {
+    const ui::InsertRequest& insertion = request.insertion;
     auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = control.stop});
     const QString name = QFileInfo(insertion.path).fileName();
     outcome.notice = ui::ErrorMessages::remarks(name, remarks);
@@ -84,8 +86,8 @@ void ModelChangeJob::read(ModelChangeOutcome& outcome, core::Insert& command, co
             p = (p.cast<double>() - repaired.report.moved).cast<float>();
         repaired.report.moved.setZero();
         outcome.repairs = ui::RepairMessages::steps(repaired.report) << ui::RepairMessages::distance(repaired.report);
-        onStage(CommandNames::progress(command));
+        onStage(CommandNames::progress(request.command));
     }
-    command.model = std::move(mesh);
+    std::get<core::Insert>(request.command).model = std::move(mesh);
 }
 } // namespace app

@@ -12,6 +12,13 @@
 
 namespace app
 {
+/// A change of the whole model.
+struct ModelChangeRequest
+{
+    core::ModelCommand command;
+    ui::InsertRequest insertion; ///< with a core::Insert, whose model is read from its file
+};
+
 /// What became of a change of the whole model.
 struct ModelChangeOutcome
 {
@@ -33,12 +40,11 @@ public:
     /// Called at the beginning of each stage with its name.
     using OnStage = std::function<void(const QString& what)>;
     /// Consumes the copy. What is to be inserted is read first.
-    static ModelChangeOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command,
-                                  const ui::InsertRequest& insertion, const OnStage& onStage,
-                                  const core::JobControl& control);
+    static ModelChangeOutcome run(const std::shared_ptr<core::Mesh>& copy, ModelChangeRequest request,
+                                  const OnStage& onStage, const core::JobControl& control);
 
 private:
-    static void read(ModelChangeOutcome& outcome, core::Insert& command, const ui::InsertRequest& insertion,
-                     const OnStage& onStage, const core::JobControl& control);
+    static void read(ModelChangeOutcome& outcome, ModelChangeRequest& request, const OnStage& onStage,
+                     const core::JobControl& control);
 };
 } // namespace app

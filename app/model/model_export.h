@@ -2,13 +2,19 @@
 
 #include "core/io/document_metadata.h"
 #include "core/io/export_check.h"
-#include "core/mesh/mesh.h"
+#include "core/util/job_control.h"
 
 #include <QCoreApplication>
 #include <QString>
 
 #include <functional>
 #include <memory>
+
+namespace core
+{
+class Mesh;
+struct TriangleMesh;
+} // namespace core
 
 namespace app
 {

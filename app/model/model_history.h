@@ -1,11 +1,15 @@
 #pragma once
 
-#include "core/mesh/mesh.h"
 #include "core/mesh/mesh_delta.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
+
+namespace core
+{
+class Mesh;
+}
 
 namespace app
 {

@@ -6,6 +6,8 @@
 #include "core/geometry/lattice_placement.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/repair/repair.h"
+#include "core/sculpt/sculptor.h"
 #include "core/util/numbered_backup.h"
 #include "ui/model/insert_request.h"
 #include "ui/util/error_messages.h"
@@ -41,32 +43,24 @@ LoadedModel ModelLoader::load(const QString& path, const OnStage& onStage, const
 LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOptions& options, const OnStage& onStage,
                                       const core::JobControl& control)
 {
-    return read(path, onStage, control,
-                [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
-                    if (!repair(loaded, mesh, options, onStage, part.part(0, afterRepair)))
-                        return;
-                    if (onStage)
-                        onStage(tr("Checking %1").arg(loaded.name));
-                    build(loaded, mesh, false, part.part(afterRepair, 1));
-                });
-}
-
-bool ModelLoader::repair(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
-                         const OnStage& onStage, const core::JobControl& control)
-{
-    core::RepairStepCallback onStep;
-    if (onStage)
-        onStep = [&](core::RepairStep step) { onStage(ui::RepairMessages::progress(loaded.name, step)); };
-    core::RepairResult repaired = core::repairMesh(mesh, options, control, onStep);
-    if (!repaired.mesh) {
-        if (!control.isCancelled())
-            loaded.problem = ui::RepairMessages::refusal(loaded.path, repaired);
-        return false;
-    }
-    mesh = std::move(*repaired.mesh);
-    loaded.repairs = ui::RepairMessages::steps(repaired.report) << ui::RepairMessages::distance(repaired.report);
-    loaded.path.clear();
-    return true;
+    return read(
+        path, onStage, control, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
+            core::RepairStepCallback onStep;
+            if (onStage)
+                onStep = [&](core::RepairStep step) { onStage(ui::RepairMessages::progress(loaded.name, step)); };
+            core::RepairResult repaired = core::repairMesh(mesh, options, part.part(0, afterRepair), onStep);
+            if (!repaired.mesh && !part.isCancelled())
+                loaded.problem = ui::RepairMessages::refusal(loaded.path, repaired);
+            if (!repaired.mesh)
+                return;
+            mesh = std::move(*repaired.mesh);
+            loaded.repairs = ui::RepairMessages::steps(repaired.report)
+                             << ui::RepairMessages::distance(repaired.report);
+            loaded.path.clear();
+            if (onStage)
+                onStage(tr("Checking %1").arg(loaded.name));
+            build(loaded, mesh, false, part.part(afterRepair, 1));
+        });
 }
 
 LoadedModel ModelLoader::loadInPlace(const QString& path)

@@ -2,23 +2,24 @@
 
 #include "core/analysis/print_check.h"
 #include "core/io/document_metadata.h"
-#include "core/operations/model_command.h"
 #include "core/operations/starter_models.h"
-#include "core/repair/repair.h"
-#include "core/sculpt/sculptor.h"
-#include "core/util/file_error.h"
 #include "core/util/job_control.h"
 
 #include <QCoreApplication>
 #include <QString>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 
 namespace core
 {
 class Journal;
+class Mesh;
+class Sculptor;
+struct RepairOptions;
 struct RecoveredDocument;
+struct Snapshot;
 } // namespace core
 namespace ui
 {
@@ -44,8 +45,7 @@ struct LoadedModel
     std::shared_ptr<core::Journal> journal; ///< that was begun for it; may be null
     /// Of a model out of such a journal: its history; the mesh is the sculptor's.
     std::shared_ptr<core::RecoveredDocument> recovered;
-    quint64 offer = 0;                     ///< that it was
-    std::shared_ptr<const void> mark = {}; ///< of who had it made
+    quint64 offer = 0; ///< that it was
 };
 
 /// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.
@@ -85,8 +85,6 @@ private:
     using Process = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& control)>;
     static LoadedModel read(const QString& path, const OnStage& onStage, const core::JobControl& control,
                             const Process& process);
-    static bool repair(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options,
-                       const OnStage& onStage, const core::JobControl& control);
     static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace,
                       const core::JobControl& control);
 };

@@ -4,6 +4,7 @@
 #include "app/model/model_loader.h"
 
 #include "core/journal/journal_files.h"
+#include "core/sculpt/sculptor.h"
 
 #include <QDir>
 

@@ -1,5 +1,7 @@
 #include "app/window/connections.h"
 
+#include "app/analysis/model_analysis.h"
+#include "app/analysis/print_analysis.h"
 #include "app/classroom/class_file.h"
 #include "app/classroom/class_pin.h"
 #include "app/classroom/classroom_mode.h"
@@ -7,8 +9,6 @@
 #include "app/document/document.h"
 #include "app/document/history_list.h"
 #include "app/document/history_scrubber.h"
-#include "app/document/model_analysis.h"
-#include "app/document/print_analysis.h"
 #include "app/document/stroke_edit.h"
 #include "app/document/time_lapse_controller.h"
 #include "app/headset/headset.h"
@@ -43,52 +43,54 @@ namespace
 void connectDocument(ui::MainWindow& window, Document& document)
 {
     using ui::MainWindow;
-    QObject::connect(&window, &MainWindow::starterRequested, &document, &Document::openStarter);
-    QObject::connect(&window, &MainWindow::saveRequested, &document, &Document::save);
-    QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
+    QObject::connect(&window, &MainWindow::starterRequested, &document.opener(), &ModelOpener::openStarter);
+    QObject::connect(&window, &MainWindow::saveRequested, &document.saver(), &ModelSaver::save);
+    QObject::connect(&window, &MainWindow::exportRequested, &document.saver(), &ModelSaver::exportTo);
     QObject::connect(&window, &MainWindow::modelRenamed, &document, &Document::setPath);
-    QObject::connect(&window, &MainWindow::modelFileDeleted, &document, &Document::onFileDeleted);
+    QObject::connect(&window, &MainWindow::modelFileDeleted, &document.savedState(), &SavedState::onFileDeleted);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
     QObject::connect(&document, &Document::modelInfoChanged, &window, &MainWindow::updateModelInfo);
-    QObject::connect(&document, &Document::modifiedChanged, &window, &MainWindow::setModified);
+    QObject::connect(&document.savedState(), &SavedState::modifiedChanged, &window, &MainWindow::setModified);
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
-    QObject::connect(&document, &Document::repairable, &window,
+    QObject::connect(&document.opener(), &ModelOpener::repairable, &window,
                      [&window, &document](const QString& path, const QString& problem) {
                          ui::askToRepair(&window, ui::RepairUse::Opening, problem,
                                          [&document, path](const core::RepairOptions& options) {
-                                             document.openRepaired(path, options);
+                                             document.opener().openRepaired(path, options);
                                          });
                      });
-    QObject::connect(&document, &Document::repaired, &window, [&window](const QString& name, const QStringList& steps) {
-        ui::showRepaired(&window, ui::RepairUse::Opening, name, steps);
-    });
-    QObject::connect(&document, &Document::insertionRepairable, &window,
+    QObject::connect(&document.opener(), &ModelOpener::repaired, &window,
+                     [&window](const QString& name, const QStringList& steps) {
+                         ui::showRepaired(&window, ui::RepairUse::Opening, name, steps);
+                     });
+    QObject::connect(&document.changer(), &ModelChanger::insertionRepairable, &window,
                      [&window, &document](ui::InsertRequest insertion, const QString& problem) {
                          ui::askToRepair(&window, ui::RepairUse::Insertion, problem,
                                          [&document, insertion](const core::RepairOptions& options) mutable {
                                              insertion.repair = options;
-                                             document.insert(insertion);
+                                             document.changer().insert(insertion);
                                          });
                      });
-    QObject::connect(&document, &Document::insertedRepaired, &window,
+    QObject::connect(&document.changer(), &ModelChanger::insertedRepaired, &window,
                      [&window](const QString& name, const QStringList& steps) {
                          ui::showRepaired(&window, ui::RepairUse::Insertion, name, steps);
                      });
-    QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
-    QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
-    QObject::connect(&document, &Document::progressed, &window, &MainWindow::setProgress);
-    QObject::connect(&document, &Document::cancellable, &window, &MainWindow::setStoppable);
+    QObject::connect(&document.job(), &BackgroundJob::busy, &window, &MainWindow::setBusy);
+    QObject::connect(&document.job(), &BackgroundJob::idle, &window, &MainWindow::setIdle);
+    QObject::connect(&document.job(), &BackgroundJob::progressed, &window, &MainWindow::setProgress);
+    QObject::connect(&document.job(), &BackgroundJob::cancellable, &window, &MainWindow::setStoppable);
     QObject::connect(&window, &MainWindow::stopRequested, &document, &Document::cancelJob);
-    QObject::connect(&window, &MainWindow::commandRequested, &document, &Document::apply);
-    QObject::connect(&window, &MainWindow::insertRequested, &document, &Document::insert);
-    QObject::connect(&document, &Document::saved, &window,
+    QObject::connect(&window, &MainWindow::commandRequested, &document.changer(), &ModelChanger::apply);
+    QObject::connect(&window, &MainWindow::insertRequested, &document.changer(), &ModelChanger::insert);
+    QObject::connect(&document.saver(), &ModelSaver::saved, &window,
                      [&window, &document] { window.showSaved(document.modelInfo()); });
-    QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
-    QObject::connect(&window, &MainWindow::brushModelRequested, &document, &Document::exportBrush);
-    QObject::connect(&document, &Document::brushExported, &window, &MainWindow::setBrushModel);
-    document.setDiscardPrompt([&window](const std::function<void()>& proceed) { return window.askToDiscard(proceed); });
-    window.setCanClose([&window, &document] { return document.canDiscard([&window] { window.close(); }); });
+    QObject::connect(&document.saver(), &ModelSaver::exported, &window, &MainWindow::showExported);
+    QObject::connect(&window, &MainWindow::brushModelRequested, &document.saver(), &ModelSaver::exportBrush);
+    QObject::connect(&document.saver(), &ModelSaver::brushExported, &window, &MainWindow::setBrushModel);
+    document.opener().setDiscardPrompt(
+        [&window](const std::function<void()>& proceed) { return window.askToDiscard(proceed); });
+    window.setCanClose([&window, &document] { return document.opener().canDiscard([&window] { window.close(); }); });
 }
 
 /// The doubt lasts until the model is another one, by whatever means.
@@ -99,17 +101,17 @@ void connectUnits(ui::MainWindow& window, Document& document)
         for (UnitBar* bar : window.findChildren<UnitBar*>())
             bar->dismiss();
     };
-    QObject::connect(&document.undoStack(), &QUndoStack::indexChanged, &window, leave);
+    QObject::connect(&document.history().stack(), &QUndoStack::indexChanged, &window, leave);
     QObject::connect(&document, &Document::opened, &window, [&window, &document, leave](const ui::ModelInfo& info) {
         leave();
         if (info.unitGuess == core::UnitDoubt::None)
             return;
         auto* bar = new UnitBar({info.name, info.size.maxCoeff(), info.unitGuess}, &window);
-        QObject::connect(&document, &Document::busy, bar, [bar] { bar->setEnabled(false); });
-        QObject::connect(&document, &Document::idle, bar, [bar] { bar->setEnabled(true); });
+        QObject::connect(&document.job(), &BackgroundJob::busy, bar, [bar] { bar->setEnabled(false); });
+        QObject::connect(&document.job(), &BackgroundJob::idle, bar, [bar] { bar->setEnabled(true); });
         QObject::connect(bar, &UnitBar::unitChosen, &document, [&window, &document](double millimetres) {
             window.viewport()->setFocus();
-            document.apply(core::Scale{millimetres});
+            document.changer().apply(core::Scale{millimetres});
         });
     });
 }
@@ -124,15 +126,15 @@ void connectClosing(ui::MainWindow& window, Document& document, Headset* headset
     QObject::connect(&window, &MainWindow::openRequested, &document, [&viewport, &document](const QString& path) {
         viewport.finish();
         if (!viewport.isPressPending())
-            return document.open(path);
-        const auto open = [&document, path] { document.open(path); };
+            return document.opener().open(path);
+        const auto open = [&document, path] { document.opener().open(path); };
         const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
         QObject::connect(&viewport, &Viewport::pressDecided, &document, open, how);
     });
     window.setIsSettled([&viewport, &document, headset] {
         viewport.finish();
         headset->leave();
-        return !viewport.isPressPending() && !headset->isActive() && document.isSettled();
+        return !viewport.isPressPending() && !headset->isActive() && document.queue().isSettled();
     });
     QObject::connect(headset, &Headset::reported, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
     QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
@@ -143,13 +145,13 @@ void connectHistory(ui::MainWindow& window, Document& document)
 {
     QAction* undo = window.action(QStringLiteral("edit.undo"));
     QAction* redo = window.action(QStringLiteral("edit.redo"));
-    QObject::connect(undo, &QAction::triggered, &document, &Document::undo);
-    QObject::connect(redo, &QAction::triggered, &document, &Document::redo);
+    QObject::connect(undo, &QAction::triggered, &document.history(), &DocumentHistory::undo);
+    QObject::connect(redo, &QAction::triggered, &document.history(), &DocumentHistory::redo);
     QObject::connect(&document, &Document::historyChanged, &window, [&window, &document, undo, redo] {
-        window.setUndoText(document.undoText());
-        window.setRedoText(document.redoText());
-        undo->setEnabled(document.canUndo());
-        redo->setEnabled(document.canRedo());
+        window.setUndoText(document.history().undoText());
+        window.setRedoText(document.history().redoText());
+        undo->setEnabled(document.history().canUndo());
+        redo->setEnabled(document.history().canRedo());
     });
 }
 
@@ -162,16 +164,16 @@ void connectHistoryPanel(ui::MainWindow& window, Document& document)
             panel->setHistory(historyOf(document));
     };
     const auto setCap = [&document, show](qint64 bytes) {
-        document.history().setCap(static_cast<std::size_t>(bytes));
+        document.history().store().setCap(static_cast<std::size_t>(bytes));
         show();
     };
     setCap(panel->cap());
-    QObject::connect(panel, &HistoryPanel::jumpRequested, &document, &Document::goTo);
+    QObject::connect(panel, &HistoryPanel::jumpRequested, &document.history(), &DocumentHistory::goTo);
     QObject::connect(panel, &HistoryPanel::stateRequested, new HistoryScrubber(&document), &HistoryScrubber::scrubTo);
     QObject::connect(panel, &HistoryPanel::capChanged, panel, setCap);
     QObject::connect(panel, &HistoryPanel::shown, panel, show);
     QObject::connect(&document, &Document::historyChanged, panel, show);
-    QObject::connect(&document.history(), &HistoryStore::bytesChanged, panel, show);
+    QObject::connect(&document.history().store(), &HistoryStore::bytesChanged, panel, show);
 }
 
 /// The swatches belong to the document where its file has some; else they are the person's.
@@ -245,10 +247,10 @@ void connectPrintPanel(ui::MainWindow& window, Document& document, SculptWorker&
 void connectStrokes(ui::Viewport& viewport, Document& document)
 {
     using ui::Viewport;
-    QObject::connect(&viewport, &Viewport::strokeBegan, &document, &Document::beginStroke);
-    QObject::connect(&viewport, &Viewport::strokeSampled, &document, &Document::addSample);
-    QObject::connect(&viewport, &Viewport::strokeEnded, &document, &Document::endStroke);
-    QObject::connect(&viewport, &Viewport::sphereRequested, &document, &Document::addSphere);
+    QObject::connect(&viewport, &Viewport::strokeBegan, &document.strokes(), &DocumentStrokes::beginStroke);
+    QObject::connect(&viewport, &Viewport::strokeSampled, &document.strokes(), &DocumentStrokes::addSample);
+    QObject::connect(&viewport, &Viewport::strokeEnded, &document.strokes(), &DocumentStrokes::endStroke);
+    QObject::connect(&viewport, &Viewport::sphereRequested, &document.strokes(), &DocumentStrokes::addSphere);
 }
 
 void connectWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
@@ -277,7 +279,7 @@ void connectDrawings(ui::MainWindow& window, SculptWorker& worker)
 
 void connectReports(ui::MainWindow& window, Document& document)
 {
-    auto* controller = new ReportController(document.job(), &window);
+    auto* controller = new ReportController(&document.job(), &window);
     QObject::connect(&window, &ui::MainWindow::reportRequested, controller, &ReportController::write);
     QObject::connect(controller, &ReportController::noticed, &window, &ui::MainWindow::showNotice);
     QObject::connect(controller, &ReportController::refused, &window, &ui::MainWindow::showProblem);
@@ -309,9 +311,9 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectMetadata(window, document);
     connectModelPanel(window, document, worker);
     connectPrintPanel(window, document, worker);
-    new LessonController(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
-    new StrokeEdit(window, document); // the same: requested changes of the last stroke come before the next
-    new LessonEditorController(window, document, worker);
+    new LessonController(window, document); // before the strokes: the teacher's ends where the hand's begins
+    new StrokeEdit(window, document);       // the same: requested changes of the last stroke come before the next
+    new LessonEditorController(window, document);
     connectStrokes(*window.viewport(), document);
     connectWorker(*window.viewport(), worker, inbox);
     connectDrawings(window, worker);
@@ -323,7 +325,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
 void connectRecovery(ui::MainWindow& window, Document& document, RecoveryStore& recoveryStore)
 {
     using ui::RecoveryBar;
-    document.keepJournals(&recoveryStore);
+    document.journaling().setRecoveryStore(&recoveryStore);
     const auto show = [&window, &document, &recoveryStore](const RecoveryOffer& offer) {
         for (RecoveryBar* before : window.findChildren<RecoveryBar*>())
             before->dismiss();
@@ -331,7 +333,7 @@ void connectRecovery(ui::MainWindow& window, Document& document, RecoveryStore& 
             return;
         auto* bar = new RecoveryBar({offer.name, offer.changed, offer.steps}, &window);
         QObject::connect(bar, &RecoveryBar::recoverRequested, &document,
-                         [&document, offer] { document.recover(offer.id, offer.name); });
+                         [&document, offer] { document.opener().recover(offer.id, offer.name); });
         QObject::connect(bar, &RecoveryBar::discardRequested, &recoveryStore,
                          [&recoveryStore, offer] { recoveryStore.discard(offer.id); });
     };

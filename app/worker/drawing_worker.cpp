@@ -2,6 +2,7 @@
 
 #include "app/worker/sculpt_worker.h"
 
+#include "core/sculpt/sculptor.h"
 #include "core/util/file_error.h"
 #include "ui/drawing/drawing_sheet.h"
 #include "ui/util/error_messages.h"

@@ -1,6 +1,6 @@
 #include "app/worker/stroke_step.h"
 
-#include "app/worker/sculpt_worker.h"
+#include "app/worker/stroke_report.h"
 
 namespace app
 {

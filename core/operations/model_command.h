@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/mesh_check.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_delta.h"
 #include "core/stroke/tool.h"
 #include "core/util/job_control.h"
 
@@ -11,6 +11,8 @@
 
 namespace core
 {
+class Mesh;
+
 // What may be asked of the whole model. Lengths in the document's unit; planes, axes and pivots are the document's own:
 // they go through the origin.
 

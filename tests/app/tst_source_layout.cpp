@@ -93,17 +93,18 @@ const FolderRule folderRules[] = {
                   "core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
-    {"app/recovery", "core/journal ui/util app/model"},
-    {"app/document", "core/util core/geometry core/analysis core/stroke core/mesh core/drawing core/sculpt "
-                     "core/operations core/io/stroke core/io core/journal ui/util ui/settings ui/widgets "
-                     "ui/viewport ui/model ui/brush ui/print ui/history ui/window app/model app/worker "
-                     "app/recovery"},
+    {"app/recovery", "core/sculpt core/journal ui/util app/model"},
+    {"app/document", "core/util core/stroke core/mesh core/drawing core/sculpt core/operations core/io/stroke "
+                     "core/io core/journal ui/util ui/settings ui/widgets ui/viewport ui/model ui/brush "
+                     "ui/history ui/window app/model app/worker app/recovery"},
+    {"app/analysis", "core/geometry core/analysis core/mesh core/sculpt ui/util ui/print app/worker app/document"},
     {"app/classroom", "core/util core/geometry core/drawing core/io/stroke core/io ui/util ui/settings "
                       "ui/viewport ui/files ui/classroom ui/window app/model app/worker app/recovery "
                       "app/document"},
-    {"app/lesson", "core/util core/mesh core/drawing core/sculpt/deform core/operations core/io core/journal "
-                   "core/lesson ui/util ui/widgets ui/viewport ui/lesson ui/help ui/window app/model app/worker "
-                   "app/document"},
+    {"app/lesson",
+     "core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
+     "core/journal core/lesson ui/util ui/widgets ui/viewport ui/lesson ui/help ui/window app/model app/worker "
+     "app/document app/analysis"},
     {"app/commands", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
                      "core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
                      "app/document app/classroom app/lesson"},
@@ -111,7 +112,7 @@ const FolderRule folderRules[] = {
                     "vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
                     "app/document app/commands"},
     {"app/window", "ui/viewport ui/model ui/brush ui/drawing ui/print ui/history ui/headset ui/window app/worker "
-                   "app/recovery app/document app/classroom app/lesson app/headset"},
+                   "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
     {"app", "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window"
             " ui/scene ui/settings ui/viewport ui/widgets ui/window vr/openxr"},
 };

@@ -83,8 +83,8 @@ void measure(core::Slot cuts)
     core::writeMesh(path.toStdU16String(), ball);
     app::Program program;
     program.window.show();
-    program.document.open(path);
-    waitFor([&] { return !program.document.isBusy() && program.document.path() == path; });
+    program.document.opener().open(path);
+    waitFor([&] { return !program.document.job().isBusy() && program.document.modelInfo().path == path; });
     ScriptedHeadset headset;
     headset.load(script().constData());
     const auto ended = [&headset] { return headset.report()["frames_ended"].toInt(); };
@@ -106,7 +106,7 @@ void measure(core::Slot cuts)
         });
     print("all", costs, [](const vr::FrameTiming& cost) { return cost.ownMs(); });
     print("draw calls", costs, [](const vr::FrameTiming& cost) { return cost.drawCallMs; });
-    std::printf("  %llu strokes\n", static_cast<unsigned long long>(program.worker.strokesBegun()));
+    std::printf("  %llu strokes\n", static_cast<unsigned long long>(program.worker.strokes().begun()));
     std::fflush(stdout);
     thread.leave();
     waitFor([&] { return !thread.isActive(); });

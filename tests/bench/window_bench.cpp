@@ -161,14 +161,14 @@ void open(Program& program, const QString& path)
 {
     int told = 0;
     const auto counting =
-        QObject::connect(&program.document, &app::Document::progressed, &program.window, [&] { ++told; });
+        QObject::connect(&program.document.job(), &app::BackgroundJob::progressed, &program.window, [&] { ++told; });
     Absence absence;
     QElapsedTimer clock;
     clock.start();
     const quint64 wholes = program.window.viewport()->stats().wholeUploads;
-    program.document.open(path);
-    const bool opened =
-        waitFor([&] { return !program.document.isBusy() && program.window.viewport()->stats().wholeUploads > wholes; });
+    program.document.opener().open(path);
+    const bool opened = waitFor(
+        [&] { return !program.document.job().isBusy() && program.window.viewport()->stats().wholeUploads > wholes; });
     QObject::disconnect(counting);
     std::printf("%9llu  open to frame %7.0f ms   progress told %3d times   gui away at most %4.0f ms%s\n",
                 static_cast<unsigned long long>(program.document.modelInfo().vertices),
@@ -207,7 +207,7 @@ void stroke(Program& program, const char* what)
         QTest::qWait(moveMs);
     }
     QTest::mouseRelease(viewport, Qt::LeftButton, {}, at(moves));
-    waitFor([&] { return program.document.isSettled(); });
+    waitFor([&] { return program.document.queue().isSettled(); });
     QTest::qWait(500);
     QObject::disconnect(frames);
     QObject::disconnect(drawings, nullptr, viewport, nullptr);
@@ -253,10 +253,10 @@ int main(int argc, char* argv[])
     ui::prepareGraphics();
     QApplication application(argc, argv);
     Program program;
-    program.document.setDiscardPrompt([](const auto&) { return true; });
+    program.document.opener().setDiscardPrompt([](const auto&) { return true; });
     program.window.resize(1280, 720);
     program.window.show();
-    program.document.openSphere();
+    program.document.opener().openSphere();
     waitFor([&] { return program.window.viewport()->stats().patches > 0; });
     std::printf("start to the first frame with clay: %.2f s\n", secondsSinceProcessStart());
     QStringList sizes = QApplication::arguments().mid(1);

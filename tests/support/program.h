@@ -2,6 +2,8 @@
 
 #include "app/document/document.h"
 #include "app/window/connections.h"
+#include "app/worker/sculpt_worker.h"
+#include "core/sculpt/sculptor.h"
 #include "ui/window/main_window.h"
 
 namespace app

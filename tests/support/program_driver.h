@@ -58,8 +58,8 @@ inline void openFile(Program& program, const QString& path, const QSize& size = 
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     Q_EMIT program.window.openRequested(path);
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.path(), path, 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.modelInfo().path, path, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);
     program.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
@@ -71,12 +71,12 @@ inline void sculptBall(Program& program)
     program.window.resize(900, 700);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+    program.document.opener().openSphere();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);
     drag(program.window.viewport(), {40, 20});
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 1, 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), 60'000);
 }
 
 /// Presses a button of the question about unsaved changes, which the next event asks, until it is answered: on a busy

@@ -106,7 +106,7 @@ struct Class
         : store(home.places.journals)
         , mode({&program.window, &program.document, &store}, classroom, home.places, [this] { return now; })
     {
-        program.document.keepJournals(&store);
+        program.document.journaling().setRecoveryStore(&store);
         connectClassroom(program.window, mode);
         program.window.resize(1100, 760);
         program.window.show();
@@ -119,7 +119,8 @@ struct Class
     QString text(const char* label) const { return part<QLabel>(label)->text(); }
     bool isIdle() const
     {
-        return !program.document.isBusy() && program.document.isSettled() && program.document.modelInfo().faces > 0;
+        return !program.document.job().isBusy() && program.document.queue().isSettled() &&
+               program.document.modelInfo().faces > 0;
     }
     bool asks() const { return part<ui::PupilNamePanel>("namePanel")->isVisible(); }
 
@@ -139,9 +140,9 @@ struct Class
     }
     void sculpt(const QPoint& way = {40, 20})
     {
-        const int before = program.document.undoStack().index();
+        const int before = program.document.history().stack().index();
         drag(program.window.viewport(), way);
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().index(), before + 1, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(isIdle(), timeoutMs);
     }
     void trigger(const char* id)
@@ -290,7 +291,7 @@ void TestClassroom::twentyFiveTurns_areKept()
             c.beginTurn(names.last(), i % 2 == 0 ? "new.ball" : "new.torus");
             if (QTest::currentTestFailed())
                 return;
-            QCOMPARE(c.program.document.undoStack().count(), 0);
+            QCOMPARE(c.program.document.history().stack().count(), 0);
             for (int stroke = 0; stroke <= i % 3; ++stroke)
                 c.sculpt({10 + 5 * i, 20 * stroke});
             if (i % 4 == 3) { // what was undone is in no record
@@ -344,7 +345,8 @@ void TestClassroom::aTurnBegins_asTheClassDid()
     c.next();
     c.beginTurn(QStringLiteral("Ben"));
     QVERIFY(Beginning(c) == first);
-    QVERIFY(!c.program.document.canUndo() && !c.program.document.canRedo() && !c.program.document.isModified());
+    QVERIFY(!c.program.document.history().canUndo() && !c.program.document.history().canRedo() &&
+            !c.program.document.savedState().isModified());
     QVERIFY(c.program.window.windowTitle().contains(QStringLiteral("Ben")));
     c.program.window.action(QStringLiteral("symmetry.on"))->trigger(); // the plane that was chosen last went, too
     QCOMPARE(c.program.window.strokeSettings().symmetry, core::Symmetry::X);
@@ -369,7 +371,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     c.press("classResume");
     QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), timeoutMs);
     QCOMPARE(c.hash(), hash);
-    QVERIFY(c.program.document.path().isEmpty());
+    QVERIFY(c.program.document.modelInfo().path.isEmpty());
     c.mode.tick();
     QCOMPARE(c.text("classTime"), QStringLiteral("15 minutes left"));
     c.sculpt({-40, 30});
@@ -446,7 +448,7 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     QCOMPARE(caption.text().time, QStringLiteral("Time is up"));
     QCOMPARE(at(25 * minute), QStringLiteral("Time is up"));
     c.sculpt({30, -20});
-    QCOMPARE(c.program.document.undoStack().count(), 2);
+    QCOMPARE(c.program.document.history().stack().count(), 2);
     c.next();
     c.beginTurn(QStringLiteral("Ben"));
     QCOMPARE(at(c.now), QStringLiteral("20 minutes left"));
@@ -498,7 +500,7 @@ void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
     c.part<QMessageBox>("problem")->accept();
     QVERIFY(!c.asks() && c.text("classPupil") == QStringLiteral("Anna"));
     QCOMPARE(c.hash(), hash);
-    QVERIFY(c.program.document.isModified() && c.program.document.canUndo());
+    QVERIFY(c.program.document.savedState().isModified() && c.program.document.history().canUndo());
     QVERIFY(QDir().mkpath(home.works));
     c.next();
     QCOMPARE(hashOf(home.works + u'/' + foldersIn(home.works).constFirst() + QStringLiteral("/model.glb")), hash);
@@ -542,7 +544,8 @@ void TestClassroom::noCommand_leadsOut()
     for (const Qt::Key key : {Qt::Key_F11, Qt::Key_F10, Qt::Key_Menu, Qt::Key_Escape, Qt::Key_Print})
         QTest::keyClick(&window, key);
     QVERIFY(window.isVisible() && otherWindows(c).isEmpty());
-    QVERIFY(c.isIdle() && c.program.document.path().isEmpty() && !c.program.document.isModified());
+    QVERIFY(c.isIdle() && c.program.document.modelInfo().path.isEmpty() &&
+            !c.program.document.savedState().isModified());
     QCOMPARE(c.hash(), hash);
     for (const QDockWidget* panel : window.findChildren<QDockWidget*>())
         QVERIFY2(isForTheHand(panel) || (!panel->isVisible() && !panel->toggleViewAction()->isEnabled()),
@@ -554,7 +557,7 @@ void TestClassroom::noCommand_leadsOut()
         QTest::mouseMove(window.windowHandle(), middle + QPoint(20, 0));
         QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, middle + QPoint(20, 0));
         QTRY_VERIFY(c.isIdle());
-        QCOMPARE(c.program.document.undoStack().count(), 0);
+        QCOMPARE(c.program.document.history().stack().count(), 0);
     }
 }
 
@@ -720,7 +723,7 @@ int runVictim(const QString& root, int afterNextMs)
     const std::uint64_t hash = c.hash();
     bool isRecorded = false;
     ui::ThreadMailbox mail;
-    c.program.document.journal()->after([&] { mail.post([&isRecorded] { isRecorded = true; }); });
+    c.program.document.journaling().journal()->after([&] { mail.post([&isRecorded] { isRecorded = true; }); });
     while (!isRecorded)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     std::cout << hash << std::endl;

@@ -1,11 +1,13 @@
+#include "app/analysis/model_analysis.h"
 #include "app/document/document.h"
 #include "app/document/history_list.h"
-#include "app/document/model_analysis.h"
+#include "app/worker/sculpt_worker.h"
 #include "app/worker/stroke_step.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -27,14 +29,14 @@ struct Session
 {
     Session()
     {
-        document.openSphere();
+        document.opener().openSphere();
         wait();
     }
 
     /// Until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
         settle();
     }
 
@@ -81,12 +83,12 @@ struct Session
         core::StrokeSettings settings;
         settings.tool = tool;
         settings.radius = 12;
-        document.beginStroke(settings);
+        document.strokes().beginStroke(settings);
         core::StrokeSample sample;
         sample.position = where;
         for (int i = 0; i < samples; ++i)
-            document.addSample(sample);
-        document.endStroke();
+            document.strokes().addSample(sample);
+        document.strokes().endStroke();
     }
 
     void randomStroke(std::mt19937_64& random)
@@ -148,7 +150,8 @@ void TestDocument::sphere_isThePapers()
     QCOMPARE(session.document.modelInfo().vertices, quint64(2562));
     QCOMPARE(session.document.modelInfo().faces, quint64(5120));
     QVERIFY((session.document.modelInfo().size - core::Vec3(100, 100, 100)).norm() < 1e-3);
-    QVERIFY(!session.document.isModified() && !session.document.canUndo() && !session.document.canRedo());
+    QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
+            !session.document.history().canRedo());
 }
 
 void TestDocument::undo_rightAfterAStrokeUndoesThatStroke()
@@ -157,10 +160,10 @@ void TestDocument::undo_rightAfterAStrokeUndoesThatStroke()
     const std::uint64_t start = session.state();
     for (int i = 0; i < 20; ++i) {
         session.stroke({50, 0, 0}, core::Tool::Pull, 3);
-        QVERIFY(session.document.canUndo());
-        session.document.undo(); // before anything was reported
+        QVERIFY(session.document.history().canUndo());
+        session.document.history().undo(); // before anything was reported
         QCOMPARE(session.state(), start);
-        QVERIFY(!session.document.canUndo() && session.document.canRedo());
+        QVERIFY(!session.document.history().canUndo() && session.document.history().canRedo());
     }
 }
 
@@ -178,9 +181,9 @@ void TestDocument::history_namesStepsAndMarksThem()
     Session session;
     session.stroke({50, 0, 0}, core::Tool::Push, 3);
     session.settle();
-    session.document.apply(core::Fill{{1, 2, 3}});
+    session.document.changer().apply(core::Fill{{1, 2, 3}});
     session.wait();
-    session.document.undo();
+    session.document.history().undo();
     session.settle();
     const ui::History history = historyOf(session.document);
     QCOMPARE(history.steps.size(), 2);
@@ -225,17 +228,17 @@ void TestDocument::undo_duringAStrokeWaitsForItsEnd()
 {
     Session session;
     const std::uint64_t start = session.state();
-    session.document.beginStroke({});
+    session.document.strokes().beginStroke({});
     core::StrokeSample sample;
     sample.position = {0, 50, 0};
-    session.document.addSample(sample);
-    session.document.undo();
-    session.document.addSample(sample);
+    session.document.strokes().addSample(sample);
+    session.document.history().undo();
+    session.document.strokes().addSample(sample);
     session.settle();
-    QVERIFY(session.worker.strokeOpen());
-    session.document.endStroke();
+    QVERIFY(session.worker.strokes().isOpen());
+    session.document.strokes().endStroke();
     QCOMPARE(session.state(), start);
-    QVERIFY(session.document.canRedo());
+    QVERIFY(session.document.history().canRedo());
     QCOMPARE(session.worker.stats().samples, quint64(2));
 }
 
@@ -244,21 +247,21 @@ void TestDocument::stroke_rightAfterUndoComesAfterIt()
     Session session;
     session.stroke({0, 0, 50});
     const std::uint64_t afterOne = session.state();
-    session.document.undo();
+    session.document.history().undo();
     session.state();
 
     // all in one go, nothing reported in between
     session.stroke({50, 0, 0});
-    session.document.undo();
+    session.document.history().undo();
     session.stroke({0, 0, 50});
     QCOMPARE(session.state(), afterOne);
-    QCOMPARE(session.document.undoStack().count(), 1);
-    QVERIFY(session.document.canUndo() && !session.document.canRedo());
+    QCOMPARE(session.document.history().stack().count(), 1);
+    QVERIFY(session.document.history().canUndo() && !session.document.history().canRedo());
 
     session.stroke({50, 0, 0});
-    session.document.undo();
-    session.document.undo();
-    session.document.redo();
+    session.document.history().undo();
+    session.document.history().undo();
+    session.document.history().redo();
     QCOMPARE(session.state(), afterOne);
 }
 
@@ -270,21 +273,21 @@ void TestDocument::undoAll_andRedoAllComeBackByState()
     while (states.size() < 40) {
         session.randomStroke(random);
         const std::uint64_t now = session.state();
-        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+        if (session.document.history().stack().count() == static_cast<int>(states.size()))
             states.push_back(now);
     }
     for (std::size_t i = states.size() - 1; i > 0; --i) {
-        session.document.undo();
+        session.document.history().undo();
         QCOMPARE(session.state(), states[i - 1]);
     }
-    QVERIFY(!session.document.canUndo());
+    QVERIFY(!session.document.history().canUndo());
     for (std::size_t i = 1; i < states.size(); ++i) {
-        session.document.redo();
+        session.document.history().redo();
         QCOMPARE(session.state(), states[i]);
     }
-    QVERIFY(!session.document.canRedo());
+    QVERIFY(!session.document.history().canRedo());
     for (std::size_t i = 1; i < states.size(); ++i)
-        session.document.undo();
+        session.document.history().undo();
     QCOMPARE(session.state(), states.front());
 }
 
@@ -301,20 +304,20 @@ void TestDocument::work_isCountedAndSaved()
     QCOMPARE(strokes(), 0U);
     for (int i = 0; i < 3; ++i)
         session.stroke({50, 0, 0});
-    session.document.undo();
+    session.document.history().undo();
     session.stroke({500, 0, 0});
     session.wait();
     QCOMPARE(strokes(), 3U);
     const double seconds = session.document.modelInfo().metadata.work->seconds;
     QVERIFY(seconds > 0);
-    session.document.save(path);
+    session.document.saver().save(path);
     session.wait();
     QVERIFY(core::readMetadata(path.toStdString()).work == (core::WorkDone{3, seconds}));
 
-    session.document.openSphere();
+    session.document.opener().openSphere();
     session.wait();
     QCOMPARE(strokes(), 0U);
-    session.document.open(path);
+    session.document.opener().open(path);
     session.wait();
     QCOMPARE(strokes(), 3U);
     session.stroke({50, 0, 0});
@@ -333,7 +336,7 @@ void TestDocument::jumps_goThere()
         states.push_back(session.state());
     }
     for (const int index : {0, 3, 1, 4, 2, 99, -1}) {
-        session.document.goTo(index);
+        session.document.history().goTo(index);
         QCOMPARE(session.state(), states[static_cast<std::size_t>(std::clamp(index, 0, 4))]);
     }
 }
@@ -343,8 +346,8 @@ void TestDocument::stroke_thatDoesNothingIsNoStep()
     Session session;
     session.stroke({0, 500, 0});
     session.settle();
-    QCOMPARE(session.document.undoStack().count(), 0);
-    QVERIFY(!session.document.isModified() && !session.document.canUndo());
+    QCOMPARE(session.document.history().stack().count(), 0);
+    QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo());
 }
 
 void TestDocument::strokeThatFellShort_isSaidOnce_data()
@@ -380,16 +383,16 @@ void TestDocument::strokeThatFellShort_isSaidOnce()
     QFETCH(core::Shortfall, shortfall);
     Session session;
     QSignalSpy noticed(&session.document, &Document::noticed);
-    session.document.beginStroke(settings);
+    session.document.strokes().beginStroke(settings);
     for (const core::Vec3& position : samples) {
         core::StrokeSample sample;
         sample.position = position;
         sample.direction = -core::Vec3::UnitY();
-        session.document.addSample(sample);
+        session.document.strokes().addSample(sample);
     }
     session.settle();
     QVERIFY(noticed.isEmpty()); // not while the hand is at it
-    session.document.endStroke();
+    session.document.strokes().endStroke();
     session.wait();
     QCOMPARE(noticed.size(), 1);
     QCOMPARE(noticed[0][0].toString(), ui::ErrorMessages::shortfall(shortfall));
@@ -410,14 +413,14 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
         brush.symmetry = symmetry;
         core::StrokeSample sample;
         sample.position = position;
-        session.document.addSphere(brush, sample);
+        session.document.strokes().addSphere(brush, sample);
         session.wait();
     };
     const std::uint64_t start = session.state();
     const auto refuses = [&](const core::Vec3& position, Shortfall why) {
         noticed.clear();
         add(position);
-        return session.state() == start && !session.document.canUndo() && noticed.size() == 1 &&
+        return session.state() == start && !session.document.history().canUndo() && noticed.size() == 1 &&
                noticed[0][0].toString() == ui::ErrorMessages::shortfall(why);
     };
     QVERIFY(refuses({0, 0, 0}, Shortfall::Inside));
@@ -429,13 +432,13 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
     const quint64 faces = session.document.modelInfo().faces;
     add({90, 0, 0});
     QVERIFY(noticed.isEmpty() && session.document.modelInfo().faces > faces && session.state() != start);
-    QCOMPARE(session.document.undoText(), StrokeStep::textOfAdding(false));
+    QCOMPARE(session.document.history().undoText(), StrokeStep::textOfAdding(false));
     session.verifyWhole();
     const std::uint64_t one = session.state();
     add({-90, 0, 0}, core::Symmetry::X); // its mirror image would lie in the first
     QCOMPARE(session.state(), one);
     QCOMPARE(noticed.size(), 1);
-    session.document.undo();
+    session.document.history().undo();
     QCOMPARE(session.state(), start);
 }
 
@@ -449,10 +452,10 @@ void TestDocument::mirroredStroke_saysWhereTheModelIsNotSymmetric()
         brush.symmetry = symmetry;
         core::StrokeSample sample;
         sample.position = position;
-        session.document.beginStroke(brush);
+        session.document.strokes().beginStroke(brush);
         for (int i = 0; i < 3; ++i)
-            session.document.addSample(sample);
-        session.document.endStroke();
+            session.document.strokes().addSample(sample);
+        session.document.strokes().endStroke();
         session.wait();
     };
     stroke(core::Symmetry::X, {30, 40, 0});
@@ -473,10 +476,10 @@ void TestDocument::radialStroke_saysWhereTheSectorsAreNotAlike()
         brush.radial = radial;
         core::StrokeSample sample;
         sample.position = position;
-        session.document.beginStroke(brush);
+        session.document.strokes().beginStroke(brush);
         for (int i = 0; i < 3; ++i)
-            session.document.addSample(sample);
-        session.document.endStroke();
+            session.document.strokes().addSample(sample);
+        session.document.strokes().endStroke();
         session.wait();
     };
     stroke(2, {30, 0, 40});
@@ -504,28 +507,28 @@ void TestDocument::newStroke_forgetsWhatWasUndone()
     Session session;
     session.stroke({50, 0, 0});
     session.stroke({0, 50, 0});
-    session.document.undo();
+    session.document.history().undo();
     session.stroke({0, 0, 50});
     session.settle();
-    QCOMPARE(session.document.undoStack().count(), 2);
-    QVERIFY(!session.document.canRedo());
-    session.document.redo();
-    session.document.undo();
-    session.document.undo();
-    session.document.undo();
+    QCOMPARE(session.document.history().stack().count(), 2);
+    QVERIFY(!session.document.history().canRedo());
+    session.document.history().redo();
+    session.document.history().undo();
+    session.document.history().undo();
+    session.document.history().undo();
     session.settle();
-    QVERIFY(!session.document.canUndo());
+    QVERIFY(!session.document.history().canUndo());
 }
 
 void TestDocument::modified_followsTheHistory()
 {
     Session session;
-    QSignalSpy modified(&session.document, &Document::modifiedChanged);
+    QSignalSpy modified(&session.document.savedState(), &SavedState::modifiedChanged);
     session.stroke({50, 0, 0});
-    QVERIFY(session.document.isModified());
-    session.document.undo();
+    QVERIFY(session.document.savedState().isModified());
+    session.document.history().undo();
     session.settle();
-    QVERIFY(!session.document.isModified());
+    QVERIFY(!session.document.savedState().isModified());
     QVERIFY(modified.size() >= 2);
     QCOMPARE(modified.first().at(0).toBool(), true);
     QCOMPARE(modified.last().at(0).toBool(), false);
@@ -535,30 +538,30 @@ void TestDocument::spilledDeltas_comeBack()
 {
     Session session;
     QTemporaryDir folder;
-    session.document.history().setFolder(folder.path());
-    session.document.history().setCap(1);
+    session.document.history().store().setFolder(folder.path());
+    session.document.history().store().setCap(1);
     std::mt19937_64 random(6);
     std::vector<std::uint64_t> states{session.state()};
     while (states.size() < 15) {
         session.randomStroke(random);
         const std::uint64_t now = session.state();
-        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+        if (session.document.history().stack().count() == static_cast<int>(states.size()))
             states.push_back(now);
     }
     // all but the last, which the next undo needs
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 13);
     for (int round = 0; round < 2; ++round) {
         for (std::size_t i = states.size() - 1; i > 0; --i) {
-            QVERIFY(session.document.canUndo());
-            session.document.undo();
+            QVERIFY(session.document.history().canUndo());
+            session.document.history().undo();
             QCOMPARE(session.state(), states[i - 1]);
         }
         for (std::size_t i = 1; i < states.size(); ++i) {
-            session.document.redo();
+            session.document.history().redo();
             QCOMPARE(session.state(), states[i]);
         }
     }
-    session.document.goTo(0);
+    session.document.history().goTo(0);
     session.stroke({50, 0, 0});
     session.settle();
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 0); // what was undone is gone
@@ -567,24 +570,24 @@ void TestDocument::spilledDeltas_comeBack()
 void TestDocument::expiry_whenNothingCanBeSpilled()
 {
     Session session;
-    session.document.history().setFolder(QStringLiteral("/proc/no such folder"));
+    session.document.history().store().setFolder(QStringLiteral("/proc/no such folder"));
     std::vector<std::uint64_t> states{session.state()};
     for (const core::Vec3& where : {core::Vec3(50, 0, 0), core::Vec3(0, 50, 0), core::Vec3(0, 0, 50)}) {
         session.stroke(where);
         states.push_back(session.state());
     }
-    session.document.history().setCap(1);
+    session.document.history().store().setCap(1);
     session.settle();
-    QVERIFY(session.document.canUndo());
-    session.document.undo();
+    QVERIFY(session.document.history().canUndo());
+    session.document.history().undo();
     QCOMPARE(session.state(), states[2]);
-    QVERIFY(!session.document.canUndo()); // though QUndoStack would
-    QVERIFY(session.document.undoText().isEmpty());
-    QVERIFY(session.document.undoStack().canUndo());
-    session.document.undo();
-    session.document.goTo(0);
+    QVERIFY(!session.document.history().canUndo()); // though QUndoStack would
+    QVERIFY(session.document.history().undoText().isEmpty());
+    QVERIFY(session.document.history().stack().canUndo());
+    session.document.history().undo();
+    session.document.history().goTo(0);
     QCOMPARE(session.state(), states[2]);
-    session.document.redo();
+    session.document.history().redo();
     QCOMPARE(session.state(), states[3]);
 }
 
@@ -592,26 +595,26 @@ void TestDocument::lostFile_losesOnlyTheHistory()
 {
     Session session;
     QTemporaryDir folder;
-    session.document.history().setFolder(folder.path());
-    session.document.history().setCap(1);
+    session.document.history().store().setFolder(folder.path());
+    session.document.history().store().setCap(1);
     session.stroke({50, 0, 0});
     session.stroke({0, 50, 0});
     session.stroke({0, 0, 50});
     session.settle();
     for (const QString& name : QDir(folder.path()).entryList(QDir::Files))
         QVERIFY(QFile::resize(folder.filePath(name), 7));
-    session.document.undo();
+    session.document.history().undo();
     const std::uint64_t state = session.state();
     QSignalSpy refused(&session.document, &Document::refused);
-    session.document.undo();
-    session.document.undo();
+    session.document.history().undo();
+    session.document.history().undo();
     session.stroke({-50, 0, 0}, core::Tool::Pull, 1);
-    session.document.undo();
+    session.document.history().undo();
     QCOMPARE(session.state(), state);
     QCOMPARE(refused.size(), 1);
-    QVERIFY(!session.document.canUndo() && session.document.isModified());
+    QVERIFY(!session.document.history().canUndo() && session.document.savedState().isModified());
     session.stroke({-50, 0, 0});
-    session.document.undo();
+    session.document.history().undo();
     QCOMPARE(session.state(), state);
 }
 
@@ -627,18 +630,18 @@ void TestDocument::open_takesAModelAndCentresIt()
     Session session;
     session.stroke({50, 0, 0});
     QSignalSpy opened(&session.document, &Document::opened);
-    session.document.open(path);
+    session.document.opener().open(path);
     session.wait();
     QCOMPARE(opened.size(), 1);
     const auto facts = opened.at(0).at(0).value<ui::ModelInfo>();
     QCOMPARE(facts.name, QStringLiteral("ball.ply"));
     QCOMPARE(facts.vertices, quint64(162));
     QVERIFY(facts.box.center().norm() < 1e-3);
-    QVERIFY(!session.document.isModified() && !session.document.canUndo());
-    QCOMPARE(session.document.path(), path);
+    QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo());
+    QCOMPARE(session.document.modelInfo().path, path);
     const std::uint64_t start = session.state();
     session.stroke({10, 0, 0});
-    session.document.undo();
+    session.document.history().undo();
     QCOMPARE(session.state(), start);
 }
 
@@ -647,15 +650,15 @@ void TestDocument::openStarter_beginsAnew()
     Session session;
     session.stroke({50, 0, 0});
     bool mayLose = false;
-    session.document.setDiscardPrompt([&](const std::function<void()>&) { return mayLose; });
-    session.document.openStarter(core::Starter::Torus);
+    session.document.opener().setDiscardPrompt([&](const std::function<void()>&) { return mayLose; });
+    session.document.opener().openStarter(core::Starter::Torus);
     session.wait();
-    QVERIFY(session.document.isModified());
+    QVERIFY(session.document.savedState().isModified());
     mayLose = true;
-    session.document.openStarter(core::Starter::Torus);
+    session.document.opener().openStarter(core::Starter::Torus);
     session.wait();
-    QVERIFY(!session.document.isModified() && !session.document.canUndo());
-    QVERIFY(session.document.path().isEmpty());
+    QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo());
+    QVERIFY(session.document.modelInfo().path.isEmpty());
     QVERIFY(!session.document.modelInfo().name.isEmpty());
     QCOMPARE(session.document.modelInfo().faces,
              2 * session.document.modelInfo().vertices); // Euler: the torus's V - E + F = 0
@@ -689,17 +692,18 @@ void TestDocument::open_refusalLeavesTheDocument()
     Session session;
     session.stroke({50, 0, 0});
     const std::uint64_t state = session.state();
-    QSignalSpy refused(&session.document, &Document::refused), repairable(&session.document, &Document::repairable);
-    session.document.open(path);
+    QSignalSpy refused(&session.document, &Document::refused),
+        repairable(&session.document.opener(), &ModelOpener::repairable);
+    session.document.opener().open(path);
     session.wait();
     QTRY_COMPARE(refused.size() + repairable.size(), 1);
     QCOMPARE(repairable.size(), name == QStringLiteral("open.obj") ? 1 : 0);
     const QString sentence = refused.isEmpty() ? repairable.at(0).at(1).toString() : refused.at(0).at(0).toString();
     QVERIFY2(sentence.contains(name) && !sentence.contains(QLatin1Char('\n')), qPrintable(sentence));
     QCOMPARE(session.state(), state);
-    QVERIFY(session.document.isModified() && session.document.canUndo());
+    QVERIFY(session.document.savedState().isModified() && session.document.history().canUndo());
     QCOMPARE(session.document.modelInfo().name.isEmpty(), false);
-    QVERIFY(session.document.path().isEmpty());
+    QVERIFY(session.document.modelInfo().path.isEmpty());
 }
 
 void TestDocument::open_asksBeforeChangesAreLost()
@@ -710,20 +714,20 @@ void TestDocument::open_asksBeforeChangesAreLost()
     Session session;
     int asked = 0;
     bool answer = false;
-    session.document.setDiscardPrompt([&](const std::function<void()>&) {
+    session.document.opener().setDiscardPrompt([&](const std::function<void()>&) {
         ++asked;
         return answer;
     });
-    session.document.openSphere(); // nothing to lose
+    session.document.opener().openSphere(); // nothing to lose
     session.wait();
     QCOMPARE(asked, 0);
     session.stroke({50, 0, 0});
-    session.document.open(path);
+    session.document.opener().open(path);
     session.wait();
     QCOMPARE(asked, 1);
     QCOMPARE(session.document.modelInfo().vertices > 1000, true);
     answer = true;
-    session.document.open(path);
+    session.document.opener().open(path);
     session.wait();
     QCOMPARE(asked, 2);
     QCOMPARE(session.document.modelInfo().vertices, quint64(42));
@@ -736,10 +740,10 @@ void TestDocument::export_writesWhatIsThere()
         Session session;
         session.stroke({50, 0, 0});
         const QString path = folder.filePath(QStringLiteral("model.") + QLatin1String(ending));
-        QSignalSpy exported(&session.document, &Document::exported);
-        session.document.exportTo(path);
+        QSignalSpy exported(&session.document.saver(), &ModelSaver::exported);
+        session.document.saver().exportTo(path);
         QTRY_COMPARE(exported.size(), 1);
-        QVERIFY(session.document.isModified() && session.document.path().isEmpty());
+        QVERIFY(session.document.savedState().isModified() && session.document.modelInfo().path.isEmpty());
         const core::TriangleMesh mesh = core::readMesh(path.toStdString());
         QCOMPARE(mesh.triangles.size(), std::size_t(session.document.modelInfo().faces));
         QVERIFY(core::checkMesh(mesh).printReady());
@@ -752,19 +756,19 @@ void TestDocument::saving_givesTheModelItsFile()
     const QString path = folder.filePath(QStringLiteral("mine.ply"));
     Session session;
     session.stroke({50, 0, 0});
-    QSignalSpy saved(&session.document, &Document::saved);
-    session.document.save(path);
+    QSignalSpy saved(&session.document.saver(), &ModelSaver::saved);
+    session.document.saver().save(path);
     QTRY_COMPARE(saved.size(), 1);
-    QVERIFY(!session.document.isModified());
-    QCOMPARE(session.document.path(), path);
+    QVERIFY(!session.document.savedState().isModified());
+    QCOMPARE(session.document.modelInfo().path, path);
     QCOMPARE(session.document.modelInfo().name, QStringLiteral("mine.ply"));
     QVERIFY(core::checkMesh(core::readMesh(path.toStdString())).printReady());
-    session.document.undo();
+    session.document.history().undo();
     session.settle();
-    QVERIFY(session.document.isModified()); // the file has the stroke
-    session.document.redo();
+    QVERIFY(session.document.savedState().isModified()); // the file has the stroke
+    session.document.history().redo();
     session.settle();
-    QVERIFY(!session.document.isModified());
+    QVERIFY(!session.document.savedState().isModified());
 }
 
 /// A folder that may not be written, a disk that is full: the file and the model stay as they were.
@@ -782,32 +786,33 @@ void TestDocument::savingThatFails_losesNothing()
     Session session;
     session.stroke({50, 0, 0});
     const QString name = session.document.modelInfo().name;
-    QSignalSpy refused(&session.document, &Document::refused), saved(&session.document, &Document::saved);
-    session.document.save(path);
+    QSignalSpy refused(&session.document, &Document::refused), saved(&session.document.saver(), &ModelSaver::saved);
+    session.document.saver().save(path);
     QTRY_COMPARE(refused.size(), 1);
     QVERIFY(refused.at(0).at(0).toString().contains(QDir::toNativeSeparators(path)));
-    QVERIFY(saved.isEmpty() && session.document.isModified() && !session.document.isBusy());
-    QVERIFY(session.document.path().isEmpty());
+    QVERIFY(saved.isEmpty() && session.document.savedState().isModified() && !session.document.job().isBusy());
+    QVERIFY(session.document.modelInfo().path.isEmpty());
     QCOMPARE(session.document.modelInfo().name, name);
-    QVERIFY(session.document.canUndo());
+    QVERIFY(session.document.history().canUndo());
 }
 
 void TestDocument::coloursThatAFormatDoesNotHold_areNamed()
 {
     QTemporaryDir folder;
     Session session;
-    session.document.apply(core::Fill{{1, 2, 3}});
+    session.document.changer().apply(core::Fill{{1, 2, 3}});
     session.wait();
-    QSignalSpy noticed(&session.document, &Document::noticed), exported(&session.document, &Document::exported);
-    session.document.exportTo(folder.filePath(QStringLiteral("a.ply")));
+    QSignalSpy noticed(&session.document, &Document::noticed),
+        exported(&session.document.saver(), &ModelSaver::exported);
+    session.document.saver().exportTo(folder.filePath(QStringLiteral("a.ply")));
     QTRY_COMPARE(exported.size(), 1);
     QVERIFY(!exported.at(0).at(1).toString().contains(QStringLiteral("colours")));
-    session.document.exportTo(folder.filePath(QStringLiteral("a.stl")));
+    session.document.saver().exportTo(folder.filePath(QStringLiteral("a.stl")));
     QTRY_COMPARE(exported.size(), 2);
     QVERIFY(exported.at(1).at(1).toString().contains(QStringLiteral("a.stl")) &&
             exported.at(1).at(1).toString().contains(QStringLiteral("colours")));
     QVERIFY(noticed.isEmpty());
-    session.document.save(folder.filePath(QStringLiteral("b.stl")));
+    session.document.saver().save(folder.filePath(QStringLiteral("b.stl")));
     QTRY_COMPARE(noticed.size(), 1);
     QVERIFY(noticed.at(0).at(0).toString().contains(QStringLiteral("b.stl")));
 }
@@ -816,10 +821,10 @@ void TestDocument::export_intoNowhereIsRefused()
 {
     Session session;
     QSignalSpy refused(&session.document, &Document::refused);
-    session.document.exportTo(QStringLiteral("/no such folder/model.stl"));
+    session.document.saver().exportTo(QStringLiteral("/no such folder/model.stl"));
     QTRY_COMPARE(refused.size(), 1);
     QVERIFY(refused.at(0).at(0).toString().contains(QStringLiteral("model.stl")));
-    QVERIFY(!session.document.isBusy());
+    QVERIFY(!session.document.job().isBusy());
 }
 
 QTEST_GUILESS_MAIN(TestDocument)

@@ -1,9 +1,11 @@
 #include "app/commands/stroke_assets.h"
 #include "app/document/document.h"
 #include "app/model/brush_export.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/shapes.h"
 #include "tests/support/viewer.h"
 #include "ui/brush/brush_files.h"
@@ -28,8 +30,8 @@ constexpr int timeoutMs = 60'000; // a sanitizer is ten times slower
 /// What the document keeps its model as.
 QString exportedBrush(Document& document)
 {
-    QSignalSpy kept(&document, &Document::brushExported);
-    document.exportBrush();
+    QSignalSpy kept(&document.saver(), &ModelSaver::brushExported);
+    document.saver().exportBrush();
     [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, timeoutMs); }();
     return kept.isEmpty() ? QString() : kept[0][0].toString();
 }
@@ -40,14 +42,14 @@ struct Session
     Session()
     {
         worker.setInbox(Source::Desktop, inbox);
-        document.openSphere();
+        document.opener().openSphere();
         wait();
     }
 
     /// Until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), timeoutMs);
         settle();
     }
 
@@ -84,7 +86,7 @@ struct Session
 
     void apply(const core::ModelCommand& command)
     {
-        document.apply(command);
+        document.changer().apply(command);
         wait();
     }
 
@@ -92,11 +94,11 @@ struct Session
     {
         core::StrokeSettings settings;
         settings.radius = 12;
-        document.beginStroke(settings);
+        document.strokes().beginStroke(settings);
         core::StrokeSample sample;
         sample.position = where;
-        document.addSample(sample);
-        document.endStroke();
+        document.strokes().addSample(sample);
+        document.strokes().endStroke();
     }
 
     SculptWorker worker;
@@ -142,16 +144,16 @@ void TestDocumentModel::command_isOneStep()
 {
     Session session;
     const std::uint64_t start = session.state();
-    QSignalSpy idle(&session.document, &Document::idle);
+    QSignalSpy idle(&session.document.job(), &BackgroundJob::idle);
     session.apply(core::Scale{2});
     QCOMPARE(idle.size(), 1);
     const std::uint64_t scaled = session.state();
-    QVERIFY(scaled != start && session.document.isModified());
-    QCOMPARE(session.document.undoStack().count(), 1);
-    QVERIFY(!session.document.undoText().isEmpty());
-    session.document.undo();
+    QVERIFY(scaled != start && session.document.savedState().isModified());
+    QCOMPARE(session.document.history().stack().count(), 1);
+    QVERIFY(!session.document.history().undoText().isEmpty());
+    session.document.history().undo();
     QCOMPARE(session.state(), start);
-    session.document.redo();
+    session.document.history().redo();
     QCOMPARE(session.state(), scaled);
 }
 
@@ -166,9 +168,9 @@ void TestDocumentModel::brush_isKeptAsItIs()
     session.stroke({50, 0, 0});
     const QString dented = exportedBrush(session.document);
     QVERIFY(dented != ball && QFileInfo(dented).fileName() == QFileInfo(ball).fileName());
-    session.document.undo();
+    session.document.history().undo();
     QCOMPARE(session.state(), state);
-    QVERIFY(!session.document.isModified() && session.document.path().isEmpty());
+    QVERIFY(!session.document.savedState().isModified() && session.document.modelInfo().path.isEmpty());
     for (const QString& path : {ball, dented}) {
         const auto brush = ui::readBrushModel(path);
         QVERIFY2(brush.what, qPrintable(brush.problem));
@@ -208,8 +210,9 @@ void TestDocumentModel::brush_withoutAPlaceIsRefused()
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
     const auto away = qScopeGuard([&] { inTheWay.remove(); });
     Session session;
-    QSignalSpy refused(&session.document, &Document::refused), kept(&session.document, &Document::brushExported);
-    session.document.exportBrush();
+    QSignalSpy refused(&session.document, &Document::refused),
+        kept(&session.document.saver(), &ModelSaver::brushExported);
+    session.document.saver().exportBrush();
     session.wait();
     QCOMPARE(refused.count(), 1);
     QVERIFY2(refused[0][0].toString().contains(BrushExport::folder()), qPrintable(refused[0][0].toString()));
@@ -226,20 +229,20 @@ void TestDocumentModel::strokesBeforeAndAfter_areUndoneAndRedone()
     for (const core::ModelCommand& command : commands) {
         session.stroke({50, 0, 0});
         session.wait();
-        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+        if (session.document.history().stack().count() == static_cast<int>(states.size()))
             states.push_back(session.state());
         session.apply(command);
-        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+        if (session.document.history().stack().count() == static_cast<int>(states.size()))
             states.push_back(session.state());
     }
     QVERIFY(states.size() > 9);
     for (std::size_t i = states.size() - 1; i > 0; --i) {
-        session.document.undo();
+        session.document.history().undo();
         QCOMPARE(session.state(), states[i - 1]);
     }
-    session.document.goTo(static_cast<int>(states.size()) - 1);
+    session.document.history().goTo(static_cast<int>(states.size()) - 1);
     QCOMPARE(session.state(), states.back());
-    session.document.goTo(0);
+    session.document.history().goTo(0);
     QCOMPARE(session.state(), states.front());
 }
 
@@ -247,25 +250,25 @@ void TestDocumentModel::undo_rightAfterACommandUndoesThatCommand()
 {
     Session session;
     const std::uint64_t start = session.state();
-    session.document.apply(core::Mirror{1});
-    session.document.undo(); // waits
+    session.document.changer().apply(core::Mirror{1});
+    session.document.history().undo(); // waits
     session.wait();
     QCOMPARE(session.state(), start);
-    QVERIFY(session.document.canRedo());
+    QVERIFY(session.document.history().canRedo());
 }
 
 void TestDocumentModel::strokesMeanwhile_areRefusedWithAWord()
 {
     Session session;
     QSignalSpy noticed(&session.document, &Document::noticed);
-    session.document.apply(core::RemeshUniformly{3});
+    session.document.changer().apply(core::RemeshUniformly{3});
     session.stroke({50, 0, 0});
     QCOMPARE(noticed.size(), 1);
     session.wait();
-    QCOMPARE(session.document.undoStack().count(), 1);
+    QCOMPARE(session.document.history().stack().count(), 1);
     session.stroke({50, 0, 0});
     session.wait();
-    QCOMPARE(session.document.undoStack().count(), 2);
+    QCOMPARE(session.document.history().stack().count(), 2);
 }
 
 void TestDocumentModel::nothing_isNoStepAndIsSaid()
@@ -275,8 +278,8 @@ void TestDocumentModel::nothing_isNoStepAndIsSaid()
     session.apply(core::Move{});
     session.apply(core::RemeshUniformly{});
     QCOMPARE(noticed.size(), 2);
-    QCOMPARE(session.document.undoStack().count(), 0);
-    QVERIFY(!session.document.isModified());
+    QCOMPARE(session.document.history().stack().count(), 0);
+    QVERIFY(!session.document.savedState().isModified());
 }
 
 void TestDocumentModel::refusal_leavesAllAsItIsAndSaysWhy()
@@ -294,24 +297,25 @@ void TestDocumentModel::refusal_leavesAllAsItIsAndSaysWhy()
     for (const QList<QVariant>& arguments : refused)
         QVERIFY(arguments[0].toString().endsWith(QLatin1Char('.')));
     QCOMPARE(session.state(), before);
-    QCOMPARE(session.document.undoStack().count(), 1);
+    QCOMPARE(session.document.history().stack().count(), 1);
 }
 
 void TestDocumentModel::stop_leavesAllAsItIs()
 {
     Session session;
     const std::uint64_t before = session.state();
-    QSignalSpy cancellable(&session.document, &Document::cancellable), refused(&session.document, &Document::refused);
-    session.document.apply(core::RemeshUniformly{0.6});
+    QSignalSpy cancellable(&session.document.job(), &BackgroundJob::cancellable),
+        refused(&session.document, &Document::refused);
+    session.document.changer().apply(core::RemeshUniformly{0.6});
     QVERIFY(!cancellable.isEmpty() && cancellable.last()[0].toBool());
     session.document.cancelJob();
     QVERIFY(!cancellable.last()[0].toBool());
     session.wait();
     QCOMPARE(session.state(), before);
-    QCOMPARE(session.document.undoStack().count(), 0);
-    QVERIFY(refused.isEmpty() && !session.document.isModified());
+    QCOMPARE(session.document.history().stack().count(), 0);
+    QVERIFY(refused.isEmpty() && !session.document.savedState().isModified());
     session.apply(core::Mirror{0}); // and all goes on
-    QCOMPARE(session.document.undoStack().count(), 1);
+    QCOMPARE(session.document.history().stack().count(), 1);
 }
 
 /// The mesh thread is late: what it has not recorded would not survive the program.
@@ -320,17 +324,19 @@ void TestDocumentModel::change_isToldOnceItIsMade()
     QSemaphore delay;
     Session session;
     const auto releaseAtEnd = qScopeGuard([&delay] { delay.release(); });
-    QSignalSpy cancellable(&session.document, &Document::cancellable), noticed(&session.document, &Document::noticed);
-    session.document.apply(core::Scale{2}); // the mesh thread copies
+    QSignalSpy cancellable(&session.document.job(), &BackgroundJob::cancellable),
+        noticed(&session.document, &Document::noticed);
+    session.document.changer().apply(core::Scale{2}); // the mesh thread copies
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
     QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), timeoutMs);
-    QVERIFY(!session.document.isModified() && !session.document.canUndo() && session.document.isBusy());
+    QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
+            session.document.job().isBusy());
     session.stroke({0, 0, 50});
     session.document.cancelJob(); // too late
-    session.document.undo();
+    session.document.history().undo();
     delay.release();
     session.wait();
-    QVERIFY(session.document.canRedo() && !session.document.canUndo());
+    QVERIFY(session.document.history().canRedo() && !session.document.history().canUndo());
     QCOMPARE(noticed.size(), 1);
 }
 
@@ -342,17 +348,17 @@ void TestDocumentModel::undo_isToldOnceItIsMade()
     session.stroke({0, 0, 50});
     session.wait();
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
-    QSignalSpy modified(&session.document, &Document::modifiedChanged);
-    session.document.undo();
-    QVERIFY(session.document.canRedo());
-    session.document.redo();
-    session.document.undo();
+    QSignalSpy modified(&session.document.savedState(), &SavedState::modifiedChanged);
+    session.document.history().undo();
+    QVERIFY(session.document.history().canRedo());
+    session.document.history().redo();
+    session.document.history().undo();
     QTest::qWait(100);
-    QVERIFY(modified.isEmpty() && !session.document.isSettled());
+    QVERIFY(modified.isEmpty() && !session.document.queue().isSettled());
     delay.release();
     session.wait();
     QCOMPARE(modified.size(), 1);
-    QVERIFY(!session.document.isModified() && session.document.canRedo());
+    QVERIFY(!session.document.savedState().isModified() && session.document.history().canRedo());
 }
 
 void TestDocumentModel::insert_fromAFile()
@@ -362,11 +368,11 @@ void TestDocumentModel::insert_fromAFile()
     core::writeMesh(path.toStdString(), core::icosphere(2, 10));
     Session session;
     const std::uint64_t start = session.state();
-    session.document.insert({path, core::Insert::Place::Beside});
+    session.document.changer().insert({path, core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(session.document.modelInfo().vertices, quint64(2562 + 162));
     QVERIFY(session.document.modelInfo().size.x() > 120);
-    session.document.undo();
+    session.document.history().undo();
     QCOMPARE(session.state(), start);
 }
 
@@ -377,16 +383,17 @@ void TestDocumentModel::insert_refusalsNameTheFile()
     core::writeMesh(path.toStdString(), core::icosphere(2, 10));
     Session session;
     QSignalSpy refused(&session.document, &Document::refused);
-    session.document.insert({path, core::Insert::Place::AsItIs});
+    session.document.changer().insert({path, core::Insert::Place::AsItIs});
     session.wait();
-    session.document.insert({path, core::Insert::Place::Centre, {50, 0, 0}});
+    session.document.changer().insert({path, core::Insert::Place::Centre, {50, 0, 0}});
     session.wait();
-    session.document.insert({folder.filePath(QStringLiteral("small.not.there.ply")), core::Insert::Place::Beside});
+    session.document.changer().insert(
+        {folder.filePath(QStringLiteral("small.not.there.ply")), core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(refused.size(), 3);
     for (const QList<QVariant>& arguments : refused)
         QVERIFY2(arguments[0].toString().contains(QStringLiteral("small")), qPrintable(arguments[0].toString()));
-    QCOMPARE(session.document.undoStack().count(), 0);
+    QCOMPARE(session.document.history().stack().count(), 0);
 }
 
 void TestDocumentModel::insert_brokenIsRepairedAsOneStep()
@@ -398,9 +405,9 @@ void TestDocumentModel::insert_brokenIsRepairedAsOneStep()
     Session session;
     const std::uint64_t start = session.state();
     QSignalSpy refused(&session.document, &Document::refused),
-        repairable(&session.document, &Document::insertionRepairable),
-        repaired(&session.document, &Document::insertedRepaired);
-    session.document.insert({path, core::Insert::Place::Beside});
+        repairable(&session.document.changer(), &ModelChanger::insertionRepairable),
+        repaired(&session.document.changer(), &ModelChanger::insertedRepaired);
+    session.document.changer().insert({path, core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(repairable.size(), 1);
     QVERIFY(repairable[0][1].toString().contains(QStringLiteral("broken.ply")));
@@ -408,17 +415,17 @@ void TestDocumentModel::insert_brokenIsRepairedAsOneStep()
     auto insertion = repairable[0][0].value<ui::InsertRequest>();
     QCOMPARE(insertion.path, path);
     insertion.repair.emplace();
-    session.document.insert(insertion);
+    session.document.changer().insert(insertion);
     session.wait();
     QVERIFY(refused.isEmpty());
     QCOMPARE(repaired.size(), 1);
     QVERIFY(!repaired[0][1].toStringList().isEmpty());
-    QCOMPARE(session.document.undoStack().count(), 1);
+    QCOMPARE(session.document.history().stack().count(), 1);
     QVERIFY(session.document.modelInfo().size.x() > 100 + 29);
-    session.document.undo();
+    session.document.history().undo();
     QCOMPARE(session.state(), start);
     core::writeMesh(path.toStdString(), {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}}); // encloses nothing
-    session.document.insert(insertion);
+    session.document.changer().insert(insertion);
     session.wait();
     QCOMPARE(refused.size(), 1);
     QCOMPARE(session.state(), start);
@@ -434,7 +441,7 @@ void TestDocumentModel::insert_tellsWhatWasLeftOut()
     file.close();
     Session session;
     QSignalSpy noticed(&session.document, &Document::noticed);
-    session.document.insert({path, core::Insert::Place::Beside});
+    session.document.changer().insert({path, core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(noticed.size(), 1);
     QVERIFY(noticed[0][0].toString().contains(QStringLiteral("materials")));
@@ -448,12 +455,13 @@ void TestDocumentModel::insert_takesTheUnit()
     core::writeMesh(path.toStdString(), shapes::cube(1));
     Session session;
     QSignalSpy noticed(&session.document, &Document::noticed), refused(&session.document, &Document::refused);
-    session.document.insert({.path = path, .place = core::Insert::Place::Centre, .centre = {80, 0, 0}, .unit = 25.4});
+    session.document.changer().insert(
+        {.path = path, .place = core::Insert::Place::Centre, .centre = {80, 0, 0}, .unit = 25.4});
     session.wait();
     QVERIFY(noticed.isEmpty()); // whoever names a unit is not doubted
     QTRY_VERIFY(std::abs(session.document.modelInfo().box.max().x() - (80 + 12.7)) < 1e-3);
-    session.document.undo();
-    session.document.insert({.path = path, .unit = 1e39});
+    session.document.history().undo();
+    session.document.changer().insert({.path = path, .unit = 1e39});
     session.wait();
     QCOMPARE(refused.size(), 1);
     QVERIFY(refused[0][0].toString().contains(QStringLiteral("no numbers")));
@@ -469,7 +477,7 @@ void TestDocumentModel::facts_followTheModel()
     QTRY_VERIFY(std::abs(session.document.modelInfo().size.x() - 10) < 0.01);
     QTRY_VERIFY(std::abs(session.document.modelInfo().area - 314) < 2);
     QVERIFY(std::abs(session.document.modelInfo().uniformDetail - detail / 10) < 1e-9);
-    session.document.undo();
+    session.document.history().undo();
     QTRY_VERIFY(std::abs(session.document.modelInfo().size.x() - 100) < 0.01);
 }
 
@@ -478,7 +486,7 @@ void TestDocumentModel::progress_grows()
     Session session;
     double last = 0;
     int calls = 0;
-    connect(&session.document, &Document::progressed, &session.document, [&](double share) {
+    connect(&session.document.job(), &BackgroundJob::progressed, &session.document, [&](double share) {
         QVERIFY(share >= last && share <= 1);
         last = share;
         ++calls;
@@ -500,20 +508,20 @@ void TestDocumentModel::reset_isTheStartAndOneStep()
     const std::uint64_t changed = session.state();
     session.apply(core::Reset{});
     QCOMPARE(session.state(), start);
-    QCOMPARE(session.document.undoStack().count(), 4);
-    session.document.undo();
+    QCOMPARE(session.document.history().stack().count(), 4);
+    session.document.history().undo();
     QCOMPARE(session.state(), changed);
-    session.document.redo();
+    session.document.history().redo();
     QCOMPARE(session.state(), start);
     session.stroke({50, 0, 0});
     session.wait();
-    QCOMPARE(session.document.undoStack().count(), 5);
+    QCOMPARE(session.document.history().stack().count(), 5);
 }
 
 void TestDocumentModel::spilledCommands_comeBack()
 {
     Session session;
-    session.document.history().setCap(1);
+    session.document.history().store().setCap(1);
     std::vector<std::uint64_t> states = {session.state()};
     for (const core::ModelCommand& command :
          {core::ModelCommand(core::Scale{40}), core::ModelCommand(core::Mirror{2}),
@@ -521,13 +529,13 @@ void TestDocumentModel::spilledCommands_comeBack()
         session.apply(command);
         states.push_back(session.state());
     }
-    QCOMPARE(session.document.undoStack().count(), 4);
+    QCOMPARE(session.document.history().stack().count(), 4);
     for (int i = 3; i >= 0; --i) {
-        session.document.undo();
+        session.document.history().undo();
         QCOMPARE(session.state(), states[static_cast<std::size_t>(i)]);
     }
     for (int i = 1; i <= 4; ++i) {
-        session.document.redo();
+        session.document.history().redo();
         QCOMPARE(session.state(), states[static_cast<std::size_t>(i)]);
     }
 }
@@ -536,7 +544,7 @@ void TestDocumentModel::end_whileAChangeGoesOn()
 {
     for (int i = 0; i < 3; ++i) {
         Session session;
-        session.document.apply(core::RemeshUniformly{0.8});
+        session.document.changer().apply(core::RemeshUniformly{0.8});
         if (i > 0)
             QTest::qWait(20 * i);
     }
@@ -550,13 +558,13 @@ void TestDocumentModel::opening_canBeStopped()
     Session session;
     const std::uint64_t before = session.state();
     QSignalSpy refused(&session.document, &Document::refused);
-    session.document.open(path);
-    QVERIFY(session.document.isBusy());
+    session.document.opener().open(path);
+    QVERIFY(session.document.job().isBusy());
     session.document.cancelJob();
     session.wait();
     QCOMPARE(session.state(), before);
     QVERIFY(refused.isEmpty());
-    session.document.open(path);
+    session.document.opener().open(path);
     session.wait();
     QCOMPARE(session.document.modelInfo().faces, quint64(327680));
 }

@@ -24,14 +24,14 @@ struct Opened
         program.window.resize(900, 700);
         program.window.show();
         program.window.activateWindow();
-        program.document.open(path);
+        program.document.opener().open(path);
         program.window.action(QStringLiteral("file.browse"))->trigger();
         program.window.findChild<ui::FileBrowser*>()->goTo(folder.path());
     }
     void wait()
     {
         QVERIFY(QTest::qWaitForWindowActive(&program.window));
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.path() == path && !program.document.isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().path == path && !program.document.job().isBusy(), 60'000);
         QTRY_COMPARE(grid->model()->rowCount(), 2);
     }
     void choose(const QString& name) const
@@ -96,14 +96,14 @@ void TestModelFile::aNewNameIsTheModels()
     QTest::keyClicks(editor, QStringLiteral("tiger"));
     QTest::keyClick(editor, Qt::Key_Return);
     const QString renamed = o.folder.filePath(QStringLiteral("tiger.ply"));
-    QTRY_COMPARE(o.program.document.path(), renamed);
+    QTRY_COMPARE(o.program.document.modelInfo().path, renamed);
     QVERIFY(o.program.window.windowTitle().startsWith(QStringLiteral("tiger.ply")));
     QCOMPARE(ui::Settings().recentFiles().constFirst(), renamed);
     QVERIFY(!ui::Settings().recentFiles().contains(o.path));
     QVERIFY(!o.program.window.isWindowModified());
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.isBusy(),
-                             60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.job().isBusy(), 60'000);
     QVERIFY(!o.question() && !QFile::exists(o.path));
     QCOMPARE(Opened::verticesIn(renamed), quint64(642));
 }
@@ -119,7 +119,7 @@ void TestModelFile::anotherFilesNewNameIsNot()
     QTest::keyClick(editor, Qt::Key_Return);
     QTRY_VERIFY(QFile::exists(o.folder.filePath(QStringLiteral("tiger.ply"))));
     QTest::qWait(200);
-    QCOMPARE(o.program.document.path(), o.path);
+    QCOMPARE(o.program.document.modelInfo().path, o.path);
     QVERIFY(o.program.window.windowTitle().startsWith(QStringLiteral("lion.ply")));
 }
 
@@ -131,7 +131,7 @@ void TestModelFile::inTheTrashTheModelIsUnsaved()
     QTest::keyClick(o.grid, Qt::Key_Delete);
     QTRY_VERIFY(!notice(o.program).isEmpty());
     QTest::qWait(100);
-    QCOMPARE(o.program.document.isModified(), !QFile::exists(o.path)); // not every disk has a trash
+    QCOMPARE(o.program.document.savedState().isModified(), !QFile::exists(o.path)); // not every disk has a trash
 }
 
 void TestModelFile::goneFromOutside_isSeen()
@@ -141,7 +141,7 @@ void TestModelFile::goneFromOutside_isSeen()
     QVERIFY(QFile::remove(o.path));
     o.comeBack();
     QVERIFY(notice(o.program).contains(QStringLiteral("lion.ply")));
-    QVERIFY(o.program.document.isModified() && o.program.window.isWindowModified());
+    QVERIFY(o.program.document.savedState().isModified() && o.program.window.isWindowModified());
     answerQuestion(o.program, QMessageBox::Cancel);
     QVERIFY(!o.program.window.close()); // the model is nowhere else
 }
@@ -152,12 +152,12 @@ void TestModelFile::goneFromOutside_isWrittenAnewAndSaidSo()
     o.wait();
     QVERIFY(QFile::remove(o.path));
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(o.path) && !o.program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(o.path) && !o.program.document.job().isBusy(), 60'000);
     QCOMPARE(Opened::verticesIn(o.path), quint64(642));
     QVERIFY(notice(o.program).contains(QStringLiteral("anew")));
-    QVERIFY(!o.program.document.isModified() && !o.question());
+    QVERIFY(!o.program.document.savedState().isModified() && !o.question());
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.isBusy(),
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.job().isBusy(),
                              60'000);
 }
 
@@ -168,7 +168,7 @@ void TestModelFile::changedByAnother_asks()
     o.overwriteByAnother();
     const quint64 others = Opened::verticesIn(o.path);
     o.press("file.save");
-    QVERIFY(o.question() && o.question()->isVisible() && !o.program.document.isBusy());
+    QVERIFY(o.question() && o.question()->isVisible() && !o.program.document.job().isBusy());
     o.answer(QMessageBox::RejectRole);
     QTRY_VERIFY(!o.question());
     QTest::qWait(100);
@@ -177,10 +177,10 @@ void TestModelFile::changedByAnother_asks()
     o.press("file.save");
     o.answer(QMessageBox::DestructiveRole);
     QTRY_COMPARE(Opened::verticesIn(o.path), quint64(642));
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy() && !o.question(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && !o.question(), 60'000);
     o.press("file.save"); // now it is its own again
     QVERIFY(!o.question());
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), 60'000);
 }
 
 void TestModelFile::changedByAnother_maySaveElsewhere()
@@ -194,7 +194,7 @@ void TestModelFile::changedByAnother_maySaveElsewhere()
     o.press("file.save");
     o.answer(QMessageBox::AcceptRole);
     chooseFile(o.program, "saveDialog", mine);
-    QTRY_VERIFY_WITH_TIMEOUT(o.program.document.path() == mine && !o.program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(o.program.document.modelInfo().path == mine && !o.program.document.job().isBusy(), 60'000);
     QCOMPARE(Opened::verticesIn(o.path), others);
     QCOMPARE(Opened::verticesIn(mine), quint64(642));
 }
@@ -203,14 +203,14 @@ void TestModelFile::ownWritingIsNotAnothers()
 {
     Opened o;
     o.wait();
-    o.program.document.apply(core::Recentre{});
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy() && o.program.document.isSettled(), 60'000);
-    o.program.document.exportTo(o.path);
-    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.isBusy(),
-                             60'000);
+    o.program.document.changer().apply(core::Recentre{});
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && o.program.document.queue().isSettled(), 60'000);
+    o.program.document.saver().exportTo(o.path);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.job().isBusy(), 60'000);
     o.press("file.save");
     QVERIFY(!o.question());
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), 60'000);
 }
 
 /// Typed into the window, as it comes from the keyboard: names that begin so are offered meanwhile.
@@ -236,8 +236,8 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
     }
     QTRY_VERIFY(QApplication::activePopupWidget());
     QTest::keyClick(dialog->windowHandle(), Qt::Key_Return);
-    QTRY_COMPARE(o.program.document.path(), o.folder.filePath(QStringLiteral("tiger.glb")));
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy(), 60'000);
+    QTRY_COMPARE(o.program.document.modelInfo().path, o.folder.filePath(QStringLiteral("tiger.glb")));
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), 60'000);
     QCOMPARE(QDir(o.folder.path()).entryList(QDir::Files).size(), 5);
 }
 

@@ -39,10 +39,10 @@ bool dropFile(Program& program, const QString& path)
 void expectOnly(const Program& program, const QSignalSpy& opened, const QString& path)
 {
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), timeoutMs);
     QTest::qWait(200);
     QCOMPARE(opened.size(), 1);
-    QCOMPARE(program.document.path(), path);
+    QCOMPARE(program.document.modelInfo().path, path);
 }
 
 /// The question whether a broken model is to be repaired, or none.
@@ -68,7 +68,7 @@ struct Asked
 {
     Asked(Program& program, bool mayLose)
     {
-        program.document.setDiscardPrompt([this, mayLose](const std::function<void()>&) {
+        program.document.opener().setDiscardPrompt([this, mayLose](const std::function<void()>&) {
             ++times;
             return mayLose;
         });
@@ -102,11 +102,11 @@ void TestOpening::theLatestChoiceWins()
     const Files files;
     Program program;
     sculptBall(program);
-    program.document.undo();
-    QTRY_VERIFY(!program.document.isModified());
+    program.document.history().undo();
+    QTRY_VERIFY(!program.document.savedState().isModified());
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
     QVERIFY(dropFile(program, files.large));
-    QTRY_VERIFY(program.document.isBusy());
+    QTRY_VERIFY(program.document.job().isBusy());
     QVERIFY(dropFile(program, files.other));
     QVERIFY(dropFile(program, files.small));
     expectOnly(program, opened, files.small);
@@ -132,7 +132,7 @@ void TestOpening::aFileOfThePanelWins()
     QTRY_COMPARE(grid->model()->rowCount(), 3);
     QSignalSpy opened(&program.document, &Document::opened);
     press(QStringLiteral("large.ply"));
-    QVERIFY(program.document.isBusy());
+    QVERIFY(program.document.job().isBusy());
     press(QStringLiteral("other.obj"));
     expectOnly(program, opened, files.other);
 }
@@ -143,8 +143,8 @@ void TestOpening::aStarterWins()
     Program program;
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened);
-    program.document.open(files.large);
-    QVERIFY(program.document.isBusy());
+    program.document.opener().open(files.large);
+    QVERIFY(program.document.job().isBusy());
     program.window.action(QStringLiteral("new.cube"))->trigger();
     expectOnly(program, opened, {});
 }
@@ -158,7 +158,7 @@ void TestOpening::changesAreAskedForOnce()
     const Asked asked(program, true);
     QSignalSpy opened(&program.document, &Document::opened);
     QVERIFY(dropFile(program, files.large));
-    QTRY_VERIFY(program.document.isBusy());
+    QTRY_VERIFY(program.document.job().isBusy());
     QVERIFY(dropFile(program, files.small));
     expectOnly(program, opened, files.small);
     QCOMPARE(asked.times, 1);
@@ -171,11 +171,11 @@ void TestOpening::changesMadeMeanwhileAreAskedFor()
     sculptBall(program);
     const Asked asked(program, true);
     QSignalSpy opened(&program.document, &Document::opened);
-    program.document.open(files.large);
-    QVERIFY(program.document.isBusy());
-    program.document.undo();
-    program.document.redo();
-    program.document.open(files.small);
+    program.document.opener().open(files.large);
+    QVERIFY(program.document.job().isBusy());
+    program.document.history().undo();
+    program.document.history().redo();
+    program.document.opener().open(files.small);
     expectOnly(program, opened, files.small);
     QCOMPARE(asked.times, 2);
 }
@@ -185,19 +185,20 @@ void TestOpening::whoWillNotLoseThemKeepsTheModel()
     const Files files;
     Program program;
     sculptBall(program);
-    program.document.undo();
-    QTRY_VERIFY(!program.document.isModified());
+    program.document.history().undo();
+    QTRY_VERIFY(!program.document.savedState().isModified());
     QSignalSpy opened(&program.document, &Document::opened);
     const Asked asked(program, false);
-    program.document.open(files.large);
-    QVERIFY(program.document.isBusy());
-    program.document.redo();
-    QTRY_VERIFY(program.document.isModified());
-    program.document.open(files.small);
+    program.document.opener().open(files.large);
+    QVERIFY(program.document.job().isBusy());
+    program.document.history().redo();
+    QTRY_VERIFY(program.document.savedState().isModified());
+    program.document.opener().open(files.small);
     QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, timeoutMs);
     QTest::qWait(200);
-    QVERIFY(!program.document.isBusy() && opened.isEmpty());
-    QVERIFY(program.document.path().isEmpty() && program.document.isModified() && program.document.canUndo());
+    QVERIFY(!program.document.job().isBusy() && opened.isEmpty());
+    QVERIFY(program.document.modelInfo().path.isEmpty() && program.document.savedState().isModified() &&
+            program.document.history().canUndo());
 }
 
 /// What is being written is written; then the file that was chosen opens.
@@ -207,10 +208,10 @@ void TestOpening::afterSaving()
     const QString mine = files.folder.filePath(QStringLiteral("mine.ply"));
     Program program;
     sculptBall(program);
-    QSignalSpy saved(&program.document, &Document::saved), opened(&program.document, &Document::opened);
-    program.document.save(mine);
-    QVERIFY(program.document.isBusy());
-    program.document.open(files.small);
+    QSignalSpy saved(&program.document.saver(), &ModelSaver::saved), opened(&program.document, &Document::opened);
+    program.document.saver().save(mine);
+    QVERIFY(program.document.job().isBusy());
+    program.document.opener().open(files.small);
     QVERIFY(notice(program).length() > 0);
     expectOnly(program, opened, files.small);
     QCOMPARE(saved.size(), 1);
@@ -222,18 +223,18 @@ void TestOpening::stopEndsBoth()
     const Files files;
     Program program;
     sculptBall(program);
-    program.document.undo();
-    QTRY_VERIFY(!program.document.isModified());
+    program.document.history().undo();
+    QTRY_VERIFY(!program.document.savedState().isModified());
     program.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
     QSignalSpy opened(&program.document, &Document::opened);
-    program.document.open(files.large);
-    program.document.open(files.other);
-    QVERIFY(program.document.isBusy());
+    program.document.opener().open(files.large);
+    program.document.opener().open(files.other);
+    QVERIFY(program.document.job().isBusy());
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), timeoutMs);
     QTest::qWait(200);
-    QVERIFY(opened.isEmpty() && !program.document.isBusy());
+    QVERIFY(opened.isEmpty() && !program.document.job().isBusy());
     QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
 }
 
@@ -243,9 +244,9 @@ void TestOpening::theFirstThatCannotBeReadIsNoMatter()
     Program program;
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
-    program.document.open(files.folder.filePath(QStringLiteral("not there.stl")));
-    QVERIFY(program.document.isBusy());
-    program.document.open(files.small);
+    program.document.opener().open(files.folder.filePath(QStringLiteral("not there.stl")));
+    QVERIFY(program.document.job().isBusy());
+    program.document.opener().open(files.small);
     expectOnly(program, opened, files.small);
     QVERIFY(refused.isEmpty());
 }
@@ -266,16 +267,16 @@ void TestOpening::aBrokenModelIsRepaired()
     Program program;
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
-    program.document.open(broken);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.isBusy(), timeoutMs);
+    program.document.opener().open(broken);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), timeoutMs);
     opened.clear();
     QTest::keyClick(repairQuestion(program), agrees ? Qt::Key_Return : Qt::Key_Escape);
     QTRY_VERIFY(!repairQuestion(program));
     if (agrees) {
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
         QVERIFY(repairReport(program).contains(QStringLiteral("Pairs of faces that met")));
-        QVERIFY(program.document.path().isEmpty());
-        QVERIFY(program.document.isModified()); // the file has it broken
+        QVERIFY(program.document.modelInfo().path.isEmpty());
+        QVERIFY(program.document.savedState().isModified()); // the file has it broken
         QVERIFY(std::abs(program.document.modelInfo().size.x() - 29) < 0.1);
     } else {
         QTest::qWait(200);
@@ -297,11 +298,11 @@ void TestOpening::aBrokenModelIsRepairedAndInserted()
     QDialog* place = nullptr;
     QTRY_VERIFY((place = program.window.findChild<QDialog*>(QStringLiteral("insertDialog"))) && place->isVisible());
     QTest::keyClick(place, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), timeoutMs);
     QTest::keyClick(repairQuestion(program), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Pairs of faces that met")), timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), timeoutMs);
-    QCOMPARE(program.document.undoStack().count(), 2);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), timeoutMs);
+    QCOMPARE(program.document.history().stack().count(), 2);
     QTRY_VERIFY(program.document.modelInfo().size.x() > before + 29);
     QTest::keyClick(program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog")), Qt::Key_Return);
     QTRY_VERIFY(repairReport(program).isEmpty());

@@ -248,12 +248,12 @@ void TestPrintPanelWindow::base_isFlattenedAndPlaced()
     height->selectAll();
     QTest::keyClicks(height, QStringLiteral("5"));
     QTest::keyClick(height, Qt::Key_Return);
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_COMPARE(program.document.history().stack().count(), 1);
     QTRY_VERIFY(std::abs(program.document.modelInfo().box.min().y() + 25) < 0.01);
     QTRY_VERIFY(isAnswered(program) && !rowWith(program, QStringLiteral("Stands on a point")));
     program.window.action(QStringLiteral("model.placeOnBed"))->trigger();
     QTRY_COMPARE(program.document.modelInfo().box.min().y(), 0.0);
-    QCOMPARE(program.document.undoStack().count(), 2);
+    QCOMPARE(program.document.history().stack().count(), 2);
     program.window.activateWindow();
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);

@@ -37,7 +37,7 @@ void saveNew(Program& program, const QString& path)
     sculptBall(program);
     QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier);
     chooseFile(program, "saveDialog", path);
-    QTRY_VERIFY(!program.document.isModified() && !program.document.isBusy());
+    QTRY_VERIFY(!program.document.savedState().isModified() && !program.document.job().isBusy());
 }
 } // namespace
 
@@ -61,7 +61,7 @@ void TestSavedDocument::untitled_isSavedAsGlb()
 {
     Program program;
     saveNew(program, m_folder.filePath(QStringLiteral("first")));
-    QCOMPARE(program.document.path(), m_folder.filePath(QStringLiteral("first.glb")));
+    QCOMPARE(program.document.modelInfo().path, m_folder.filePath(QStringLiteral("first.glb")));
     QVERIFY(!core::readMesh(m_folder.filePath(QStringLiteral("first.glb")).toStdString()).triangles.empty());
 }
 
@@ -70,10 +70,10 @@ void TestSavedDocument::reopened_isTheSame()
     const QString path = m_folder.filePath(QStringLiteral("head.glb"));
     Program program;
     sculptBall(program);
-    program.document.apply(core::RemeshUniformly{9}); // another uniform detail than an import would give it
-    QTRY_COMPARE(program.document.undoStack().count(), 2);
-    program.document.apply(core::Move{{10, 0, 3}}); // an import would take it back
-    QTRY_COMPARE(program.document.undoStack().count(), 3);
+    program.document.changer().apply(core::RemeshUniformly{9}); // another uniform detail than an import would give it
+    QTRY_COMPARE(program.document.history().stack().count(), 2);
+    program.document.changer().apply(core::Move{{10, 0, 3}}); // an import would take it back
+    QTRY_COMPARE(program.document.history().stack().count(), 3);
     ui::BrushSettings& brush = *program.window.brush();
     brush.set(&core::StrokeSettings::symmetry, core::Symmetry::Z);
     brush.set(&core::StrokeSettings::topology, core::Topology::Uniform);
@@ -86,13 +86,13 @@ void TestSavedDocument::reopened_isTheSame()
     auto* colors = program.window.findChild<ui::ColorPanel*>();
     colors->setSwatches(swatches);
     Q_EMIT colors->swatchesChanged();
-    program.document.save(path);
-    QTRY_VERIFY(!program.document.isModified() && !program.document.isBusy());
+    program.document.saver().save(path);
+    QTRY_VERIFY(!program.document.savedState().isModified() && !program.document.job().isBusy());
     const MeshState saved = stateOf(program);
     const core::SavedView view = program.window.viewport()->camera().saved();
 
-    program.document.openStarter(core::Starter::Cube);
-    QTRY_VERIFY(program.document.path().isEmpty() && !program.document.isBusy());
+    program.document.opener().openStarter(core::Starter::Cube);
+    QTRY_VERIFY(program.document.modelInfo().path.isEmpty() && !program.document.job().isBusy());
     brush.set(&core::StrokeSettings::symmetry, core::Symmetry::None);
     brush.set(&core::StrokeSettings::topology, core::Topology::Adaptive);
     brush.setTool(core::Tool::Pull);
@@ -100,10 +100,10 @@ void TestSavedDocument::reopened_isTheSame()
     program.window.viewport()->turnTo(ui::OrbitCamera::Side::Top);
     program.window.action(QStringLiteral("view.orthographic"))->setChecked(false);
 
-    program.document.open(path);
-    QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+    program.document.opener().open(path);
+    QTRY_VERIFY(program.document.modelInfo().path == path && !program.document.job().isBusy());
     QVERIFY(stateOf(program) == saved);
-    QVERIFY(!program.document.isModified());
+    QVERIFY(!program.document.savedState().isModified());
     const core::SavedView seen = program.window.viewport()->camera().saved();
     QVERIFY(seen.target == view.target && seen.distance == view.distance && seen.yaw == view.yaw &&
             seen.pitch == view.pitch && seen.orthographic);
@@ -125,11 +125,11 @@ void TestSavedDocument::oftenReopened_isStillTheSame()
     saveNew(program, path);
     const MeshState saved = stateOf(program);
     for (int i = 0; i < 3; ++i) {
-        program.document.open(path);
-        QTRY_VERIFY(!program.document.isBusy() && program.document.undoStack().count() == 0);
+        program.document.opener().open(path);
+        QTRY_VERIFY(!program.document.job().isBusy() && program.document.history().stack().count() == 0);
         QVERIFY(stateOf(program) == saved);
-        program.document.save(path);
-        QTRY_VERIFY(!program.document.isBusy());
+        program.document.saver().save(path);
+        QTRY_VERIFY(!program.document.job().isBusy());
     }
 }
 
@@ -140,12 +140,12 @@ void TestSavedDocument::formatThatHoldsLess_isToldOnce()
     Program program;
     sculptBall(program);
     answerQuestion(program, QMessageBox::Discard);
-    program.document.open(path);
-    QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+    program.document.opener().open(path);
+    QTRY_VERIFY(program.document.modelInfo().path == path && !program.document.job().isBusy());
     drag(program.window.viewport(), {40, 20});
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_COMPARE(program.document.history().stack().count(), 1);
     QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier); // to the same file, in its format
-    QTRY_VERIFY(!program.document.isModified() && !program.document.isBusy());
+    QTRY_VERIFY(!program.document.savedState().isModified() && !program.document.job().isBusy());
     QVERIFY2(notice(program).contains(QStringLiteral("GLB")), qPrintable(notice(program)));
     QCOMPARE(core::readMesh(path.toStdString()).points.size(), program.document.modelInfo().vertices);
     QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier);
@@ -159,8 +159,8 @@ void TestSavedDocument::strangersGlb_leavesBrushAndViewAlone()
     Program program;
     program.window.brush()->setTool(core::Tool::Flatten);
     program.window.brush()->set(&core::StrokeSettings::symmetry, core::Symmetry::Y);
-    program.document.open(path);
-    QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+    program.document.opener().open(path);
+    QTRY_VERIFY(program.document.modelInfo().path == path && !program.document.job().isBusy());
     QCOMPARE(program.window.brush()->tool(), core::Tool::Flatten);
     QCOMPARE(program.window.brush()->stroke().symmetry, core::Symmetry::Y);
 }

@@ -1,6 +1,7 @@
 #include "tests/support/program_driver.h"
 #include "tests/support/unwritable_places.h"
 
+#include "app/document/history_visit.h"
 #include "app/document/time_lapse.h"
 
 #include "ui/history/time_lapse_dialog.h"
@@ -39,8 +40,8 @@ struct Studio
     {
         program.window.resize(1000, 700);
         program.window.show();
-        program.document.setDiscardPrompt({});
-        program.document.openSphere();
+        program.document.opener().setDiscardPrompt({});
+        program.document.opener().openSphere();
         rest();
         for (int i = 0; i < strokes; ++i) {
             core::StrokeSettings settings;
@@ -48,16 +49,16 @@ struct Studio
             settings.strength = 2;
             core::StrokeSample sample;
             sample.position = 50 * core::Vec3(std::cos(i), std::sin(i), 0.8).normalized();
-            program.document.beginStroke(settings);
-            program.document.addSample(sample);
-            program.document.endStroke();
+            program.document.strokes().beginStroke(settings);
+            program.document.strokes().addSample(sample);
+            program.document.strokes().endStroke();
             rest();
         }
     }
 
     void rest()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() &&
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
                                      program.document.modelInfo().faces > 0,
                                  timeoutMs);
     }
@@ -81,8 +82,8 @@ struct Studio
         bool isDone = false;
         TimeLapseRequest request{folder, every,
                                  core::viewOf({core::Vec3::Constant(-60), core::Vec3::Constant(60)}, 96, 54)};
-        const bool began = program.document.visitHistory(
-            QStringLiteral("Drawing"),
+        const bool began = visitHistory(
+            program.document, QStringLiteral("Drawing"),
             [&](const ModelHistory& history, core::JobControl control) {
                 std::stop_source stop;
                 if (stops)
@@ -124,9 +125,9 @@ void TestTimeLapse::itHasAPictureOfEachState()
 {
     const QTemporaryDir whole, part;
     Studio s(6);
-    s.program.document.undo();
+    s.program.document.history().undo();
     const std::uint64_t state = s.state();
-    const bool isModified = s.program.document.isModified();
+    const bool isModified = s.program.document.savedState().isModified();
     const TimeLapseOutcome outcome = s.draw(whole.path());
     QCOMPARE(outcome.problem, QString());
     QCOMPARE(outcome.frames, 6); // the start and five strokes; what is taken back is not shown
@@ -141,16 +142,16 @@ void TestTimeLapse::itHasAPictureOfEachState()
     }
     QCOMPARE(pictures.size(), 6); // each stroke is seen
     QCOMPARE(s.state(), state);
-    QCOMPARE(s.program.document.undoStack().index(), 5);
-    QCOMPARE(s.program.document.undoStack().count(), 6);
-    QCOMPARE(s.program.document.isModified(), isModified);
+    QCOMPARE(s.program.document.history().stack().index(), 5);
+    QCOMPARE(s.program.document.history().stack().count(), 6);
+    QCOMPARE(s.program.document.savedState().isModified(), isModified);
 
-    s.program.document.goTo(2); // what the model was then, and not what it came to be
+    s.program.document.history().goTo(2); // what the model was then, and not what it came to be
     s.rest();
     QCOMPARE(s.draw(part.path()).frames, 3);
     for (const QString& name : filesIn(part.path()))
         QCOMPARE(contentOf(part.filePath(name)), contentOf(whole.filePath(name)));
-    s.program.document.goTo(6);
+    s.program.document.history().goTo(6);
     QVERIFY(s.state() != state);
 }
 
@@ -239,20 +240,20 @@ void TestTimeLapse::handsRestMeanwhile()
     Studio s(3);
     bool isDone = false;
     std::atomic<bool> mayGoOn = false;
-    QVERIFY(s.program.document.visitHistory(
-        QStringLiteral("Drawing"),
+    QVERIFY(visitHistory(
+        s.program.document, QStringLiteral("Drawing"),
         [&](const ModelHistory&, const core::JobControl&) {
             while (!mayGoOn)
                 std::this_thread::yield();
         },
         [&isDone] { isDone = true; }));
-    QVERIFY(!s.program.document.visitHistory({}, {}, {}));
-    QTRY_VERIFY(!s.program.worker.beginStroke(Source::Headset, {}));
-    s.program.document.undo(); // waits
-    QCOMPARE(s.program.document.undoStack().index(), 3);
+    QVERIFY(!visitHistory(s.program.document, {}, {}, {}));
+    QTRY_VERIFY(!s.program.worker.strokes().beginStroke(Source::Headset, {}));
+    s.program.document.history().undo(); // waits
+    QCOMPARE(s.program.document.history().stack().index(), 3);
     mayGoOn = true;
     QTRY_VERIFY_WITH_TIMEOUT(isDone, timeoutMs);
-    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.undoStack().index(), 2, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.history().stack().index(), 2, timeoutMs);
 }
 
 void TestTimeLapse::byTheMenu()

@@ -1,12 +1,14 @@
 #include "tests/support/program_driver.h"
 
 #include "app/recovery/recovery_store.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/journal/journal_recovery.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/deform/brush_model.h"
+#include "core/sculpt/sculptor.h"
 #include "core/stroke/stroke_edit.h"
 #include "ui/brush/stroke_edit_bar.h"
 #include "ui/history/history_panel.h"
@@ -36,14 +38,14 @@ struct TimelineFixture
     {
         program.window.resize(1200, 800);
         program.window.show();
-        program.document.setDiscardPrompt({}); // nobody is asked
-        program.document.openSphere();
+        program.document.opener().setDiscardPrompt({}); // nobody is asked
+        program.document.opener().openSphere();
         rest();
     }
 
     void rest()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() &&
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
                                      program.document.modelInfo().faces > 0,
                                  timeoutMs);
     }
@@ -64,15 +66,15 @@ struct TimelineFixture
 
     void stroke(const core::Stroke& stroke)
     {
-        program.document.beginStroke(stroke.settings);
+        program.document.strokes().beginStroke(stroke.settings);
         for (const core::StrokeSample& sample : stroke.samples) // so few that none is dropped
-            program.document.addSample(sample);
-        program.document.endStroke();
+            program.document.strokes().addSample(sample);
+        program.document.strokes().endStroke();
         rest();
     }
 
-    int index() const { return program.document.undoStack().index(); }
-    int count() const { return program.document.undoStack().count(); }
+    int index() const { return program.document.history().stack().index(); }
+    int count() const { return program.document.history().stack().count(); }
     template <class Widget> Widget* find(const char* name)
     {
         return program.window.findChild<Widget*>(QLatin1StringView(name));
@@ -207,12 +209,12 @@ void TestTimeline::scrub_keysGoByOneAndPlayToTheEnd()
     QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 2, timeoutMs);
     const QString text = fixture.find<QLabel>("timelineText")->text();
     QVERIFY2(text.contains(QStringLiteral("2")) && text.contains(QStringLiteral("3")) &&
-                 text.contains(fixture.program.document.undoStack().text(1)),
+                 text.contains(fixture.program.document.history().stack().text(1)),
              qPrintable(text));
     auto* play = fixture.find<QToolButton>("timelinePlay");
     QTest::mouseClick(play, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked(), timeoutMs);
-    QSignalSpy moved(&fixture.program.document.undoStack(), &QUndoStack::indexChanged);
+    QSignalSpy moved(&fixture.program.document.history().stack(), &QUndoStack::indexChanged);
     QTest::mouseClick(play, Qt::LeftButton); // from the first
     QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked() && moved.size() >= 4, timeoutMs);
     QCOMPARE(fixture.state(), last);
@@ -273,9 +275,9 @@ void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo()
     QCOMPARE(fixture.count(), 2);
     QCOMPARE(fixture.index(), 2);
     QCOMPARE(fixture.program.document.modelInfo().metadata.work->strokes, strokes); // it was one, and is one
-    fixture.program.document.undo();
+    fixture.program.document.history().undo();
     QCOMPARE(fixture.state(), before);
-    fixture.program.document.redo();
+    fixture.program.document.history().redo();
     QCOMPARE(fixture.state(), edited);
 
     TimelineFixture other;
@@ -299,10 +301,10 @@ void TestTimeline::edit_cancelGivesTheStrokeBackAsItWas()
     const QTemporaryDir folder;
     TimelineFixture fixture;
     fixture.stroke(across());
-    fixture.program.document.save(folder.filePath(QStringLiteral("a.glb")));
+    fixture.program.document.saver().save(folder.filePath(QStringLiteral("a.glb")));
     fixture.rest();
     const std::uint64_t was = fixture.state();
-    QVERIFY(!fixture.program.document.isModified());
+    QVERIFY(!fixture.program.document.savedState().isModified());
     for (const char* how : {"nothing", "once", "twice", "at once"}) {
         const QString word = QLatin1StringView(how);
         fixture.beginEdit();
@@ -311,7 +313,7 @@ void TestTimeline::edit_cancelGivesTheStrokeBackAsItWas()
         if (word != QLatin1String("at once"))
             fixture.rest();
         if (word == QLatin1String("twice")) {
-            QVERIFY(fixture.state() != was && fixture.program.document.isModified());
+            QVERIFY(fixture.state() != was && fixture.program.document.savedState().isModified());
             fixture.choose(core::Tool::Push);
             fixture.rest();
         }
@@ -322,8 +324,8 @@ void TestTimeline::edit_cancelGivesTheStrokeBackAsItWas()
         QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
         QCOMPARE(fixture.state(), was);
         QCOMPARE(fixture.count(), 1);
-        QVERIFY(!fixture.program.document.isModified());
-        QCOMPARE(fixture.program.document.undoText(), fixture.program.document.undoStack().text(0));
+        QVERIFY(!fixture.program.document.savedState().isModified());
+        QCOMPARE(fixture.program.document.history().undoText(), fixture.program.document.history().stack().text(0));
     }
 }
 
@@ -361,7 +363,7 @@ void TestTimeline::edit_theNextStrokeEndsIt()
     fixture.rest();
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
     QCOMPARE(fixture.count(), 2);
-    fixture.program.document.undo();
+    fixture.program.document.history().undo();
     TimelineFixture other;
     core::Stroke done = across();
     done.settings.radius = 14;
@@ -377,11 +379,11 @@ void TestTimeline::edit_undoEndsIt()
     fixture.beginEdit();
     fixture.set("radius.box", 14);
     fixture.rest();
-    fixture.program.document.undo();
+    fixture.program.document.history().undo();
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
     QCOMPARE(fixture.state(), start);
     QVERIFY(!fixture.edit()->isEnabled());
-    fixture.program.document.redo();
+    fixture.program.document.history().redo();
     fixture.rest();
     QVERIFY(fixture.edit()->isEnabled());
 }
@@ -413,15 +415,15 @@ void TestTimeline::edit_onlyOfAStrokeThatIsTheLastStep()
     QVERIFY(!fixture.edit()->isEnabled());
     fixture.stroke(across());
     QVERIFY(fixture.edit()->isEnabled());
-    fixture.program.document.apply(core::Fill{{1, 2, 3}});
+    fixture.program.document.changer().apply(core::Fill{{1, 2, 3}});
     fixture.rest();
     QVERIFY(!fixture.edit()->isEnabled());
-    fixture.program.document.undo();
+    fixture.program.document.history().undo();
     fixture.rest();
     QVERIFY(!fixture.edit()->isEnabled());
-    fixture.program.document.openStarter(core::Starter::Cube);
+    fixture.program.document.opener().openStarter(core::Starter::Cube);
     fixture.rest();
-    fixture.program.document.apply(core::Fill{{1, 2, 3}});
+    fixture.program.document.changer().apply(core::Fill{{1, 2, 3}});
     fixture.rest();
     QVERIFY(!fixture.edit()->isEnabled()); // as many steps as before, of another model
 }
@@ -437,8 +439,8 @@ void TestTimeline::edit_offersTheToolsThatTheBrushOffers()
     QCOMPARE(tools->currentData().toInt(), static_cast<int>(core::Tool::Clay));
     fixture.choose(core::Tool::Smooth);
     fixture.press("keepStroke");
-    QVERIFY(fixture.program.document.undoStack().text(0) == fixture.program.document.undoText());
-    QCOMPARE(fixture.program.document.lastStroke()->report.tool, core::Tool::Smooth);
+    QVERIFY(fixture.program.document.history().stack().text(0) == fixture.program.document.history().undoText());
+    QCOMPARE(fixture.program.document.lastStroke().step()->report.tool, core::Tool::Smooth);
     QCOMPARE(fixture.program.window.brush()->tool(), core::Tool::Pull); // the hand's own is not touched
 }
 
@@ -455,11 +457,11 @@ void TestTimeline::edit_theRecordIsOfWhatIsThere()
     fixture.press("keepStroke");
     std::optional<std::vector<core::FileEntry>> entries;
     bool isDone = false;
-    const auto keep = [&entries](const Document::Present& present) {
+    const auto keep = [&entries](const ModelSaver::Present& present) {
         entries = present.steps;
         return true;
     };
-    QVERIFY(fixture.program.document.saveExternally({}, keep, [&isDone](bool) { isDone = true; }));
+    QVERIFY(fixture.program.document.saver().saveExternally({}, keep, [&isDone](bool) { isDone = true; }));
     QTRY_VERIFY_WITH_TIMEOUT(isDone, timeoutMs);
     QVERIFY(entries && entries->size() == 2);
     TimelineFixture other;
@@ -473,16 +475,16 @@ void TestTimeline::edit_survivesTheProgram()
     const QTemporaryDir folder;
     RecoveryStore store(std::filesystem::path(folder.path().toStdString()) / "journals");
     TimelineFixture fixture;
-    fixture.program.document.keepJournals(&store);
-    fixture.program.document.openSphere();
+    fixture.program.document.journaling().setRecoveryStore(&store);
+    fixture.program.document.opener().openSphere();
     fixture.rest();
     fixture.stroke(across(core::Tool::Flatten));
     const std::uint64_t before = fixture.state();
     fixture.stroke(across());
     const std::uint64_t was = fixture.state();
     const auto recovered = [&] {
-        fixture.program.document.journal()->drain();
-        return core::recoverJournal(fixture.program.document.journal()->folder());
+        fixture.program.document.journaling().journal()->drain();
+        return core::recoverJournal(fixture.program.document.journaling().journal()->folder());
     };
     const auto isRight = [&](std::uint64_t now) {
         auto found = recovered();

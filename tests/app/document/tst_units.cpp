@@ -97,14 +97,14 @@ void TestUnits::unit_scalesInOneStep()
     QCOMPARE(unit->isDefault(), button != QStringLiteral("asCentimetres"));
     unit->setFocus();
     QTest::keyClick(unit, Qt::Key_Return);
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_COMPARE(program.document.history().stack().count(), 1);
     QTRY_VERIFY(!bar(program));
     QTRY_VERIFY(std::abs(TestUnits::side(program) - becomes) < 1e-3 * becomes);
-    QVERIFY(program.document.isModified());
+    QVERIFY(program.document.savedState().isModified());
     QVERIFY(program.window.viewport()->hasFocus());
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE(TestUnits::side(program), before);
-    QVERIFY(!program.document.isModified() && !program.document.canUndo());
+    QVERIFY(!program.document.savedState().isModified() && !program.document.history().canUndo());
     QVERIFY(!bar(program));
 }
 
@@ -114,7 +114,7 @@ void TestUnits::otherChanges_endTheDoubt()
     open(program, "part.stl", 1.5F);
     QTRY_VERIFY(bar(program));
     program.window.action(QStringLiteral("model.placeOnBed"))->trigger();
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_COMPARE(program.document.history().stack().count(), 1);
     QTRY_VERIFY(!bar(program));
 }
 

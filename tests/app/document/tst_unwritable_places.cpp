@@ -80,16 +80,16 @@ struct Spoilt
     {
         program.window.resize(900, 700);
         program.window.show();
-        program.document.open(place.at("lion.ply"));
+        program.document.opener().open(place.at("lion.ply"));
     }
     void sculpt()
     {
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-        QTRY_VERIFY(!program.document.isBusy() && program.document.path() == place.at("lion.ply"));
+        QTRY_VERIFY(!program.document.job().isBusy() && program.document.modelInfo().path == place.at("lion.ply"));
         QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
         drag(program.window.viewport(), {40, 20});
-        QTRY_COMPARE(program.document.undoStack().count(), 1);
-        QTRY_VERIFY(program.document.isSettled());
+        QTRY_COMPARE(program.document.history().stack().count(), 1);
+        QTRY_VERIFY(program.document.queue().isSettled());
         place.spoil();
         bytes = read(place.at("lion.ply"));
         files = place.files();
@@ -109,8 +109,8 @@ struct Spoilt
     /// What a person would see of it all, for the message of a check that waited in vain.
     QString seen() const
     {
-        QString all = program.document.isBusy() ? QStringLiteral("busy") : QStringLiteral("idle");
-        all += program.document.isSettled() ? QStringLiteral(", settled") : QStringLiteral(", unsettled");
+        QString all = program.document.job().isBusy() ? QStringLiteral("busy") : QStringLiteral("idle");
+        all += program.document.queue().isSettled() ? QStringLiteral(", settled") : QStringLiteral(", unsettled");
         for (const QWidget* widget : QApplication::topLevelWidgets()) {
             const auto* box = qobject_cast<const QMessageBox*>(widget);
             if (box || widget->isVisible())
@@ -135,7 +135,8 @@ struct Spoilt
     }
     void verifySaved() const
     {
-        QTRY_VERIFY2(!program.document.isModified() && !program.document.isBusy(), qPrintable(seen()));
+        QTRY_VERIFY2(!program.document.savedState().isModified() && !program.document.job().isBusy(),
+                     qPrintable(seen()));
     }
     /// The panel with the place's folder.
     void browse()
@@ -150,7 +151,7 @@ struct Spoilt
     /// One sentence about that file; what was there is there, whole, and nothing else; the model is as it was.
     void verifyRefused(const QString& name)
     {
-        QTRY_VERIFY(problem() && problem()->isVisible() && !program.document.isBusy());
+        QTRY_VERIFY(problem() && problem()->isVisible() && !program.document.job().isBusy());
         const QString sentence = problem()->text();
         QVERIFY2(sentence.startsWith(place.at(name.toUtf8().constData())) && sentence.endsWith(place.word()),
                  qPrintable(sentence));
@@ -158,8 +159,9 @@ struct Spoilt
         QCOMPARE(read(place.at("lion.ply")), bytes);
         QCOMPARE(place.files(), files);
         QCOMPARE(state(), hash);
-        QVERIFY(program.document.isModified() && program.window.isWindowModified() && program.document.canUndo());
-        QCOMPARE(program.document.path(), place.at("lion.ply"));
+        QVERIFY(program.document.savedState().isModified() && program.window.isWindowModified() &&
+                program.document.history().canUndo());
+        QCOMPARE(program.document.modelInfo().path, place.at("lion.ply"));
     }
 
     Place place;
@@ -282,7 +284,7 @@ void TestUnwritablePlaces::reducedExport_leavesTheOldFile()
     QSettings().clear();
     Spoilt s(*disk, fault);
     s.sculpt();
-    s.program.document.exportTo(s.place.at("lion.ply"), 800);
+    s.program.document.saver().exportTo(s.place.at("lion.ply"), 800);
     s.verifyRefused(QStringLiteral("lion.ply"));
     s.press("file.exportFor");
     auto* choice = s.program.window.findChild<QDialog*>(QStringLiteral("exportChoice"));
@@ -321,9 +323,9 @@ void TestUnwritablePlaces::filesThatMayNoMoreBeRead_haveAWord()
     QTRY_VERIFY(s.problem() && s.problem()->isVisible());
     QCOMPARE(s.problem()->text(), s.place.at("lion.ply") + QStringLiteral(" cannot be read (Permission denied)."));
     s.answer();
-    QTRY_VERIFY(!s.program.document.isBusy());
+    QTRY_VERIFY(!s.program.document.job().isBusy());
     QCOMPARE(s.state(), s.hash);
-    QVERIFY(s.program.document.isModified());
+    QVERIFY(s.program.document.savedState().isModified());
     QFile::setPermissions(s.place.folder(), {});
     const auto* empty = s.program.window.findChild<QLabel*>(QStringLiteral("files.empty"));
     QTRY_VERIFY(empty->isVisible());

@@ -104,7 +104,7 @@ public:
     void settle()
     {
         frames(isIn() ? 2 : 0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_program.document.isSettled() && !m_program.document.isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_program.document.queue().isSettled() && !m_program.document.job().isBusy(), 60'000);
         frames(isIn() ? 2 : 0);
     }
 

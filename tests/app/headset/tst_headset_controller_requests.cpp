@@ -32,18 +32,18 @@ struct Visit
         program.window.resize(640, 480);
         program.window.show();
         if (path.isEmpty())
-            program.document.openSphere();
+            program.document.opener().openSphere();
         else
-            program.document.open(path);
+            program.document.opener().open(path);
         wait();
         port = controller.open();
     }
 
     void wait()
     {
-        const auto isDone = [this] { return !program.document.isBusy() && program.document.isSettled(); };
+        const auto isDone = [this] { return !program.document.job().isBusy() && program.document.queue().isSettled(); };
         QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && isDone(), 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
         QCoreApplication::processEvents();
     }
 
@@ -172,8 +172,8 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
     const QByteArray first = bytesOf(at("vase.glb"));
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
-    QCOMPARE(visit.program.document.path(), at("vase-001.glb"));
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), 60'000);
+    QCOMPARE(visit.program.document.modelInfo().path, at("vase-001.glb"));
     QCOMPARE(visit.update().saved, QStringLiteral("vase-001.glb"));
     QVERIFY(visit.update().notice.contains(QStringLiteral("vase-001.stl")));
     QCOMPARE(bytesOf(at("vase.glb")), first);
@@ -185,7 +185,7 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
     core::writeMesh(at("vase-007.stl").toStdString(), core::icosphere(1, 50));
     const QByteArray others = bytesOf(at("vase-007.stl")), second = bytesOf(at("vase-001.glb"));
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("vase-008.glb"), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase-008.glb"), 60'000);
     QVERIFY(QFile::exists(at("vase-008.stl")));
     QCOMPARE(bytesOf(at("vase-007.stl")), others);
     QCOMPARE(bytesOf(at("vase-001.glb")), second);
@@ -196,7 +196,8 @@ void TestHeadsetControllerRequests::save_ofAModelWithoutAFile()
     ui::Settings().setLastFolder(m_folder->path());
     Visit visit({});
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), m_folder->filePath(visit.update().saved), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, m_folder->filePath(visit.update().saved),
+                              60'000);
     QVERIFY(visit.update().saved.endsWith(QStringLiteral("-001.glb")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("*-001.*")}).size(), 2);
 }
@@ -215,7 +216,7 @@ void TestHeadsetControllerRequests::save_whereNothingFits()
     QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, 60'000);
     QCOMPARE(visit.update().notice, refused[0][0].toString());
     QVERIFY(visit.update().notice.contains(QStringLiteral("-001.glb")) && visit.update().saved.isEmpty());
-    QVERIFY(visit.program.document.isModified() && visit.program.document.path().isEmpty());
+    QVERIFY(visit.program.document.savedState().isModified() && visit.program.document.modelInfo().path.isEmpty());
     QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden), QStringList{QStringLiteral("filler")});
     QFile::remove(folder + QStringLiteral("/filler"));
 }
@@ -228,11 +229,12 @@ void TestHeadsetControllerRequests::save_whereOnlyTheFirstFits()
     Visit visit({});
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
-    const QStringList files = QFileInfo(visit.program.document.path()).dir().entryList(QDir::Files | QDir::Hidden);
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), 60'000);
+    const QStringList files =
+        QFileInfo(visit.program.document.modelInfo().path).dir().entryList(QDir::Files | QDir::Hidden);
     QCOMPARE(files, QStringList{visit.update().saved});
     QVERIFY(visit.update().notice.contains(files[0]) && visit.update().notice.contains(QStringLiteral(".stl")));
-    QFile::remove(visit.program.document.path());
+    QFile::remove(visit.program.document.modelInfo().path);
 }
 
 void TestHeadsetControllerRequests::open_lettingChangesGo()
@@ -242,12 +244,12 @@ void TestHeadsetControllerRequests::open_lettingChangesGo()
     const quint64 model = visit.update().model;
     visit.stroke({50, 0, 0});
     visit.request(vr::OpenModel{at("cup.stl"), true});
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("cup.stl"), 60'000);
-    QVERIFY(!visit.program.document.isModified());
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("cup.stl"), 60'000);
+    QVERIFY(!visit.program.document.savedState().isModified());
     QVERIFY(visit.update().model > model);
     QVERIFY(visit.update().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
     visit.request(vr::OpenModel{at("vase.glb")}); // there is nothing to lose
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("vase.glb"), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase.glb"), 60'000);
     visit.stroke({50, 0, 0});
 }
 
@@ -264,10 +266,10 @@ void TestHeadsetControllerRequests::open_wouldLoseChanges()
     visit.request(vr::OpenModel{at("cup.stl")}); // right after the stroke
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, 60'000);
     QVERIFY(visit.update().notice.contains(QStringLiteral("cup.stl")));
-    QCOMPARE(visit.program.document.path(), at("vase.glb"));
-    QCOMPARE(visit.program.document.undoStack().count(), 1);
+    QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
+    QCOMPARE(visit.program.document.history().stack().count(), 1);
     visit.stroke({0, 50, 0});
-    QCOMPARE(visit.program.document.undoStack().count(), 2);
+    QCOMPARE(visit.program.document.history().stack().count(), 2);
 }
 
 void TestHeadsetControllerRequests::open_ofAModelThatNeedsRepair()
@@ -277,28 +279,28 @@ void TestHeadsetControllerRequests::open_ofAModelThatNeedsRepair()
     open.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     open.close();
     Visit visit(at("vase.glb"));
-    const QSignalSpy repairable(&visit.program.document, &Document::repairable);
+    const QSignalSpy repairable(&visit.program.document.opener(), &ModelOpener::repairable);
     visit.request(vr::OpenModel{at("open.obj")});
     QTRY_COMPARE_WITH_TIMEOUT(repairable.size(), 1, 60'000);
     QVERIFY(visit.update().notice.startsWith(repairable[0][1].toString()));
-    QCOMPARE(visit.program.document.path(), at("vase.glb"));
+    QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     visit.stroke({50, 0, 0});
 }
 
 void TestHeadsetControllerRequests::open_whileBusy()
 {
     Visit visit(at("vase.glb"));
-    visit.program.document.exportTo(at("vase.stl"));
+    visit.program.document.saver().exportTo(at("vase.stl"));
     visit.port->request(vr::OpenModel{at("vase.glb")});
     visit.port->request(vr::SaveModel());
     visit.port->request(vr::RestoreModel());
     visit.port->request(core::MaskOperation{});
-    QVERIFY(visit.program.document.isBusy());
+    QVERIFY(visit.program.document.job().isBusy());
     const QSignalSpy noticed(&visit.controller, &HeadsetController::noticed);
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, 60'000);
     visit.wait();
-    QCOMPARE(visit.program.document.path(), at("vase.glb"));
-    QCOMPARE(visit.program.document.undoStack().count(), 0);
+    QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
+    QCOMPARE(visit.program.document.history().stack().count(), 0);
 }
 
 void TestHeadsetControllerRequests::class_hasItsToolsAndNoFiles()
@@ -335,7 +337,7 @@ void TestHeadsetControllerRequests::restore_isUndoable()
     visit.stroke({50, 0, 0});
     const std::uint64_t changed = visit.hash();
     visit.request(vr::RestoreModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.undoStack().count(), 2, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.history().stack().count(), 2, 60'000);
     QCOMPARE(visit.hash(), before);
     visit.request(vr::Undo());
     QCOMPARE(visit.hash(), changed);
@@ -351,14 +353,14 @@ void TestHeadsetControllerRequests::mask_isInvertedAndCleared()
     QCOMPARE(visit.masked(), std::size_t(visit.program.document.modelInfo().vertices));
     visit.request(core::MaskOperation{How::Clear});
     QCOMPARE(visit.masked(), std::size_t(0));
-    QCOMPARE(visit.program.document.undoStack().count(), 2);
+    QCOMPARE(visit.program.document.history().stack().count(), 2);
     visit.request(vr::Undo());
     QCOMPARE(visit.masked(), std::size_t(visit.program.document.modelInfo().vertices));
     visit.request(vr::Undo());
     const quint64 notices = visit.update().noticeCount;
     visit.request(core::MaskOperation{How::Clear});
     QTRY_VERIFY(visit.update().noticeCount > notices && !visit.update().notice.isEmpty());
-    QCOMPARE(visit.program.document.undoStack().index(), 0);
+    QCOMPARE(visit.program.document.history().stack().index(), 0);
 }
 
 void TestHeadsetControllerRequests::undoAndRedo_fromBothSides()
@@ -506,11 +508,11 @@ void TestHeadsetControllerRequests::close_doesWhatWasRequested()
     visit.port->addSample(sample);
     visit.controller.close();
     visit.wait();
-    QCOMPARE(visit.program.worker.strokesBegun(), quint64(2));
-    QCOMPARE(visit.program.document.undoStack().count(), 1);
+    QCOMPARE(visit.program.worker.strokes().begun(), quint64(2));
+    QCOMPARE(visit.program.document.history().stack().count(), 1);
     visit.port = visit.controller.open();
     visit.stroke({0, 0, 50});
-    QCOMPARE(visit.program.document.undoStack().count(), 2);
+    QCOMPARE(visit.program.document.history().stack().count(), 2);
     QVERIFY(visit.port->takePatch()->whole);
 }
 

@@ -195,7 +195,7 @@ void TestHeadsetPanels::tools_recentre()
     QVERIFY((head.forward() + Vec3::UnitZ()).norm() < 1e-3);
     QVERIFY(isBefore(head));
     QVERIFY(v.isUntouched());
-    QCOMPARE(v.program.document.undoStack().count(), 0);
+    QCOMPARE(v.program.document.history().stack().count(), 0);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -332,7 +332,7 @@ void TestHeadsetPanels::files_open()
     vr::FilesPanel panel = filesOf(v);
     QCOMPARE(panel.files.size(), 2);
     const QString other = panel.files[panel.files[0].path.endsWith(QStringLiteral("other.stl")) ? 0 : 1].path;
-    const auto isOpened = [&] { return v.program.document.path() == other; };
+    const auto isOpened = [&] { return v.program.document.modelInfo().path == other; };
     for (int i = 0; i < 6 && !isOpened(); ++i) {
         v.hand.click(panel, vr::ChooseFile{other});
         panel.chosen = other;
@@ -350,14 +350,14 @@ void TestHeadsetPanels::files_openLosingChanges()
     AtTools v;
     core::writeMesh(v.path("other.stl").toStdU16String(), core::icosphere(3, 20));
     v.hand.stroke({0, 49, 0}, {0, 54, 0}, 8);
-    QVERIFY(v.program.document.isModified());
+    QVERIFY(v.program.document.savedState().isModified());
     const std::uint64_t pulled = v.hash();
     QTest::qWait(600);
     v.open(PanelKind::Files);
     vr::FilesPanel panel = filesOf(v);
     panel.hasUnsavedChanges = true;
     const QString other = panel.files[panel.files[0].path.endsWith(QStringLiteral("other.stl")) ? 0 : 1].path;
-    const auto isOpened = [&] { return v.program.document.path() == other; };
+    const auto isOpened = [&] { return v.program.document.modelInfo().path == other; };
     for (int i = 0; i < 6 && !isOpened(); ++i) {
         v.hand.click(panel, vr::ChooseFile{other});
         panel.chosen = other;

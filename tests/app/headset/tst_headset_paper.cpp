@@ -74,7 +74,7 @@ void TestHeadsetPaper::togglesTopology(double y)
     v.hand.pressPad(Side::Left, 0, y);
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, 60'000);
     v.pull();
-    QVERIFY(v.program.document.isModified());
+    QVERIFY(v.program.document.savedState().isModified());
     QVERIFY(v.program.document.modelInfo().vertices < vertices + 20);
     v.hand.pressPad(Side::Left, 0, y);
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Adaptive, 60'000);
@@ -200,11 +200,11 @@ void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
     QVERIFY(pulled != v.startHash);
     v.hand.pressPad(Side::Right, -0.8, 0);
     v.hand.settle();
-    QCOMPARE(v.program.document.undoStack().index(), 0);
+    QCOMPARE(v.program.document.history().stack().index(), 0);
     QCOMPARE(v.hash(), v.startHash);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.settle();
-    QCOMPARE(v.program.document.undoStack().index(), 1);
+    QCOMPARE(v.program.document.history().stack().index(), 1);
     QCOMPARE(v.hash(), pulled);
     v.program.window.action(QStringLiteral("edit.undo"))->trigger(); // at the desktop it is the same step
     v.hand.settle();

@@ -378,7 +378,7 @@ void TestHeadsetPartner::takingOver_endsWithTheVisit()
 void TestHeadsetPartner::takingOver_isTold()
 {
     Listener listener;
-    listener.controller.setTakenOver(true);
+    listener.controller.partner().setTakenOver(true);
     QCOMPARE(listener.update().notice, QStringLiteral("Your partner sculpts now."));
     const quint64 first = listener.last.noticeCount;
     QVERIFY(!listener.port->beginStroke({}));
@@ -390,7 +390,7 @@ void TestHeadsetPartner::takingOver_isTold()
     listener.port->request(vr::ChooseBrush{paint});
     QTRY_VERIFY(listener.update().brushChange > brush); // it is told back what there is
     QVERIFY(listener.last.brush.tool != core::Tool::Paint);
-    listener.controller.setTakenOver(false);
+    listener.controller.partner().setTakenOver(false);
     QCOMPARE(listener.update().notice, QStringLiteral("It is your turn again."));
     QVERIFY(listener.port->beginStroke({}));
     listener.port->endStroke();
@@ -476,7 +476,9 @@ void TestHeadsetPartner::classTime_isToldInBoth()
     connectClassroom(fixture.program.window, mode);
     mode.begin();
     auto* panel = fixture.program.window.findChild<ui::PupilNamePanel*>();
-    const auto rests = [&] { return fixture.program.document.isSettled() && !fixture.program.document.isBusy(); };
+    const auto rests = [&] {
+        return fixture.program.document.queue().isSettled() && !fixture.program.document.job().isBusy();
+    };
     QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && rests(), 60'000);
     auto* name = fixture.program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     QTest::keyClicks(name, QStringLiteral("Anna"));
@@ -528,7 +530,8 @@ void TestHeadsetPartner::lesson_isOnAPanel()
         }
         return isSo();
     };
-    QVERIFY(frameUntil([&] { return v.program.document.undoStack().index() > 0 || !v.program.document.isSettled(); }));
+    QVERIFY(frameUntil(
+        [&] { return v.program.document.history().stack().index() > 0 || !v.program.document.queue().isSettled(); }));
     if (v.keepsPictures())
         v.hand.picture().save(qEnvironmentVariable("FETTLE_HEADSET_PICTURES") + QStringLiteral("/teacher-eye.png"));
     v.keep("lesson-playing");

@@ -1,6 +1,7 @@
 #include "app/document/document.h"
 #include "app/headset/headset_port.h"
 
+#include "core/sculpt/sculptor.h"
 #include "tests/support/viewer.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -37,7 +38,7 @@ struct Visit
 {
     Visit()
     {
-        document.openSphere();
+        document.opener().openSphere();
         wait();
         port->begin();
     }
@@ -45,7 +46,7 @@ struct Visit
 
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
         meshRests();
         QCoreApplication::processEvents();
     }
@@ -96,10 +97,10 @@ struct Visit
         const vr::DocumentRequest request = turns.front();
         turns.pop_front();
         if (std::holds_alternative<vr::Undo>(request))
-            document.undo();
+            document.history().undo();
         if (std::holds_alternative<vr::RestoreModel>(request))
-            document.apply(core::Reset());
-        document.enqueue([this] {
+            document.changer().apply(core::Reset());
+        document.queue().enqueue([this] {
             port->requestDone();
             isHandling = false;
             handleNext();
@@ -154,9 +155,9 @@ void TestHeadsetPort::strokes_areTheDocuments()
     Visit visit;
     const std::uint64_t before = visit.stateHash();
     QVERIFY(visit.stroke(right));
-    QTRY_COMPARE_WITH_TIMEOUT(visit.document.undoStack().count(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.document.history().stack().count(), 1, 60'000);
     QVERIFY(visit.stateHash() != before);
-    visit.document.undo();
+    visit.document.history().undo();
     visit.wait();
     QCOMPARE(visit.stateHash(), before);
 }
@@ -169,15 +170,15 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
     const std::uint64_t expected = one.stateHash();
 
     QVERIFY(other.stroke(right));
-    QTRY_COMPARE_WITH_TIMEOUT(other.document.undoStack().count(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 1, 60'000);
     other.port->request(vr::Undo());
     QVERIFY(other.stroke(top)); // nobody has undone yet
     QVERIFY(other.port->takeEffect().refusals == 0);
-    QCOMPARE(other.worker.strokesBegun(), quint64(1));
+    QCOMPARE(other.worker.strokes().begun(), quint64(1));
     other.handle();
     other.wait();
-    QCOMPARE(other.worker.strokesBegun(), quint64(2));
-    QCOMPARE(other.document.undoStack().count(), 1);
+    QCOMPARE(other.worker.strokes().begun(), quint64(2));
+    QCOMPARE(other.document.history().stack().count(), 1);
     QCOMPARE(other.stateHash(), expected);
 }
 
@@ -194,11 +195,11 @@ void TestHeadsetPort::strokesBetweenRequests_comeBetweenThem()
     QVERIFY(other.stroke(top));
     other.port->request(vr::Undo());
     QVERIFY(other.stroke(front));
-    QCOMPARE(other.worker.strokesBegun(), quint64(1));
+    QCOMPARE(other.worker.strokes().begun(), quint64(1));
     other.handle();
     other.wait();
-    QCOMPARE(other.worker.strokesBegun(), quint64(3));
-    QCOMPARE(other.document.undoStack().count(), 1);
+    QCOMPARE(other.worker.strokes().begun(), quint64(3));
+    QCOMPARE(other.document.history().stack().count(), 1);
     QCOMPARE(other.stateHash(), expected);
 }
 
@@ -212,14 +213,14 @@ void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
     other.port->request(vr::RestoreModel());
     QVERIFY(other.stroke(top));
     other.handle();
-    QTRY_COMPARE_WITH_TIMEOUT(other.document.undoStack().count(), 3, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 3, 60'000);
     other.wait();
     QCOMPARE(other.document.modelInfo().faces, expected);
     const std::uint64_t now = other.stateHash();
     for (int i = 0; i < 3; ++i)
-        other.document.undo();
+        other.document.history().undo();
     for (int i = 0; i < 3; ++i)
-        other.document.redo();
+        other.document.history().redo();
     other.wait();
     QCOMPARE(other.stateHash(), now);
 }
@@ -231,14 +232,14 @@ void TestHeadsetPort::heldStroke_goesOnWhereItWas()
     QVERIFY(visit.port->beginStroke(brush()));
     visit.port->addSample(sampleAt(right));
     visit.handle();
-    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
-    QVERIFY(visit.worker.strokeOpen());
+    QCOMPARE(visit.worker.strokes().begun(), quint64(1));
+    QVERIFY(visit.worker.strokes().isOpen());
     visit.port->addSample(sampleAt({51, 0, 0}));
     visit.port->endStroke();
-    QVERIFY(!visit.worker.strokeOpen());
+    QVERIFY(!visit.worker.strokes().isOpen());
     visit.wait();
     QCOMPARE(visit.worker.stats().samples, quint64(2));
-    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.document.history().stack().count(), 1);
 }
 
 void TestHeadsetPort::heldStroke_isThinned()
@@ -262,37 +263,37 @@ void TestHeadsetPort::brushRequests_holdNoStroke()
     visit.port->request(vr::ChooseBrush());
     visit.port->request(vr::HeadsetSettings());
     QVERIFY(visit.stroke(right));
-    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
+    QCOMPARE(visit.worker.strokes().begun(), quint64(1));
     visit.wait();
 }
 
 void TestHeadsetPort::stroke_isRefusedWhileTheDesktopDraws()
 {
     Visit visit;
-    visit.document.beginStroke(brush());
+    visit.document.strokes().beginStroke(brush());
     QVERIFY(!visit.stroke(right));
     QCOMPARE(visit.port->takeEffect().refusals, 1);
     QCOMPARE(visit.port->takeEffect().refusals, 0);
-    visit.document.addSample(sampleAt(top));
-    visit.document.endStroke();
+    visit.document.strokes().addSample(sampleAt(top));
+    visit.document.strokes().endStroke();
     visit.wait();
     QCOMPARE(visit.worker.stats().samples, quint64(1));
     QVERIFY(visit.stroke(right));
     visit.wait();
-    QCOMPARE(visit.document.undoStack().count(), 2);
+    QCOMPARE(visit.document.history().stack().count(), 2);
 }
 
 void TestHeadsetPort::desktop_isRefusedWhileTheHeadsetDraws()
 {
     Visit visit;
     QVERIFY(visit.port->beginStroke(brush()));
-    visit.document.beginStroke(brush());
-    visit.document.addSample(sampleAt(top));
-    visit.document.endStroke();
+    visit.document.strokes().beginStroke(brush());
+    visit.document.strokes().addSample(sampleAt(top));
+    visit.document.strokes().endStroke();
     visit.port->addSample(sampleAt(right));
     visit.port->endStroke();
     visit.wait();
-    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.document.history().stack().count(), 1);
     QCOMPARE(visit.worker.stats().samples, quint64(1));
 }
 
@@ -301,12 +302,12 @@ void TestHeadsetPort::heldStroke_isRefusedWhileTheDesktopDraws()
     Visit visit;
     visit.port->request(vr::Undo());
     QVERIFY(visit.stroke(right));
-    visit.worker.beginStroke(Source::Desktop, brush());
+    visit.worker.strokes().beginStroke(Source::Desktop, brush());
     visit.port->requestDone();
     QCOMPARE(visit.port->takeEffect().refusals, 1);
-    visit.worker.endStroke(Source::Desktop);
+    visit.worker.strokes().endStroke(Source::Desktop);
     visit.wait();
-    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
+    QCOMPARE(visit.worker.strokes().begun(), quint64(1));
 }
 
 /// A ball beside the clay, and a horn that reaches it.
@@ -343,7 +344,7 @@ void TestHeadsetPort::effects_tellRefusals()
     visit.port->endStroke();
     visit.wait();
     QCOMPARE(visit.port->takeEffect().refusals, 1);
-    QCOMPARE(visit.document.undoStack().count(), 0);
+    QCOMPARE(visit.document.history().stack().count(), 0);
 }
 
 void TestHeadsetPort::answers_ofARay()
@@ -397,10 +398,10 @@ void TestHeadsetPort::patches_areWholeThenChanges()
     QVERIFY(!visit.port->takePatch());
     QVERIFY(visit.stroke(right));
     visit.wait();
-    visit.document.undo();
-    visit.document.beginStroke(brush());
-    visit.document.addSample(sampleAt(top));
-    visit.document.endStroke();
+    visit.document.history().undo();
+    visit.document.strokes().beginStroke(brush());
+    visit.document.strokes().addSample(sampleAt(top));
+    visit.document.strokes().endStroke();
     visit.wait();
     const auto changes = visit.port->takePatch();
     QVERIFY(changes && !changes->whole);
@@ -414,9 +415,9 @@ void TestHeadsetPort::end_keepsTheOpenStroke()
     QVERIFY(visit.port->beginStroke(brush()));
     visit.port->addSample(sampleAt(right));
     visit.port->end();
-    QVERIFY(!visit.worker.strokeOpen());
+    QVERIFY(!visit.worker.strokes().isOpen());
     visit.wait();
-    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.document.history().stack().count(), 1);
 }
 
 void TestHeadsetPort::end_keepsWhatIsHeld()
@@ -430,9 +431,9 @@ void TestHeadsetPort::end_keepsWhatIsHeld()
     visit.port->end();
     visit.handle();
     visit.wait();
-    QCOMPARE(visit.worker.strokesBegun(), quint64(3));
-    QVERIFY(!visit.worker.strokeOpen());
-    QCOMPARE(visit.document.undoStack().count(), 2);
+    QCOMPARE(visit.worker.strokes().begun(), quint64(3));
+    QVERIFY(!visit.worker.strokes().isOpen());
+    QCOMPARE(visit.document.history().stack().count(), 2);
 }
 
 /// A visit that was given up comes back: its strokes and requests have no effect.
@@ -443,14 +444,14 @@ void TestHeadsetPort::end_isTheHeadsetsEnd()
     visit.port->addSample(sampleAt(right));
     visit.port->end();
     visit.wait();
-    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.document.history().stack().count(), 1);
     const std::uint64_t hash = visit.stateHash();
     QSignalSpy rings(visit.port.get(), &HeadsetPort::messagesArrived),
-        refusals(&visit.worker, &SculptWorker::strokeRefused);
+        refusals(&visit.worker.strokes(), &StrokeGate::refused);
     visit.port->addSample(sampleAt(top));
     visit.port->endStroke();
     QVERIFY(!visit.stroke(top));
-    QVERIFY(!visit.worker.strokeOpen());
+    QVERIFY(!visit.worker.strokes().isOpen());
     visit.port->request(vr::Undo());
     QVERIFY(!visit.stroke(top));
     visit.port->show({});
@@ -460,14 +461,14 @@ void TestHeadsetPort::end_isTheHeadsetsEnd()
     QCOMPARE(rings.size(), 0);
     QCOMPARE(refusals.size(), 0);
     QVERIFY(!visit.port->takeQueryResult());
-    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
-    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.worker.strokes().begun(), quint64(1));
+    QCOMPARE(visit.document.history().stack().count(), 1);
     QCOMPARE(visit.stateHash(), hash);
-    visit.document.beginStroke(brush());
-    visit.document.addSample(sampleAt(top));
-    visit.document.endStroke();
+    visit.document.strokes().beginStroke(brush());
+    visit.document.strokes().addSample(sampleAt(top));
+    visit.document.strokes().endStroke();
     visit.wait();
-    QCOMPARE(visit.document.undoStack().count(), 2);
+    QCOMPARE(visit.document.history().stack().count(), 2);
 }
 
 /// It may even come back when everything else has gone.
@@ -502,7 +503,7 @@ void TestHeadsetPort::nothingIsSculptedWhileAnotherModelComes()
     visit.port->setRefusing(false);
     QVERIFY(visit.stroke(right));
     visit.wait();
-    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.document.history().stack().count(), 1);
 }
 
 void TestHeadsetPort::anotherModel_comesWhole()
@@ -510,7 +511,7 @@ void TestHeadsetPort::anotherModel_comesWhole()
     Visit visit;
     visit.meshRests();
     QVERIFY(visit.port->takePatch());
-    visit.document.openStarter(core::Starter::Cube);
+    visit.document.opener().openStarter(core::Starter::Cube);
     visit.wait();
     const auto whole = visit.port->takePatch();
     QVERIFY(whole && whole->whole);
@@ -562,7 +563,7 @@ void TestHeadsetPort::port_outlivesItsVisit()
         port->end();
     }
     visit.wait();
-    QVERIFY(!visit.worker.strokeOpen());
+    QVERIFY(!visit.worker.strokes().isOpen());
 }
 
 /// A headset that does all there is at once, and a gui thread that hardly follows: each stroke comes, in order, or is
@@ -594,7 +595,7 @@ void TestHeadsetPort::twoThreads_getAlong()
     visit.handle();
     visit.wait();
     QCOMPARE(begun, 60);
-    QCOMPARE(visit.worker.strokesBegun(), quint64(60));
+    QCOMPARE(visit.worker.strokes().begun(), quint64(60));
     QVERIFY(visit.turns.empty());
 }
 

@@ -292,7 +292,7 @@ void TestHeadsetVisits::partner_opensAnotherModel()
     core::writeMesh(v.path("other.glb").toStdU16String(), other);
     const double before = v.scale();
     Q_EMIT v.program.window.openRequested(v.path("other.glb"));
-    QTRY_COMPARE_WITH_TIMEOUT(v.program.document.path(), v.path("other.glb"), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.program.document.modelInfo().path, v.path("other.glb"), 60'000);
     v.hand.settle();
     QVERIFY(std::abs(v.scale() / before - 2.5) < 0.05); // as large in the room as the first
     v.hand.placeModelAgain();
@@ -324,7 +324,7 @@ void TestHeadsetVisits::undo_fromBothSides()
     v.trigger("edit.undo");
     v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8);
     QCOMPARE(v.changes(), 3);
-    QVERIFY(!v.program.document.canRedo());
+    QVERIFY(!v.program.document.history().canRedo());
     undoAtTheWand();
     v.hand.settle();
     QCOMPARE(v.hash(), hashes[2]);
@@ -354,7 +354,7 @@ void TestHeadsetVisits::undo_whileTheWindowIsStalled()
     v.hand.setStalled(false);
     v.hand.settle();
     QCOMPARE(v.changes(), 1);
-    QCOMPARE(v.program.document.undoStack().count(), 1);
+    QCOMPARE(v.program.document.history().stack().count(), 1);
     QCOMPARE(v.hash(), expected);
     v.trigger("edit.undo");
     v.hand.settle();
@@ -386,7 +386,7 @@ void TestHeadsetVisits::strokes_areOneAtATime()
     v.hand.end();
     v.hand.settle();
     QCOMPARE(v.changes(), 2);
-    QCOMPARE(v.program.document.undoStack().count(), 2);
+    QCOMPARE(v.program.document.history().stack().count(), 2);
     v.hand.pressPad(Side::Right, -0.8, 0);
     v.hand.settle();
     QCOMPARE(v.hash(), hash);
@@ -665,7 +665,7 @@ void TestHeadsetVisits::frozen_isGivenUp()
     QTRY_VERIFY_WITH_TIMEOUT(!headset->isActive(), 60'000);
     QVERIFY2(sentence(v.program).contains("The headset's program does not answer."), qPrintable(sentence(v.program)));
     keep("the runtime is frozen", v, "the stroke as far as it came; it can be undone");
-    QTRY_VERIFY_WITH_TIMEOUT(v.program.document.isSettled(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.program.document.queue().isSettled(), 60'000);
     QCOMPARE(v.changes(), 1);
     QVERIFY(v.box().max().y() > 51);
 

@@ -104,7 +104,7 @@ struct SimulatorFixture
         }
         sendMouse(view, QEvent::MouseButtonRelease, view->placeOf(from).toPoint(), Qt::LeftButton);
         frames(4);
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), longEnough);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), longEnough);
     }
     void click(Qt::Key key)
     {
@@ -121,7 +121,7 @@ struct SimulatorFixture
     {
         return ask([](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
     }
-    int changes() const { return program.document.undoStack().index(); }
+    int changes() const { return program.document.history().stack().index(); }
 
     ScriptedRuntime runtime; ///< hears what the client does wrong
     Program program;

@@ -58,7 +58,8 @@ void begin(Program& program, const QString& title)
         if (card->text() == title)
             card->click();
     QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonTitle")->text().startsWith(title), 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.window.viewport()->stats().patches > 0, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.window.viewport()->stats().patches > 0,
+                             60'000);
     auto* speed = program.window.findChild<ui::LessonPanel*>()->findChild<QComboBox*>();
     speed->setCurrentIndex(speed->count() - 1);
 }
@@ -72,8 +73,8 @@ void showStep(Program& program)
 {
     press(program, "lessonPlay");
     QTRY_VERIFY(isPlaying(program));
-    QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.isSettled() && !program.document.isBusy(),
-                             120'000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !isPlaying(program) && program.document.queue().isSettled() && !program.document.job().isBusy(), 120'000);
 }
 
 std::uint64_t teachersHash(const char* name, std::size_t steps)
@@ -119,15 +120,15 @@ private Q_SLOTS:
         begin(program, QStringLiteral("First clay: a pear"));
         const std::uint64_t start = hashOf(program);
         showStep(program);
-        QVERIFY(program.document.undoStack().index() > 0);
+        QVERIFY(program.document.history().stack().index() > 0);
         press(program, "lessonTry");
-        QTRY_COMPARE(program.document.undoStack().index(), 0);
+        QTRY_COMPARE(program.document.history().stack().index(), 0);
         QCOMPARE(hashOf(program), start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ height: at least 115.0 mm (100.0 mm)")),
                                  60'000);
         QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         drag(program.window.viewport(), {30, 0});
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, 60'000);
         QVERIFY(hashOf(program) != start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")), 60'000);
         showStep(program);
@@ -140,11 +141,11 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
         part<QPushButton>(program, "lessonPlay")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokeOpen(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), 60'000);
         drag(program.window.viewport(), {30, 10});
         QVERIFY(!isPlaying(program));
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled() && !program.worker.strokeOpen(), 60'000);
-        QCOMPARE(program.document.undoStack().count(), 2);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.worker.strokes().isOpen(), 60'000);
+        QCOMPARE(program.document.history().stack().count(), 2);
     }
 
     /// A step has its tools and no others, and the key that smooths none that it has not.
@@ -158,7 +159,7 @@ private Q_SLOTS:
         QVERIFY(isThere("tool.pull") && !isThere("tool.stamp") && !isThere("tool.smooth"));
         QTest::keyClick(&program.window, Qt::Key_4); // Smooth's
         QCOMPARE(program.window.brush()->tool(), core::Tool::Pull);
-        program.document.openStarter(core::Starter::Ball);
+        program.document.opener().openStarter(core::Starter::Ball);
         QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), 60'000);
     }
 
@@ -168,8 +169,8 @@ private Q_SLOTS:
         begin(program, QStringLiteral("A creature to print"));
         for (int strokes = 1; strokes <= 2; ++strokes) {
             press(program, "lessonOne");
-            QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), strokes, 60'000);
-            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.isSettled(), 60'000);
+            QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), strokes, 60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.queue().isSettled(), 60'000);
         }
         showStep(program); // the rest
         QCOMPARE(hashOf(program), teachersHash("creature", 1));
@@ -199,8 +200,8 @@ private Q_SLOTS:
         showStep(program);
         Q_EMIT program.window.findChild<ui::LessonPanel*>()->lessonChosen(path);
         answerQuestion(program, QMessageBox::Discard);
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 0, 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 0, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
         QCOMPARE(hashOf(program), playback.mesh().meshHash());
         playback.finish();
         showStep(program);
@@ -224,7 +225,7 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
         QVERIFY(part<QLabel>(program, "lessonText")->isVisible());
-        program.document.openStarter(core::Starter::Cube);
+        program.document.opener().openStarter(core::Starter::Cube);
         QTRY_VERIFY_WITH_TIMEOUT(!part<QLabel>(program, "lessonText")->isVisible(), 60'000);
         QVERIFY(!isPlaying(program));
     }

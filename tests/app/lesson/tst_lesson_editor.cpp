@@ -44,7 +44,7 @@ bool isRecording(Program& program)
 
 bool rests(Program& program)
 {
-    return program.document.isSettled() && !program.document.isBusy();
+    return program.document.queue().isSettled() && !program.document.job().isBusy();
 }
 
 std::uint64_t hashOf(Program& program)
@@ -62,7 +62,7 @@ void show(Program& program)
     program.window.resize(1400, 1000);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
+    program.document.opener().openSphere();
     QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.window.viewport()->stats().patches > 0, 60'000);
     program.window.action(QStringLiteral("lesson.record"))->trigger();
     QTRY_VERIFY(part<QDockWidget>(program, "lessonEditor")->isVisible());
@@ -79,9 +79,9 @@ void record(Program& program, int starter)
 
 void stroke(Program& program, const QPoint& by)
 {
-    const int before = program.document.undoStack().index();
+    const int before = program.document.history().stack().index();
     drag(program.window.viewport(), by);
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().index(), before + 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(rests(program), 60'000);
 }
 
@@ -215,8 +215,8 @@ private Q_SLOTS:
         stroke(program, {40, 20});
         const auto before = program.document.modelInfo().size;
         record(program, -1);
-        QVERIFY(program.document.isModified()); // it is in no file of its own
-        QCOMPARE(program.document.undoStack().count(), 0);
+        QVERIFY(program.document.savedState().isModified()); // it is in no file of its own
+        QCOMPARE(program.document.history().stack().count(), 0);
         QVERIFY((program.document.modelInfo().size - before).norm() < 1e-3);
         stroke(program, {-30, 25});
         write(program, "On", "Go on.");
@@ -235,11 +235,11 @@ private Q_SLOTS:
         stroke(program, {30, 12});
         stroke(program, {-30, 12});
         QCOMPARE(strokesOf(program), 2);
-        program.document.undo();
+        program.document.history().undo();
         QTRY_COMPARE(strokesOf(program), 1);
-        program.document.redo();
+        program.document.history().redo();
         QTRY_COMPARE(strokesOf(program), 2);
-        program.document.goTo(0);
+        program.document.history().goTo(0);
         QTRY_COMPARE(strokesOf(program), 0);
         stroke(program, {20, -20});
         QCOMPARE(strokesOf(program), 1);
@@ -260,13 +260,13 @@ private Q_SLOTS:
         core::StrokeSettings settings;
         settings.radius = 15;
         settings.strength = 5;
-        program.worker.beginStroke(Source::Headset, settings);
+        program.worker.strokes().beginStroke(Source::Headset, settings);
         core::StrokeSample sample;
         sample.position = {0, 0, 50};
-        program.worker.addSample(Source::Headset, sample);
-        program.worker.endStroke(Source::Headset);
+        program.worker.strokes().addSample(Source::Headset, sample);
+        program.worker.strokes().endStroke(Source::Headset);
         QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 1, 60'000);
-        program.document.apply(core::Scale{1.25});
+        program.document.changer().apply(core::Scale{1.25});
         QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 2, 60'000);
         write(program, "Wand", "By hand.");
         const QTemporaryDir folder;
@@ -287,9 +287,9 @@ private Q_SLOTS:
         core::writeMesh(toPath(path), core::starterModel(core::Starter::Cube));
         ui::InsertRequest insertion;
         insertion.path = path;
-        program.document.insert(insertion);
+        program.document.changer().insert(insertion);
         QTRY_COMPARE_WITH_TIMEOUT(notice(program).isEmpty(), false, 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.document.undoStack().index() == 0, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.document.history().stack().index() == 0, 60'000);
         QCOMPARE(strokesOf(program), 0);
         QCOMPARE(hashOf(program), start);
         QVERIFY(isRecording(program));
@@ -467,9 +467,9 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("mug.zip"));
         save(program, path);
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.job().isBusy(), 60'000);
         program.window.action(QStringLiteral("edit.stop"))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
         QVERIFY(notice(program).contains(QStringLiteral("was not written")));
         QVERIFY(QDir(folder.path()).isEmpty());
     }
@@ -483,7 +483,7 @@ private Q_SLOTS:
         record(program, static_cast<int>(core::Starter::Ball));
         stroke(program, {30, 12});
         answerQuestion(program, QMessageBox::Discard);
-        program.document.openStarter(core::Starter::Cube);
+        program.document.opener().openStarter(core::Starter::Cube);
         QTRY_VERIFY_WITH_TIMEOUT(!isRecording(program) && rests(program), 60'000);
         QCOMPARE(strokesOf(program), 1);
         program.window.close();

@@ -176,13 +176,13 @@ void TestModelExport::fewerTriangles_leaveTheModelAlone()
     Program program;
     sculptBall(program);
     const quint64 faces = program.document.modelInfo().faces;
-    QSignalSpy exported(&program.document, &Document::exported);
-    program.document.exportTo(path("few.stl"), 500);
+    QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
+    program.document.saver().exportTo(path("few.stl"), 500);
     QTRY_COMPARE(exported.size(), 1);
     const core::TriangleMesh few = core::readMesh(path("few.stl").toStdString());
     QVERIFY(few.triangles.size() <= 500 && core::checkMesh(few).printReady());
     QCOMPARE(program.document.modelInfo().faces, faces);
-    QVERIFY(program.document.isModified() && program.document.path().isEmpty());
+    QVERIFY(program.document.savedState().isModified() && program.document.modelInfo().path.isEmpty());
 }
 
 void TestModelExport::dialog_writesWhatItIsAskedFor()
@@ -260,7 +260,7 @@ void TestModelExport::dialog_comesBackAsItWasAgreedTo()
     QTest::keyClicks(in<QSpinBox>(dialog, "most"), QStringLiteral("777"));
     QTest::keyClick(in<QSpinBox>(dialog, "most"), Qt::Key_Return);
     chooseFile(program, "exportDialog", path("again.3mf"));
-    QTRY_VERIFY(!program.document.isBusy() && QFile::exists(path("again.3mf")));
+    QTRY_VERIFY(!program.document.job().isBusy() && QFile::exists(path("again.3mf")));
     dialog = ask();
     QTRY_VERIFY(dialog && dialog->isVisible());
     QVERIFY(in<QRadioButton>(dialog, "3mf")->isChecked() && in<QCheckBox>(dialog, "slices")->isChecked());
@@ -292,8 +292,8 @@ void TestModelExport::fewerTriangles_carryNoNotes()
     QFETCH(bool, carries);
     Program program;
     sculptBall(program);
-    QSignalSpy exported(&program.document, &Document::exported);
-    program.document.exportTo(m_folder.filePath(name), most);
+    QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
+    program.document.saver().exportTo(m_folder.filePath(name), most);
     QTRY_COMPARE(exported.size(), 1);
     const std::filesystem::path file = m_folder.filePath(name).toStdString();
     const core::DocumentMetadata metadata = core::readMetadata(file);
@@ -314,13 +314,14 @@ void TestModelExport::stop_endsAnExport()
     const QString large = path("large.ply");
     core::writeMesh(large.toStdString(), core::icosphere(7, 50)); // 327,680 triangles: seconds of work
     program.window.show();
-    program.document.open(large);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.path() == large, 60000);
-    QSignalSpy noticed(&program.document, &Document::noticed), progressed(&program.document, &Document::progressed);
-    program.document.exportTo(path("never.stl"), 100);
+    program.document.opener().open(large);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.modelInfo().path == large, 60000);
+    QSignalSpy noticed(&program.document, &Document::noticed),
+        progressed(&program.document.job(), &BackgroundJob::progressed);
+    program.document.saver().exportTo(path("never.stl"), 100);
     QTRY_VERIFY_WITH_TIMEOUT(!progressed.isEmpty(), 60000);
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60000);
     QCOMPARE(noticed.size(), 1);
     QVERIFY(!QFile::exists(path("never.stl")));
 }

@@ -4,11 +4,13 @@
 #include "app/document/document.h"
 #include "app/document/stroke_command.h"
 #include "app/recovery/recovery_store.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
 #include "core/journal/journal_files.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 #include "core/stroke/stroke_edit.h"
 #include "core/util/numbered_backup.h"
 #include "ui/settings/settings.h"
@@ -76,23 +78,25 @@ struct Session
 {
     explicit Session(const fs::path& root) : home(root.parent_path()), store(root, smallLimits), document(&worker)
     {
-        document.keepJournals(&store);
+        document.journaling().setRecoveryStore(&store);
     }
 
     void openBall()
     {
-        document.openSphere();
+        document.opener().openSphere();
         wait();
     }
     void wait()
     {
-        until([this] { return !document.isBusy() && document.isSettled() && document.modelInfo().faces > 0; });
+        until([this] {
+            return !document.job().isBusy() && document.queue().isSettled() && document.modelInfo().faces > 0;
+        });
     }
     /// As it is now; with `recorded` not before that would survive the program.
     State state(bool recorded = true)
     {
         std::optional<State> answer;
-        const auto journal = document.journal();
+        const auto journal = document.journaling().journal();
         worker.post([&](core::Sculptor& sculptor) {
             const State now{sculptor.mesh().meshHash(), sculptor.mesh().stateHash(), 0, 0};
             const auto tell = [&answer, &mail = mail, now] { mail.post([&answer, now] { answer = now; }); };
@@ -103,16 +107,16 @@ struct Session
         });
         until([&] { return answer.has_value(); });
         State now = answer.value_or(State());
-        now.present = document.undoStack().index();
-        now.count = document.undoStack().count();
+        now.present = document.history().stack().index();
+        now.count = document.history().stack().count();
         return now;
     }
     void stroke(const core::Stroke& stroke)
     {
-        document.beginStroke(stroke.settings);
+        document.strokes().beginStroke(stroke.settings);
         for (const core::StrokeSample& sample : stroke.samples)
-            document.addSample(sample);
-        document.endStroke();
+            document.strokes().addSample(sample);
+        document.strokes().endStroke();
         wait();
     }
     void randomStroke(StrokeFuzzer& random)
@@ -129,23 +133,23 @@ struct Session
     }
     void apply(const core::ModelCommand& command)
     {
-        document.apply(command);
+        document.changer().apply(command);
         wait();
     }
     /// One change of any kind. Whether "finished" is what strokeFinished() says, or must be asked for.
     bool act(StrokeFuzzer& random)
     {
-        const auto steps = static_cast<std::uint64_t>(document.undoStack().count());
+        const auto steps = static_cast<std::uint64_t>(document.history().stack().count());
         switch (random.below(16)) {
         case 0:
         case 1:
         case 2:
-            return document.undo(), wait(), false;
+            return document.history().undo(), wait(), false;
         case 3:
         case 4:
-            return document.redo(), wait(), false;
+            return document.history().redo(), wait(), false;
         case 5:
-            return document.goTo(static_cast<int>(random.below(steps + 1))), wait(), false;
+            return document.history().goTo(static_cast<int>(random.below(steps + 1))), wait(), false;
         case 6:
             return wholeModel(random), false;
         case 7:
@@ -157,14 +161,14 @@ struct Session
     /// Nothing, if the last step is no stroke.
     void editLast(double factor)
     {
-        const auto last = document.lastStroke();
+        const auto last = document.lastStroke().step();
         if (!last)
             return;
         core::BrushChange brush = core::brushOf(last->report.stroke()->settings);
         brush.radius *= factor;
-        document.replaceLastStroke(*last,
-                                   std::make_shared<const core::Stroke>(core::changed(*last->report.stroke(), brush)),
-                                   {}, [](const auto&) {});
+        document.lastStroke().replace(
+            *last, std::make_shared<const core::Stroke>(core::changed(*last->report.stroke(), brush)), {},
+            [](const auto&) {});
         wait();
     }
     void wholeModel(StrokeFuzzer& random)
@@ -204,7 +208,7 @@ struct Session
     /// A small ball beside the model.
     void insert()
     {
-        document.insert({file("ball.stl")});
+        document.changer().insert({file("ball.stl")});
         wait();
     }
 
@@ -238,7 +242,8 @@ struct Kind
 
 void strokes(Session& session, StrokeFuzzer& random)
 {
-    for (const int count = session.document.undoStack().count(); session.document.undoStack().count() < count + 2;)
+    for (const int count = session.document.history().stack().count();
+         session.document.history().stack().count() < count + 2;)
         session.randomStroke(random);
 }
 
@@ -251,10 +256,10 @@ template <class Command> void whole(Session& session, StrokeFuzzer&)
 constexpr Kind kinds[] = {
     {"strokes", strokes},
     {"edit the last stroke", [](Session& s, StrokeFuzzer&) { s.editLast(1.2); }},
-    {"undo", [](Session& s, StrokeFuzzer&) { s.document.undo(), s.wait(); }},
-    {"redo", [](Session& s, StrokeFuzzer&) { s.document.redo(), s.wait(); }},
-    {"jump", [](Session& s, StrokeFuzzer&) { s.document.goTo(0), s.wait(); }},
-    {"jump back", [](Session& s, StrokeFuzzer&) { s.document.goTo(2), s.wait(); }},
+    {"undo", [](Session& s, StrokeFuzzer&) { s.document.history().undo(), s.wait(); }},
+    {"redo", [](Session& s, StrokeFuzzer&) { s.document.history().redo(), s.wait(); }},
+    {"jump", [](Session& s, StrokeFuzzer&) { s.document.history().goTo(0), s.wait(); }},
+    {"jump back", [](Session& s, StrokeFuzzer&) { s.document.history().goTo(2), s.wait(); }},
     {"add ball",
      [](Session& s, StrokeFuzzer&) {
          core::StrokeSettings settings;
@@ -262,7 +267,7 @@ constexpr Kind kinds[] = {
          settings.add = true;
          core::StrokeSample sample;
          sample.position = {0, 90, 0};
-         s.document.addSphere(settings, sample), s.wait();
+         s.document.strokes().addSphere(settings, sample), s.wait();
      }},
     {"fill", [](Session& s, StrokeFuzzer&) { s.apply(core::Fill{red}); }},
     {"mask", [](Session& s, StrokeFuzzer&) { s.apply(core::MaskOperation{core::MaskOperation::Kind::Invert}); }},
@@ -283,10 +288,12 @@ constexpr Kind kinds[] = {
     {"flatten base", [](Session& s, StrokeFuzzer&) { s.apply(core::FlattenBase{10}); }},
     {"reset", whole<core::Reset>},
     {"import",
-     [](Session& s, StrokeFuzzer& random) { s.document.open(s.file("ball.stl")), s.wait(), strokes(s, random); }},
-    {"legalise", [](Session& s, StrokeFuzzer&) { s.document.openRepaired(s.file("bad.stl"), {}), s.wait(); }},
-    {"save", [](Session& s, StrokeFuzzer&) { s.document.save(s.file("saved.glb")), s.wait(); }},
-    {"lose the file", [](Session& s, StrokeFuzzer&) { s.document.onFileDeleted(), s.wait(); }},
+     [](Session& s, StrokeFuzzer& random) {
+         s.document.opener().open(s.file("ball.stl")), s.wait(), strokes(s, random);
+     }},
+    {"legalise", [](Session& s, StrokeFuzzer&) { s.document.opener().openRepaired(s.file("bad.stl"), {}), s.wait(); }},
+    {"save", [](Session& s, StrokeFuzzer&) { s.document.saver().save(s.file("saved.glb")), s.wait(); }},
+    {"lose the file", [](Session& s, StrokeFuzzer&) { s.document.savedState().onFileDeleted(), s.wait(); }},
 };
 
 /// Those up to that one; says the state after each, and rests.
@@ -297,7 +304,7 @@ int runKinds(const fs::path& root, int last)
     StrokeFuzzer random(1);
     for (int i = 0; i <= last; ++i) {
         kinds[i].run(session, random);
-        std::cout << lineOf(session.state()) << ' ' << session.document.isModified() << std::endl;
+        std::cout << lineOf(session.state()) << ' ' << session.document.savedState().isModified() << std::endl;
     }
     for (;;)
         ::pause();
@@ -309,18 +316,18 @@ int runOnDisplay(const fs::path& root, bool changes)
     RecoveryStore store(root);
     SculptWorker worker;
     Document document(&worker);
-    document.keepJournals(&store);
+    document.journaling().setRecoveryStore(&store);
     QWidget window;
     window.show();
     const auto ready = [] { std::cout << "ready" << std::endl; };
     QObject::connect(&document, &Document::opened, &document, [&, ready] {
         if (changes)
-            document.apply(core::Fill{red});
+            document.changer().apply(core::Fill{red});
         else
             ready();
     });
-    QObject::connect(&document, &Document::modifiedChanged, &document, ready);
-    document.openStarter(core::Starter::Head);
+    QObject::connect(&document.savedState(), &SavedState::modifiedChanged, &document, ready);
+    document.opener().openStarter(core::Starter::Head);
     return QApplication::exec();
 }
 
@@ -589,24 +596,24 @@ void TestRecovery::recovered_goesOnWithItsHistory()
         QVERIFY(offer.id != 0);
         QCOMPARE(offer.steps, left.present);
         QSignalSpy opened(&session.document, &Document::opened);
-        session.document.recover(offer.id, offer.name);
+        session.document.opener().recover(offer.id, offer.name);
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
         session.wait();
         QVERIFY(session.state() == left);
-        QVERIFY(session.document.isModified());
+        QVERIFY(session.document.savedState().isModified());
         QCOMPARE(offers.size(), 2);
         QCOMPARE(offers[1][0].value<RecoveryOffer>().id, quint64(0));
         // As far as it goes, back and forth again, and on.
-        session.document.goTo(0);
-        QCOMPARE(session.document.undoStack().index(), session.document.history().firstIndex());
-        session.document.goTo(left.present);
+        session.document.history().goTo(0);
+        QCOMPARE(session.document.history().stack().index(), session.document.history().store().firstIndex());
+        session.document.history().goTo(left.present);
         QVERIFY(session.state() == left);
         StrokeFuzzer random(5);
         for (int i = 0; i < 5; ++i)
             session.act(random);
         last = session.state();
-        until([&] { return !session.document.journal()->stats().isCompacting; });
-        const fs::path folder = session.document.journal()->folder();
+        until([&] { return !session.document.journaling().journal()->stats().isCompacting; });
+        const fs::path folder = session.document.journaling().journal()->folder();
         const auto again = core::recoverJournal(folder);
         QVERIFY(again && stateOf(*again) == last);
     }
@@ -626,10 +633,10 @@ void TestRecovery::recovered_itsLastStrokeCanBeEdited()
     session.store.findAbandoned();
     QTRY_COMPARE(offers.size(), 1);
     const auto offer = offers[0][0].value<RecoveryOffer>();
-    session.document.recover(offer.id, offer.name);
+    session.document.opener().recover(offer.id, offer.name);
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
     session.wait();
-    QVERIFY(session.document.lastStroke().has_value());
+    QVERIFY(session.document.lastStroke().step().has_value());
     session.editLast(1.2);
     QVERIFY(session.state() == stateIn(edited[1]));
 }
@@ -643,17 +650,17 @@ void TestRecovery::recovered_thatWasSavedIsNotOffered()
         Session session(root);
         session.openBall();
         session.apply(core::Fill{red});
-        session.document.save(file);
+        session.document.saver().save(file);
         session.wait();
-        QVERIFY(!session.document.isModified());
-        session.document.journal()->flush();
-        const auto found = core::recoverJournal(session.document.journal()->folder());
+        QVERIFY(!session.document.savedState().isModified());
+        session.document.journaling().journal()->flush();
+        const auto found = core::recoverJournal(session.document.journaling().journal()->folder());
         QVERIFY(found && !found->isUnsaved());
         QCOMPARE(QString::fromStdString(found->document.path), file);
-        session.document.undo();
+        session.document.history().undo();
         session.wait();
         session.state();
-        const auto later = core::recoverJournal(session.document.journal()->folder());
+        const auto later = core::recoverJournal(session.document.journaling().journal()->folder());
         QVERIFY(later && later->isUnsaved());
     }
 }
@@ -706,7 +713,7 @@ void TestRecovery::earlierVersions_areKeptIfAskedFor()
     for (int i = 0; i < 6; ++i) { // the last four with the request
         ui::Settings().setPreferences({.input = {}, .keepsBackups = i >= 2});
         session.apply(core::Fill{{static_cast<std::uint8_t>(i), 0, 0}});
-        session.document.save(file);
+        session.document.saver().save(file);
         session.wait();
         QVERIFY(i >= 2 || !fs::exists(kept(1)));
     }
@@ -796,15 +803,15 @@ void TestRecovery::damagedInPart_comesBackAndIsKept()
         QTRY_COMPARE(offers.size(), 1);
         const auto offer = offers[0][0].value<RecoveryOffer>();
         QVERIFY(offer.id != 0);
-        session.document.recover(offer.id, offer.name);
+        session.document.opener().recover(offer.id, offer.name);
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
         QVERIFY(session.state(false) == stateOf(*partly));
         QVERIFY(notices.size() == 1 && notices[0][0].toString().contains(QString::fromStdString(aside.string())));
         QTRY_VERIFY_WITH_TIMEOUT(fs::exists(aside / folder.filename()), timeoutMs);
-        QVERIFY(session.document.journal());
+        QVERIFY(session.document.journaling().journal());
         session.apply(core::Fill{red});
         const State now = session.state();
-        const auto again = core::recoverJournal(session.document.journal()->folder());
+        const auto again = core::recoverJournal(session.document.journaling().journal()->folder());
         QVERIFY(again && !again->isDamaged && stateOf(*again) == now && again->isUnsaved());
         QCOMPARE(notices.size(), 1);
     }
@@ -826,13 +833,13 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
     session.openBall();
     StrokeFuzzer random(12);
     for (int round = 1; round <= 3; ++round) {
-        const fs::path before = session.document.journal()->folder();
+        const fs::path before = session.document.journaling().journal()->folder();
         largerDisk->fill();
         while (told("disk is full") < round)
             session.randomStroke(random);
-        QVERIFY(session.document.journal()->isBroken());
+        QVERIFY(session.document.journaling().journal()->isBroken());
         session.randomStroke(random);
-        session.document.undo(); // nothing hears of it
+        session.document.history().undo(); // nothing hears of it
         session.wait();
         QTest::qWait(200); // there is no room yet
         QCOMPARE(told("recorded again"), round - 1);
@@ -841,16 +848,18 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
         for (int i = 0; i < 5; ++i)
             session.act(random);
         const State now = session.state();
-        until([&] { return !session.document.journal()->stats().isCompacting; }); // what is read comes and goes else
-        const auto found = core::recoverJournal(session.document.journal()->folder());
-        QVERIFY(found && stateOf(*found) == now && found->isUnsaved() == session.document.isModified());
+        until([&] {
+            return !session.document.journaling().journal()->stats().isCompacting;
+        }); // what is read comes and goes else
+        const auto found = core::recoverJournal(session.document.journaling().journal()->folder());
+        QVERIFY(found && stateOf(*found) == now && found->isUnsaved() == session.document.savedState().isModified());
         for (int i = 0; i < now.count; ++i)
             QCOMPARE(QString::fromStdString(found->history.steps[static_cast<std::size_t>(i)].text),
-                     session.document.undoStack().text(i));
+                     session.document.history().stack().text(i));
         QTRY_VERIFY(!fs::exists(before));
-        session.document.goTo(0);
+        session.document.history().goTo(0);
         session.wait();
-        session.document.goTo(now.present);
+        session.document.history().goTo(now.present);
         QVERIFY(session.state() == now);
         QCOMPARE(told("disk is full"), round);
     }
@@ -863,9 +872,9 @@ void TestRecovery::fullDisk_isSaidOnceAndLosesNoWork()
     Session session(smallDisk->folder() / "journals");
     QSignalSpy notices(&session.document, &Document::noticed);
     const auto head = core::Starter::Cube;
-    session.document.openStarter(head);
+    session.document.opener().openStarter(head);
     session.wait();
-    const bool hasBegun = session.document.journal() != nullptr;
+    const bool hasBegun = session.document.journaling().journal() != nullptr;
     StrokeFuzzer random(9);
     std::vector<State> states{session.state()};
     for (int i = 0; i < 12; ++i) {
@@ -877,11 +886,11 @@ void TestRecovery::fullDisk_isSaidOnceAndLosesNoWork()
     for (const auto& notice : notices)
         told += notice[0].toString().contains(QStringLiteral("disk is full"));
     QCOMPARE(told, 1);
-    QVERIFY(session.document.undoStack().count() > 3);
-    session.document.goTo(0);
+    QVERIFY(session.document.history().stack().count() > 3);
+    session.document.history().goTo(0);
     QVERIFY(session.state().state == states.front().state);
     if (hasBegun) {
-        const auto found = core::recoverJournal(session.document.journal()->folder());
+        const auto found = core::recoverJournal(session.document.journaling().journal()->folder());
         QVERIFY(found && std::ranges::find(states, found->mesh->stateHash(), &State::state) != states.end());
     }
     session.openBall(); // there is no room for that, either, and it is not said again
@@ -903,13 +912,13 @@ void TestRecovery::closedFolder_isSaidOnceAndAgainWhenItIsOpen()
     session.openBall();
     session.apply(core::Fill{red});
     QTest::qWait(200);
-    QVERIFY(!session.document.journal());
+    QVERIFY(!session.document.journaling().journal());
     QCOMPARE(notices.size(), 1);
     QVERIFY2(notices[0][0].toString().contains(QStringLiteral("not permitted")), qPrintable(notices[0][0].toString()));
     fs::permissions(root, fs::perms::owner_all);
     until([&] { return notices.size() == 2; });
     QVERIFY(notices[1][0].toString().contains(QStringLiteral("recorded again")));
-    const auto found = core::recoverJournal(session.document.journal()->folder());
+    const auto found = core::recoverJournal(session.document.journaling().journal()->folder());
     QVERIFY(found && stateOf(*found) == session.state() && found->mesh->color(0) == red);
 }
 

@@ -61,20 +61,20 @@ void TestEndToEnd::openPullUndoExport()
     QAction* undo = program.window.action(QStringLiteral("edit.undo"));
     QVERIFY(!undo->isEnabled());
     drag(program.window.viewport(), {40, 20});
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_COMPARE(program.document.history().stack().count(), 1);
     QVERIFY(undo->isEnabled() && program.window.isWindowModified());
 
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
-    QTRY_COMPARE(program.document.undoStack().index(), 0);
+    QTRY_COMPARE(program.document.history().stack().index(), 0);
     QTRY_VERIFY(!program.window.isWindowModified());
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_COMPARE(program.document.undoStack().index(), 1);
+    QTRY_COMPARE(program.document.history().stack().index(), 1);
     QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
-    QTRY_COMPARE(program.document.undoStack().index(), 0);
+    QTRY_COMPARE(program.document.history().stack().index(), 0);
     QTest::keyClick(&program.window, Qt::Key_Y, Qt::ControlModifier);
-    QTRY_COMPARE(program.document.undoStack().index(), 1);
+    QTRY_COMPARE(program.document.history().stack().index(), 1);
 
-    QSignalSpy exported(&program.document, &Document::exported);
+    QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
     Q_EMIT program.window.exportRequested(out);
     QTRY_COMPARE(exported.size(), 1);
     const core::TriangleMesh mesh = core::readMesh(out.toStdString());
@@ -94,17 +94,17 @@ void TestEndToEnd::toolsByModifier()
     program.window.resize(900, 700);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
-    QTRY_VERIFY(!program.document.isBusy());
+    program.document.opener().openSphere();
+    QTRY_VERIFY(!program.document.job().isBusy());
     QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     int steps = 0;
     for (const Qt::KeyboardModifiers modifiers : {Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier}) {
         drag(program.window.viewport(), {30, 10}, modifiers);
         ++steps;
-        QTRY_COMPARE(program.document.undoStack().count(), steps);
+        QTRY_COMPARE(program.document.history().stack().count(), steps);
     }
-    QVERIFY(program.document.undoStack().text(0) != program.document.undoStack().text(1));
-    QVERIFY(program.document.undoStack().text(1) != program.document.undoStack().text(2));
+    QVERIFY(program.document.history().stack().text(0) != program.document.history().stack().text(1));
+    QVERIFY(program.document.history().stack().text(1) != program.document.history().stack().text(2));
 }
 
 /// From the menus' keys to the export, no mouse is touched.
@@ -116,7 +116,7 @@ void TestEndToEnd::sculptedByKeysAlone()
     Program program;
     openFile(program, in, {900, 700});
     ui::Viewport* view = program.window.viewport();
-    const QUndoStack& steps = program.document.undoStack();
+    const QUndoStack& steps = program.document.history().stack();
 
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
     QVERIFY(view->hasKeyboardCursor() && view->hasFocus());
@@ -141,10 +141,10 @@ void TestEndToEnd::sculptedByKeysAlone()
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
     QVERIFY(!view->hasKeyboardCursor());
     QTest::keyClick(view, Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), 60'000);
     QCOMPARE(steps.count(), 2);
 
-    QSignalSpy exported(&program.document, &Document::exported);
+    QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
     Q_EMIT program.window.exportRequested(out);
     QTRY_COMPARE(exported.size(), 1);
     QVERIFY(isSound(out));
@@ -181,13 +181,13 @@ void TestEndToEnd::refusedFileLeavesTheModel()
     Program program;
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
-    QTRY_VERIFY(!program.document.isBusy());
+    program.document.opener().openSphere();
+    QTRY_VERIFY(!program.document.job().isBusy());
     QSignalSpy refused(&program.document, &Document::refused);
     Q_EMIT program.window.openRequested(path);
     QTRY_COMPARE(refused.size(), 1);
     QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
-    QVERIFY(program.document.path().isEmpty());
+    QVERIFY(program.document.modelInfo().path.isEmpty());
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget != &program.window)
             widget->close();
@@ -198,20 +198,20 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     Program program;
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
-    QTRY_VERIFY(!program.document.isBusy());
+    program.document.opener().openSphere();
+    QTRY_VERIFY(!program.document.job().isBusy());
     int asked = 0;
-    program.document.setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
+    program.document.opener().setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
     core::StrokeSample sample;
     sample.position = {50, 0, 0};
-    program.document.beginStroke({});
-    program.document.addSample(sample);
-    program.document.endStroke();
+    program.document.strokes().beginStroke({});
+    program.document.strokes().addSample(sample);
+    program.document.strokes().endStroke();
     QVERIFY(!program.window.close()); // the stroke has not even reported yet
     QTRY_COMPARE(asked, 1);
-    QCOMPARE(program.document.undoStack().count(), 1);
-    program.document.undo();
-    QTRY_VERIFY(program.document.isSettled());
+    QCOMPARE(program.document.history().stack().count(), 1);
+    program.document.history().undo();
+    QTRY_VERIFY(program.document.queue().isSettled());
     QVERIFY(program.window.close());
     QCOMPARE(asked, 1);
 }
@@ -222,17 +222,17 @@ void TestEndToEnd::closing_waitsForThePress()
     Program program;
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
-    QTRY_VERIFY(!program.document.isBusy());
+    program.document.opener().openSphere();
+    QTRY_VERIFY(!program.document.job().isBusy());
     QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     int asked = 0;
-    program.document.setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
+    program.document.opener().setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
     QTest::mousePress(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
     QVERIFY(program.window.viewport()->isPressPending());
     QVERIFY(!program.window.close());
     QCOMPARE(asked, 0);
     QTRY_COMPARE(asked, 1);
-    QCOMPARE(program.document.undoStack().count(), 1);
+    QCOMPARE(program.document.history().stack().count(), 1);
     QVERIFY(program.window.isVisible());
     QVERIFY(program.window.close());
     QCOMPARE(asked, 2);
@@ -256,7 +256,7 @@ void TestEndToEnd::saving_byKey()
     const qint64 size = QFileInfo(path).size();
     program.window.brush()->setValue(core::Parameter::Detail, 0.6);
     drag(program.window.viewport(), {40, 20});
-    QTRY_VERIFY(program.document.isSettled() && program.window.isWindowModified());
+    QTRY_VERIFY(program.document.queue().isSettled() && program.window.isWindowModified());
     QTest::keySequence(&program.window, program.window.action(QStringLiteral("file.save"))->shortcut());
     QTRY_VERIFY(!program.window.isWindowModified());
     QVERIFY(QFileInfo(path).size() > size);
@@ -268,17 +268,17 @@ void TestEndToEnd::numberedCopies_leaveTheFile()
     const QString path = folder.filePath(QStringLiteral("mine-002.ply"));
     Program program;
     sculptBall(program);
-    program.document.save(path);
-    QTRY_COMPARE(program.document.path(), path);
+    program.document.saver().save(path);
+    QTRY_COMPARE(program.document.modelInfo().path, path);
     core::writeMesh(folder.filePath(QStringLiteral("mine-007.stl")).toStdString(), core::icosphere(2, 10));
     core::writeMesh(folder.filePath(QStringLiteral("another-100.stl")).toStdString(), core::icosphere(2, 10));
     for (const char* name : {"mine-008.ply", "mine-009.ply"}) {
         const QString copy = folder.filePath(QLatin1StringView(name));
         program.window.action(QStringLiteral("file.saveCopy"))->trigger();
-        QTRY_VERIFY(QFileInfo::exists(copy) && !program.document.isBusy());
+        QTRY_VERIFY(QFileInfo::exists(copy) && !program.document.job().isBusy());
         QVERIFY(isSound(copy));
     }
-    QCOMPARE(program.document.path(), path);
+    QCOMPARE(program.document.modelInfo().path, path);
 }
 
 void TestEndToEnd::swatches_areSavedWithTheModel()
@@ -291,11 +291,11 @@ void TestEndToEnd::swatches_areSavedWithTheModel()
     auto* colors = program.window.findChild<ui::ColorPanel*>();
     const QList<core::Rgb> persons = colors->swatches();
     colors->setSwatches(own);
-    program.document.save(path);
-    QTRY_COMPARE(program.document.path(), path);
+    program.document.saver().save(path);
+    QTRY_COMPARE(program.document.modelInfo().path, path);
     colors->setSwatches(persons);
-    program.document.open(path);
-    QTRY_VERIFY(!program.document.isBusy() && colors->swatches() == own);
+    program.document.opener().open(path);
+    QTRY_VERIFY(!program.document.job().isBusy() && colors->swatches() == own);
     QVERIFY(ui::Settings().swatches() == persons); // other models keep the person's
 }
 
@@ -325,8 +325,8 @@ void TestEndToEnd::opening_maySaveFirst()
     program.window.action(QStringLiteral("file.open"))->trigger();
     chooseFile(program, "openDialog", other);
     chooseFile(program, "saveDialog", path);
-    QTRY_COMPARE(program.document.path(), other);
-    QTRY_VERIFY(!program.document.isBusy());
+    QTRY_COMPARE(program.document.modelInfo().path, other);
+    QTRY_VERIFY(!program.document.job().isBusy());
     QCOMPARE(program.document.modelInfo().vertices, quint64(162));
     QVERIFY(isSound(path));
     QVERIFY(core::readMesh(path.toStdString()).points.size() > 162);
@@ -366,7 +366,7 @@ void TestEndToEnd::tooMuchWork_isSaid()
     QTest::mouseClick(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, 60'000); // a sanitizer is ten times slower
     QCOMPARE(notice(program), ui::ErrorMessages::shortfall(core::Shortfall::Capped));
-    QTRY_VERIFY(program.document.isSettled());
+    QTRY_VERIFY(program.document.queue().isSettled());
     QCOMPARE(noticed.size(), 1);
 }
 
@@ -384,11 +384,11 @@ void TestEndToEnd::farModelIsMovedAndItIsSaid()
 
     Program program;
     QSignalSpy noticed(&program.document, &Document::noticed);
-    program.document.open(near);
-    QTRY_COMPARE(program.document.path(), near);
-    QTRY_VERIFY(!program.document.isBusy());
+    program.document.opener().open(near);
+    QTRY_COMPARE(program.document.modelInfo().path, near);
+    QTRY_VERIFY(!program.document.job().isBusy());
     QVERIFY(noticed.isEmpty());
-    program.document.open(far);
+    program.document.opener().open(far);
     QTRY_COMPARE(noticed.size(), 1);
     QVERIFY(noticed[0][0].toString().contains(QStringLiteral("far.stl")));
 }

@@ -130,7 +130,7 @@ void RandomInput::act()
         popup->close();
     if (QApplication::activeModalWidget())
         return QTest::qWait(10); // answer() is at it
-    if (m_program.document.modelInfo().vertices > maxVertices && !m_program.document.isBusy())
+    if (m_program.document.modelInfo().vertices > maxVertices && !m_program.document.job().isBusy())
         m_program.window.action(QStringLiteral("model.reset"))->trigger();
     switch (below(10)) {
     case 0:
@@ -210,8 +210,8 @@ void TestRandomInput::theModelStaysSound()
     program.window.resize(800, 600); // software draws it
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
-    QTRY_VERIFY(!program.document.isBusy());
+    program.document.opener().openSphere();
+    QTRY_VERIFY(!program.document.job().isBusy());
     {
         RandomInput hand(program, seed);
         QElapsedTimer clock;
@@ -221,11 +221,11 @@ void TestRandomInput::theModelStaysSound()
         for (; clock.elapsed() < 1000 * seconds; ++acts)
             hand.act();
         hand.rest();
-        qInfo("%d acts, %d steps to undo", acts, program.document.undoStack().count());
+        qInfo("%d acts, %d steps to undo", acts, program.document.history().stack().count());
     }
     program.window.viewport()->finish();
     program.document.cancelJob();
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled() && !program.document.isBusy(), 120'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.document.job().isBusy(), 120'000);
 
     const auto ask = [&](auto question) {
         std::optional<decltype(question(std::declval<core::Sculptor&>()))> answer;
@@ -239,13 +239,13 @@ void TestRandomInput::theModelStaysSound()
     const auto state = [](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); };
     QVERIFY(
         ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
-    const int last = program.document.undoStack().index();
+    const int last = program.document.history().stack().index();
     const std::uint64_t before = ask(state);
-    program.document.goTo(0);
+    program.document.history().goTo(0);
     QVERIFY(
         ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
-    program.document.goTo(last);
-    QCOMPARE(program.document.undoStack().index(), last);
+    program.document.history().goTo(last);
+    QCOMPARE(program.document.history().stack().index(), last);
     QCOMPARE(ask(state), before);
 }
 

@@ -192,11 +192,11 @@ void TestScreenshots::states()
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.window.resize(smallScreen);
-    program.document.openStarter(core::Starter::Vase);
-    QTRY_VERIFY(!program.document.isBusy());
+    program.document.opener().openStarter(core::Starter::Vase);
+    QTRY_VERIFY(!program.document.job().isBusy());
     QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     QTest::mouseClick(program.window.viewport(), Qt::LeftButton, {}, program.window.viewport()->rect().center());
-    QTRY_VERIFY(program.document.isSettled());
+    QTRY_VERIFY(program.document.queue().isSettled());
     QTRY_COMPARE(program.window.size(), smallScreen);
     take(program.window, QStringLiteral("window"));
     takeKeyHand(program);
@@ -232,7 +232,7 @@ void TestScreenshots::takeKeyHand(Program& program)
     take(program.window, QStringLiteral("key-hand"));
     QTest::keyClick(view, Qt::Key_Return);
     program.window.action(QStringLiteral("brush.keys"))->trigger();
-    QTRY_VERIFY(program.document.isSettled());
+    QTRY_VERIFY(program.document.queue().isSettled());
 }
 
 /// On a larger screen: who wants large texts has one, or hides panels.
@@ -260,8 +260,8 @@ void TestScreenshots::largerTexts()
         program.window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         program.window.resize(largeScreen);
-        program.document.openStarter(core::Starter::Vase);
-        QTRY_VERIFY(!program.document.isBusy());
+        program.document.opener().openStarter(core::Starter::Vase);
+        QTRY_VERIFY(!program.document.job().isBusy());
         take(program.window, QStringLiteral("window"), largeScreen);
         program.window.action(QStringLiteral("edit.preferences"))->trigger();
         auto* dialog = program.window.findChild<QDialog*>(QStringLiteral("preferences"));
@@ -367,7 +367,7 @@ void TestScreenshots::takeExport(Program& program)
     QTRY_VERIFY(QApplication::activeModalWidget());
     QApplication::activeModalWidget()->findChild<QAbstractButton*>(QStringLiteral("glb"))->click();
     takeDialog(QStringLiteral("export"));
-    program.document.exportTo(m_models.filePath(QStringLiteral("vase.stl")), 2000);
+    program.document.saver().exportTo(m_models.filePath(QStringLiteral("vase.stl")), 2000);
     const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
     QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")), 60'000);
     const auto* scaleBar = program.window.findChild<QWidget*>(QStringLiteral("scaleBar"));
@@ -478,7 +478,7 @@ void TestScreenshots::takeClass()
     classroom.fullScreen = false;
     RecoveryStore store(own.filePath(QStringLiteral("journals")).toStdString());
     Program program;
-    program.document.keepJournals(&store);
+    program.document.journaling().setRecoveryStore(&store);
     qint64 now = 0;
     const ClassPaths places{{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))};
     ClassroomMode mode({&program.window, &program.document, &store}, classroom, places, [&now] { return now; });
@@ -489,7 +489,7 @@ void TestScreenshots::takeClass()
     const auto* panel = program.window.findChild<ui::PupilNamePanel*>();
     auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), timeoutMs);
     QTRY_COMPARE(program.window.size(), smallScreen);
     const auto isReadable = [&program] {
         return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
@@ -499,12 +499,12 @@ void TestScreenshots::takeClass()
     const auto begin = [&](const QString& pupil) {
         QTest::keyClicks(name, pupil);
         QTest::keyClick(name, Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.isBusy() && isReadable(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.job().isBusy() && isReadable(), timeoutMs);
     };
     begin(QStringLiteral("Anna-Lena the Great"));
     take(program.window, QStringLiteral("class-turn"));
     next->click();
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), timeoutMs);
     begin(QStringLiteral("Ben"));
     now = 18 * 60'000;
     mode.tick();
@@ -519,7 +519,7 @@ void TestScreenshots::takeClass()
 /// While the teacher works, and when the checkpoint is met.
 void TestScreenshots::takeLesson(Program& program)
 {
-    program.document.setDiscardPrompt([](const std::function<void()>&) { return true; });
+    program.document.opener().setDiscardPrompt([](const std::function<void()>&) { return true; });
     program.window.action(QStringLiteral("help.lessons"))->trigger();
     auto* dock = program.window.findChild<QDockWidget*>(QStringLiteral("lessonPanel"));
     QTRY_VERIFY(dock->isVisible());
@@ -528,7 +528,7 @@ void TestScreenshots::takeLesson(Program& program)
     auto* marks = dock->findChild<QLabel*>(QStringLiteral("lessonMarks"));
     QTRY_VERIFY_WITH_TIMEOUT(marks->isVisible() && !marks->text().isEmpty(), 60'000);
     dock->findChild<QPushButton*>(QStringLiteral("lessonPlay"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokeOpen(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), 60'000);
     take(program.window, QStringLiteral("lesson-shown"));
     const auto isMet = [marks] {
         return marks->text().contains(QChar(0x2713)) && !marks->text().contains(QChar(0x25CB));

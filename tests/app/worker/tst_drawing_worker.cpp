@@ -2,6 +2,7 @@
 #include "app/worker/sculpt_worker.h"
 
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QDir>
@@ -39,14 +40,14 @@ struct Studio
     {
         core::StrokeSettings settings;
         settings.radius = 15;
-        worker.beginStroke(Source::Desktop, settings);
+        worker.strokes().beginStroke(Source::Desktop, settings);
         for (int i = 0; i < 10; ++i) {
             core::StrokeSample sample;
             sample.position = {0, 50, 0};
             sample.direction = {0, -1, 0};
-            worker.addSample(Source::Desktop, sample);
+            worker.strokes().addSample(Source::Desktop, sample);
         }
-        worker.endStroke(Source::Desktop);
+        worker.strokes().endStroke(Source::Desktop);
     }
 
     double height() const { return last ? last->box.sizes().y() : 0; }

@@ -2,6 +2,7 @@
 #include "app/worker/sculpt_worker.h"
 
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/viewer.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -50,9 +51,9 @@ core::Vec3 onSphere(std::mt19937_64& random)
 /// What a signal brought.
 template <class Value> struct SignalValues
 {
-    template <class Signal> SignalValues(SculptWorker& worker, Signal signal)
+    template <class Sender, class Signal> SignalValues(Sender& sender, Signal signal)
     {
-        QObject::connect(&worker, signal, &here, [this](const Value& value) { all << value; });
+        QObject::connect(&sender, signal, &here, [this](const Value& value) { all << value; });
     }
 
     qsizetype size() const { return all.size(); }
@@ -195,15 +196,15 @@ void TestSculptWorker::worker_reportsEachStrokeOnce()
     QTRY_COMPARE(modelSet.size(), 1);
     std::mt19937_64 random(1);
     for (int i = 0; i < 20; ++i) {
-        QVERIFY(worker.beginStroke(Source::Desktop, settings(static_cast<core::Tool>(i % 3))));
-        worker.addSample(Source::Desktop, sampleAt(onSphere(random)));
-        worker.endStroke(Source::Desktop);
+        QVERIFY(worker.strokes().beginStroke(Source::Desktop, settings(static_cast<core::Tool>(i % 3))));
+        worker.strokes().addSample(Source::Desktop, sampleAt(onSphere(random)));
+        worker.strokes().endStroke(Source::Desktop);
     }
     // a stroke that touches nothing is reported too
-    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
-    worker.addSample(Source::Desktop, sampleAt({0, 300, 0}));
-    worker.endStroke(Source::Desktop);
-    QCOMPARE(worker.strokesBegun(), quint64(21));
+    QVERIFY(worker.strokes().beginStroke(Source::Desktop, settings()));
+    worker.strokes().addSample(Source::Desktop, sampleAt({0, 300, 0}));
+    worker.strokes().endStroke(Source::Desktop);
+    QCOMPARE(worker.strokes().begun(), quint64(21));
     QTRY_COMPARE(finished.size(), 21);
     for (int i = 0; i < 20; ++i) {
         const auto report = finished.at(i);
@@ -218,22 +219,22 @@ void TestSculptWorker::worker_reportsEachStrokeOnce()
 void TestSculptWorker::worker_refusesASecondSource()
 {
     SculptWorker worker;
-    SignalValues<Source> refused(worker, &SculptWorker::strokeRefused);
+    SignalValues<Source> refused(worker.strokes(), &StrokeGate::refused);
     SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
-    QVERIFY(worker.beginStroke(Source::Headset, settings()));
-    QVERIFY(!worker.beginStroke(Source::Desktop, settings()));
+    QVERIFY(worker.strokes().beginStroke(Source::Headset, settings()));
+    QVERIFY(!worker.strokes().beginStroke(Source::Desktop, settings()));
     QTRY_COMPARE(refused.size(), 1);
     QVERIFY(refused.at(0) == Source::Desktop);
-    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
-    worker.endStroke(Source::Desktop); // not its stroke
-    QVERIFY(worker.strokeOpen());
-    worker.endStroke(Source::Headset);
-    QVERIFY(!worker.strokeOpen());
+    worker.strokes().addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    worker.strokes().endStroke(Source::Desktop); // not its stroke
+    QVERIFY(worker.strokes().isOpen());
+    worker.strokes().endStroke(Source::Headset);
+    QVERIFY(!worker.strokes().isOpen());
     QTRY_COMPARE(finished.size(), 1);
     QCOMPARE(finished.at(0).dabs, quint64(0));
-    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
-    worker.endStroke(Source::Desktop);
+    QVERIFY(worker.strokes().beginStroke(Source::Desktop, settings()));
+    worker.strokes().endStroke(Source::Desktop);
     QTRY_COMPARE(finished.size(), 2);
 }
 
@@ -242,10 +243,10 @@ void TestSculptWorker::worker_ignoresSamplesOutsideAStroke()
     SculptWorker worker;
     SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
-    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
-    worker.endStroke(Source::Desktop);
-    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
-    worker.endStroke(Source::Desktop);
+    worker.strokes().addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    worker.strokes().endStroke(Source::Desktop);
+    QVERIFY(worker.strokes().beginStroke(Source::Desktop, settings()));
+    worker.strokes().endStroke(Source::Desktop);
     QTRY_COMPARE(finished.size(), 1);
     QCOMPARE(worker.stats().samples, quint64(0));
 }
@@ -257,15 +258,15 @@ void TestSculptWorker::worker_answersDuringAStroke()
     SignalValues<Answer> answered(worker, &SculptWorker::answeredDesktop);
     worker.setModel(sphere());
     QTRY_COMPARE(modelSet.size(), 1);
-    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
-    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    QVERIFY(worker.strokes().beginStroke(Source::Desktop, settings()));
+    worker.strokes().addSample(Source::Desktop, sampleAt({50, 0, 0}));
     worker.ask(Source::Desktop, {core::Vec3(0, 0, 200), core::Vec3(0, 0, -1)});
     QTRY_COMPARE(answered.size(), 1);
     const auto hit = answered.at(0);
     QVERIFY(hit);
     QVERIFY((hit->position - core::Vec3(0, 0, 50)).norm() < 2);
     QVERIFY(hit->normal.z() > 0.9);
-    worker.endStroke(Source::Desktop);
+    worker.strokes().endStroke(Source::Desktop);
     worker.ask(Source::Desktop, {core::Vec3(0, 100, 200), core::Vec3(0, 0, -1)});
     QTRY_COMPARE(answered.size(), 2);
     QVERIFY(!answered.at(1));
@@ -345,10 +346,10 @@ void TestSculptWorker::worker_addsOneSphereAStroke()
     adding.add = true;
     const auto stroke = [&](const std::vector<core::Vec3>& samples) {
         const qsizetype before = finished.size();
-        worker.beginStroke(Source::Headset, adding);
+        worker.strokes().beginStroke(Source::Headset, adding);
         for (const core::Vec3& position : samples)
-            worker.addSample(Source::Headset, sampleAt(position));
-        worker.endStroke(Source::Headset);
+            worker.strokes().addSample(Source::Headset, sampleAt(position));
+        worker.strokes().endStroke(Source::Headset);
         return QTest::qWaitFor([&] { return finished.size() > before; }) ? finished.last() : StrokeReport();
     };
     const StrokeReport one = stroke({{90, 0, 0}});
@@ -372,10 +373,10 @@ void TestSculptWorker::worker_pullsWhereASphereWouldTouch()
         worker.setModel(sphere());
         core::StrokeSettings pull = settings();
         pull.add = adds;
-        worker.beginStroke(Source::Headset, pull);
+        worker.strokes().beginStroke(Source::Headset, pull);
         for (const double x : {60.0, 55.0, 100.0, 58.0}) // the third touches nothing
-            worker.addSample(Source::Headset, sampleAt({x, 0, 0}));
-        worker.endStroke(Source::Headset);
+            worker.strokes().addSample(Source::Headset, sampleAt({x, 0, 0}));
+        worker.strokes().endStroke(Source::Headset);
         std::atomic<std::uint64_t> state = 0;
         worker.post([&](core::Sculptor& sculptor) { state = sculptor.mesh().stateHash(); });
         QTRY_COMPARE(finished.size(), 1);
@@ -398,12 +399,12 @@ void TestSculptWorker::worker_tellsWhatTheHeadsetsSamplesDid()
     core::StrokeSettings adding = settings();
     adding.add = true;
     for (const Source source : {Source::Desktop, Source::Headset}) {
-        worker.beginStroke(source, adding);
-        worker.addSample(source, sampleAt({0, 0, 0}));
-        worker.endStroke(source);
-        worker.beginStroke(source, settings(core::Tool::Smooth));
-        worker.addSample(source, sampleAt({50, 0, 0}));
-        worker.endStroke(source);
+        worker.strokes().beginStroke(source, adding);
+        worker.strokes().addSample(source, sampleAt({0, 0, 0}));
+        worker.strokes().endStroke(source);
+        worker.strokes().beginStroke(source, settings(core::Tool::Smooth));
+        worker.strokes().addSample(source, sampleAt({50, 0, 0}));
+        worker.strokes().endStroke(source);
     }
     SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     QTRY_COMPARE(finished.size(), 4);
@@ -419,9 +420,9 @@ void TestSculptWorker::worker_answersWithoutAModel()
     worker.ask(Source::Desktop, {});
     QTRY_COMPARE(answered.size(), 1);
     QVERIFY(!answered.at(0));
-    worker.beginStroke(Source::Desktop, settings());
-    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
-    worker.endStroke(Source::Desktop);
+    worker.strokes().beginStroke(Source::Desktop, settings());
+    worker.strokes().addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    worker.strokes().endStroke(Source::Desktop);
     QTRY_COMPARE(finished.size(), 1);
 }
 
@@ -431,11 +432,11 @@ void TestSculptWorker::worker_endsTheStrokeWhenTheModelChanges()
     SignalValues<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
     SignalValues<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
     worker.setModel(sphere());
-    worker.beginStroke(Source::Headset, settings());
-    worker.addSample(Source::Headset, sampleAt({50, 0, 0}));
+    worker.strokes().beginStroke(Source::Headset, settings());
+    worker.strokes().addSample(Source::Headset, sampleAt({50, 0, 0}));
     worker.setModel(sphere(2));
-    worker.addSample(Source::Headset, sampleAt({50, 0, 0}));
-    worker.endStroke(Source::Headset);
+    worker.strokes().addSample(Source::Headset, sampleAt({50, 0, 0}));
+    worker.strokes().endStroke(Source::Headset);
     QTRY_COMPARE(modelSet.size(), 2);
     QTRY_COMPARE(finished.size(), 1);
     QCOMPARE(modelSet.at(1).vertices, quint64(162));
@@ -452,10 +453,10 @@ void TestSculptWorker::worker_findsTheExactBoxAfterwards()
     QTRY_COMPARE(modelSet.size(), 1);
     const core::Box before = modelSet.at(0).box;
     QVERIFY((before.sizes() - core::Vec3(100, 100, 100)).norm() < 2);
-    worker.beginStroke(Source::Desktop, settings());
+    worker.strokes().beginStroke(Source::Desktop, settings());
     for (int i = 0; i < 5; ++i)
-        worker.addSample(Source::Desktop, sampleAt({51, 0, 0}));
-    worker.endStroke(Source::Desktop);
+        worker.strokes().addSample(Source::Desktop, sampleAt({51, 0, 0}));
+    worker.strokes().endStroke(Source::Desktop);
     QTRY_VERIFY(!facts.isEmpty());
     QVERIFY(facts.last().box.max().x() > before.max().x() + 1);
     const auto delta = finished.at(0).delta;
@@ -470,12 +471,12 @@ void TestSculptWorker::worker_stopsWithWorkLeft()
     SculptWorker worker;
     worker.setModel(sphere());
     std::mt19937_64 random(1);
-    worker.beginStroke(Source::Desktop, settings());
+    worker.strokes().beginStroke(Source::Desktop, settings());
     for (int i = 0; i < 100; ++i)
-        worker.addSample(Source::Desktop, sampleAt(onSphere(random)));
+        worker.strokes().addSample(Source::Desktop, sampleAt(onSphere(random)));
     worker.stop();
     worker.stop();
-    worker.endStroke(Source::Desktop); // too late, harmless
+    worker.strokes().endStroke(Source::Desktop); // too late, harmless
 }
 
 void TestSculptWorker::inbox_mergedEqualsWhole_data()

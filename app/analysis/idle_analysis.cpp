@@ -1,9 +1,10 @@
-#include "app/document/idle_analysis.h"
+#include "app/analysis/idle_analysis.h"
 
 #include "app/document/document.h"
 #include "app/worker/sculpt_worker.h"
 
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 
 namespace app
 {
@@ -68,7 +69,7 @@ void IdleAnalysis::invalidate()
 
 void IdleAnalysis::run()
 {
-    if (!m_document->isSettled() || m_document->isBusy())
+    if (!m_document->queue().isSettled() || m_document->job().isBusy())
         return m_idleTimer.start();
     m_stop.request_stop();
     m_stop = {};

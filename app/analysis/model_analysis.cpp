@@ -1,4 +1,4 @@
-#include "app/document/model_analysis.h"
+#include "app/analysis/model_analysis.h"
 
 namespace app
 {

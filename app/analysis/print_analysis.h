@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/idle_analysis.h"
+#include "app/analysis/idle_analysis.h"
 
 #include "core/analysis/print_check.h"
 #include "core/mesh/footprint.h"

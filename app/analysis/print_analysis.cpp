@@ -1,4 +1,4 @@
-#include "app/document/print_analysis.h"
+#include "app/analysis/print_analysis.h"
 
 #include "app/document/document.h"
 

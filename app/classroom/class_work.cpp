@@ -1,0 +1,75 @@
+#include "app/classroom/class_work.h"
+
+#include "app/document/document.h"
+
+#include "ui/classroom/class_bar.h"
+
+#include <QDir>
+#include <QPointer>
+
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr int retryMs = 60'000;
+} // namespace
+
+ClassWork::ClassWork(Document* document, ui::ClassBar* bar, WorkArchive archive)
+    : m_document(document)
+    , m_bar(bar)
+    , m_archive(std::move(archive))
+{
+    m_retryTimer.setSingleShot(true);
+    connect(&m_retryTimer, &QTimer::timeout, this, &ClassWork::deliver);
+}
+
+void ClassWork::begin()
+{
+    m_background.run([archive = m_archive] { archive.removeUnfinished(); });
+    deliver();
+}
+
+bool ClassWork::save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done)
+{
+    const auto ended = std::make_shared<EndedTurn>(EndedTurn{turn, {}, {}});
+    const auto problem = std::make_shared<QString>();
+    const auto save = [archive = m_archive, turn, before, ended, problem](const ModelSaver::Present& present) {
+        const QDateTime end = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
+        ended->record = joined(before, present.steps);
+        const ArchivedWork archived = archive.add({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh,
+                                                   present.hash, present.metadata, ended->record});
+        ended->folder = archived.folder;
+        *problem = archived.problem;
+        return archived.problem.isEmpty();
+    };
+    const auto finish = [self = QPointer(this), ended, problem, done = std::move(done)](bool) {
+        if (self)
+            done(*ended, *problem);
+    };
+    return m_document->saver().saveExternally(what, save, finish);
+}
+
+void ClassWork::deliver()
+{
+    m_background.run([archive = m_archive] { return archive.deliver(); },
+                     [this](const Delivery& delivery) { onDelivered(delivery); });
+}
+
+void ClassWork::onDelivered(const Delivery& delivery)
+{
+    if (m_ended)
+        m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
+    m_bar->setUndelivered(
+        delivery.undelivered,
+        tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_archive.outbox())));
+    const bool hasChanged = std::exchange(m_undelivered, delivery.undelivered) != delivery.undelivered;
+    if (delivery.undelivered == 0)
+        return;
+    if (hasChanged)
+        Q_EMIT noticed(tr("%1 The work is kept on this computer and goes there as soon as that is possible.")
+                           .arg(delivery.problem));
+    m_retryTimer.start(retryMs);
+}
+} // namespace app

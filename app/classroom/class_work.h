@@ -1,0 +1,69 @@
+#pragma once
+
+#include "app/classroom/work_archive.h"
+
+#include "ui/util/background_thread.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <optional>
+
+namespace ui
+{
+class ClassBar;
+}
+
+namespace app
+{
+class Document;
+
+/// A turn whose work is kept.
+struct EndedTurn
+{
+    ClassTurn turn;
+    QString folder; ///< of its work
+    TurnRecord record;
+};
+
+/// The work of turns on its way from the document to the class's folder. Thread: gui; files are written on others.
+class ClassWork : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// None is owned; all must outlive this.
+    ClassWork(Document* document, ui::ClassBar* bar, WorkArchive archive);
+
+    const WorkArchive& archive() const { return m_archive; }
+    /// Removes what a power cut left, and delivers what waits.
+    void begin();
+    /// `problem` is empty if the work is safe.
+    using Done = std::function<void(const EndedTurn& ended, const QString& problem)>;
+    /// Keeps the model as the turn's work. `before`: what was done before the document's history begins. False: other
+    /// work on the model goes on, and nothing is done.
+    bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
+    /// Delivers what waits, now and again until nothing waits.
+    void deliver();
+
+    /// The turn before, while it can be resumed.
+    const std::optional<EndedTurn>& ended() const { return m_ended; }
+    void setEnded(const EndedTurn& ended) { m_ended = ended; }
+    void forgetEnded() { m_ended.reset(); }
+
+Q_SIGNALS:
+    void noticed(const QString& sentence);
+
+private:
+    void onDelivered(const Delivery& delivery);
+
+    Document* m_document;
+    ui::ClassBar* m_bar;
+    WorkArchive m_archive;
+    std::optional<EndedTurn> m_ended;
+    int m_undelivered = 0; ///< works that could not be delivered
+    QTimer m_retryTimer;
+    ui::BackgroundThread m_background; ///< last
+};
+} // namespace app

@@ -1,0 +1,79 @@
+#include "app/document/document_strokes.h"
+
+#include "app/document/document.h"
+
+#include "ui/util/error_messages.h"
+
+namespace app
+{
+DocumentStrokes::DocumentStrokes(Document* document) : m_document(document)
+{
+    connect(&document->worker(), &SculptWorker::strokeFinished, this, &DocumentStrokes::onReport);
+}
+
+void DocumentStrokes::beginStroke(const core::StrokeSettings& settings)
+{
+    DocumentQueue& queue = m_document->queue();
+    queue.beginStroke();
+    m_document->history().setStrokeText(StrokeStep::textOf(settings.tool));
+    queue.enqueueStroke([this, settings] { m_document->worker().strokes().beginStroke(Source::Desktop, settings); });
+    m_document->notifyStateChanged();
+}
+
+void DocumentStrokes::addSample(const core::StrokeSample& sample)
+{
+    m_document->queue().enqueueStroke(
+        [this, sample] { m_document->worker().strokes().addSample(Source::Desktop, sample); });
+}
+
+void DocumentStrokes::endStroke()
+{
+    m_document->queue().enqueueStroke([this] { m_document->worker().strokes().endStroke(Source::Desktop); });
+    m_document->queue().endStroke();
+}
+
+void DocumentStrokes::addSphere(const core::StrokeSettings& settings, const core::StrokeSample& sample)
+{
+    m_document->history().setStrokeText(StrokeStep::textOfAdding(settings.model != nullptr));
+    m_document->queue().enqueueStroke(
+        [this, settings, sample] { m_document->worker().strokes().addSphere(Source::Desktop, settings, sample); });
+    m_document->notifyStateChanged();
+}
+
+void DocumentStrokes::onReport(const StrokeReport& report)
+{
+    DocumentQueue& queue = m_document->queue();
+    queue.countReport();
+    const bool isOther = queue.isPaused(DocumentQueue::Pause::Installing);
+    if (!isOther) {
+        if (report.delta)
+            addStep(report);
+        reportShortfall(report);
+        m_document->takeFacts(report.facts);
+        m_document->journaling().describe();
+    }
+    m_document->lastStroke().onReport(report, isOther);
+    m_document->notifyStateChanged();
+    queue.run();
+}
+
+void DocumentStrokes::addStep(const StrokeReport& report)
+{
+    m_document->history().push(StrokeStep::descriptionOf(report), report.delta);
+    m_document->lastStroke().setReport(report);
+    if (!report.isReplacement)
+        m_document->countStroke();
+    Q_EMIT m_document->stepped(*report.recordedStep);
+}
+
+void DocumentStrokes::reportShortfall(const StrokeReport& report)
+{
+    const bool isSeen = report.shortfall == core::Shortfall::Blocked && report.delta; // other dabs did something
+    if (report.shortfall != core::Shortfall::None && !isSeen)
+        Q_EMIT m_document->noticed(ui::ErrorMessages::shortfall(report.shortfall));
+    else if (report.asymmetric)
+        Q_EMIT m_document->noticed(ui::ErrorMessages::asymmetric());
+    else if (report.sequential)
+        Q_EMIT m_document->noticed(ui::ErrorMessages::sequentialSectors());
+}
+} // namespace app

@@ -1,0 +1,173 @@
+#include "app/document/model_opener.h"
+
+#include "app/document/document.h"
+#include "app/model/model_loader.h"
+#include "app/recovery/recovery_store.h"
+#include "app/worker/sculpt_worker.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr double startRadius = 50; ///< mm
+} // namespace
+
+ModelOpener::ModelOpener(Document* document) : m_document(document)
+{
+    connect(&document->worker(), &SculptWorker::modelSet, this, &ModelOpener::finish);
+    connect(&document->history().stack(), &QUndoStack::indexChanged, this, [this] { m_isDiscardAgreed = false; });
+}
+
+void ModelOpener::setDiscardPrompt(DiscardPrompt prompt)
+{
+    m_prompt = std::move(prompt);
+}
+
+bool ModelOpener::canDiscard(const std::function<void()>& proceed) const
+{
+    return !m_document->savedState().isModified() || !m_prompt || m_prompt(proceed);
+}
+
+ModelOpener::Choice ModelOpener::choiceOf(const QString& path) const
+{
+    const auto onStage = [&job = m_document->job()](const QString& next) { job.rename(next); };
+    return {tr("Opening %1").arg(QFileInfo(path).fileName()),
+            [path, onStage](const core::JobControl& control) { return ModelLoader::load(path, onStage, control); }};
+}
+
+void ModelOpener::open(const QString& path)
+{
+    openMade(choiceOf(path));
+}
+
+void ModelOpener::openDiscardingChanges(const QString& path)
+{
+    Choice choice = choiceOf(path);
+    choice.discardsChanges = true;
+    openMade(choice);
+}
+
+void ModelOpener::openRepaired(const QString& path, const core::RepairOptions& options)
+{
+    Choice choice = choiceOf(path);
+    choice.make = [path, options, &job = m_document->job()](const core::JobControl& control) {
+        return ModelLoader::loadRepaired(
+            path, options, [&job](const QString& next) { job.rename(next); }, control);
+    };
+    openMade(choice);
+}
+
+void ModelOpener::openSphere()
+{
+    openMade({tr("Preparing the clay"), [](const core::JobControl&) { return ModelLoader::sphere(startRadius); }});
+}
+
+void ModelOpener::openStarter(core::Starter starter)
+{
+    openMade({tr("Preparing the clay"), [starter](const core::JobControl&) { return ModelLoader::starter(starter); }});
+}
+
+void ModelOpener::recover(quint64 offer, const QString& name)
+{
+    openMade({tr("Recovering %1").arg(name),
+              [recoveryStore = m_document->journaling().recoveryStore(), offer](const core::JobControl& control) {
+                  return recoveryStore->recover(offer, control);
+              }});
+}
+
+/// All strokes are reported before the prompt. A user who agreed to lose changes for a model that does not come is not
+/// asked again.
+void ModelOpener::openMade(const Choice& choice)
+{
+    if (m_document->job().isBusy() && !m_isLoading)
+        Q_EMIT m_document->noticed(tr("The model that you chose opens as soon as this is done."));
+    m_document->queue().enqueue([this, choice] {
+        if (m_document->job().isBusy())
+            chooseNext(choice);
+        else if (choice.discardsChanges || m_isDiscardAgreed || canDiscard([this, choice] { openMade(choice); }))
+            load(choice);
+    });
+}
+
+void ModelOpener::chooseNext(const Choice& choice)
+{
+    m_next = choice;
+    if (!m_isLoading)
+        return;
+    m_document->job().cancel();
+    Q_EMIT m_document->job().cancellable(true); // the choice can still be taken back
+}
+
+void ModelOpener::openNext()
+{
+    if (const auto next = std::exchange(m_next, std::nullopt))
+        openMade(*next);
+}
+
+void ModelOpener::load(const Choice& choice)
+{
+    m_isLoading = m_isDiscardAgreed = true;
+    const core::JobControl control = m_document->job().beginCancellable(choice.what);
+    auto work = [make = choice.make, control, recoveryStore = m_document->journaling().recoveryStore()] {
+        auto model = std::make_shared<LoadedModel>(make(control));
+        if (recoveryStore && model->sculptor && !model->recovered && !control.isCancelled())
+            model->journal = recoveryStore->begin(*model);
+        return model;
+    };
+    m_document->job().run(std::move(work),
+                          [this, control, mark = choice.mark](const std::shared_ptr<LoadedModel>& model) {
+                              m_document->job().commit();
+                              if (!control.isCancelled() && model->sculptor)
+                                  m_document->queue().enqueue([this, model, mark] { install(*model, mark); });
+                              else
+                                  refuse(*model, control.isCancelled());
+                          });
+}
+
+void ModelOpener::refuse(const LoadedModel& model, bool isStopped)
+{
+    if (RecoveryStore* recoveryStore = m_document->journaling().recoveryStore())
+        recoveryStore->discard(model.journal);
+    m_isLoading = false;
+    m_isDiscardAgreed = m_isDiscardAgreed && m_next;
+    m_document->job().end();
+    if (!isStopped && model.isRepairable)
+        Q_EMIT repairable(model.path, model.problem);
+    else if (!isStopped)
+        Q_EMIT m_document->refused(model.problem);
+    if (m_document->modelInfo().faces == 0 && !m_next) // never without a model
+        openSphere();
+}
+
+void ModelOpener::install(LoadedModel& model, const std::shared_ptr<const void>& mark)
+{
+    m_document->queue().setPause(DocumentQueue::Pause::Installing);
+    m_document->history().clear(true);
+    m_document->savedState().setModifiedBeyondHistory(model.isUnsaved || !model.repairs.isEmpty());
+    m_document->setModel(model);
+    m_document->changer().setStart(model.start);
+    m_mark = mark;
+    m_document->journaling().begin(model);
+    if (!model.notice.isEmpty())
+        Q_EMIT m_document->noticed(model.notice);
+    if (!model.repairs.isEmpty())
+        Q_EMIT repaired(model.name, model.repairs);
+}
+
+/// The worker has the model.
+void ModelOpener::finish(const MeshFacts& facts)
+{
+    m_document->queue().setPause(DocumentQueue::Pause::None);
+    m_isLoading = m_isDiscardAgreed = false;
+    m_document->takeFacts(facts);
+    m_document->job().end();
+    Q_EMIT m_document->opened(m_document->modelInfo());
+    m_document->journaling().restore();
+    m_document->notifyStateChanged();
+    m_document->queue().run();
+}
+} // namespace app

@@ -1,0 +1,154 @@
+#include "app/headset/headset_requests.h"
+
+#include "app/document/document.h"
+#include "app/headset/headset_files.h"
+#include "app/headset/headset_settings.h"
+#include "app/headset/partner_view.h"
+
+#include "ui/settings/brush_settings.h"
+#include "ui/window/main_window.h"
+
+#include <QDir>
+#include <QPointer>
+#include <QScopedValueRollback>
+
+#include <utility>
+
+namespace app
+{
+HeadsetRequests::HeadsetRequests(Document* document, ui::MainWindow* window, PartnerView* partner)
+    : m_document(document)
+    , m_window(window)
+    , m_partner(partner)
+{}
+
+void HeadsetRequests::enqueue(const std::shared_ptr<HeadsetPort>& port, std::deque<vr::DocumentRequest> requests)
+{
+    for (vr::DocumentRequest& request : requests) {
+        const bool isRefused = isForbidden(request);
+        if (HeadsetPort::holdsStrokes(request))
+            m_turns.push_back({port, std::move(request), isRefused});
+        else if (isRefused)
+            m_partner->refuse();
+        else
+            std::visit([this](const auto& what) { handle(what); }, request);
+    }
+    handleNext();
+}
+
+/// While the window has taken over, nothing may change the model, or the brush that both have.
+bool HeadsetRequests::isForbidden(const vr::DocumentRequest& request) const
+{
+    return m_partner->isTakenOver() && !std::holds_alternative<vr::HeadsetSettings>(request) &&
+           !std::holds_alternative<vr::SaveModel>(request);
+}
+
+/// One at a time: strokes between two requests come to the document before the second.
+void HeadsetRequests::handleNext()
+{
+    if (m_turns.empty() || std::exchange(m_isHandling, true))
+        return;
+    const Turn turn = std::move(m_turns.front());
+    m_turns.pop_front();
+    m_document->queue().enqueue([self = QPointer(this), turn] {
+        if (!self)
+            return;
+        if (turn.isForbidden)
+            self->m_partner->refuse();
+        else
+            std::visit([self](const auto& request) { self->handle(request); }, turn.request);
+        self->m_document->queue().enqueue([self, port = turn.port] {
+            if (self)
+                self->finish(port);
+        });
+    });
+}
+
+void HeadsetRequests::finish(const std::shared_ptr<HeadsetPort>& port)
+{
+    port->requestDone();
+    m_isHandling = false;
+    handleNext();
+}
+
+bool HeadsetRequests::isBusy(const QString& sentence)
+{
+    const bool isBusy = m_document->job().isBusy();
+    if (isBusy)
+        Q_EMIT refused(sentence);
+    return isBusy;
+}
+
+void HeadsetRequests::handle(const vr::ChooseBrush& request)
+{
+    const QScopedValueRollback choosing(m_isChoosing, true);
+    using core::StrokeSettings;
+    ui::BrushSettings& brush = *m_window->brush();
+    brush.setTool(request.brush.tool);
+    if (!brush.isOffered(request.brush.tool)) { // the headset is told which tool there is instead
+        Q_EMIT refused(tr("This class does without that tool."));
+        Q_EMIT brushRefused();
+    }
+    brush.set(&StrokeSettings::brush, request.brush.brush);
+    brush.set(&StrokeSettings::topology, request.brush.topology);
+    brush.set(&StrokeSettings::symmetry, request.brush.symmetry);
+    brush.set(&StrokeSettings::radial, request.brush.radial);
+    brush.set(&StrokeSettings::color, request.brush.color);
+    m_partner->setKnownBrush(brush.stroke());
+}
+
+void HeadsetRequests::handle(const vr::HeadsetSettings& settings)
+{
+    HeadsetSettings().save(settings);
+}
+
+void HeadsetRequests::handle(vr::LessonRequest request)
+{
+    m_partner->press(request);
+}
+
+void HeadsetRequests::handle(const vr::Undo&)
+{
+    m_document->history().undo();
+}
+
+void HeadsetRequests::handle(const vr::Redo&)
+{
+    m_document->history().redo();
+}
+
+void HeadsetRequests::handle(const vr::RestoreModel&)
+{
+    if (!isBusy(tr("The model was not restored: other work on it is not done yet.")))
+        m_document->changer().apply(core::Reset());
+}
+
+void HeadsetRequests::handle(const core::MaskOperation& change)
+{
+    if (!isBusy(tr("The mask was not changed: other work on the model is not done yet.")))
+        m_document->changer().apply(change);
+}
+
+void HeadsetRequests::handle(const vr::SaveModel&)
+{
+    if (m_window->classroom())
+        return Q_EMIT refused(tr("In a class the work is kept by Next Pupil, at the window."));
+    const ui::ModelInfo& info = m_document->modelInfo();
+    if (!isBusy(tr("The model was not saved: other work on it is not done yet.")))
+        m_document->saver().saveNumbered(QDir(HeadsetFiles::folderOf(info.path)).filePath(info.name));
+}
+
+void HeadsetRequests::handle(const vr::OpenModel& request)
+{
+    const QString name = QFileInfo(request.path).fileName();
+    if (m_window->classroom())
+        return Q_EMIT refused(tr("%1 was not opened: a class has its own models to begin with.").arg(name));
+    if (isBusy(tr("%1 was not opened: other work on the model is not done yet.").arg(name)))
+        return;
+    if (request.discardsChanges)
+        return m_document->opener().openDiscardingChanges(request.path);
+    if (m_document->savedState().isModified())
+        return Q_EMIT refused(tr("%1 was not opened: the present model has changes that no file holds.").arg(name));
+    m_document->opener().open(request.path);
+}
+} // namespace app

@@ -1,0 +1,204 @@
+#include "app/lesson/lesson_teacher.h"
+
+#include "app/document/document.h"
+#include "app/worker/sculpt_worker.h"
+
+#include "core/sculpt/sculptor.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr int tickMs = 16;
+constexpr quint64 maxSamplesBehind = 3; ///< samples that the mesh thread may be behind, so that none is ever dropped
+constexpr double maxTick = 0.1;         ///< s; a window that was held up does not catch up
+} // namespace
+
+LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
+    : m_window(&window)
+    , m_panel(window.findChild<ui::LessonPanel*>())
+    , m_document(&document)
+{
+    using ui::LessonPanel;
+    m_timer.setInterval(tickMs);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &LessonTeacher::tick);
+    connect(m_panel, &LessonPanel::playRequested, this, &LessonTeacher::play);
+    connect(m_panel, &LessonPanel::singleStrokeRequested, this, &LessonTeacher::playOne);
+    connect(m_panel, &LessonPanel::tryRequested, this, &LessonTeacher::tryIt);
+    connect(m_panel, &LessonPanel::speedChosen, this, &LessonTeacher::setSpeed);
+    connect(window.viewport(), &ui::Viewport::strokeBegan, this, &LessonTeacher::interrupt);
+    connect(&document.worker().strokes(), &StrokeGate::refused, this, &LessonTeacher::onStrokeRefused);
+}
+
+void LessonTeacher::setLesson(std::shared_ptr<const core::Lesson> lesson)
+{
+    m_player.reset();
+    m_starts.clear();
+    if (!lesson)
+        return;
+    m_player.emplace(std::move(lesson));
+    m_player->setSpeed(m_speed);
+}
+
+bool LessonTeacher::hasChanges() const
+{
+    return m_document->history().stack().index() > m_starts.back();
+}
+
+void LessonTeacher::enter(std::size_t step)
+{
+    m_player->setStep(step);
+    m_starts.push_back(m_document->history().stack().index());
+}
+
+void LessonTeacher::goBack(std::size_t step)
+{
+    m_starts.resize(step + 1);
+    m_document->history().goTo(m_starts.back());
+    m_player->setStep(step);
+}
+
+void LessonTeacher::setSpeed(double speed)
+{
+    m_speed = speed;
+    if (m_player)
+        m_player->setSpeed(speed);
+}
+
+/// From the step's start, unless the teacher is in the middle of it.
+void LessonTeacher::startStep()
+{
+    if (m_isTaught)
+        return;
+    tryIt();
+    m_isTaught = true;
+}
+
+void LessonTeacher::play(bool on)
+{
+    if (on)
+        startStep();
+    on ? m_player->play() : m_player->pause();
+    setPlaying(on);
+}
+
+void LessonTeacher::playOne()
+{
+    startStep();
+    m_player->playOne();
+    setPlaying(true);
+}
+
+void LessonTeacher::setPlaying(bool isPlaying)
+{
+    m_panel->setPlaying(isPlaying);
+    m_sinceTick.start();
+    isPlaying ? m_timer.start() : m_timer.stop();
+}
+
+void LessonTeacher::tryIt()
+{
+    interrupt();
+    m_document->history().goTo(m_starts.back());
+    m_player->setStep(m_player->stepIndex());
+    m_panel->setProgress(0);
+}
+
+void LessonTeacher::interrupt()
+{
+    endStroke();
+    m_timer.stop();
+    m_isTaught = false;
+    if (!m_player)
+        return;
+    m_player->pause();
+    m_panel->setPlaying(false);
+    showGhost({});
+}
+
+/// Two strokes at once, the teacher's and one in the headset: whichever was refused, it is the pupil's turn.
+void LessonTeacher::onStrokeRefused()
+{
+    if (m_timer.isActive())
+        interrupt();
+}
+
+void LessonTeacher::endStroke()
+{
+    if (std::exchange(m_isStrokeOpen, false))
+        m_document->strokes().endStroke();
+}
+
+/// The mesh thread has not consumed too many of the teacher's samples yet.
+bool LessonTeacher::isBehind() const
+{
+    return m_isStrokeOpen && m_isCounted &&
+           m_posted > m_document->worker().stats().samples - m_consumedBefore + maxSamplesBehind;
+}
+
+void LessonTeacher::tick()
+{
+    const double seconds = std::min(static_cast<double>(m_sinceTick.restart()) / 1000, maxTick);
+    if (m_document->job().isBusy() || isBehind() || (!m_isStrokeOpen && !m_document->queue().isSettled()))
+        return;
+    for (const core::LessonCue& cue : m_player->advance(seconds))
+        run(cue);
+    m_panel->setProgress(m_player->duration() > 0 ? m_player->time() / m_player->duration() : 1);
+    if (m_player->isPlaying())
+        placeGhost();
+    else if (m_player->isAtEnd())
+        interrupt();
+    else
+        setPlaying(false);
+}
+
+void LessonTeacher::run(const core::LessonCue& cue)
+{
+    if (const auto* const stroke = std::get_if<core::StrokeBegins>(&cue)) {
+        m_isStrokeOpen = true;
+        m_isCounted = !stroke->settings.add;
+        m_posted = 0;
+        m_consumedBefore = m_document->worker().stats().samples;
+        m_document->strokes().beginStroke(stroke->settings);
+    } else if (const auto* const sample = std::get_if<core::StrokeSample>(&cue)) {
+        ++m_posted;
+        m_document->strokes().addSample(*sample);
+    } else if (const auto* const command = std::get_if<core::ModelCommand>(&cue)) {
+        m_document->changer().apply(*command);
+    } else {
+        endStroke();
+    }
+}
+
+/// Asks the mesh thread where a ray meets the model, one question at a time.
+void LessonTeacher::placeGhost()
+{
+    const std::optional<core::GhostBrush> ghost = m_player->ghost();
+    if (!ghost || !ghost->direction)
+        return showGhost(ghost ? std::optional(core::Sphere{ghost->position, ghost->radius}) : std::nullopt);
+    if (std::exchange(m_isGhostAsked, true))
+        return;
+    m_document->worker().post([this, ghost](core::Sculptor& sculptor) {
+        const auto hit = sculptor.hit({ghost->position, *ghost->direction});
+        const auto answer = [this, hit, radius = ghost->radius] {
+            m_isGhostAsked = false;
+            if (m_timer.isActive())
+                showGhost(hit ? std::optional(core::Sphere{hit->position, radius}) : std::nullopt);
+        };
+        QMetaObject::invokeMethod(this, answer, Qt::QueuedConnection);
+    });
+}
+
+void LessonTeacher::showGhost(const std::optional<core::Sphere>& ghost)
+{
+    if (m_window)
+        m_window->viewport()->showTeacher(ghost);
+}
+} // namespace app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace core
+{
+struct Lesson;
+class LessonDraft;
+} // namespace core
+namespace ui
+{
+class MainWindow;
+}
+
+namespace app
+{
+class Document;
+class LessonRecorder;
+struct CheckedLesson;
+
+/// Writes the lesson that is edited. Plays it to its end first, and asks the user if not everything is as the lesson
+/// asks for. Thread: gui; lessons are played and written on another.
+class LessonWriter : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// None is owned; all must outlive this, except the window.
+    LessonWriter(ui::MainWindow& window, Document& document, const core::LessonDraft* draft,
+                 const LessonRecorder* recorder);
+
+    /// Asks for the file; `path`: where the lesson came from.
+    void save(const QString& path);
+
+Q_SIGNALS:
+    /// That revision of the draft is in the file.
+    void written(const QString& path, std::uint64_t revision);
+
+private:
+    void check(const QString& path, const core::LessonDraft& draft, const std::optional<std::uint64_t>& hash);
+    void onChecked(const QString& path, const CheckedLesson& checked, std::uint64_t revision);
+    void write(const QString& path, const std::shared_ptr<const core::Lesson>& lesson, std::uint64_t revision);
+
+    QPointer<ui::MainWindow> m_window;
+    Document* m_document;
+    const core::LessonDraft* m_draft;
+    const LessonRecorder* m_recorder;
+};
+} // namespace app

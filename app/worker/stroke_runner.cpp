@@ -1,0 +1,144 @@
+#include "app/worker/stroke_runner.h"
+
+#include "core/sculpt/sculptor.h"
+#include "core/stroke/radial_symmetry.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+bool canAdd(const core::StrokeSettings& settings)
+{
+    return settings.add && core::canAddSolid(settings.tool) && isFree(settings);
+}
+} // namespace
+
+bool isFree(const core::StrokeSettings& brush)
+{
+    return brush.brush == core::BrushShape::Sphere && brush.place == core::Placement::Point;
+}
+
+void StrokeRunner::begin(const BeginStroke& stroke)
+{
+    m_report = {};
+    m_report.tool = stroke.settings.tool;
+    m_report.hasModel = stroke.settings.model != nullptr;
+    m_stroke = stroke;
+    m_course = canAdd(stroke.settings) ? Course::Undecided : Course::Open;
+    m_samples.clear();
+    if (!m_sculptor)
+        return;
+    m_fusionsBefore = m_sculptor->totals().fusions;
+    if (m_course == Course::Open)
+        m_sculptor->beginStroke(stroke.settings);
+}
+
+/// Whether a pull here would move something instead of adding a sphere, at this place, in another sector or at a mirror
+/// image.
+bool StrokeRunner::touches(const core::StrokeSample& sample) const
+{
+    const core::Vec3 position = sample.rotation.conjugate() * sample.position;
+    return std::ranges::any_of(core::imagesOf(position, m_stroke.settings), [&](const core::Vec3& place) {
+        return m_sculptor->nearest(place, m_stroke.settings.radius).has_value();
+    });
+}
+
+/// A sphere, or a pull; nothing if only a sphere was wanted.
+void StrokeRunner::decide(const core::StrokeSample& first)
+{
+    const bool isTouching = touches(first);
+    if (isTouching && m_stroke.onlyAdds) {
+        m_report.shortfall = core::Shortfall::TooClose;
+        m_course = Course::Over;
+        return;
+    }
+    m_course = Course::Open;
+    m_stroke.settings.add = !isTouching;
+    m_sculptor->beginStroke(m_stroke.settings);
+}
+
+bool StrokeRunner::isOver(const core::StrokeSample& sample)
+{
+    if (m_sculptor && m_course == Course::Undecided)
+        decide(sample);
+    if (!m_sculptor || m_course == Course::Over)
+        return true;
+    if (canAdd(m_stroke.settings)) // input that moves faster than the clay follows leaves no row of spheres
+        m_course = Course::Over;
+    return false;
+}
+
+quint64 StrokeRunner::topologyChanges() const
+{
+    const core::SculptorTotals totals = m_sculptor->totals();
+    return totals.fusions + totals.separations;
+}
+
+std::optional<StrokeRunner::Effect> StrokeRunner::add(const core::StrokeSample& sample)
+{
+    if (isOver(sample))
+        return std::nullopt;
+    const quint64 before = topologyChanges();
+    const core::Shortfall shortfall = apply(sample);
+    return Effect{topologyChanges() - before, shortfall};
+}
+
+core::Shortfall StrokeRunner::apply(const core::StrokeSample& sample)
+{
+    m_samples.push_back(sample);
+    core::Shortfall shortfall = core::Shortfall::None;
+    const std::vector<core::DabReport> dabs = m_sculptor->addSample(sample);
+    m_report.dabs += dabs.size();
+    for (const core::DabReport& dab : dabs) {
+        shortfall = std::max(shortfall, core::shortfallOf(dab));
+        m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
+        m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
+        m_report.sequential = m_report.sequential || dab.sequential;
+    }
+    m_report.shortfall = std::max(m_report.shortfall, shortfall);
+    return shortfall;
+}
+
+StrokeReport StrokeRunner::end()
+{
+    if (m_sculptor) {
+        auto delta =
+            std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
+        if (!delta->empty()) {
+            m_report.delta = std::move(delta);
+            m_report.recordedStep = std::make_shared<const core::FileEntry>(
+                core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
+        }
+        m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
+    }
+    return std::exchange(m_report, {});
+}
+
+StrokeReport StrokeRunner::replace(const StrokeReplacement& replacement)
+{
+    if (replacement.stroke) {
+        begin({replacement.stroke->settings, Source::Desktop, replacement.before.added});
+        for (const core::StrokeSample& sample : replacement.stroke->samples) {
+            if (replacement.stop.stop_requested())
+                break;
+            if (!isOver(sample))
+                apply(sample);
+        }
+        if (!replacement.stop.stop_requested()) {
+            m_report.isReplacement = true;
+            return end();
+        }
+        if (m_sculptor && m_sculptor->strokeOpen()) {
+            core::MeshDelta delta = m_sculptor->endStroke();
+            m_sculptor->swap(delta);
+        }
+    }
+    StrokeReport report = replacement.before;
+    report.isReplacement = true;
+    report.delta = m_sculptor ? replacement.restoreReplaced(*m_sculptor) : nullptr;
+    return report;
+}
+} // namespace app

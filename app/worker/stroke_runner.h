@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/worker/job_queue.h"
+#include "app/worker/stroke_report.h"
+
+namespace app
+{
+/// A spherical brush whose centre is the input's own position, not a place on the surface.
+bool isFree(const core::StrokeSettings& brush);
+
+/// Does one stroke after the other on the sculptor, from its settings and samples to its report. Thread: mesh.
+class StrokeRunner
+{
+public:
+    /// What one sample did.
+    struct Effect
+    {
+        quint64 topologyChanges = 0; ///< surfaces joined or parted
+        core::Shortfall shortfall = core::Shortfall::None;
+    };
+
+    /// The sculptor must outlive the next call. Without one, strokes do nothing.
+    void setSculptor(core::Sculptor* sculptor) { m_sculptor = sculptor; }
+
+    void begin(const BeginStroke& stroke);
+    /// Nothing if the stroke has nothing more to do.
+    std::optional<Effect> add(const core::StrokeSample& sample);
+    /// Returns the report without facts.
+    StrokeReport end();
+    /// As begin(), add() and end(). If it is stopped, the mesh is as if it had not begun, and the stroke before comes
+    /// back.
+    StrokeReport replace(const StrokeReplacement& replacement);
+
+    Source source() const { return m_stroke.source; }
+
+private:
+    /// What the samples do. Undecided: the first decides between a pull and a sphere.
+    enum class Course { Open, Undecided, Over };
+
+    bool touches(const core::StrokeSample& sample) const;
+    void decide(const core::StrokeSample& first);
+    bool isOver(const core::StrokeSample& sample);
+    core::Shortfall apply(const core::StrokeSample& sample);
+    quint64 topologyChanges() const;
+
+    core::Sculptor* m_sculptor = nullptr;
+    BeginStroke m_stroke; ///< in work
+    Course m_course = Course::Open;
+    std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for its record
+    StrokeReport m_report;
+    quint64 m_fusionsBefore = 0; ///< the stroke
+};
+} // namespace app
