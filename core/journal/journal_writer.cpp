@@ -2,7 +2,7 @@
 
 #include "core/journal/compaction.h"
 #include "core/journal/journal_files.h"
-#include "core/journal/thread_priority.h"
+#include "core/util/thread_priority.h"
 
 #include <algorithm>
 #include <chrono>

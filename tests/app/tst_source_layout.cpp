@@ -59,7 +59,7 @@ const FolderRule folderRules[] = {
     {"ui/viewport", "core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
                     "ui/input"},
     {"ui/model", "core/analysis core/repair core/operations ui/settings ui/widgets ui/actions"},
-    {"ui/files", "core/drawing core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene "
+    {"ui/files", "core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene "
                  "ui/model"},
     {"ui/brush", "core/util core/geometry core/stroke core/sculpt/deform core/io ui/util ui/settings ui/widgets "
                  "ui/actions ui/viewport"},

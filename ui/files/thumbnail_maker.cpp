@@ -2,10 +2,10 @@
 
 #include "ui/files/file_jobs.h"
 #include "ui/util/error_messages.h"
-#include "ui/util/thread_priority.h"
 
 #include "core/drawing/model_thumbnail.h"
 #include "core/io/mesh_io.h"
+#include "core/util/thread_priority.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -60,7 +60,7 @@ void ThumbnailMaker::request(QList<FileEntry> files)
 
 void ThumbnailMaker::run()
 {
-    lowerThreadPriority();
+    core::lowerThreadPriority(core::ThreadPriority::Idle);
     std::unique_lock lock(m_mutex);
     for (;;) {
         m_wake.wait(lock, [this] { return m_isEnding || !m_requested.empty(); });

@@ -1,4 +1,4 @@
-#include "core/journal/thread_priority.h"
+#include "core/util/thread_priority.h"
 
 #ifdef __linux__
 #include <sched.h>
@@ -10,10 +10,10 @@
 namespace core
 {
 #ifdef __linux__
-/// A thread that wakes otherwise takes the processor of one that has run long, which is the sculptor's: sched(7).
+/// Without SCHED_BATCH a thread that wakes preempts one that has run for long, as the sculpting thread has: sched(7).
 void lowerThreadPriority(ThreadPriority priority)
 {
-    constexpr int idleNice = 10; // a tenth of the share of one that is not nice
+    constexpr int idleNice = 10; // a tenth of the share at nice 0
     const sched_param none{};
     ::sched_setscheduler(0, SCHED_BATCH, &none);
     if (priority == ThreadPriority::Idle)
