@@ -2,6 +2,8 @@
 // A frame: wait, begin, wands and head and eyes at the time at which it will be seen, the client, each eye, end.
 #include "vr/frame/headset_loop.h"
 
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 
 namespace vr
@@ -13,28 +15,15 @@ constexpr auto idleTime = std::chrono::milliseconds(50);
 constexpr auto transitionTime = std::chrono::milliseconds(500);
 /// The time that the runtime has to end the session after it was asked to.
 constexpr auto exitTimeout = std::chrono::seconds(3);
+
+/// Returns when a stop is requested or the time is over.
+void wait(const std::stop_token& stop, std::chrono::milliseconds time)
+{
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable_any().wait_for(lock, stop, time, [] { return false; });
+}
 } // namespace
-
-void StopSource::requestStop()
-{
-    {
-        const std::lock_guard lock(m_mutex);
-        m_stopRequested = true;
-    }
-    m_wake.notify_all();
-}
-
-bool StopSource::stopRequested() const
-{
-    const std::lock_guard lock(m_mutex);
-    return m_stopRequested;
-}
-
-void StopSource::wait(std::chrono::milliseconds time)
-{
-    std::unique_lock lock(m_mutex);
-    m_wake.wait_for(lock, time, [this] { return m_stopRequested; });
-}
 
 HeadsetLoop::HeadsetLoop(const Parts& parts)
     : m_parts(parts)
@@ -122,7 +111,7 @@ std::optional<HeadsetEnd> HeadsetLoop::exitIfRequested()
 {
     if (m_status.isExiting)
         return Clock::now() < m_exitDeadline ? std::nullopt : std::optional(HeadsetEnd::Left);
-    if (!m_exitRequested && !m_parts.stop.stopRequested())
+    if (!m_exitRequested && !m_parts.stop.stop_requested())
         return {};
     if (!m_status.isRunning)
         return HeadsetEnd::Left;
@@ -160,7 +149,7 @@ void HeadsetLoop::idle()
     if (m_status.isExiting)
         std::this_thread::sleep_for(idleTime); // a stop is requested already
     else
-        m_parts.stop.wait(idleTime);
+        wait(m_parts.stop, idleTime);
     m_dropped = {};
     m_clock.reset();
 }

@@ -10,27 +10,11 @@
 #include "vr/openxr/xr_views.h"
 
 #include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
+#include <stop_token>
 
 namespace vr
 {
-/// Asks a visit to end, as std::stop_source, with a wait that has a timeout. Any thread.
-class StopSource
-{
-public:
-    void requestStop();
-    bool stopRequested() const;
-    /// Returns when a stop is requested or the time is over.
-    void wait(std::chrono::milliseconds time);
-
-private:
-    mutable std::mutex m_mutex; ///< of the next
-    bool m_stopRequested = false;
-    std::condition_variable m_wake;
-};
-
 /// One visit to the headset from a session's beginning to its end: events, frames, events, frames. All on one thread;
 /// the constructor and run() throw XrError.
 class HeadsetLoop
@@ -43,7 +27,7 @@ public:
         GlContext& gl; ///< claimed
         FrameClient& client;
         FrameTimings& timings;
-        StopSource& stop;
+        std::stop_token stop;
         std::function<void(HeadsetStage)> onStage; ///< of each change
     };
 

@@ -64,7 +64,7 @@ struct HeadsetThread::Visit
     std::shared_ptr<FrameTimings> timings = std::make_shared<FrameTimings>();
     QString windowSystem = QGuiApplication::platformName();
     GlContext gl;
-    StopSource stop;
+    std::stop_source stop;
     HeadsetReport last; ///< once the thread has ended
 };
 
@@ -86,7 +86,7 @@ HeadsetReport HeadsetThread::Visit::runWith(const OnReport& onReport)
     const Instance instance;
     if (instance.status().state != HeadsetStatus::State::Ready)
         return HeadsetReport::ended(HeadsetEnd::Unavailable, OpenXrRuntime::textOf(instance.status()));
-    if (stop.stopRequested())
+    if (stop.stop_requested())
         return HeadsetReport::ended(HeadsetEnd::Left);
     const auto binding = gl.claim() ? currentGlBinding() : nullptr;
     if (!binding || !instance.has(binding->extension()))
@@ -95,7 +95,7 @@ HeadsetReport HeadsetThread::Visit::runWith(const OnReport& onReport)
     if (!created.isCreated())
         return HeadsetReport::ended(HeadsetEnd::CannotRender);
     const auto reportStage = [&](HeadsetStage stage) { onReport(HeadsetReport::of(stage, instance.status().headset)); };
-    HeadsetLoop loop({instance, *binding, gl, *client, *timings, stop, reportStage});
+    HeadsetLoop loop({instance, *binding, gl, *client, *timings, stop.get_token(), reportStage});
     return HeadsetReport::ended(loop.run());
 }
 
@@ -137,7 +137,7 @@ void HeadsetThread::leave()
 {
     if (!m_visit || std::exchange(m_isLeaving, true))
         return;
-    m_visit->stop.requestStop();
+    m_visit->stop.request_stop();
     m_exitTimer.start();
 }
 
