@@ -11,6 +11,9 @@ namespace ui
 {
 /// A thread for long jobs, started by the first one. Jobs run one after the other, in order. As the last member of its
 /// owner it may use all others.
+///
+/// Not QtConcurrent, for the reason given at the mailbox: ThreadSanitizer does not see the locks of QThreadPool and of
+/// QFutureWatcher. Besides, QThreadPool gives no thread of its own to jobs that have to be done in order.
 class BackgroundThread
 {
 public:

@@ -8,9 +8,12 @@
 
 namespace ui
 {
-/// Runs tasks that other threads post in the thread that made this object: in its event loop, in the order of posting.
-/// Tasks still queued at destruction are dropped. The tasks lie in a queue of our own, under a mutex that
-/// ThreadSanitizer sees; Qt's queue carries one empty call for each.
+/// How other threads reach the one that made it: what they post is run there, by its event loop, among its other events
+/// in the order of posting. What waits when the mailbox goes is dropped.
+///
+/// QMetaObject::invokeMethod() would do, but Qt is not built for ThreadSanitizer, which cannot see the locks of Qt's
+/// event queue and would report all that a closure carries. Here tasks change threads under a mutex that it sees; Qt's
+/// queue carries only the wake-up.
 class ThreadMailbox : public QObject
 {
     Q_OBJECT
