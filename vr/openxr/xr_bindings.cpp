@@ -9,7 +9,8 @@ constexpr Binding grip{Control::Grip, "/input/grip/pose"};
 constexpr Binding aim{Control::Aim, "/input/aim/pose"};
 constexpr Binding pulse{Control::Pulse, "/output/haptic"};
 
-constexpr Binding vive[]{
+/// HTC's and Microsoft's.
+constexpr Binding trackpadWand[]{
     grip,
     aim,
     {Control::Trigger, "/input/trigger/value"},
@@ -21,7 +22,7 @@ constexpr Binding vive[]{
     pulse,
 };
 
-/// Its grip feels each finger: only force is meant. It has no menu button for us.
+/// Squeeze is by force: the grip senses each finger that touches it. The system keeps the menu button, so B is ours.
 constexpr Binding index[]{
     grip,
     aim,
@@ -47,27 +48,15 @@ constexpr Binding touch[]{
     pulse,
 };
 
-constexpr Binding motion[]{
-    grip,
-    aim,
-    {Control::Trigger, "/input/trigger/value"},
-    {Control::Pad, "/input/trackpad"},
-    {Control::PadTouch, "/input/trackpad/touch"},
-    {Control::PadPress, "/input/trackpad/click"},
-    {Control::Side, "/input/squeeze/click"},
-    {Control::Menu, "/input/menu/click"},
-    pulse,
-};
-
 constexpr Binding simple[]{
     grip, aim, {Control::Trigger, "/input/select/click"}, {Control::Menu, "/input/menu/click"}, pulse,
 };
 
 constexpr WandProfile profiles[]{
-    {"/interaction_profiles/htc/vive_controller", false, vive},
+    {"/interaction_profiles/htc/vive_controller", false, trackpadWand},
     {"/interaction_profiles/valve/index_controller", true, index},
     {"/interaction_profiles/oculus/touch_controller", true, touch},
-    {"/interaction_profiles/microsoft/motion_controller", false, motion},
+    {"/interaction_profiles/microsoft/motion_controller", false, trackpadWand},
     {"/interaction_profiles/khr/simple_controller", false, simple},
 };
 } // namespace
