@@ -9,6 +9,8 @@ namespace vr
 {
 namespace
 {
+constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
+
 core::Tool stepped(core::Tool tool, int by)
 {
     const int count = static_cast<int>(core::toolNames().size());
@@ -17,9 +19,15 @@ core::Tool stepped(core::Tool tool, int by)
 
 core::Rgb changedColor(core::Rgb color, const ChangeChannel& change)
 {
-    constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
     std::uint8_t& value = color.*channels[static_cast<std::size_t>(change.channel)];
     value = static_cast<std::uint8_t>(std::clamp(value + change.by, 0, 255));
+    return color;
+}
+
+core::Rgb changedColor(core::Rgb color, const Slide& slide)
+{
+    if (const auto channel = static_cast<std::size_t>(slide.slider); channel < channels.size())
+        color.*channels[channel] = static_cast<std::uint8_t>(slide.value);
     return color;
 }
 
@@ -57,6 +65,23 @@ BrushState changed(BrushState brush, const WandAction& action)
         [&](ToggleSymmetry) { stroke.symmetry = stroke.symmetry == Symmetry::None ? brush.plane : Symmetry::None; },
         [&](const ScaleRadius& scale) { brush.radius = std::clamp(brush.radius * scale.factor, minRadius, maxRadius); },
         [&](const ChangeChannel& step) { stroke.color = changedColor(stroke.color, step); },
+        [](const auto&) {},
+    };
+    std::visit(change, action);
+    return brush;
+}
+
+BrushState changed(BrushState brush, const PanelAction& action)
+{
+    core::StrokeSettings& stroke = brush.stroke;
+    const Overloaded change{
+        [&](core::Tool tool) { stroke.tool = tool; },
+        [&](core::BrushShape shape) { stroke.brush = shape; },
+        [&](core::Topology topology) { stroke.topology = topology; },
+        [&](const ChooseSymmetry& symmetry) { stroke.symmetry = symmetry.isOn ? brush.plane : core::Symmetry::None; },
+        [&](const ChooseRadial& chosen) { stroke.radial = chosen.count; },
+        [&](const ChooseColor& chosen) { stroke.color = chosen.color; },
+        [&](const Slide& slide) { stroke.color = changedColor(stroke.color, slide); },
         [](const auto&) {},
     };
     std::visit(change, action);

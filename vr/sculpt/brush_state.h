@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vr/input/wand_commands.h"
+#include "vr/panels/panel_action.h"
 
 #include "core/stroke/stroke.h"
 
@@ -21,9 +22,11 @@ struct BrushState
     double radius = defaultRadius;            ///< metres in the room
 };
 
-/// What it is after a hand did that. Tools come round after the last, channels and the radius stop at the ends of their
-/// ranges; what is none of the brush's business leaves it as it is.
+/// Returns the brush after an action of a wand. The last tool is followed by the first; channels and the radius stop at
+/// the ends of their ranges. An action that does not concern the brush changes nothing.
 BrushState changed(BrushState brush, const WandAction& action);
+/// Returns the brush after an action at a panel, likewise.
+BrushState changed(BrushState brush, const PanelAction& action);
 
 /// Of a stroke that begins now. Where a ball that pulls begins in empty space, it adds a ball to the model; a stroke
 /// that only goes on adds none.

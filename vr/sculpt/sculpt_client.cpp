@@ -1,21 +1,109 @@
 #include "vr/sculpt/sculpt_client.h"
 
+#include "vr/util/overloaded.h"
+
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+
+#include <cmath>
 
 namespace vr
 {
 namespace
 {
-bool isSameStep(const std::optional<LessonPanel>& a, const std::optional<LessonPanel>& b)
-{
-    return a && b && a->lesson == b->lesson && a->step == b->step;
-}
+constexpr double stillPulse = 0.4;
+constexpr double pulseSeconds = 1.2; ///< of the light where somebody points: it catches the eye and does not flicker
 
 /// What panels ahead do not hide: a ball about the model's middle.
 core::Sphere modelSphere(const ModelPlacement& placement, const core::Box& box)
 {
     return {placement.middle(), box.isEmpty() ? 0 : placement.lengthToRoom(box.sizes().maxCoeff()) / 2};
+}
+
+template <class... Kinds> bool isOneOf(const WandAction& action)
+{
+    return (std::holds_alternative<Kinds>(action) || ...);
+}
+
+/// Whether something is chosen, switched or ordered, which the hand feels as a tick.
+bool isStep(const WandAction& action)
+{
+    return isOneOf<StepTool, SelectChannel, ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse>(action) ||
+           isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel>(action);
+}
+
+/// Returns the request that a command at a panel is; none: it concerns the visit.
+std::optional<DocumentRequest> requestOf(PanelCommand command)
+{
+    switch (command) {
+    case PanelCommand::Undo:
+        return Undo{};
+    case PanelCommand::Redo:
+        return Redo{};
+    case PanelCommand::RestoreModel:
+        return RestoreModel{};
+    case PanelCommand::InvertMask:
+        return core::MaskOperation{core::MaskOperation::Kind::Invert};
+    case PanelCommand::ClearMask:
+        return core::MaskOperation{core::MaskOperation::Kind::Clear};
+    case PanelCommand::SaveModel:
+        return SaveModel{};
+    case PanelCommand::Recentre:
+    case PanelCommand::LeaveVr:
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+WandPart partOf(Sector sector)
+{
+    switch (sector) {
+    case Sector::Left:
+        return WandPart::PadLeft;
+    case Sector::Right:
+        return WandPart::PadRight;
+    case Sector::Top:
+        return WandPart::PadUp;
+    case Sector::Bottom:
+        return WandPart::PadDown;
+    }
+    return WandPart::PadMiddle;
+}
+
+/// Returns what is seen of a wand, except the colour of its tip.
+ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side)
+{
+    ShownWand shown;
+    shown.isShown = wand.isTracked;
+    shown.grip = wand.grip;
+    const auto light = [&](WandPart part, bool isLit) { shown.isLit[static_cast<std::size_t>(part)] = isLit; };
+    const WandGestures& gestures = mapping.gestures(side);
+    if (gestures.pad.held)
+        light(partOf(*gestures.pad.held), true);
+    light(WandPart::Trigger, gestures.trigger.isDown);
+    light(WandPart::Menu, wand.menu);
+    light(WandPart::Side, wand.side);
+    shown.trigger = wand.trigger;
+    if (wand.padTouched)
+        shown.touch = wand.pad;
+    if (const std::optional<WandMapping::Hold> hold = mapping.hold(side))
+        shown.hold = hold->progress;
+    return shown;
+}
+
+/// Returns what the window sees of the user. `radius`: of the brush, metres.
+AvatarState avatarOf(const FrameInput& input, const SceneState& scene, double radius)
+{
+    AvatarState avatar;
+    avatar.head = input.head;
+    for (std::size_t i = 0; i < sideCount; ++i)
+        if (input.wands[i].isTracked)
+            avatar.hands[i] = input.wands[i].grip;
+    if (const auto* ball = std::get_if<BallBrush>(&scene.brush))
+        avatar.brush = core::Sphere{ball->center, ball->radius};
+    avatar.radius = radius;
+    avatar.model = scene.model;
+    return avatar;
 }
 } // namespace
 
@@ -52,19 +140,21 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     m_output = {};
     m_hapticInputs = {};
     takeUpdate();
-    takePatch();
+    if (std::optional<core::MeshPatch> patch = m_port->takePatch())
+        m_scene.apply(*std::move(patch));
     handleRoomChange(input);
     place(input);
     aimAtPanels(input);
-    const InputFrame frame = inputFrame(input);
+    const InputFrame frame{input.seconds(), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
     const std::vector<WandCommand> commands = m_mapping.step(frame);
     handle(commands);
     m_brush.querySurface(m_placement);
     updateHaptics();
     m_labels.step(frame, m_head, m_mapping, commands);
-    showPanels(input);
+    m_contents.show(m_panels,
+                    {m_update, m_settings, m_brush.state(), m_mapping.channel(), input.timings, input.seconds()});
     updateScene(input);
-    publishAvatar(input);
+    m_port->show(avatarOf(input, m_state, m_brush.state().radius));
     m_output.pulses = m_haptics.step(input.seconds(), m_hapticInputs);
     return m_output;
 }
@@ -80,23 +170,11 @@ void SculptClient::takeUpdate()
     const bool isFirst = m_update.brushChange == 0;
     const bool isChosen = update->brushChange != m_update.brushChange || update->radiusChange != m_update.radiusChange;
     hapticInput(m_settings.wands.sculpting).stepped = isChosen && !isFirst;
-    if (!isSameStep(update->lesson, m_update.lesson))
-        m_lessonPage = 0;
+    m_contents.update(m_update, *update);
     m_update = *std::move(update);
     m_placement.setModel(m_update.box);
     m_brush.take(m_update, m_placement);
     m_isPlaced = m_isPlaced && !isAnother;
-    m_files.folder = m_update.folder;
-    m_files.files = m_update.files;
-    m_files.hasUnsavedChanges = m_update.isModified;
-    m_files.isBusy = m_update.isBusy;
-    m_files.saved = m_update.saved;
-}
-
-void SculptClient::takePatch()
-{
-    if (std::optional<core::MeshPatch> patch = m_port->takePatch())
-        m_scene.apply(*std::move(patch));
 }
 
 void SculptClient::handleRoomChange(const FrameInput& input)
@@ -155,11 +233,6 @@ bool SculptClient::pointsAtPanel(Side side) const
     return !m_brush.touches(m_placement) && !(reach && *reach < (spot->point - m_tip->position).norm());
 }
 
-InputFrame SculptClient::inputFrame(const FrameInput& input) const
-{
-    return {input.seconds(), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
-}
-
 void SculptClient::updateHaptics()
 {
     const Side side = m_settings.wands.sculpting;
@@ -171,6 +244,126 @@ void SculptClient::updateHaptics()
     for (const Side each : {Side::Left, Side::Right})
         if (const std::optional<WandMapping::Hold> hold = m_mapping.hold(each))
             hapticInput(each).hold = hold->progress;
+}
+
+void SculptClient::handle(const std::vector<WandCommand>& commands)
+{
+    for (const WandCommand& command : commands)
+        handle(command);
+}
+
+void SculptClient::handle(const WandCommand& command)
+{
+    const Side side = command.side;
+    const auto refuse = [&] { hapticInput(side).refused = true; };
+    const auto act = [&](const std::optional<PanelAction>& action) {
+        if (action)
+            handle(side, *action);
+    };
+    const Overloaded handler{
+        [&](const BeginStroke& begin) { m_brush.begin(begin, m_placement) ? void() : refuse(); },
+        [&](const StrokePoint& point) { m_brush.draw(point, m_placement); },
+        [&](const EndStroke&) { m_brush.end(); },
+        [&](const Refuse&) { refuse(); },
+        [&](const TurnModel& turn) { m_placement.turn(turn.angle * m_settings.turnRate / turnSpeed); },
+        [&](const ScaleModel& scale) { m_placement.scale(scale.factor); },
+        [&](const MoveModel& move) { m_placement.move(move.from, move.to); },
+        [&](const StretchModel& stretch) { m_placement.stretch(stretch.from, stretch.to); },
+        [&](const OpenToolMenu& menu) { m_panels.open(PanelKind::Tools, menu.isOpen); },
+        [&](const OpenColorPanel& panel) { m_panels.open(PanelKind::Color, panel.isOpen); },
+        [&](const PressPanel&) { act(m_panels.press(side)); },
+        [&](const ReleasePanel& release) { act(m_panels.release(side, release.isClick)); },
+        [&](const Undo& undo) { m_port->request(undo); },
+        [&](const Redo& redo) { m_port->request(redo); },
+        [&](const SaveModel& save) { m_port->request(save); },
+        [&](const RestoreModel& restore) { m_port->request(restore); },
+        [&](const auto& ofBrush) { m_brush.change(changed(m_brush.state(), ofBrush)); },
+    };
+    hapticInput(side).stepped = hapticInput(side).stepped || isStep(command.action);
+    std::visit(handler, command.action);
+}
+
+void SculptClient::handle(Side side, const PanelAction& action)
+{
+    const Overloaded handler{
+        [&](PanelCommand command) {
+            if (const std::optional<DocumentRequest> request = requestOf(command))
+                m_port->request(*request);
+            m_output.recentre = m_output.recentre || command == PanelCommand::Recentre;
+            m_output.leave = m_output.leave || command == PanelCommand::LeaveVr;
+        },
+        [&](const ShowPanel& panel) { m_panels.open(panel.kind, panel.isShown); },
+        [&](LessonRequest request) { m_port->request(request); },
+        [&](const ChooseChannel& channel) { m_mapping.selectChannel(channel.channel); },
+        // discardsChanges is what the pressed item said: the picture may be older than the changes.
+        [&](const OpenFile& file) {
+            m_port->request(OpenModel{file.path, file.discardsChanges});
+        },
+        [](const auto&) {},
+    };
+    hapticInput(side).stepped = true;
+    std::visit(handler, action);
+    m_brush.change(changed(m_brush.state(), action));
+    m_contents.apply(action);
+    applySettings(SettingsPanel::after(m_settings, action));
+}
+
+void SculptClient::applySettings(const HeadsetSettings& settings)
+{
+    if (settings == m_settings)
+        return;
+    const HeadsetSettings before = std::exchange(m_settings, settings);
+    if (settings.wands != before.wands)
+        handle(m_mapping.setSettings(settings.wands));
+    if (settings.heightOffset != before.heightOffset)
+        m_placement.move(
+            {}, {Eigen::Quaterniond::Identity(), core::Vec3(0, settings.heightOffset - before.heightOffset, 0)});
+    m_haptics.setLevels(settings.hapticLevels);
+    m_port->request(settings);
+}
+
+void SculptClient::updateScene(const FrameInput& input)
+{
+    const BrushState& brush = m_brush.state();
+    m_state.head = m_head;
+    m_state.model = m_placement.matrix();
+    m_state.box = m_update.box;
+    m_state.shading = m_update.shading;
+    m_state.isFlat = m_update.isFlat;
+    m_state.symmetry = brush.stroke.symmetry;
+    m_state.radial = brush.stroke.radial;
+    m_state.hasFloor = m_settings.showsFloor;
+    m_state.brush = {};
+    if (!pointsAtPanel(m_settings.wands.sculpting))
+        m_state.brush = m_brush.shown(m_placement);
+    const bool paints = brush.stroke.tool == core::Tool::Paint;
+    m_state.brushColor = paints ? brush.stroke.color : SceneState().brushColor;
+    for (const Side side : {Side::Left, Side::Right}) {
+        const auto i = static_cast<std::size_t>(side);
+        m_state.wands[i] = shownWand(input.wands[i], m_mapping, side);
+        m_state.wands[i].labels = m_labels.labels(side);
+        if (paints && side == m_settings.wands.sculpting)
+            m_state.wands[i].tip = brush.stroke.color;
+    }
+    m_state.spotlight = {};
+    if (m_update.pointed)
+        m_state.spotlight = Spotlight{
+            m_placement.toRoom(m_update.pointed->position), m_placement.directionToRoom(m_update.pointed->normal),
+            m_update.reducesMotion ? stillPulse : std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
+    m_state.teacher = {};
+    if (m_update.teacher)
+        m_state.teacher = core::Sphere{m_placement.toRoom(m_update.teacher->center),
+                                       m_placement.lengthToRoom(m_update.teacher->radius)};
+    m_panels.list(m_state.panels);
+    m_state.lasers = {};
+    for (const Side side : {Side::Left, Side::Right})
+        if (pointsAtPanel(side))
+            m_state.lasers[static_cast<std::size_t>(side)] =
+                Laser{tipOf(input.wands[static_cast<std::size_t>(side)]).position, m_panels.spot(side)->point};
+    if (m_brush.footprint() != m_tint) {
+        m_tint = m_brush.footprint();
+        m_scene.tint(m_tint.get());
+    }
 }
 
 /// Nobody at the window waits for the end of a stroke whose hand is gone, or looks at whom the wands lay before.

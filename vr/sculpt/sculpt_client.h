@@ -6,17 +6,17 @@
 #include "vr/scene/eye_target.h"
 #include "vr/scene/scene.h"
 #include "vr/scene/wand_labels.h"
+#include "vr/sculpt/panel_contents.h"
 #include "vr/sculpt/wand_brush.h"
 
 #include <memory>
 
 namespace vr
 {
-/// Sculpting in the headset: hands, brush, panels and the scene around the document's model, as one client. The order
-/// of a frame is in frame(); what hands and panels ask for is done in sculpt_client_commands.cpp, what is seen is put
-/// together in sculpt_client_view.cpp.
+/// Sculpting in the headset: joins wands, brush, panels and the scene around the document's model. Each visit has its
+/// own.
 ///
-/// Each visit has its own, which is used on the headset's thread only, except the constructor.
+/// Thread: the headset's, except for the constructor.
 class SculptClient : public FrameClient
 {
 public:
@@ -31,33 +31,18 @@ public:
     void destroy() override;
 
 private:
-    // The frame's steps.
     void takeUpdate();
-    void takePatch();
     void handleRoomChange(const FrameInput& input);
     void place(const FrameInput& input);
     void aimAtPanels(const FrameInput& input);
-    InputFrame inputFrame(const FrameInput& input) const;
-    void updateHaptics();
-
-    // What is asked for.
+    bool pointsAtPanel(Side side) const;
     void handle(const std::vector<WandCommand>& commands);
     void handle(const WandCommand& command);
     void handle(Side side, const PanelAction& action);
-    void handleBrush(const PanelAction& action);
-    void handle(PanelCommand command);
     void applySettings(const HeadsetSettings& settings);
     HapticInput& hapticInput(Side side) { return m_hapticInputs[static_cast<std::size_t>(side)]; }
-
-    // What is seen.
-    void showPanels(const FrameInput& input);
-    ToolPanel toolPanel() const;
-    void showNotice(double time);
-    void showLesson();
+    void updateHaptics();
     void updateScene(const FrameInput& input);
-    ShownWand shown(const WandState& wand, Side side) const;
-    void publishAvatar(const FrameInput& input);
-    bool pointsAtPanel(Side side) const;
 
     std::shared_ptr<DocumentPort> m_port;
     HeadsetSettings m_settings;
@@ -74,14 +59,7 @@ private:
     FrameOutput m_output; ///< of the frame
 
     PanelManager m_panels;
-    FilesPanel m_files;
-    int m_lessonPage = 0;
-    SettingsPage m_page = SettingsPage::General;
-    PerformancePanel m_performance;
-    double m_measuredAt = 0; ///< seconds
-    NoticePanel m_notice;
-    quint64 m_noticeCount = 0; ///< DocumentUpdate::noticeCount of that
-    double m_noticedAt = 0;    ///< seconds
+    PanelContents m_contents;
 
     Scene m_scene;
     EyeTarget m_target;

@@ -1,0 +1,112 @@
+#include "vr/sculpt/panel_contents.h"
+
+#include "vr/util/overloaded.h"
+
+#include <cmath>
+
+namespace vr
+{
+namespace
+{
+constexpr double measuringInterval = 0.5; ///< seconds; numbers that change faster cannot be read
+
+bool isSameStep(const std::optional<LessonPanel>& a, const std::optional<LessonPanel>& b)
+{
+    return a && b && a->lesson == b->lesson && a->step == b->step;
+}
+
+ToolPanel toolPanel(const PanelManager& panels, const PanelContents::Sources& sources)
+{
+    const core::StrokeSettings& stroke = sources.brush.stroke;
+    return {stroke.tool,
+            stroke.brush,
+            stroke.topology,
+            stroke.symmetry != core::Symmetry::None,
+            stroke.radial,
+            sources.brush.isInverse,
+            sources.document.canUndo,
+            sources.document.canRedo,
+            !sources.document.isBusy,
+            panels.isOpen(PanelKind::Files),
+            panels.isOpen(PanelKind::Settings)};
+}
+} // namespace
+
+void PanelContents::update(const DocumentUpdate& before, const DocumentUpdate& now)
+{
+    if (!isSameStep(now.lesson, before.lesson))
+        m_lessonPage = 0;
+    m_files.folder = now.folder;
+    m_files.files = now.files;
+    m_files.hasUnsavedChanges = now.isModified;
+    m_files.isBusy = now.isBusy;
+    m_files.saved = now.saved;
+}
+
+void PanelContents::apply(const PanelAction& action)
+{
+    const Overloaded handler{
+        [&](SettingsPage page) { m_settingsPage = page; },
+        [&](const ShowLessonPage& shown) { m_lessonPage = shown.page; },
+        [](const auto&) {},
+    };
+    std::visit(handler, action);
+    m_files = m_files.after(action);
+}
+
+void PanelContents::show(PanelManager& panels, const Sources& sources)
+{
+    if (panels.isOpen(PanelKind::Tools))
+        panels.show(toolPanel(panels, sources));
+    if (panels.isOpen(PanelKind::Color))
+        panels.show(ColorPanel{sources.brush.stroke.color, sources.channel, sources.document.swatches});
+    if (panels.isOpen(PanelKind::Files))
+        panels.show(m_files);
+    if (panels.isOpen(PanelKind::Settings))
+        panels.show(SettingsPanel::of(sources.settings, m_settingsPage));
+    showPerformance(panels, sources);
+    showLesson(panels, sources.document.lesson);
+    showNotice(panels, sources);
+}
+
+void PanelContents::showPerformance(PanelManager& panels, const Sources& sources)
+{
+    panels.open(PanelKind::Performance, sources.settings.showsPerformance);
+    if (!sources.settings.showsPerformance)
+        return;
+    if (std::abs(sources.time - m_measuredAt) >= measuringInterval) {
+        m_performance = PerformancePanel::of(sources.timings.recent(), sources.timings.droppedFrames());
+        m_measuredAt = sources.time;
+    }
+    panels.show(m_performance);
+}
+
+/// While the files are open, they take the lesson's place.
+void PanelContents::showLesson(PanelManager& panels, const std::optional<LessonPanel>& lesson) const
+{
+    const bool isShown = lesson && !panels.isOpen(PanelKind::Files);
+    panels.open(PanelKind::Lesson, isShown);
+    if (!isShown)
+        return;
+    LessonPanel panel = *lesson;
+    panel.page = m_lessonPage;
+    panels.show(panel);
+}
+
+void PanelContents::showNotice(PanelManager& panels, const Sources& sources)
+{
+    if (sources.document.noticeCount != m_noticeCount) {
+        m_noticeCount = sources.document.noticeCount;
+        m_notice.text = sources.document.notice;
+        m_noticedAt = sources.time;
+        panels.open(PanelKind::Notice, false); // it opens again where the user looks now
+        panels.open(PanelKind::Notice);
+    }
+    if (!panels.isOpen(PanelKind::Notice))
+        return;
+    const double opacity = noticeOpacity(m_notice, sources.time - m_noticedAt);
+    panels.show(m_notice, static_cast<float>(opacity));
+    if (sources.time > m_noticedAt && opacity == 0)
+        panels.open(PanelKind::Notice, false);
+}
+} // namespace vr

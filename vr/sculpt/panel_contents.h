@@ -1,0 +1,46 @@
+#pragma once
+
+#include "vr/frame/frame_timing.h"
+#include "vr/panels/panel_manager.h"
+#include "vr/sculpt/brush_state.h"
+#include "vr/sculpt/document_port.h"
+
+namespace vr
+{
+/// Fills the panels of a visit, and keeps what only the headset knows of them: pages, the chosen file, the age of a
+/// notice. Thread: the headset's.
+class PanelContents
+{
+public:
+    struct Sources
+    {
+        const DocumentUpdate& document;
+        const HeadsetSettings& settings;
+        const BrushState& brush;
+        int channel; ///< WandMapping::channel()
+        const FrameTimings& timings;
+        double time; ///< seconds
+    };
+
+    /// Takes the files; another step of a lesson begins at its first page.
+    void update(const DocumentUpdate& before, const DocumentUpdate& now);
+    /// Turns pages and chooses files; other actions change nothing.
+    void apply(const PanelAction& action);
+    /// Shows the contents of all open panels; opens and closes those that the user does not. Once a frame.
+    void show(PanelManager& panels, const Sources& sources);
+
+private:
+    void showPerformance(PanelManager& panels, const Sources& sources);
+    void showLesson(PanelManager& panels, const std::optional<LessonPanel>& lesson) const;
+    void showNotice(PanelManager& panels, const Sources& sources);
+
+    FilesPanel m_files;
+    int m_lessonPage = 0;
+    SettingsPage m_settingsPage = SettingsPage::General;
+    PerformancePanel m_performance;
+    double m_measuredAt = 0; ///< seconds
+    NoticePanel m_notice;
+    quint64 m_noticeCount = 0; ///< DocumentUpdate::noticeCount of the notice
+    double m_noticedAt = 0;    ///< seconds
+};
+} // namespace vr
