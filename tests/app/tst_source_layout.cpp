@@ -1,6 +1,8 @@
 // The layout of the sources: which folder may include which, from the project's root; which libraries belong to which
 // folder; how many files a folder holds; and that the build names every file.
 
+#include "tests/support/test_main.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -541,5 +543,5 @@ void TestSourceLayout::resources_areNamedInCMake()
     QVERIFY2(forgotten.isEmpty(), qPrintable("not in resources.cmake: " + forgotten.join(", ")));
 }
 
-QTEST_GUILESS_MAIN(TestSourceLayout)
+FETTLE_TEST(TestSourceLayout, QCoreApplication)
 #include "tst_source_layout.moc"

@@ -1,6 +1,7 @@
 #include "app/classroom/class_file.h"
 #include "app/classroom/class_pin.h"
 
+#include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 
 #include <QDir>
@@ -168,5 +169,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestClassFile)
+FETTLE_TEST(TestClassFile)
 #include "tst_class_file.moc"

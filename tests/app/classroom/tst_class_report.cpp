@@ -1,6 +1,7 @@
 #include "app/classroom/report_writer.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "core/operations/starter_models.h"
@@ -375,8 +376,5 @@ void TestClassReport::window_writesAReport()
     QVERIFY(!QFile::exists(second) && !program.document.job().isBusy());
 }
 
-int main(int argc, char* argv[])
-{
-    return app::runOnScreen<TestClassReport>(argc, argv, "tst_class_report");
-}
+FETTLE_TEST(TestClassReport, app::OnScreen)
 #include "tst_class_report.moc"

@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "app/classroom/class_file.h"
 #include "app/classroom/class_pin.h"
@@ -690,7 +691,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     victim.start(QCoreApplication::applicationFilePath(),
-                 {QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
+                 {test::runningClass(), QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
     QVERIFY(victim.waitForFinished(timeoutMs));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
     QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);
@@ -736,7 +737,7 @@ int runVictim(const QString& root, int afterNextMs)
 }
 } // namespace
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     if (argc == 4 && qstrcmp(argv[1], "--victim") == 0) {
         ui::prepareGraphics();
@@ -745,6 +746,8 @@ int main(int argc, char* argv[])
         QCoreApplication::setApplicationName(QStringLiteral("tst_classroom"));
         return runVictim(QString::fromLocal8Bit(argv[2]), atoi(argv[3]));
     }
-    return runOnScreen<TestClassroom>(argc, argv, "tst_classroom");
+    return test::run<TestClassroom, app::OnScreen>(argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestClassroom, testMain)
 #include "tst_classroom.moc"

@@ -1,6 +1,7 @@
 #include "app/classroom/work_archive.h"
 #include "app/model/model_loader.h"
 
+#include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 
 #include "core/mesh/mesh_builder.h"
@@ -276,7 +277,7 @@ void TestWorkArchive::leftovers_areSwept()
     QCOMPARE(Places::all(places.works).size(), 2);
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 2048);
@@ -286,4 +287,6 @@ int main(int argc, char* argv[])
     TestWorkArchive test;
     return QTest::qExec(&test, argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestWorkArchive, testMain)
 #include "tst_work_archive.moc"

@@ -2,6 +2,7 @@
 
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 
 #include <QDir>
@@ -1130,7 +1131,7 @@ void TestCommandLine::numbers_haveNoLocale()
     }
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk smallDisk(folder.filePath(QStringLiteral("small")).toStdString());
@@ -1139,4 +1140,6 @@ int main(int argc, char* argv[])
     TestCommandLine test(&smallDisk);
     return QTest::qExec(&test, argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestCommandLine, testMain)
 #include "tst_command_line.moc"

@@ -4,6 +4,7 @@
 #include "core/io/export_check.h"
 #include "core/io/mesh_io.h"
 #include "core/io/stroke/stroke_file.h"
+#include "tests/support/test_main.h"
 
 #include <QApplication>
 #include <QFile>
@@ -162,7 +163,7 @@ void TestGermanLocale::commands_writeAndReadPoints()
     QVERIFY(json[text("overhang_share")].toDouble() > 0.1);
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     const QTemporaryDir locales;
     const QByteArray folder = locales.path().toLocal8Bit();
@@ -175,4 +176,6 @@ int main(int argc, char* argv[])
     TestGermanLocale test;
     return QTest::qExec(&test, argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestGermanLocale, testMain)
 #include "tst_german_locale.moc"

@@ -1,6 +1,7 @@
 // `fettle lesson` as a teacher's script has it.
 #include "core/io/mesh_io.h"
 #include "core/operations/starter_models.h"
+#include "tests/support/test_main.h"
 
 #include <QDir>
 #include <QFile>
@@ -170,5 +171,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLessonCommand)
+FETTLE_TEST(TestLessonCommand, QCoreApplication)
 #include "tst_lesson_command.moc"

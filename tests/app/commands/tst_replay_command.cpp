@@ -5,6 +5,7 @@
 #include "core/operations/starter_models.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <nlohmann/json.hpp>
 
@@ -292,5 +293,5 @@ void TestReplayCommand::strokesAfterACommand_areCheckedAgainstItsModel()
     QVERIFY2(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})) == 0, replay.complaint.constData());
 }
 
-QTEST_GUILESS_MAIN(TestReplayCommand)
+FETTLE_TEST(TestReplayCommand, QCoreApplication)
 #include "tst_replay_command.moc"

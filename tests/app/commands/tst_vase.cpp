@@ -12,6 +12,7 @@
 #include "core/io/mesh_io.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <nlohmann/json.hpp>
 
@@ -297,5 +298,5 @@ void TestVase::eachStage_hasTheHandlesCounted()
     QVERIFY2(vertices >= 10'000 && vertices <= 100'000, qPrintable(QString::number(vertices)));
 }
 
-QTEST_GUILESS_MAIN(TestVase)
+FETTLE_TEST(TestVase, QCoreApplication)
 #include "tst_vase.moc"

@@ -8,6 +8,7 @@
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
+#include "tests/support/test_main.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -827,5 +828,5 @@ void TestDocument::export_intoNowhereIsRefused()
     QVERIFY(!session.document.job().isBusy());
 }
 
-QTEST_GUILESS_MAIN(TestDocument)
+FETTLE_TEST(TestDocument, QCoreApplication)
 #include "tst_document.moc"

@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
 #include "ui/brush/brush_files.h"
 #include "ui/util/thread_mailbox.h"
@@ -569,5 +570,5 @@ void TestDocumentModel::opening_canBeStopped()
     QCOMPARE(session.document.modelInfo().faces, quint64(327680));
 }
 
-QTEST_GUILESS_MAIN(TestDocumentModel)
+FETTLE_TEST(TestDocumentModel, QCoreApplication)
 #include "tst_document_model.moc"

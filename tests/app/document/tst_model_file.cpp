@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "ui/files/file_browser.h"
@@ -241,8 +242,5 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
     QCOMPARE(QDir(o.folder.path()).entryList(QDir::Files).size(), 5);
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestModelFile>(argc, argv, "tst_model_file");
-}
+FETTLE_TEST(TestModelFile, app::OnScreen)
 #include "tst_model_file.moc"

@@ -1,5 +1,6 @@
 #include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "ui/files/file_browser.h"
@@ -312,8 +313,5 @@ void TestOpening::aBrokenModelIsRepairedAndInserted()
     QTRY_COMPARE(program.document.modelInfo().size.x(), before);
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestOpening>(argc, argv, "tst_opening");
-}
+FETTLE_TEST(TestOpening, app::OnScreen)
 #include "tst_opening.moc"

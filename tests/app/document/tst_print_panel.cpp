@@ -3,6 +3,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "ui/print/print_panel.h"
@@ -284,9 +285,6 @@ void TestPrintPanelWindow::home_isTheControlsThatHasTheFocus()
     QTRY_VERIFY((camera.eye() - near).norm() > 10);
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestPrintPanelWindow>(argc, argv, "tst_print_panel");
-}
+FETTLE_TEST(TestPrintPanelWindow, app::OnScreen)
 
 #include "tst_print_panel.moc"

@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "ui/brush/color_panel.h"
@@ -165,9 +166,11 @@ void TestSavedDocument::strangersGlb_leavesBrushAndViewAlone()
     QCOMPARE(program.window.brush()->stroke().symmetry, core::Symmetry::Y);
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     QStandardPaths::setTestModeEnabled(true);
-    return runOnScreen<TestSavedDocument>(argc, argv, "tst_saved_document");
+    return test::run<TestSavedDocument, app::OnScreen>(argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestSavedDocument, testMain)
 #include "tst_saved_document.moc"

@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 
 #include "app/document/history_visit.h"
@@ -309,12 +310,14 @@ void TestTimeLapse::byTheCommandLine()
     QCOMPARE(contentOf(QDir(frames).filePath(QStringLiteral("frame-0001.png"))), first);
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString());
     places::obeyPermissions();
     TestTimeLapse::disk = &disk;
-    return runOnScreen<TestTimeLapse>(argc, argv, "tst_time_lapse");
+    return test::run<TestTimeLapse, app::OnScreen>(argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestTimeLapse, testMain)
 #include "tst_time_lapse.moc"

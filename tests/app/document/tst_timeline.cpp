@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "app/recovery/recovery_store.h"
 #include "app/worker/sculpt_worker.h"
@@ -508,8 +509,5 @@ void TestTimeline::edit_survivesTheProgram()
     QVERIFY(isRight(was));
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestTimeline>(argc, argv, "tst_timeline");
-}
+FETTLE_TEST(TestTimeline, app::OnScreen)
 #include "tst_timeline.moc"

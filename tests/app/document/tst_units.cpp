@@ -2,6 +2,7 @@
 
 #include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "ui/model/unit_bar.h"
@@ -148,8 +149,5 @@ void TestUnits::knownUnits_areNotDoubted()
     QVERIFY(!bar(program));
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestUnits>(argc, argv, "tst_units");
-}
+FETTLE_TEST(TestUnits, app::OnScreen)
 #include "tst_units.moc"

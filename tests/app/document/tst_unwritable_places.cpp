@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 
 #include "core/io/mesh_io.h"
@@ -332,12 +333,14 @@ void TestUnwritablePlaces::filesThatMayNoMoreBeRead_haveAWord()
     QCOMPARE(empty->text(), s.place.folder() + QStringLiteral(" cannot be looked into: it is not permitted."));
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString());
     places::obeyPermissions();
     TestUnwritablePlaces::disk = &disk;
-    return runOnScreen<TestUnwritablePlaces>(argc, argv, "tst_hard_places");
+    return test::run<TestUnwritablePlaces, app::OnScreen>(argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestUnwritablePlaces, testMain)
 #include "tst_unwritable_places.moc"

@@ -1,5 +1,7 @@
 #include "app/document/work_timer.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 using app::WorkTimer;
@@ -47,5 +49,5 @@ void TestWorkTimer::anotherSitting_goesOnCounting()
     QVERIFY((work == core::WorkDone{102, 3610}));
 }
 
-QTEST_GUILESS_MAIN(TestWorkTimer)
+FETTLE_TEST(TestWorkTimer, QCoreApplication)
 #include "tst_work_timer.moc"

@@ -3,6 +3,7 @@
 
 #include "core/io/mesh_io.h"
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 #include "ui/scene/materials.h"
 #include "ui/settings/settings.h"
@@ -540,11 +541,13 @@ void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
     QVERIFY(!headset->isActive());
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 200);
     TestHeadsetControllerRequests::disk = &disk;
-    return runOnScreen<TestHeadsetControllerRequests>(argc, argv, "tst_headset_wishes");
+    return test::run<TestHeadsetControllerRequests, app::OnScreen>(argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestHeadsetControllerRequests, testMain)
 #include "tst_headset_controller_requests.moc"

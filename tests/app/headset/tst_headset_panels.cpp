@@ -1,6 +1,7 @@
 // Each item of the panels in the headset, pressed with a wand that points at it, and looked at in the document and in
 // the window.
 #include "tests/app/headset/headset_visit.h"
+#include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
 #include "app/headset/headset_files.h"
@@ -517,8 +518,5 @@ void TestHeadsetPanels::settings_performance()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestHeadsetPanels>(argc, argv, "tst_headset_panels");
-}
+FETTLE_TEST(TestHeadsetPanels, app::OnScreen)
 #include "tst_headset_panels.moc"

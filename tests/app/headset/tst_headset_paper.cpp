@@ -1,5 +1,6 @@
 // Each button of the preset Paper (section 4.1 of the paper), pressed in the headset and looked at in the document.
 #include "tests/app/headset/headset_visit.h"
+#include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
 #include <numbers>
@@ -372,8 +373,5 @@ void TestHeadsetPaper::labels_fadeOnceUsedAndComeBackWhenLookedAt()
     QCOMPARE(look(0, 2), used);
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestHeadsetPaper>(argc, argv, "tst_headset_paper");
-}
+FETTLE_TEST(TestHeadsetPaper, app::OnScreen)
 #include "tst_headset_paper.moc"

@@ -1,6 +1,7 @@
 // Two people and one model: who wears the headset, and who stands at the desktop.
 // FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw, and the window.
 #include "tests/app/headset/headset_visit.h"
+#include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
 #include "app/classroom/class_pin.h"
@@ -548,8 +549,5 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestHeadsetPartner>(argc, argv, "tst_headset_partner");
-}
+FETTLE_TEST(TestHeadsetPartner, app::OnScreen)
 #include "tst_headset_partner.moc"

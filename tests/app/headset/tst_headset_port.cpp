@@ -2,6 +2,7 @@
 #include "app/headset/headset_port.h"
 
 #include "core/sculpt/sculptor.h"
+#include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -599,5 +600,5 @@ void TestHeadsetPort::twoThreads_getAlong()
     QVERIFY(visit.turns.empty());
 }
 
-QTEST_GUILESS_MAIN(TestHeadsetPort)
+FETTLE_TEST(TestHeadsetPort, QCoreApplication)
 #include "tst_headset_port.moc"

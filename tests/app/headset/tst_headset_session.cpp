@@ -1,6 +1,7 @@
 // A whole session in the headset, as a person has it: against the scripted runtime, with Khronos' validation layer
 // between. FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw.
 #include "tests/app/headset/headset_hand.h"
+#include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
 #include "core/analysis/mesh_check.h"
@@ -162,8 +163,5 @@ void TestHeadsetSession::endsTheSameEveryTime()
     QCOMPARE(play().steps, first.steps);
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestHeadsetSession>(argc, argv, "tst_headset_session");
-}
+FETTLE_TEST(TestHeadsetSession, app::OnScreen)
 #include "tst_headset_session.moc"

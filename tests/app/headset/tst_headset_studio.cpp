@@ -1,5 +1,6 @@
 // Each row of the preset Studio, done in the headset and looked at in the document.
 #include "tests/app/headset/headset_visit.h"
+#include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
 #include <numbers>
@@ -242,8 +243,5 @@ void TestHeadsetStudio::sideButtons_neitherSaveNorRestore()
     QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestHeadsetStudio>(argc, argv, "tst_headset_studio");
-}
+FETTLE_TEST(TestHeadsetStudio, app::OnScreen)
 #include "tst_headset_studio.moc"

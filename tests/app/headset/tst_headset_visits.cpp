@@ -2,6 +2,7 @@
 // runtime, with Khronos' validation layer between.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/other_windows_x11.h"
+#include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
 #include "core/analysis/mesh_check.h"
@@ -792,8 +793,5 @@ void TestHeadsetVisits::process_endsThoughAllIsFrozen()
         QCOMPARE(said.readAll(), QByteArray());
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestHeadsetVisits>(argc, argv, "tst_headset_visits");
-}
+FETTLE_TEST(TestHeadsetVisits, app::OnScreen)
 #include "tst_headset_visits.moc"

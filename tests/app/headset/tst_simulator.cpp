@@ -9,6 +9,7 @@
 #include "tests/support/other_windows_x11.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 #include "tests/vr/simulator/scripted_runtime.h"
 #include "tests/vr/vr_test.h"
 #include "ui/headset/simulator_view.h"
@@ -306,8 +307,5 @@ void TestSimulator::missing_isSaid()
     }
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestSimulator>(argc, argv, "TestSimulator");
-}
+FETTLE_TEST(TestSimulator, app::OnScreen)
 #include "tst_simulator.moc"

@@ -8,6 +8,7 @@
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -381,5 +382,5 @@ void TestSandboxedImporter::mutatedFiles_neverGetThrough()
     qInfo("%d of %d refused, seed %u", refused, 4 * rounds, seed);
 }
 
-QTEST_GUILESS_MAIN(TestSandboxedImporter)
+FETTLE_TEST(TestSandboxedImporter, QCoreApplication)
 #include "tst_sandboxed_importer.moc"

@@ -1,5 +1,6 @@
 // A lesson in the real window: shown, tried, checked, and left.
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_playback.h"
@@ -250,8 +251,5 @@ private Q_SLOTS:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestLessonController>(argc, argv, "tst_lesson_desk");
-}
+FETTLE_TEST(TestLessonController, app::OnScreen)
 #include "tst_lesson_controller.moc"

@@ -1,5 +1,6 @@
 // A teacher's lesson in the real window: recorded by strokes, written, read back and played; opened and changed.
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_model.h"
@@ -498,8 +499,5 @@ private Q_SLOTS:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestLessonEditor>(argc, argv, "tst_lesson_editor");
-}
+FETTLE_TEST(TestLessonEditor, app::OnScreen)
 #include "tst_lesson_editor.moc"

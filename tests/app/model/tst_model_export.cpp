@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "app/model/model_export.h"
 
@@ -365,9 +366,11 @@ void TestModelExport::slicer_thatHangsIsStopped()
     QVERIFY2(outcome.verdict.contains(QStringLiteral("was stopped")), qPrintable(outcome.verdict));
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     QStandardPaths::setTestModeEnabled(true);
-    return runOnScreen<TestModelExport>(argc, argv, "tst_model_export");
+    return test::run<TestModelExport, app::OnScreen>(argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestModelExport, testMain)
 #include "tst_model_export.moc"

@@ -1,6 +1,7 @@
 // Signals that the window survives, and that the programs it starts do not inherit.
 #include "app/platform/child_process.h"
 #include "app/platform/process_signals.h"
+#include "tests/support/test_main.h"
 
 #include <QFile>
 #include <QProcess>
@@ -112,5 +113,5 @@ void TestProcessSignals::window_survivesABrokenPipe()
     QVERIFY(fettle.waitForFinished(longEnough));
 }
 
-QTEST_GUILESS_MAIN(TestProcessSignals)
+FETTLE_TEST(TestProcessSignals, QCoreApplication)
 #include "tst_process_signals.moc"

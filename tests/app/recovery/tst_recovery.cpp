@@ -1,4 +1,5 @@
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 
 #include "app/document/document.h"
@@ -446,8 +447,8 @@ void TestRecovery::startVictim(QProcess& victim, const fs::path& root, std::uint
 {
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     victim.start(QCoreApplication::applicationFilePath(),
-                 {QStringLiteral("--victim"), QString::fromStdString(root.string()), QString::number(seed),
-                  QString::number(changes)});
+                 {test::runningClass(), QStringLiteral("--victim"), QString::fromStdString(root.string()),
+                  QString::number(seed), QString::number(changes)});
     QVERIFY(victim.waitForStarted());
 }
 
@@ -569,7 +570,8 @@ QList<QByteArray> TestRecovery::killAfter(const fs::path& root, int last)
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     victim.start(QCoreApplication::applicationFilePath(),
-                 {QStringLiteral("--kinds"), QString::fromStdString(root.string()), QString::number(last)});
+                 {test::runningClass(), QStringLiteral("--kinds"), QString::fromStdString(root.string()),
+                  QString::number(last)});
     QList<QByteArray> lines;
     while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(timeoutMs))) {
         if (victim.canReadLine())
@@ -931,7 +933,7 @@ QByteArray TestRecovery::killDisplayOf(const fs::path& root, const QString& chan
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
     victim.setProcessEnvironment(environment);
     victim.start(QCoreApplication::applicationFilePath(),
-                 {QStringLiteral("--window"), QString::fromStdString(root.string()), changes});
+                 {test::runningClass(), QStringLiteral("--window"), QString::fromStdString(root.string()), changes});
     if (!victim.waitForReadyRead(timeoutMs) || !victim.readAllStandardOutput().contains("ready"))
         return "not ready: " + victim.readAllStandardError();
     display.die();
@@ -963,7 +965,7 @@ void TestRecovery::lostDisplay_withoutChangesKeepsNothing()
     QVERIFY(fs::is_empty(root));
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));
     QCoreApplication::setApplicationName(QStringLiteral("tst_recovery"));
@@ -992,4 +994,6 @@ int main(int argc, char* argv[])
     largerDisk.reset();
     return status;
 }
+
+FETTLE_TEST_MAIN(TestRecovery, testMain)
 #include "tst_recovery.moc"

@@ -1,5 +1,6 @@
 #include "app/headset/headset_settings.h"
 #include "tests/support/program_driver.h"
+#include "tests/support/test_main.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
@@ -393,8 +394,5 @@ void TestEndToEnd::farModelIsMovedAndItIsSaid()
     QVERIFY(noticed[0][0].toString().contains(QStringLiteral("far.stl")));
 }
 
-int main(int argc, char* argv[])
-{
-    return runOnScreen<TestEndToEnd>(argc, argv, "tst_end_to_end");
-}
+FETTLE_TEST(TestEndToEnd, app::OnScreen)
 #include "tst_end_to_end.moc"

@@ -1,4 +1,5 @@
 #include "tests/support/program.h"
+#include "tests/support/test_main.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/mesh_builder.h"
@@ -249,7 +250,7 @@ void TestRandomInput::theModelStaysSound()
     QCOMPARE(ask(state), before);
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     const QTemporaryDir home; // where its dialogs write
     qputenv("HOME", home.path().toLocal8Bit());
@@ -260,4 +261,6 @@ int main(int argc, char* argv[])
     TestRandomInput test;
     return QTest::qExec(&test, argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestRandomInput, testMain)
 #include "tst_random_input.moc"

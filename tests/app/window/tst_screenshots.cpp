@@ -1,5 +1,6 @@
 #include "app/classroom/classroom_mode.h"
 #include "tests/support/program.h"
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include "core/io/mesh_io.h"
@@ -557,7 +558,7 @@ void TestScreenshots::takeLessonEditor(Program& program)
     take(program.window, QStringLiteral("lesson-editor-recording"));
 }
 
-int main(int argc, char* argv[])
+static int testMain(int argc, char* argv[])
 {
     ui::prepareGraphics();
     QApplication application(argc, argv);
@@ -566,4 +567,6 @@ int main(int argc, char* argv[])
     TestScreenshots test;
     return QTest::qExec(&test, argc, argv);
 }
+
+FETTLE_TEST_MAIN(TestScreenshots, testMain)
 #include "tst_screenshots.moc"

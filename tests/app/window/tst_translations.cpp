@@ -2,6 +2,8 @@
 // program.
 #include "ui/actions/actions.h"
 
+#include "tests/support/test_main.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QDir>
@@ -394,5 +396,5 @@ void TestTranslations::theProgram_countsInEnglish()
     QVERIFY(fettle(one, QStringLiteral("en:de")).contains(QStringLiteral("but 1 was given")));
 }
 
-QTEST_MAIN(TestTranslations)
+FETTLE_TEST(TestTranslations, QApplication)
 #include "tst_translations.moc"

@@ -3,6 +3,7 @@
 
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
+#include "tests/support/test_main.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QDir>
@@ -175,5 +176,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestDrawingWorker)
+FETTLE_TEST(TestDrawingWorker, QApplication)
 #include "tst_drawing_worker.moc"

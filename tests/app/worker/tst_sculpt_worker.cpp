@@ -3,6 +3,7 @@
 
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
+#include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -567,5 +568,5 @@ void TestSculptWorker::inbox_survivesTwoThreads()
     QVERIFY(seen.drawsLike(whole));
 }
 
-QTEST_GUILESS_MAIN(TestSculptWorker)
+FETTLE_TEST(TestSculptWorker, QCoreApplication)
 #include "tst_sculpt_worker.moc"

@@ -5,6 +5,7 @@
 #include "core/geometry/lattice_placement.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -421,5 +422,5 @@ void TestMeshCheck::randomShapes_agreeWithCgal()
     qInfo("%d of %u are print-ready", ready, rounds);
 }
 
-QTEST_APPLESS_MAIN(TestMeshCheck)
+FETTLE_TEST(TestMeshCheck)
 #include "tst_mesh_check.moc"

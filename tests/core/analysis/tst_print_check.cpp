@@ -5,6 +5,7 @@
 #include "core/util/worker_pool.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -369,6 +370,6 @@ void TestPrintCheck::stopped_endsSoon()
     QVERIFY(last > 0.5 && last < 0.9);
 }
 
-QTEST_GUILESS_MAIN(TestPrintCheck)
+FETTLE_TEST(TestPrintCheck, QCoreApplication)
 
 #include "tst_print_check.moc"

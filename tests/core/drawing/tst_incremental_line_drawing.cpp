@@ -5,6 +5,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -152,5 +153,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestIncrementalLineDrawing)
+FETTLE_TEST(TestIncrementalLineDrawing)
 #include "tst_incremental_line_drawing.moc"

@@ -5,6 +5,7 @@
 #include "core/mesh/dirty_slots.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -308,5 +309,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLineDrawing)
+FETTLE_TEST(TestLineDrawing)
 #include "tst_line_drawing.moc"

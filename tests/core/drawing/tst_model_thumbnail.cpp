@@ -2,6 +2,7 @@
 #include "core/io/mesh_io.h"
 
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -189,5 +190,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelThumbnail)
+FETTLE_TEST(TestModelThumbnail)
 #include "tst_model_thumbnail.moc"

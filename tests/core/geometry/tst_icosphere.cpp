@@ -1,5 +1,7 @@
 #include "core/geometry/triangle_mesh.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <map>
@@ -55,5 +57,5 @@ void TestIcosphere::liesOnTheSphere()
         QVERIFY(std::abs(p.cast<double>().norm() - 50) < 1e-5);
 }
 
-QTEST_APPLESS_MAIN(TestIcosphere)
+FETTLE_TEST(TestIcosphere)
 #include "tst_icosphere.moc"

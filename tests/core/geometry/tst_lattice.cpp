@@ -1,5 +1,7 @@
 #include "core/geometry/lattice.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <random>
@@ -86,5 +88,5 @@ void TestLattice::isOnLattice_refusesWhatLiesBetweenOrOutside()
     QVERIFY(!lattice.isOnLattice({0, std::numeric_limits<float>::infinity(), 0}));
 }
 
-QTEST_APPLESS_MAIN(TestLattice)
+FETTLE_TEST(TestLattice)
 #include "tst_lattice.moc"

@@ -2,6 +2,8 @@
 
 #include "core/geometry/predicates.h"
 
+#include "tests/support/test_main.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <QElapsedTimer>
@@ -260,5 +262,5 @@ void TestPredicates::speed()
     QVERIFY(measure("orient3d, float, coplanar", flatPoints, FloatPredicates::orient3d) < 20000);
 }
 
-QTEST_APPLESS_MAIN(TestPredicates)
+FETTLE_TEST(TestPredicates)
 #include "tst_predicates.moc"

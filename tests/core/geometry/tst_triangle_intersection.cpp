@@ -3,6 +3,8 @@
 
 #include "core/geometry/triangle_intersection.h"
 
+#include "tests/support/test_main.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -220,5 +222,5 @@ void TestTriangleIntersection::speed()
     }
 }
 
-QTEST_APPLESS_MAIN(TestTriangleIntersection)
+FETTLE_TEST(TestTriangleIntersection)
 #include "tst_triangle_intersection.moc"

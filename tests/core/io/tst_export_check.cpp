@@ -1,4 +1,5 @@
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/export_check.h"
 #include "core/io/mesh_io.h"
@@ -107,5 +108,5 @@ void TestExportCheck::missingFile_isAnError()
     QVERIFY_EXCEPTION_THROWN(core::checkExport(file(QStringLiteral("none.stl")), painted()), core::FileError);
 }
 
-QTEST_APPLESS_MAIN(TestExportCheck)
+FETTLE_TEST(TestExportCheck)
 #include "tst_export_check.moc"

@@ -1,4 +1,5 @@
 #include "tests/support/mesh_asserts.h"
+#include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
@@ -468,5 +469,5 @@ void TestGlbFile::assimp_readsTheSame()
         }
 }
 
-QTEST_APPLESS_MAIN(TestGlbFile)
+FETTLE_TEST(TestGlbFile)
 #include "tst_glb_file.moc"

@@ -3,6 +3,7 @@
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -234,5 +235,5 @@ void TestGltfDocument::gltf_isNotWritten()
     }
 }
 
-QTEST_APPLESS_MAIN(TestGltfDocument)
+FETTLE_TEST(TestGltfDocument)
 #include "tst_gltf_document.moc"

@@ -5,6 +5,7 @@
 #include "core/util/file_error.h"
 #include "core/util/parallel.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -272,5 +273,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLargeFiles)
+FETTLE_TEST(TestLargeFiles)
 #include "tst_large_files.moc"

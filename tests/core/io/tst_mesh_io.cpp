@@ -3,6 +3,7 @@
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -1064,5 +1065,5 @@ void TestMeshIo::writing_diskLimitLeavesTheOldFile()
 #endif
 }
 
-QTEST_APPLESS_MAIN(TestMeshIo)
+FETTLE_TEST(TestMeshIo)
 #include "tst_mesh_io.moc"

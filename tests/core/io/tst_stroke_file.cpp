@@ -1,6 +1,7 @@
 #include "core/io/stroke/stroke_file.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/deform/brush_model.h"
+#include "tests/support/test_main.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -574,5 +575,5 @@ void TestStrokeFile::readStrokes_refusesWhatIsNoFile()
     QCOMPARE(readStrokes(base + "/good.json").size(), std::size_t(1));
 }
 
-QTEST_APPLESS_MAIN(TestStrokeFile)
+FETTLE_TEST(TestStrokeFile)
 #include "tst_stroke_file.moc"

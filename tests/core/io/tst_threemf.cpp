@@ -3,6 +3,7 @@
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -421,5 +422,5 @@ void TestThreeMf::mutatedModels_neverGetThrough()
     qInfo("%d of %d refused, seed %u", refused, rounds, seed);
 }
 
-QTEST_GUILESS_MAIN(TestThreeMf)
+FETTLE_TEST(TestThreeMf, QCoreApplication)
 #include "tst_threemf.moc"

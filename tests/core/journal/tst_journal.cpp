@@ -10,6 +10,7 @@
 #include "core/sculpt/sculptor.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -658,5 +659,5 @@ void TestJournal::folders_setAsideAreBounded()
     QVERIFY(folder->setAside(aside, 3).empty() && fs::exists(folder->path()));
 }
 
-QTEST_APPLESS_MAIN(TestJournal)
+FETTLE_TEST(TestJournal)
 #include "tst_journal.moc"

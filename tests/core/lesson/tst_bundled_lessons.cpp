@@ -3,6 +3,7 @@
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -280,5 +281,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBundledLessons)
+FETTLE_TEST(TestBundledLessons)
 #include "tst_bundled_lessons.moc"

@@ -1,6 +1,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/lesson/checkpoint.h"
 #include "core/operations/starter_models.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -128,5 +129,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCheckpoint)
+FETTLE_TEST(TestCheckpoint)
 #include "tst_checkpoint.moc"

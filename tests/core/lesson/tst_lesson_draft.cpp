@@ -3,6 +3,7 @@
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -236,5 +237,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLessonDraft)
+FETTLE_TEST(TestLessonDraft)
 #include "tst_lesson_draft.moc"

@@ -2,6 +2,7 @@
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_file.h"
 #include "core/operations/starter_models.h"
+#include "tests/support/test_main.h"
 
 #include <nlohmann/json.hpp>
 
@@ -511,5 +512,5 @@ void TestLessonFile::refuses()
     QCOMPARE(error->kind, kind);
 }
 
-QTEST_APPLESS_MAIN(TestLessonFile)
+FETTLE_TEST(TestLessonFile)
 #include "tst_lesson_file.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -195,5 +196,5 @@ void TestFaceOctree::boxPairs_agreeWithBruteForce()
     }
 }
 
-QTEST_APPLESS_MAIN(TestFaceOctree)
+FETTLE_TEST(TestFaceOctree)
 #include "tst_face_octree.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -159,5 +160,5 @@ void TestFootprint::ofTooManyVertices_isEmpty()
     QVERIFY(!sculptor.footprint(dye(0.2), center).slots.empty());
 }
 
-QTEST_APPLESS_MAIN(TestFootprint)
+FETTLE_TEST(TestFootprint)
 #include "tst_footprint.moc"

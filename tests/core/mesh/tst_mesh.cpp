@@ -4,6 +4,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -471,5 +472,5 @@ void TestMesh::findHalfedge_findsNeighboursOnly()
     }
 }
 
-QTEST_APPLESS_MAIN(TestMesh)
+FETTLE_TEST(TestMesh)
 #include "tst_mesh.moc"

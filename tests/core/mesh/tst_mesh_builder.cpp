@@ -3,6 +3,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -224,5 +225,5 @@ void TestMeshBuilder::extractMesh_roundTrips()
     }
 }
 
-QTEST_APPLESS_MAIN(TestMeshBuilder)
+FETTLE_TEST(TestMeshBuilder)
 #include "tst_mesh_builder.moc"

@@ -7,6 +7,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
 
 #include <QTest>
@@ -237,5 +238,5 @@ void TestMeshPatch::nothingChanged_isAnEmptyPatch()
     QVERIFY(sculptor.takePatch().empty());
 }
 
-QTEST_APPLESS_MAIN(TestMeshPatch)
+FETTLE_TEST(TestMeshPatch)
 #include "tst_mesh_patch.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -174,5 +175,5 @@ void TestSurfaceQuery::color_isTheCornersAndBetweenThemTheirMean()
     QCOMPARE(at(0.998, 0.001), colors[1]);
 }
 
-QTEST_APPLESS_MAIN(TestSurfaceQuery)
+FETTLE_TEST(TestSurfaceQuery)
 #include "tst_surface_query.moc"

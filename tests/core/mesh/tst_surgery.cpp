@@ -5,6 +5,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -234,5 +235,5 @@ void TestSurgery::twoUmbrellas_areNotOkAndSplit()
     QCOMPARE(mesh_asserts::brokenLinks(*mesh), std::string());
 }
 
-QTEST_APPLESS_MAIN(TestSurgery)
+FETTLE_TEST(TestSurgery)
 #include "tst_surgery.moc"

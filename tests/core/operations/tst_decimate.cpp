@@ -1,6 +1,7 @@
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/decimate.h"
@@ -227,5 +228,5 @@ void TestDecimate::closeSheets_doNotMeet()
     }
 }
 
-QTEST_APPLESS_MAIN(TestDecimate)
+FETTLE_TEST(TestDecimate)
 #include "tst_decimate.moc"

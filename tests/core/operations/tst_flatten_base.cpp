@@ -7,6 +7,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -319,6 +320,6 @@ void TestFlattenBase::bed_twiceIsOnce()
     QVERIFY(!applyToCopy(*mesh, PlaceOnBed{}).changes);
 }
 
-QTEST_GUILESS_MAIN(TestFlattenBase)
+FETTLE_TEST(TestFlattenBase, QCoreApplication)
 
 #include "tst_flatten_base.moc"

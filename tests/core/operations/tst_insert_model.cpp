@@ -3,6 +3,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -173,5 +174,5 @@ void TestInsertModel::stopped_changesNothing()
     }
 }
 
-QTEST_APPLESS_MAIN(TestInsertModel)
+FETTLE_TEST(TestInsertModel)
 #include "tst_insert_model.moc"

@@ -10,6 +10,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -549,5 +550,5 @@ void TestMask::footprint_showsWhatIsFree()
     QVERIFY(std::ranges::count_if(footprint.weights, [](int weight) { return weight > 1; }) > 50);
 }
 
-QTEST_GUILESS_MAIN(TestMask)
+FETTLE_TEST(TestMask, QCoreApplication)
 #include "tst_mask.moc"

@@ -1,5 +1,6 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/starter_models.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -99,5 +100,5 @@ void TestStarterModels::edgesAreOfOneKind()
     QCOMPARE_LE(longest, 6 * shortest);
 }
 
-QTEST_APPLESS_MAIN(TestStarterModels)
+FETTLE_TEST(TestStarterModels)
 #include "tst_starter_models.moc"

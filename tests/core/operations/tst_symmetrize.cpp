@@ -4,6 +4,7 @@
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -195,5 +196,5 @@ void TestSymmetrize::stopped_changesNothing()
     QVERIFY(!change.changes && change.delta.empty());
 }
 
-QTEST_GUILESS_MAIN(TestSymmetrize)
+FETTLE_TEST(TestSymmetrize, QCoreApplication)
 #include "tst_symmetrize.moc"

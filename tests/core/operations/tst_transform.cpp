@@ -5,6 +5,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -430,5 +431,5 @@ void TestTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
     VERIFY_VALID(sculptor.mesh());
 }
 
-QTEST_APPLESS_MAIN(TestTransform)
+FETTLE_TEST(TestTransform)
 #include "tst_transform.moc"

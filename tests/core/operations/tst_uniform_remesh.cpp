@@ -5,6 +5,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -318,5 +319,5 @@ void TestUniformRemesh::stopped_changesNothing()
     }
 }
 
-QTEST_APPLESS_MAIN(TestUniformRemesh)
+FETTLE_TEST(TestUniformRemesh)
 #include "tst_uniform_remesh.moc"

@@ -2,6 +2,7 @@
 #include "core/render/mesh_buffer.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/mesh_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -190,5 +191,5 @@ void TestMeshBuffer::destroy_leavesNothing()
     m_buffer.destroy(); // and once more
 }
 
-QTEST_GUILESS_MAIN(TestMeshBuffer)
+FETTLE_TEST(TestMeshBuffer, QCoreApplication)
 #include "tst_mesh_buffer.moc"

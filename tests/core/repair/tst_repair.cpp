@@ -9,6 +9,7 @@
 #include "tests/support/cgal_judge.h"
 #include "tests/support/environment.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -375,5 +376,5 @@ void TestRepair::strangeModels_becomeSolidsOrAreRefused()
     }
 }
 
-QTEST_APPLESS_MAIN(TestRepair)
+FETTLE_TEST(TestRepair)
 #include "tst_repair.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/cgal_judge.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -271,5 +272,5 @@ void TestAlpha::undone()
     QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
 }
 
-QTEST_GUILESS_MAIN(TestAlpha)
+FETTLE_TEST(TestAlpha, QCoreApplication)
 #include "tst_alpha.moc"

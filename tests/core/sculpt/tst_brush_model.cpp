@@ -7,6 +7,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -503,5 +504,5 @@ void TestBrushModel::added_unfitIsRefused()
     QCOMPARE(sculptor->mesh().stateHash(), before);
 }
 
-QTEST_GUILESS_MAIN(TestBrushModel)
+FETTLE_TEST(TestBrushModel, QCoreApplication)
 #include "tst_brush_model.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -266,5 +267,5 @@ void TestDabEngine::addedSphere_beyondTheWallIsRefused()
     QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::Wall);
 }
 
-QTEST_GUILESS_MAIN(TestDabEngine)
+FETTLE_TEST(TestDabEngine, QCoreApplication)
 #include "tst_dab_engine.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -160,5 +161,5 @@ void TestDeform::longest_isTheLongestPlan()
     }
 }
 
-QTEST_APPLESS_MAIN(TestDeform)
+FETTLE_TEST(TestDeform)
 #include "tst_deform.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -110,5 +111,5 @@ void TestFoldSmoothing::motionStoppedAtContact_isNotCalledReached()
     QVERIFY2(reached <= 2 * gap, qPrintable(QString::number(reached)));
 }
 
-QTEST_APPLESS_MAIN(TestFoldSmoothing)
+FETTLE_TEST(TestFoldSmoothing)
 #include "tst_fold_smoothing.moc"

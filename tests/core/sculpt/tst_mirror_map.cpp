@@ -11,6 +11,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -447,5 +448,5 @@ void TestMirrorMap::neck_partsAtThePlane()
     VERIFY_VALID(sculptor.mesh());
 }
 
-QTEST_GUILESS_MAIN(TestMirrorMap)
+FETTLE_TEST(TestMirrorMap, QCoreApplication)
 #include "tst_mirror_map.moc"

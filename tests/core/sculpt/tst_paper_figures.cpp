@@ -7,6 +7,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -425,5 +426,5 @@ void TestPaperFigures::pinch_cutsANeck()
     QVERIFY(sculptor.totals().separations > 0);
 }
 
-QTEST_GUILESS_MAIN(TestPaperFigures)
+FETTLE_TEST(TestPaperFigures, QCoreApplication)
 #include "tst_paper_figures.moc"

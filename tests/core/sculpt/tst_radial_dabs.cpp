@@ -8,6 +8,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -554,5 +555,5 @@ void TestRadialDabs::unusableCount_isAnEmptyDab()
     QCOMPARE(sculptor->mesh().stateHash(), before);
 }
 
-QTEST_GUILESS_MAIN(TestRadialDabs)
+FETTLE_TEST(TestRadialDabs, QCoreApplication)
 #include "tst_radial_dabs.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -189,5 +190,5 @@ void TestRegion::latticeBox_holdsTheBallAndIsClipped()
     QVERIFY(all.max == core::LatticePoint::Constant(core::Lattice::limit));
 }
 
-QTEST_APPLESS_MAIN(TestRegion)
+FETTLE_TEST(TestRegion)
 #include "tst_region.moc"

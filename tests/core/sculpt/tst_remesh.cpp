@@ -1,6 +1,7 @@
 #include "core/sculpt/remesh/remesh.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -327,5 +328,5 @@ void TestRemesh::refine_reachesABrushInsideOneFace()
     VERIFY_VALID(*s.mesh);
 }
 
-QTEST_APPLESS_MAIN(TestRemesh)
+FETTLE_TEST(TestRemesh)
 #include "tst_remesh.moc"

@@ -13,6 +13,7 @@
 #include "tests/support/fuzz_run.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -699,5 +700,5 @@ void TestSculptor::rehearsal_leavesNoTrace()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSculptor)
+FETTLE_TEST(TestSculptor)
 #include "tst_sculptor.moc"

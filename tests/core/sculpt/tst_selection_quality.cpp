@@ -3,6 +3,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -138,5 +139,5 @@ void TestSelectionQuality::sculptor_measuresWhatTheLastDabSelected()
     VERIFY_LINKED(sculptor.mesh());
 }
 
-QTEST_APPLESS_MAIN(TestSelectionQuality)
+FETTLE_TEST(TestSelectionQuality)
 #include "tst_selection_quality.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -558,5 +559,5 @@ void TestTools::undone()
     QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
 }
 
-QTEST_GUILESS_MAIN(TestTools)
+FETTLE_TEST(TestTools, QCoreApplication)
 #include "tst_tools.moc"

@@ -3,6 +3,7 @@
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/solid_asserts.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -151,5 +152,5 @@ void TestTurntable::replay_isDeterministic()
     QCOMPARE(turned(turn)->mesh().stateHash(), turned(turn)->mesh().stateHash());
 }
 
-QTEST_GUILESS_MAIN(TestTurntable)
+FETTLE_TEST(TestTurntable, QCoreApplication)
 #include "tst_turntable.moc"

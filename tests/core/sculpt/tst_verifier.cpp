@@ -6,6 +6,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -591,5 +592,5 @@ void TestVerifier::brokenLink_isBad()
     QVERIFY(!subject.verifier.verify(mesh, subject.octree, touched).ok());
 }
 
-QTEST_APPLESS_MAIN(TestVerifier)
+FETTLE_TEST(TestVerifier)
 #include "tst_verifier.moc"

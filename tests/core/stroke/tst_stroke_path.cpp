@@ -1,5 +1,7 @@
 #include "core/stroke/stroke_path.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 using core::StrokePath;
@@ -215,5 +217,5 @@ void TestStrokePath::surfaceThatRises_ends()
     QVERIFY(dabs >= 100 && dabs <= StrokePath::maxLengthRatio * 112);
 }
 
-QTEST_APPLESS_MAIN(TestStrokePath)
+FETTLE_TEST(TestStrokePath)
 #include "tst_stroke_path.moc"

@@ -1,5 +1,6 @@
 #include "core/stroke/stroke.h"
 #include "core/stroke/tool.h"
+#include "tests/support/test_main.h"
 
 #include <QTest>
 
@@ -92,5 +93,5 @@ void TestTool::parameters_haveTheirDefaultsInRange()
         QVERIFY(row.min <= row.defaultValue && row.defaultValue <= row.max);
 }
 
-QTEST_APPLESS_MAIN(TestTool)
+FETTLE_TEST(TestTool)
 #include "tst_tool.moc"

@@ -1,6 +1,7 @@
 #include "core/io/mesh_io.h"
 #include "core/util/atomic_file.h"
 #include "core/util/numbered_backup.h"
+#include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -115,5 +116,5 @@ void TestNumberedBackup::keptModels_areReadByTheirFormat()
     QVERIFY(!meshFormatOf("ball.ply~") && !meshFormatOf("ball~1") && meshFormatOf("ball.ply~12") == MeshFormat::Ply);
 }
 
-QTEST_APPLESS_MAIN(TestNumberedBackup)
+FETTLE_TEST(TestNumberedBackup)
 #include "tst_numbered_backup.moc"

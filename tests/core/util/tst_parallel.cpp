@@ -1,5 +1,7 @@
 #include "core/util/parallel.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <atomic>
@@ -110,5 +112,5 @@ void TestParallel::helpersAsleepOrAwake_doAll()
     }
 }
 
-QTEST_APPLESS_MAIN(TestParallel)
+FETTLE_TEST(TestParallel)
 #include "tst_parallel.moc"

@@ -1,5 +1,7 @@
 #include "core/util/slot_map.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <random>
@@ -135,5 +137,5 @@ void TestSlotMap::take_dependsOnFreeSlotsAndHintOnly()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSlotMap)
+FETTLE_TEST(TestSlotMap)
 #include "tst_slot_map.moc"

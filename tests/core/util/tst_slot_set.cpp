@@ -1,5 +1,7 @@
 #include "core/util/slot_set.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <random>
@@ -76,5 +78,5 @@ void TestSlotSet::sort_ascends()
     QCOMPARE(set.slots(), std::vector<Slot>(known.begin(), known.end()));
 }
 
-QTEST_APPLESS_MAIN(TestSlotSet)
+FETTLE_TEST(TestSlotSet)
 #include "tst_slot_set.moc"

@@ -1,5 +1,7 @@
 #include "core/util/sparse_index.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <map>
@@ -49,5 +51,5 @@ void TestSparseIndex::randomUse_agreesWithAMap()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSparseIndex)
+FETTLE_TEST(TestSparseIndex)
 #include "tst_sparse_index.moc"

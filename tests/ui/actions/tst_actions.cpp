@@ -1,5 +1,6 @@
 #include "ui/actions/actions.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include "core/stroke/tool.h"
@@ -144,5 +145,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestActions)
+FETTLE_TEST(TestActions, ui::TestApplication)
 #include "tst_actions.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/shortcut_map.h"
 
@@ -161,5 +162,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestShortcutMap)
+FETTLE_TEST(TestShortcutMap, QCoreApplication)
 #include "tst_shortcut_map.moc"

@@ -1,4 +1,5 @@
 // Files that become an alpha or a brush's shape, good ones and bad ones; and how the window chooses them.
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include "core/io/mesh_io.h"
@@ -441,5 +442,5 @@ void TestBrushFiles::aFile_isReadAnew()
     }
 }
 
-UI_TEST_MAIN(TestBrushFiles)
+FETTLE_TEST(TestBrushFiles, ui::TestApplication)
 #include "tst_brush_files.moc"

@@ -5,6 +5,7 @@
 #include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAction>
@@ -228,5 +229,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestColorPanel)
+FETTLE_TEST(TestColorPanel, ui::TestApplication)
 #include "tst_color_panel.moc"

@@ -7,6 +7,7 @@
 #include "core/util/file_error.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QDir>
@@ -192,5 +193,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestDrawingSheet)
+FETTLE_TEST(TestDrawingSheet, ui::TestApplication)
 #include "tst_drawing_sheet.moc"

@@ -4,6 +4,7 @@
 #include "core/mesh/dirty_slots.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAction>
@@ -161,5 +162,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestPreviewPanel)
+FETTLE_TEST(TestPreviewPanel, ui::TestApplication)
 #include "tst_preview_panel.moc"

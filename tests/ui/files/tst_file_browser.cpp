@@ -8,6 +8,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/operations/starter_models.h"
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAction>
@@ -479,5 +480,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestFileBrowser)
+FETTLE_TEST(TestFileBrowser, ui::TestApplication)
 #include "tst_file_browser.moc"

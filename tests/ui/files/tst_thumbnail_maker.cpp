@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "ui/files/file_jobs.h"
 #include "ui/files/thumbnail_maker.h"
 
@@ -181,5 +182,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestThumbnailMaker)
+FETTLE_TEST(TestThumbnailMaker, QCoreApplication)
 #include "tst_thumbnail_maker.moc"

@@ -2,6 +2,7 @@
 #include "ui/headset/simulator_view.h"
 #include "ui/headset/simulator_window.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QLabel>
@@ -236,5 +237,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestSimulatorView)
+FETTLE_TEST(TestSimulatorView, ui::TestApplication)
 #include "tst_simulator_view.moc"

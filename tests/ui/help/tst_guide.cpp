@@ -2,6 +2,7 @@
 #include "ui/help/guide_window.h"
 #include "ui/help/help_text.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAction>
@@ -186,5 +187,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestGuide)
+FETTLE_TEST(TestGuide, ui::TestApplication)
 #include "tst_guide.moc"

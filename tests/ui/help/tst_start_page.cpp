@@ -6,6 +6,7 @@
 #include "ui/settings/settings.h"
 #include "ui/window/main_window.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAction>
@@ -202,5 +203,5 @@ private:
     }
 };
 
-UI_TEST_MAIN(TestStartPage)
+FETTLE_TEST(TestStartPage, ui::TestApplication)
 #include "tst_start_page.moc"

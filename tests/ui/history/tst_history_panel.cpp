@@ -1,6 +1,7 @@
 #include "ui/history/history_panel.h"
 #include "ui/settings/settings.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QLabel>
@@ -169,5 +170,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestHistoryPanel)
+FETTLE_TEST(TestHistoryPanel, ui::TestApplication)
 #include "tst_history_panel.moc"

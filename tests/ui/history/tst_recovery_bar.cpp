@@ -1,5 +1,6 @@
 #include "ui/history/recovery_bar.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QLabel>
@@ -104,5 +105,5 @@ void TestRecoveryBar::discarding_isAskedOnce()
     QVERIFY(m_bar->isVisible());
 }
 
-UI_TEST_MAIN(TestRecoveryBar)
+FETTLE_TEST(TestRecoveryBar, ui::TestApplication)
 #include "tst_recovery_bar.moc"

@@ -1,5 +1,7 @@
 #include "ui/input/pointer_input.h"
 
+#include "tests/support/test_main.h"
+
 #include <QSignalSpy>
 #include <QTest>
 
@@ -775,5 +777,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPointerInput)
+FETTLE_TEST(TestPointerInput)
 #include "tst_pointer_input.moc"

@@ -1,5 +1,6 @@
 #include "ui/model/model_dialogs.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QComboBox>
@@ -193,5 +194,5 @@ void TestModelDialogs::cancelled_isNoAnswer()
     QVERIFY(!asking.command);
 }
 
-UI_TEST_MAIN(TestModelDialogs)
+FETTLE_TEST(TestModelDialogs, ui::TestApplication)
 #include "tst_model_dialogs.moc"

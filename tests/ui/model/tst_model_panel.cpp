@@ -1,5 +1,6 @@
 #include "ui/model/model_panel.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QLabel>
@@ -62,5 +63,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestModelPanel)
+FETTLE_TEST(TestModelPanel, ui::TestApplication)
 #include "tst_model_panel.moc"

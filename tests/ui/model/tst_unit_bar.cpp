@@ -1,5 +1,6 @@
 #include "ui/model/unit_bar.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QLabel>
@@ -130,5 +131,5 @@ void TestUnitBar::longNames_leaveRoomForTheButtons()
         QTRY_VERIFY2(m_bar->rect().contains(QRect(button(name)->mapTo(m_bar, QPoint()), button(name)->size())), name);
 }
 
-UI_TEST_MAIN(TestUnitBar)
+FETTLE_TEST(TestUnitBar, ui::TestApplication)
 #include "tst_unit_bar.moc"

@@ -2,6 +2,7 @@
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/preferences/pressure_curve.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QCheckBox>
@@ -138,5 +139,5 @@ private:
     }
 };
 
-UI_TEST_MAIN(TestPreferencesDialog)
+FETTLE_TEST(TestPreferencesDialog, ui::TestApplication)
 #include "tst_preferences_dialog.moc"

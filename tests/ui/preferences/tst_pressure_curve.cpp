@@ -1,5 +1,6 @@
 #include "ui/preferences/pressure_curve.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QSignalSpy>
@@ -53,5 +54,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestPressureCurve)
+FETTLE_TEST(TestPressureCurve, ui::TestApplication)
 #include "tst_pressure_curve.moc"

@@ -1,5 +1,6 @@
 #include "ui/preferences/pressure_test.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QTabletEvent>
@@ -71,5 +72,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestPressureTest)
+FETTLE_TEST(TestPressureTest, ui::TestApplication)
 #include "tst_pressure_test.moc"

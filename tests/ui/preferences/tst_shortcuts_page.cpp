@@ -3,6 +3,7 @@
 #include "ui/preferences/shortcuts_page.h"
 #include "ui/widgets/shortcut_edit.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QComboBox>
@@ -211,5 +212,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestShortcutsPage)
+FETTLE_TEST(TestShortcutsPage, ui::TestApplication)
 #include "tst_shortcuts_page.moc"

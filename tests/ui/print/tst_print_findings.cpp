@@ -6,6 +6,7 @@
 
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QSettings>
@@ -118,5 +119,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestPrintFindings)
+FETTLE_TEST(TestPrintFindings, ui::TestApplication)
 #include "tst_print_findings.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
@@ -369,5 +370,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-UI_TEST_MAIN(TestReferenceImages)
+FETTLE_TEST(TestReferenceImages, ui::TestApplication)
 #include "tst_reference_images.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
@@ -414,5 +415,5 @@ void TestHeadsetAvatar::appearanceChanges_areReported()
     QCOMPARE(s.viewport.shading(), ui::shadingOf(ui::Material::Wax));
 }
 
-UI_TEST_MAIN(TestHeadsetAvatar)
+FETTLE_TEST(TestHeadsetAvatar, ui::TestApplication)
 #include "tst_headset_avatar.moc"

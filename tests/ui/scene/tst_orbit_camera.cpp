@@ -1,5 +1,7 @@
 #include "ui/scene/orbit_camera.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <random>
@@ -381,5 +383,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrbitCamera)
+FETTLE_TEST(TestOrbitCamera)
 #include "tst_orbit_camera.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
@@ -406,5 +407,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestScene)
+FETTLE_TEST(TestScene, ui::TestApplication)
 #include "tst_scene.moc"

@@ -2,6 +2,7 @@
 
 #include "core/geometry/lattice.h"
 #include "core/sculpt/deform/alpha.h"
+#include "tests/support/test_main.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -201,5 +202,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBrushSettings)
+FETTLE_TEST(TestBrushSettings)
 #include "tst_brush_settings.moc"

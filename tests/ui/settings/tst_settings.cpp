@@ -1,5 +1,7 @@
 #include "ui/settings/settings.h"
 
+#include "tests/support/test_main.h"
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
@@ -183,5 +185,5 @@ private:
     QTemporaryDir m_home;
 };
 
-QTEST_GUILESS_MAIN(TestSettings)
+FETTLE_TEST(TestSettings, QCoreApplication)
 #include "tst_settings.moc"

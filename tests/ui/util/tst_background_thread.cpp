@@ -1,5 +1,7 @@
 #include "ui/util/background_thread.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <future>
@@ -85,5 +87,5 @@ void TestBackgroundThread::dropsWhatHasNotBegun()
     QVERIFY(!isDone);
 }
 
-QTEST_GUILESS_MAIN(TestBackgroundThread)
+FETTLE_TEST(TestBackgroundThread, QCoreApplication)
 #include "tst_background_thread.moc"

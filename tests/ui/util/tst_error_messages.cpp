@@ -1,6 +1,7 @@
 #include "ui/util/error_messages.h"
 
 #include "core/analysis/mesh_check.h"
+#include "tests/support/test_main.h"
 
 #include <QSet>
 #include <QTest>
@@ -131,5 +132,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestErrorMessages)
+FETTLE_TEST(TestErrorMessages)
 #include "tst_error_messages.moc"

@@ -1,5 +1,7 @@
 #include "ui/util/thread_mailbox.h"
 
+#include "tests/support/test_main.h"
+
 #include <QEventLoop>
 #include <QTest>
 #include <QThread>
@@ -108,5 +110,5 @@ void TestThreadMailbox::dropsWhatWaitsWhenItGoes()
     QVERIFY(!isOpened);
 }
 
-QTEST_GUILESS_MAIN(TestThreadMailbox)
+FETTLE_TEST(TestThreadMailbox, QCoreApplication)
 #include "tst_thread_mailbox.moc"

@@ -1,5 +1,7 @@
 #include "ui/viewport/keyboard_cursor.h"
 
+#include "tests/support/test_main.h"
+
 #include <QKeyEvent>
 #include <QTest>
 
@@ -179,5 +181,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKeyboardCursor)
+FETTLE_TEST(TestKeyboardCursor, QCoreApplication)
 #include "tst_keyboard_cursor.moc"

@@ -2,6 +2,7 @@
 
 #include "ui/scene/orbit_camera.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <cmath>
@@ -68,5 +69,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestScaleBar)
+FETTLE_TEST(TestScaleBar, ui::TestApplication)
 #include "tst_scale_bar.moc"

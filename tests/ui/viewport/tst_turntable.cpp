@@ -1,5 +1,7 @@
 #include "ui/viewport/turntable.h"
 
+#include "tests/support/test_main.h"
+
 #include <QSignalSpy>
 #include <QTest>
 
@@ -61,5 +63,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTurntable)
+FETTLE_TEST(TestTurntable, QCoreApplication)
 #include "tst_turntable.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
@@ -560,5 +561,5 @@ private:
     QPointingDevice* m_finger = QTest::createTouchDevice();
 };
 
-UI_TEST_MAIN(TestViewport)
+FETTLE_TEST(TestViewport, ui::TestApplication)
 #include "tst_viewport.moc"

@@ -1,5 +1,6 @@
 #include "ui/widgets/theme.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QCheckBox>
@@ -259,5 +260,5 @@ private:
     Bus m_bus; ///< before anything asks for the session bus
 };
 
-UI_TEST_MAIN(TestTheme)
+FETTLE_TEST(TestTheme, ui::TestApplication)
 #include "tst_theme.moc"

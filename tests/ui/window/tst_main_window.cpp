@@ -6,6 +6,7 @@
 #include "ui/util/format_filters.h"
 #include "ui/window/main_window.h"
 
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAbstractButton>
@@ -1283,5 +1284,5 @@ private Q_SLOTS:
     }
 };
 
-UI_TEST_MAIN(TestMainWindow)
+FETTLE_TEST(TestMainWindow, ui::TestApplication)
 #include "tst_main_window.moc"

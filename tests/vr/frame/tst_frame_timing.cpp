@@ -1,5 +1,7 @@
 #include "vr/frame/frame_timing.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <atomic>
@@ -138,5 +140,5 @@ void TestFrameTiming::sleepCostsNothing()
     QVERIFY(clock.timing().of(FramePhase::Wait) < 25);
 }
 
-QTEST_GUILESS_MAIN(TestFrameTiming)
+FETTLE_TEST(TestFrameTiming, QCoreApplication)
 #include "tst_frame_timing.moc"

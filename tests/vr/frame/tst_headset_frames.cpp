@@ -1,5 +1,6 @@
 // What a frame brings to a client and takes from it. Against the scripted runtime, with Khronos' validation layer
 // between.
+#include "tests/support/test_main.h"
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
 
@@ -441,5 +442,5 @@ void TestHeadsetFrames::phasesAreMeasured()
     QCOMPARE(2 * shown, visitor.client->draws.load());
 }
 
-VR_TEST_MAIN(TestHeadsetFrames)
+FETTLE_TEST(TestHeadsetFrames, vr::GlxTestApplication)
 #include "tst_headset_frames.moc"

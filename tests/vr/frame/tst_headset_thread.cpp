@@ -1,5 +1,6 @@
 // Visits to the headset: how they begin, go on, and end, and that another may follow. Against the scripted runtime,
 // with Khronos' validation layer between.
+#include "tests/support/test_main.h"
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
 
@@ -599,5 +600,5 @@ void TestHeadsetThread::isLeftWhileTakenOff()
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
 }
 
-VR_TEST_MAIN(TestHeadsetThread)
+FETTLE_TEST(TestHeadsetThread, vr::GlxTestApplication)
 #include "tst_headset_thread.moc"

@@ -1,4 +1,5 @@
 // Runs once more where OpenGL comes by EGL.
+#include "tests/support/test_main.h"
 #include "tests/vr/gl/connection_glx.h"
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
@@ -50,5 +51,5 @@ void TestGlBinding::whatTheRuntimeDoesNotTakeIsSaid()
     QCOMPARE(headset.complaints(), QString());
 }
 
-VR_TEST_MAIN(TestGlBinding)
+FETTLE_TEST(TestGlBinding, vr::GlxTestApplication)
 #include "tst_gl_binding.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "vr/input/button_presets.h"
 #include "vr/input/wand_mapping.h"
 
@@ -224,5 +225,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestButtonPresets)
+FETTLE_TEST(TestButtonPresets, QCoreApplication)
 #include "tst_button_presets.moc"

@@ -1,5 +1,6 @@
 #include "vr/input/haptics.h"
 
+#include "tests/support/test_main.h"
 #include "tests/vr/input/hand_motion.h"
 
 #include <QTest>
@@ -291,5 +292,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHaptics)
+FETTLE_TEST(TestHaptics, QCoreApplication)
 #include "tst_haptics.moc"

@@ -1,5 +1,7 @@
 #include "vr/input/model_placement.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <numbers>
@@ -278,5 +280,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestModelPlacement)
+FETTLE_TEST(TestModelPlacement, QCoreApplication)
 #include "tst_model_placement.moc"

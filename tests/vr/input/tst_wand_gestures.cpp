@@ -1,5 +1,6 @@
 #include "vr/input/wand_gestures.h"
 
+#include "tests/support/test_main.h"
 #include "tests/vr/input/hand_motion.h"
 
 #include <QTest>
@@ -518,5 +519,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWandGestures)
+FETTLE_TEST(TestWandGestures, QCoreApplication)
 #include "tst_wand_gestures.moc"

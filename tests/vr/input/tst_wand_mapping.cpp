@@ -1,5 +1,6 @@
 #include "vr/input/wand_mapping.h"
 
+#include "tests/support/test_main.h"
 #include "tests/vr/input/command_names.h"
 #include "tests/vr/input/hand_motion.h"
 
@@ -959,5 +960,5 @@ void TestWandMapping::atRandomNothingIsLeftOpen()
     QVERIFY(hands.releaseAll().empty());
 }
 
-QTEST_GUILESS_MAIN(TestWandMapping)
+FETTLE_TEST(TestWandMapping, QCoreApplication)
 #include "tst_wand_mapping.moc"

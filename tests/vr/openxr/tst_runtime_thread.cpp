@@ -1,5 +1,7 @@
 #include "vr/openxr/runtime_thread.h"
 
+#include "tests/support/test_main.h"
+
 #include <QSignalSpy>
 #include <QTest>
 
@@ -123,5 +125,5 @@ void TestRuntimeThread::work_isLeftBehind()
     QVERIFY(shared->isDone);
 }
 
-QTEST_GUILESS_MAIN(TestRuntimeThread)
+FETTLE_TEST(TestRuntimeThread, QCoreApplication)
 #include "tst_runtime_thread.moc"

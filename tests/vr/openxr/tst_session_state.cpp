@@ -1,5 +1,7 @@
 #include "vr/openxr/session_state.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <algorithm>
@@ -150,5 +152,5 @@ void TestSessionState::onlyTheFocusedHaveInput()
     }
 }
 
-QTEST_GUILESS_MAIN(TestSessionState)
+FETTLE_TEST(TestSessionState, QCoreApplication)
 #include "tst_session_state.moc"

@@ -1,6 +1,8 @@
 // Every suggestion is legal for its wand, by the tables of section 6.4 of the OpenXR specification.
 #include "vr/openxr/xr_bindings.h"
 
+#include "tests/support/test_main.h"
+
 #include <QMap>
 #include <QSet>
 #include <QTest>
@@ -161,5 +163,5 @@ void TestXrBindings::names_areLegal()
     QCOMPARE(names.size(), qsizetype(vr::controlCount));
 }
 
-QTEST_GUILESS_MAIN(TestXrBindings)
+FETTLE_TEST(TestXrBindings, QCoreApplication)
 #include "tst_xr_bindings.moc"

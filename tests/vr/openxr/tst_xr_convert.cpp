@@ -1,5 +1,7 @@
 #include "vr/openxr/xr_convert.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <cmath>
@@ -126,5 +128,5 @@ void TestXrConvert::levelBelowOfSteepHeads()
     }
 }
 
-QTEST_GUILESS_MAIN(TestXrConvert)
+FETTLE_TEST(TestXrConvert, QCoreApplication)
 #include "tst_xr_convert.moc"

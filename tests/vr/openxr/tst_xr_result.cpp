@@ -1,5 +1,7 @@
 #include "vr/openxr/xr_result.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 using vr::XrError;
@@ -60,5 +62,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestXrResult)
+FETTLE_TEST(TestXrResult, QCoreApplication)
 #include "tst_xr_result.moc"

@@ -1,5 +1,7 @@
 #include "vr/openxr/xr_swapchain.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <qopengl.h>
@@ -35,5 +37,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestXrSwapchain)
+FETTLE_TEST(TestXrSwapchain, QCoreApplication)
 #include "tst_xr_swapchain.moc"

@@ -1,5 +1,7 @@
 #include "vr/panels/panel_images.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 #include <QThread>
 
@@ -109,5 +111,5 @@ void TestPanelImages::itMayEndAnyTime()
     }
 }
 
-QTEST_MAIN(TestPanelImages)
+FETTLE_TEST(TestPanelImages, QGuiApplication)
 #include "tst_panel_images.moc"

@@ -1,5 +1,6 @@
 #include "vr/panels/panel_layout.h"
 
+#include "tests/support/test_main.h"
 #include "tests/vr/panels/example_panels.h"
 #include "vr/panels/panel_theme.h"
 
@@ -316,5 +317,5 @@ void TestPanelLayout::aNotice_isReadBeforeItFades()
         QCOMPARE(vr::noticeOpacity(wordy, age), 0.0);
 }
 
-QTEST_MAIN(TestPanelLayout)
+FETTLE_TEST(TestPanelLayout, QGuiApplication)
 #include "tst_panel_layout.moc"

@@ -1,5 +1,6 @@
 #include "vr/panels/panel_painter.h"
 
+#include "tests/support/test_main.h"
 #include "tests/vr/panels/example_panels.h"
 #include "vr/panels/panel_icons.h"
 
@@ -399,5 +400,5 @@ void TestPanelPainter::pictures_ofThemAll()
     }
 }
 
-QTEST_MAIN(TestPanelPainter)
+FETTLE_TEST(TestPanelPainter, QGuiApplication)
 #include "tst_panel_painter.moc"

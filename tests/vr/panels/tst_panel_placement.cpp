@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "vr/input/model_placement.h"
 #include "vr/panels/panel_manager.h"
 
@@ -307,5 +308,5 @@ void TestPanelPlacement::aRay_meetsThePointItAimsAt()
     });
 }
 
-QTEST_GUILESS_MAIN(TestPanelPlacement)
+FETTLE_TEST(TestPanelPlacement, QCoreApplication)
 #include "tst_panel_placement.moc"

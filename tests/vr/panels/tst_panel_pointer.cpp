@@ -1,5 +1,6 @@
 #include "vr/panels/panel_pointer.h"
 
+#include "tests/support/test_main.h"
 #include "vr/input/wand_gestures.h"
 #include "vr/panels/panel_content.h"
 
@@ -399,5 +400,5 @@ void TestPanelPointer::aTouch_isWhatThePictureShows()
     QVERIFY(wand.pointer.touch(kind) == vr::PanelTouch{restore});
 }
 
-QTEST_GUILESS_MAIN(TestPanelPointer)
+FETTLE_TEST(TestPanelPointer, QCoreApplication)
 #include "tst_panel_pointer.moc"

@@ -1,5 +1,7 @@
 #include "vr/panels/panel_content.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <numeric>
@@ -124,5 +126,5 @@ void TestPerformancePanel::afterFewFrames_itKnowsTheRate()
     QCOMPARE(PerformancePanel::of(many(4), 0).framesPerSecond, 90);
 }
 
-QTEST_GUILESS_MAIN(TestPerformancePanel)
+FETTLE_TEST(TestPerformancePanel, QCoreApplication)
 #include "tst_performance_panel.moc"

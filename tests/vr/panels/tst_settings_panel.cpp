@@ -1,5 +1,7 @@
 #include "vr/panels/panel_content.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <limits>
@@ -166,5 +168,5 @@ void TestSettingsPanel::whatWasChosen_isShownAsChosen()
     }
 }
 
-QTEST_GUILESS_MAIN(TestSettingsPanel)
+FETTLE_TEST(TestSettingsPanel, QCoreApplication)
 #include "tst_settings_panel.moc"

@@ -1,5 +1,7 @@
 #include "vr/panels/text_fit.h"
 
+#include "tests/support/test_main.h"
+
 #include <QFontMetricsF>
 #include <QTest>
 
@@ -136,5 +138,5 @@ void TestTextFit::nothing_isNothing()
     QVERIFY(joined(text).isEmpty());
 }
 
-QTEST_MAIN(TestTextFit)
+FETTLE_TEST(TestTextFit, QGuiApplication)
 #include "tst_text_fit.moc"

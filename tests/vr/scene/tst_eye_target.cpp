@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "tests/vr/gl/offscreen_gl.h"
 
 #include "vr/gl/gl_program.h"
@@ -159,5 +160,5 @@ void TestEyeTarget::badImages_areRefused()
     QVERIFY(m_target.resolve(asked(image)));
 }
 
-VR_TEST_MAIN(TestEyeTarget)
+FETTLE_TEST(TestEyeTarget, vr::GlTestApplication)
 #include "tst_eye_target.moc"

@@ -1,5 +1,6 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 #include "tests/ui/sphere_model.h"
 #include "tests/vr/gl/offscreen_gl.h"
 #include "tests/vr/scene/counted_allocations.h"
@@ -664,5 +665,5 @@ void TestHeadsetScene::floor_isSeenBelow()
     QVERIFY(below > 500);
 }
 
-VR_TEST_MAIN(TestHeadsetScene)
+FETTLE_TEST(TestHeadsetScene, vr::GlTestApplication)
 #include "tst_headset_scene.moc"

@@ -1,4 +1,5 @@
 // The same clay, drawn for the desktop and for an eye of the headset that looks from the same place.
+#include "tests/support/test_main.h"
 #include "tests/ui/sphere_model.h"
 #include "tests/vr/gl/offscreen_gl.h"
 
@@ -203,5 +204,5 @@ void TestHeadsetShading::headsTurn_changesNoShade()
     QVERIFY(lightest > darkest + 60);
 }
 
-VR_TEST_MAIN(TestHeadsetShading)
+FETTLE_TEST(TestHeadsetShading, vr::GlTestApplication)
 #include "tst_headset_shading.moc"

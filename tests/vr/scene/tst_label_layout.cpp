@@ -1,4 +1,5 @@
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 #include "vr/scene/label_layout.h"
 
 #include <QTest>
@@ -104,5 +105,5 @@ void TestLabelLayout::axes_areFiniteAnywhere()
     }
 }
 
-QTEST_GUILESS_MAIN(TestLabelLayout)
+FETTLE_TEST(TestLabelLayout, QCoreApplication)
 #include "tst_label_layout.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_main.h"
 #include "tests/vr/gl/offscreen_gl.h"
 
 #include "vr/scene/label_textures.h"
@@ -89,5 +90,5 @@ void TestLabelTextures::whatIsNotNeeded_goes()
     QCOMPARE(textures(), 0);
 }
 
-VR_TEST_MAIN(TestLabelTextures)
+FETTLE_TEST(TestLabelTextures, vr::GlTestApplication)
 #include "tst_label_textures.moc"

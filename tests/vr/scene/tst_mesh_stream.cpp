@@ -1,4 +1,5 @@
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
 #include "vr/scene/mesh_stream.h"
 
 #include <QTest>
@@ -258,5 +259,5 @@ void TestMeshStream::spansAreKept()
     }
 }
 
-QTEST_GUILESS_MAIN(TestMeshStream)
+FETTLE_TEST(TestMeshStream, QCoreApplication)
 #include "tst_mesh_stream.moc"

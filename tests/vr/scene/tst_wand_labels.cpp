@@ -1,5 +1,6 @@
 #include "vr/scene/wand_labels.h"
 
+#include "tests/support/test_main.h"
 #include "tests/vr/input/hand_motion.h"
 #include "tests/vr/scene/counted_allocations.h"
 
@@ -450,5 +451,5 @@ void TestWandLabels::steps_allocateNothing()
     QCOMPARE(allocations - before, 0L);
 }
 
-QTEST_GUILESS_MAIN(TestWandLabels)
+FETTLE_TEST(TestWandLabels, QCoreApplication)
 #include "tst_wand_labels.moc"

@@ -1,5 +1,6 @@
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh/vertex_welder.h"
+#include "tests/support/test_main.h"
 #include "vr/scene/wand_model.h"
 
 #include <QTest>
@@ -164,5 +165,5 @@ void TestWandModel::trigger_turnsIntoTheBody()
     QVERIFY(vr::triggerTurn(7).isApprox(vr::triggerTurn(1)));
 }
 
-QTEST_GUILESS_MAIN(TestWandModel)
+FETTLE_TEST(TestWandModel, QCoreApplication)
 #include "tst_wand_model.moc"

@@ -1,5 +1,6 @@
 #include "vr/sculpt/brush_state.h"
 
+#include "tests/support/test_main.h"
 #include "tests/vr/input/hand_motion.h"
 
 #include "core/stroke/stroke_path.h"
@@ -209,5 +210,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBrushState)
+FETTLE_TEST(TestBrushState, QCoreApplication)
 #include "tst_brush_state.moc"

@@ -1,6 +1,8 @@
 // What the client in the headset does with the document when frames stop: without a runtime, and without a picture.
 #include "vr/sculpt/sculpt_client.h"
 
+#include "tests/support/test_main.h"
+
 #include <QTest>
 
 #include <cmath>
@@ -104,5 +106,5 @@ void TestSculptClient::times_areTheVisits()
     QVERIFY(std::abs(person.port->last.time - 1.122) < 1e-5); // the visit's, not the stroke's
 }
 
-QTEST_GUILESS_MAIN(TestSculptClient)
+FETTLE_TEST(TestSculptClient, QCoreApplication)
 #include "tst_sculpt_client.moc"

@@ -1,4 +1,5 @@
 // What a client hears of buttons, and what the wands feel of it.
+#include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_player.h"
 #include "tests/vr/simulator/scripted_runtime.h"
 #include "tests/vr/vr_test.h"
@@ -356,5 +357,5 @@ void TestActions::refusesWrongUse()
     QCOMPARE(runtime.clientErrors().size(), 9);
 }
 
-VR_TEST_MAIN(TestActions)
+FETTLE_TEST(TestActions, vr::GlxTestApplication)
 #include "tst_actions.moc"

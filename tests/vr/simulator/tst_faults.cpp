@@ -1,4 +1,5 @@
 // Each fault that a script can put in a client's way, once.
+#include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_client.h"
 #include "tests/vr/simulator/scripted_runtime.h"
 #include "tests/vr/vr_test.h"
@@ -271,5 +272,5 @@ void TestFaults::freezes()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-VR_TEST_MAIN(TestFaults)
+FETTLE_TEST(TestFaults, vr::GlxTestApplication)
 #include "tst_faults.moc"

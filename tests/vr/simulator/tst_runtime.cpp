@@ -1,5 +1,6 @@
 // The tool that other tests lean on: it keeps the specification's rules, does what its script says, and sees what a
 // client does wrong.
+#include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_client.h"
 #include "tests/vr/simulator/scripted_runtime.h"
 #include "tests/vr/vr_test.h"
@@ -466,5 +467,5 @@ void TestRuntime::refusesBadScripts()
     QVERIFY(!ScriptedRuntime::load(script).isEmpty());
 }
 
-VR_TEST_MAIN(TestRuntime)
+FETTLE_TEST(TestRuntime, vr::GlxTestApplication)
 #include "tst_runtime.moc"

@@ -1,4 +1,5 @@
 // Where a client finds head, eyes and wands, and when it does not.
+#include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_player.h"
 #include "tests/vr/simulator/scripted_runtime.h"
 #include "tests/vr/vr_test.h"
@@ -178,5 +179,5 @@ void TestSpaces::hasNoStage()
              XR_SPACE_BOUNDS_UNAVAILABLE);
 }
 
-VR_TEST_MAIN(TestSpaces)
+FETTLE_TEST(TestSpaces, vr::GlxTestApplication)
 #include "tst_spaces.moc"

@@ -1,6 +1,8 @@
 // Versions of OpenXR that the simulator accepts from a loader and from a client.
 #include "vr/simulator/loader_interface.h"
 
+#include "tests/support/test_main.h"
+
 #include <QLibrary>
 #include <QTest>
 
@@ -117,5 +119,5 @@ void TestVersions::client_mustAskFor10()
         QCOMPARE(function<PFN_xrDestroyInstance>(instance, "xrDestroyInstance")(instance), XR_SUCCESS);
 }
 
-QTEST_GUILESS_MAIN(TestVersions)
+FETTLE_TEST(TestVersions, QCoreApplication)
 #include "tst_versions.moc"
