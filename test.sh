@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the whole test suite without a screen.
-#   ./test.sh [--soak] [--asan | --tsan | --debug] [CTEST ARGUMENTS]
-#   --soak   with the long tests
+#   ./test.sh [--long | --soak] [--asan | --tsan | --debug] [CTEST ARGUMENTS]
+#   --long   the fuzzers, the random tests and the pictures in full, which without it are a sample
+#   --soak   the same, and the tests that take hours
 #   --asan, --tsan, --debug   in that preset instead of release
-# Anything else goes to ctest, e.g. ./test.sh -L core, ./test.sh -R tst_mesh.
+# Anything else goes to ctest, e.g. ./test.sh -L core, ./test.sh -R core/mesh.
 set -euo pipefail
 . "$(dirname "$(readlink -f "$0")")/resources/packaging/prepare.sh"
 
@@ -11,7 +12,8 @@ preset=release
 soak=(-LE '^soak$')
 while [ $# -gt 0 ]; do
     case $1 in
-        --soak) soak=() ;;
+        --long) export FETTLE_EFFORT=long ;;
+        --soak) export FETTLE_EFFORT=long; soak=() ;;
         --asan | --tsan | --debug) preset=${1#--} ;;
         *) break ;;
     esac
@@ -26,6 +28,9 @@ fettle_unlock
 
 status=0
 ctest --test-dir "$fettle_root/build/$preset" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" ${soak[@]+"${soak[@]}"} "$@" || status=$?
+log=$fettle_root/build/$preset/Testing/Temporary/LastTest.log
 echo "Skipped, and why:"
-grep "^SKIP" "$fettle_root/build/$preset/Testing/Temporary/LastTest.log" || echo "nothing"
+grep "^SKIP" "$log" || echo "nothing"
+echo "The slowest, in seconds:"
+awk '/^[0-9]+\/[0-9]+ Testing: / {name = $3} /^Test time =/ {printf "%7.1f  %s\n", $4, name}' "$log" | sort -rn | sed -n 1,20p || true
 exit $status

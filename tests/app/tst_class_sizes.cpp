@@ -3,6 +3,7 @@
 // that are known:
 //     FETTLE_WRITE_SIZES=1 ctest --test-dir build/release -R tst_class_sizes
 #include "tests/app/source_outline.h"
+#include "tests/support/test_main.h"
 
 #include <QDirIterator>
 #include <QFile>
@@ -282,5 +283,5 @@ void TestClassSizes::sources_keepTheLimits()
     QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
 }
 
-QTEST_GUILESS_MAIN(TestClassSizes)
+FETTLE_TEST(TestClassSizes, QCoreApplication)
 #include "tst_class_sizes.moc"

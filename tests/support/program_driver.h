@@ -1,6 +1,8 @@
 #pragma once
 
+#include "tests/support/display.h"
 #include "tests/support/program.h"
+#include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAbstractButton>
@@ -36,20 +38,27 @@ inline void drag(QWidget* widget, const QPoint& by, Qt::KeyboardModifiers modifi
     QTest::mouseRelease(widget, Qt::LeftButton, modifiers, from + by);
 }
 
-/// main() of a test of the real window. Without a display ctest says that it was skipped.
-template <class Test> int runOnScreen(int argc, char* argv[], const char* name)
+/// The application of a test of the real window. Without a display ctest says that it was skipped.
+class OnScreen
 {
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-        qInfo("SKIP   : there is no display");
-        return 77; // tests/CMakeLists.txt tells ctest
+public:
+    OnScreen(int& argc, char** argv) : m_application(prepared(argc), argv)
+    {
+        QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+        QCoreApplication::setApplicationName(test::runningClass());
     }
-    ui::prepareGraphics();
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
-    QCoreApplication::setApplicationName(QLatin1StringView(name));
-    Test test;
-    return QTest::qExec(&test, argc, argv);
-}
+
+    static const char* missing() { return test::hasDisplay() ? nullptr : "there is no display"; }
+
+private:
+    static int& prepared(int& argc)
+    {
+        ui::prepareGraphics();
+        return argc;
+    }
+
+    QApplication m_application;
+};
 
 /// The window with a model from a file, seen and active.
 inline void openFile(Program& program, const QString& path, const QSize& size = {1200, 800})

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/display.h"
+#include "tests/support/test_main.h"
 #include "ui/scene/scene.h"
 #include "ui/viewport/viewport.h"
 
@@ -11,19 +13,28 @@
 #include <QTest>
 #include <QUrl>
 
-/// The program's graphics; without a display Qt's offscreen platform, where tests that need OpenGL skip themselves.
-#define UI_TEST_MAIN(TestClass)                                                                                        \
-    int main(int argc, char* argv[])                                                                                   \
-    {                                                                                                                  \
-        if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))                  \
-            qputenv("QT_QPA_PLATFORM", "offscreen");                                                                   \
-        ui::prepareGraphics();                                                                                         \
-        QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));                                           \
-        QCoreApplication::setApplicationName(QStringLiteral(#TestClass));                                              \
-        QApplication application(argc, argv);                                                                          \
-        TestClass test;                                                                                                \
-        return QTest::qExec(&test, argc, argv);                                                                        \
+namespace ui
+{
+/// The program's graphics. Without a display it is Qt's offscreen platform, where tests that need OpenGL skip
+/// themselves.
+class TestApplication
+{
+public:
+    TestApplication(int& argc, char** argv) : m_application(prepared(argc), argv) {}
+
+private:
+    static int& prepared(int& argc)
+    {
+        test::useOffscreenUnless(test::hasDisplay());
+        prepareGraphics();
+        QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));
+        QCoreApplication::setApplicationName(test::runningClass());
+        return argc;
     }
+
+    QApplication m_application;
+};
+} // namespace ui
 
 #define SKIP_WITHOUT_GRAPHICS()                                                                                        \
     if (const QString unable = ui::graphicsProblem(); !unable.isEmpty())                                               \

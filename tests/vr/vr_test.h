@@ -1,20 +1,30 @@
 #pragma once
 
+#include "tests/support/display.h"
+
 #include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QTest>
 #include <QtGui/qopenglcontext_platform.h>
 
-/// Without a display Qt's offscreen platform, where tests that need GLX skip themselves.
-#define VR_TEST_MAIN(TestClass)                                                                                        \
-    int main(int argc, char* argv[])                                                                                   \
-    {                                                                                                                  \
-        if (qEnvironmentVariableIsEmpty("DISPLAY"))                                                                    \
-            qputenv("QT_QPA_PLATFORM", "offscreen");                                                                   \
-        QGuiApplication application(argc, argv);                                                                       \
-        TestClass test;                                                                                                \
-        return QTest::qExec(&test, argc, argv);                                                                        \
+namespace vr
+{
+/// Without an X display it is Qt's offscreen platform, where tests that need GLX skip themselves.
+class GlxTestApplication
+{
+public:
+    GlxTestApplication(int& argc, char** argv) : m_application(prepared(argc), argv) {}
+
+private:
+    static int& prepared(int& argc)
+    {
+        test::useOffscreenUnless(test::hasX11());
+        return argc;
     }
+
+    QGuiApplication m_application;
+};
+} // namespace vr
 
 #define SKIP_WITHOUT_GLX()                                                                                             \
     if (const QString unable = glxProblem(); !unable.isEmpty())                                                        \

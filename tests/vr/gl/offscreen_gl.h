@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/display.h"
 #include "vr/gl/eye_image.h"
 #include "vr/util/pose.h"
 
@@ -13,17 +14,26 @@
 #include <cmath>
 #include <vector>
 
-/// OpenGL without a window; without a display Qt's offscreen platform, where tests that need OpenGL skip themselves.
-#define VR_TEST_MAIN(TestClass)                                                                                        \
-    int main(int argc, char* argv[])                                                                                   \
-    {                                                                                                                  \
-        if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))                  \
-            qputenv("QT_QPA_PLATFORM", "offscreen");                                                                   \
-        QGuiApplication application(argc, argv);                                                                       \
-        TestClass test;                                                                                                \
-        return QTest::qExec(&test, argc, argv);                                                                        \
+namespace vr
+{
+/// Without a display it is Qt's offscreen platform, where tests that need OpenGL skip themselves.
+class GlTestApplication
+{
+public:
+    GlTestApplication(int& argc, char** argv) : m_application(prepared(argc), argv) {}
+
+private:
+    static int& prepared(int& argc)
+    {
+        test::useOffscreenUnless(test::hasDisplay());
+        return argc;
     }
 
+    QGuiApplication m_application;
+};
+} // namespace vr
+
+/// OpenGL without a window.
 class OffscreenGl
 {
 public:
