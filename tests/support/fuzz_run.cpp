@@ -4,6 +4,7 @@
 #include "core/mesh/mesh_hash.h"
 #include "core/operations/uniform_remesh.h"
 #include "tests/support/clay.h"
+#include "tests/support/effort.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -145,8 +146,8 @@ void FuzzRun::fail(const std::string& what)
         return;
     std::ostringstream text;
     text << m_where << ", step " << m_steps.size() << ", dab " << m_dabs << ": " << what
-         << "; again with FETTLE_SEED=" << m_seed << " FETTLE_PLANE=" << name(m_start.plane)
-         << " FETTLE_START=" << save(m_start, m_seed).string();
+         << "; again with FETTLE_EFFORT=" << effortName() << " FETTLE_SEED=" << m_seed
+         << " FETTLE_PLANE=" << name(m_start.plane) << " FETTLE_START=" << save(m_start, m_seed).string();
     m_problem = text.str();
 }
 

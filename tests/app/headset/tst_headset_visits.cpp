@@ -1,6 +1,7 @@
 // Entering and leaving, two people at one document, and all that can go wrong with a headset: against the scripted
 // runtime, with Khronos' validation layer between.
 #include "tests/app/headset/headset_visit.h"
+#include "tests/support/effort.h"
 #include "tests/support/other_windows_x11.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
@@ -132,7 +133,7 @@ void TestHeadsetVisits::keep(const char* fault, const HeadsetFixture& fixture, c
 void TestHeadsetVisits::repeatedVisits()
 {
     HeadsetFixture fixture;
-    constexpr int visits = 10;
+    const int visits = byEffort(3, 10);
     std::vector<std::uint64_t> hashes{fixture.startHash};
     const auto changed = [&] {
         fixture.hand.settle();

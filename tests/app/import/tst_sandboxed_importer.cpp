@@ -7,6 +7,7 @@
 #include "app/platform/resource_limits.h"
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
@@ -360,7 +361,7 @@ void TestSandboxedImporter::filesBeyondTheFolder_areNotRead()
 
 void TestSandboxedImporter::mutatedFiles_neverGetThrough()
 {
-    const int rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 5000 : 20;
+    const int rounds = byEffort(5, 20, 5000);
     std::mt19937 engine(seed);
     int refused = 0;
     for (const auto& [exporter, name] :

@@ -1,3 +1,4 @@
+#include "tests/support/effort.h"
 #include "tests/support/stroke_fuzzer.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -483,8 +484,7 @@ void TestRecovery::kill_losesNothingThatWasFinished()
 {
     QFETCH(quint64, seed);
     constexpr int changes = 60;
-    const bool isLong = qEnvironmentVariableIsSet("FETTLE_SOAK");
-    const int kills = isLong ? 300 : 12;
+    const int kills = byEffort(4, 12, 300);
     QProcess whole;
     QElapsedTimer clock;
     startVictim(whole, newRoot(), seed, changes);

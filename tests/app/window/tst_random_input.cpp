@@ -1,3 +1,4 @@
+#include "tests/support/effort.h"
 #include "tests/support/program.h"
 #include "tests/support/test_main.h"
 
@@ -24,7 +25,7 @@ using namespace app;
 
 namespace
 {
-constexpr int shortSeconds = 8, soakSeconds = 150;
+constexpr int smallSeconds = 4, longSeconds = 8, soakSeconds = 150;
 constexpr quint64 maxVertices = 60'000; ///< more, and the hand begins anew
 
 /// Somebody who presses, drags, types and chooses whatever comes, on the window and in every dialog that opens.
@@ -185,8 +186,8 @@ void RandomInput::rest()
 }
 } // namespace
 
-/// Minutes of senseless work on the real window (FETTLE_SOAK; seconds without it). What goes wrong shows as a crash,
-/// under the sanitizers best, as a model that is not sound, or as steps that cannot be undone and done again.
+/// Minutes of senseless work on the real window (FETTLE_EFFORT=soak; seconds otherwise). What goes wrong shows as a
+/// crash, under the sanitizers best, as a model that is not sound, or as steps that cannot be undone and done again.
 class TestRandomInput : public QObject
 {
     Q_OBJECT
@@ -217,7 +218,7 @@ void TestRandomInput::theModelStaysSound()
         RandomInput hand(program, seed);
         QElapsedTimer clock;
         clock.start();
-        const int seconds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? soakSeconds : shortSeconds;
+        const int seconds = byEffort(smallSeconds, longSeconds, soakSeconds);
         int acts = 0;
         for (; clock.elapsed() < 1000 * seconds; ++acts)
             hand.act();

@@ -4,6 +4,7 @@
 #include "core/analysis/nesting.h"
 #include "core/geometry/lattice_placement.h"
 #include "tests/support/cgal_judge.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
@@ -410,7 +411,7 @@ void TestMeshCheck::randomShapes_agreeWithCgal_data()
 void TestMeshCheck::randomShapes_agreeWithCgal()
 {
     QFETCH(std::function<TriangleMesh(unsigned)>, make);
-    const unsigned rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 5000 : 120;
+    const unsigned rounds = byEffort(30u, 120u, 5000u);
     int ready = 0;
     for (unsigned i = 0; i < rounds; ++i) {
         const TriangleMesh mesh = make(i);

@@ -2,6 +2,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
@@ -948,7 +949,7 @@ void TestMeshIo::mutatedFiles_neverGetThrough()
 {
     QFETCH(QString, name);
     QFETCH(QByteArray, bytes);
-    const int rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 200'000 : 1'500;
+    const int rounds = byEffort(300, 1'500, 200'000);
     const QList<QByteArray> words{"-1",
                                   "0",
                                   "4294967295",

@@ -2,6 +2,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
@@ -367,7 +368,7 @@ void TestThreeMf::manyCopies_areRefused()
 /// The package is whole, its XML is not.
 void TestThreeMf::mutatedModels_neverGetThrough()
 {
-    const int rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 200'000 : 1'500;
+    const int rounds = byEffort(300, 1'500, 200'000);
     const std::string group = R"(<m:colorgroup id="5"><m:color color="#FF0000"/></m:colorgroup>)";
     const std::string good = model(group + object(1, mesh(R"(pid="5" p1="0")")) +
                                        object(2, R"(<components><component objectid="1"/></components>)"),

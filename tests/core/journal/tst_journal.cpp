@@ -8,6 +8,7 @@
 #include "core/mesh/mesh_hash.h"
 #include "core/operations/snapshot.h"
 #include "core/sculpt/sculptor.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
 #include "tests/support/test_main.h"
@@ -297,9 +298,14 @@ void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
     QCOMPARE(ends.size(), session.states.size());
     const fs::path folder = copyOf(session.journal().folder());
     std::size_t record = ends.size() - 1;
+    const auto isNearAnEnd = [&](std::size_t bytes) {
+        return std::ranges::any_of(ends, [&](std::size_t end) { return bytes + 2 >= end && bytes <= end + 2; });
+    };
     for (std::size_t bytes = whole.size(); bytes <= whole.size(); --bytes) {
-        fs::resize_file(segmentFile(folder, 0), bytes);
         record -= bytes < ends[record];
+        if (bytes % byEffort(31u, 1u) != 0 && !isNearAnEnd(bytes))
+            continue;
+        fs::resize_file(segmentFile(folder, 0), bytes);
         const auto found = recoverJournal(folder);
         QVERIFY2(found && stateOf(*found) == session.states[record], qPrintable(QString::number(bytes)));
         QVERIFY(!found->isDamaged); // a power cut does that

@@ -2,6 +2,7 @@
 #include "core/operations/model_command.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
@@ -355,7 +356,7 @@ void TestTransform::strokesAndCommands_areUndoneAndRedoneBitForBit_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::addColumn<std::uint64_t>("seed");
-    for (std::uint64_t seed = 1; seed <= (qEnvironmentVariableIsSet("FETTLE_SOAK") ? 40 : 2); ++seed) {
+    for (std::uint64_t seed = 1; seed <= byEffort(1u, 2u, 40u); ++seed) {
         QTest::addRow("ball %d", int(seed)) << icosphere(3, 50) << seed;
         QTest::addRow("fingers %d", int(seed)) << clay::twoFingers(0.05) << seed;
         QTest::addRow("nested shells %d", int(seed)) << shapes::nestedSpheres(true) << seed;

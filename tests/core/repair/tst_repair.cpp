@@ -1,5 +1,5 @@
-// FETTLE_SOAK=1: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on. FETTLE_MODELS=n:
-// another number of them.
+// FETTLE_EFFORT=soak: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on.
+// FETTLE_MODELS=n: another number of them.
 
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mesh_hash.h"
@@ -7,6 +7,7 @@
 #include "core/util/worker_pool.h"
 #include "tests/support/bad_models.h"
 #include "tests/support/cgal_judge.h"
+#include "tests/support/effort.h"
 #include "tests/support/environment.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
@@ -360,8 +361,7 @@ void TestRepair::stopped_hasNoMesh()
 void TestRepair::strangeModels_becomeSolidsOrAreRefused()
 {
     const auto first = static_cast<unsigned>(numberFromEnvironment("FETTLE_SEED", 1));
-    const auto count = static_cast<unsigned>(
-        numberFromEnvironment("FETTLE_MODELS", qEnvironmentVariableIsSet("FETTLE_SOAK") ? 20'000 : 40));
+    const auto count = static_cast<unsigned>(numberFromEnvironment("FETTLE_MODELS", byEffort(12, 40, 20'000)));
     for (unsigned seed = first; seed < first + count; ++seed) {
         const TriangleMesh mesh = strangeModel(seed);
         const RepairResult result = repairMesh(mesh);

@@ -6,6 +6,7 @@
 #include "core/operations/model_command.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
+#include "tests/support/effort.h"
 #include "tests/support/environment.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
@@ -37,12 +38,6 @@ Q_DECLARE_METATYPE(core::TriangleMesh)
 namespace
 {
 constexpr Slot leastFaces = 12, maxFaces = 10'000; ///< a run whose mesh is smaller or larger ends
-
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t usualDabs = 60;
-#else
-constexpr std::uint64_t usualDabs = 15; // 5 to 30 times slower
-#endif
 
 core::TriangleMesh symmetrized(const core::TriangleMesh& shape, Symmetry plane)
 {
@@ -201,7 +196,7 @@ void TestMirrorMap::randomStrokes_keepTheSymmetry()
 {
     QFETCH(core::TriangleMesh, shape);
     QFETCH(Symmetry, plane);
-    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", usualDabs);
+    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", isSlowBuild ? 15u : byEffort(15u, 60u));
     Tally tally;
     for (std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 1); tally.dabs < dabs; ++seed) {
         MirrorRun run(shape, plane, seed);

@@ -1,14 +1,15 @@
 // The promise under random and under meant strokes: after every dab the mesh is valid and the index right, undo and
 // redo give the same bits, and what can be done is done.
 //
-// FETTLE_SOAK=1: a million dabs. FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs. FETTLE_TRACE=1:
-// says what each dab did. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run begins with that mesh, symmetric about
-// that plane.
+// FETTLE_EFFORT=soak: a million dabs. FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs.
+// FETTLE_TRACE=1: says what each dab did. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run begins with that mesh,
+// symmetric about that plane.
 
 #include "core/io/mesh_io.h"
 #include "core/sculpt/sculptor.h"
 #include "core/util/worker_pool.h"
 #include "tests/support/clay.h"
+#include "tests/support/effort.h"
 #include "tests/support/environment.h"
 #include "tests/support/fuzz_run.h"
 #include "tests/support/shapes.h"
@@ -34,12 +35,6 @@ using core::Tool;
 using core::TriangleMesh;
 using core::Vec3;
 using mesh_asserts::sculptable;
-
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t usualDabs = 20'000;
-#else
-constexpr std::uint64_t usualDabs = 300; // 5 to 30 times slower
-#endif
 } // namespace
 
 class TestSculptor : public QObject
@@ -118,7 +113,7 @@ core::Box boundsOf(const Mesh& mesh)
 
 namespace
 {
-constexpr std::uint64_t dabsPerRun = 250, dabsPerLine = 10'000, seedsPerPart = 1'000'000;
+constexpr std::uint64_t dabsPerLine = 10'000, seedsPerPart = 1'000'000;
 constexpr int fuzzParts = 4;
 /// Of a soak, beyond what each test run does: to do a run again takes as long as the run, and finds only what is not
 /// the same twice.
@@ -183,8 +178,10 @@ void TestSculptor::randomStrokes_keepThePromise_data()
 void TestSculptor::randomStrokes_keepThePromise()
 {
     QFETCH(int, part);
-    const bool soak = qEnvironmentVariableIntValue("FETTLE_SOAK") != 0;
-    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : usualDabs) / fuzzParts;
+    const auto dabsPerRun = byEffort<std::uint64_t>(100, 250);
+    const auto usualDabs = isSlowBuild ? std::uint64_t(300) : byEffort<std::uint64_t>(fuzzParts * 4 * 100, 20'000);
+    const std::uint64_t dabs =
+        numberFromEnvironment("FETTLE_DABS", effort() == Effort::Soak ? 1'000'000 : usualDabs) / fuzzParts;
     const std::uint64_t seed =
         numberFromEnvironment("FETTLE_SEED", 20240812) + seedsPerPart * static_cast<std::uint64_t>(part);
     FuzzStarts starts;
