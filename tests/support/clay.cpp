@@ -1,5 +1,6 @@
 #include "tests/support/clay.h"
 
+#include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 
 #include <cmath>
@@ -168,5 +169,26 @@ TriangleMesh twoFingers(double gap)
         p = {0.35f * p.x(), p.y(), 0.35f * p.z()};
     const float offset = static_cast<float>(0.35 + gap / 2);
     return shapes::together(shapes::moved(one, {-offset, 0, 0}), shapes::moved(one, {offset, 0, 0}));
+}
+
+std::unique_ptr<core::Sculptor> ball(int subdivisions)
+{
+    return std::make_unique<core::Sculptor>(mesh_asserts::sculptable(core::icosphere(subdivisions, ballRadius)));
+}
+
+std::vector<core::DabReport> stroke(core::Sculptor& sculptor, const core::StrokeSettings& settings,
+                                    const std::vector<core::Vec3>& path)
+{
+    std::vector<core::DabReport> reports;
+    sculptor.beginStroke(settings);
+    for (const core::Vec3& at : path) {
+        core::StrokeSample sample;
+        sample.position = at;
+        sample.direction = -at;
+        for (const core::DabReport& report : sculptor.addSample(sample))
+            reports.push_back(report);
+    }
+    sculptor.endStroke();
+    return reports;
 }
 } // namespace clay

@@ -1,6 +1,10 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/sculpt/sculptor.h"
+
+#include <memory>
+#include <vector>
 
 /// Shapes that sculpting tests work on: closed, facing outwards, free of self-intersections, about one unit large.
 namespace clay
@@ -23,4 +27,11 @@ TriangleMesh cutRing(double gap);
 TriangleMesh spiral();
 /// Two long balls side by side, `gap` apart at their nearest.
 TriangleMesh twoFingers(double gap);
+
+constexpr double ballRadius = 50; ///< millimetres
+
+std::unique_ptr<core::Sculptor> ball(int subdivisions = 5);
+/// Returns what each dab did. Samples point to the middle of the ball.
+std::vector<core::DabReport> stroke(core::Sculptor& sculptor, const core::StrokeSettings& settings,
+                                    const std::vector<core::Vec3>& path);
 } // namespace clay

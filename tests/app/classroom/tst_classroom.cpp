@@ -1,3 +1,4 @@
+#include "tests/support/ask_worker.h"
 #include "tests/support/effort.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
@@ -164,16 +165,7 @@ struct Class
         QTest::keyClicks(part<QLineEdit>("pin"), text);
         QTest::keyClick(part<QLineEdit>("pin"), Qt::Key_Return);
     }
-    std::uint64_t hash()
-    {
-        std::optional<std::uint64_t> answer;
-        ui::ThreadMailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) {
-            mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
-        });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, timeoutMs); }();
-        return answer.value_or(0);
-    }
+    std::uint64_t hash() { return meshHash(program.worker); }
 
     qint64 now = 0;
     RecoveryStore store;

@@ -8,6 +8,7 @@
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
+#include "tests/support/ask_worker.h"
 #include "tests/support/test_main.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/thread_mailbox.h"
@@ -41,42 +42,20 @@ struct Session
         settle();
     }
 
-    /// Until the mesh thread and the document's queue have run dry.
-    void settle()
-    {
-        for (int i = 0; i < 3; ++i) {
-            bool reached = false;
-            ui::ThreadMailbox mail;
-            worker.post([&](core::Sculptor&) { mail.post([&reached] { reached = true; }); });
-            QTRY_VERIFY_WITH_TIMEOUT(reached, 60'000);
-            QCoreApplication::processEvents();
-        }
-    }
+    void settle() { app::settle(worker); }
 
     std::uint64_t state()
     {
         settle();
-        std::optional<std::uint64_t> hash;
-        ui::ThreadMailbox mail;
-        worker.post([&](core::Sculptor& sculptor) {
-            const std::uint64_t value = sculptor.mesh().stateHash();
-            mail.post([&hash, value] { hash = value; });
-        });
-        [&] { QTRY_VERIFY(hash); }();
-        return hash.value_or(0);
+        return stateHash(worker);
     }
 
     /// The whole mesh is in order.
     void verifyWhole()
     {
-        std::optional<bool> isSound;
-        ui::ThreadMailbox mail;
-        worker.post([&](core::Sculptor& sculptor) {
-            const bool value = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
-            mail.post([&isSound, value] { isSound = value; });
-        });
-        QTRY_VERIFY(isSound);
-        QVERIFY(*isSound);
+        QVERIFY(ask(worker, [](core::Sculptor& sculptor) {
+            return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
+        }));
     }
 
     void stroke(const core::Vec3& where, core::Tool tool = core::Tool::Pull, int samples = 1)

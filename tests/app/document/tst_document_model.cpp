@@ -6,6 +6,7 @@
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
+#include "tests/support/ask_worker.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
@@ -54,35 +55,19 @@ struct Session
         settle();
     }
 
-    /// Until the mesh thread and the document's queue have run dry.
-    void settle()
-    {
-        for (int i = 0; i < 3; ++i) {
-            bool reached = false;
-            ui::ThreadMailbox mail;
-            worker.post([&](core::Sculptor&) { mail.post([&reached] { reached = true; }); });
-            QTRY_VERIFY_WITH_TIMEOUT(reached, timeoutMs);
-            QCoreApplication::processEvents();
-        }
-    }
+    void settle() { app::settle(worker); }
 
     /// Of the mesh, as which the viewer sees it, too.
     std::uint64_t state()
     {
         settle();
-        std::optional<std::uint64_t> hash;
-        core::MeshPatch whole;
-        ui::ThreadMailbox mail;
-        worker.post([&](core::Sculptor& sculptor) {
-            whole = sculptor.wholePatch();
-            const std::uint64_t value = sculptor.mesh().stateHash();
-            mail.post([&hash, value] { hash = value; });
+        const auto [whole, hash] = ask(worker, [](core::Sculptor& sculptor) {
+            return std::pair(sculptor.wholePatch(), sculptor.mesh().stateHash());
         });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, timeoutMs); }();
         if (const auto patch = inbox->take())
             seen.apply(*patch);
-        [&] { QVERIFY(seen.drawsLike(viewerOf(whole))); }();
-        return hash.value_or(0);
+        [&, &whole = whole] { QVERIFY(seen.drawsLike(viewerOf(whole))); }();
+        return hash;
     }
 
     void apply(const core::ModelCommand& command)

@@ -1,3 +1,4 @@
+#include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 
@@ -22,14 +23,9 @@ struct MeshState
 
 MeshState stateOf(Program& program)
 {
-    std::optional<MeshState> answer;
-    ui::ThreadMailbox mail;
-    program.worker.post([&](core::Sculptor& sculptor) {
-        mail.post(
-            [&answer, state = MeshState{sculptor.mesh().meshHash(), sculptor.mesh().frame()}] { answer = state; });
+    return ask(program.worker, [](core::Sculptor& sculptor) {
+        return MeshState{sculptor.mesh().meshHash(), sculptor.mesh().frame()};
     });
-    [&] { QTRY_VERIFY(answer); }();
-    return answer.value_or(MeshState());
 }
 
 /// A ball with a stroke, saved in the dialog under a name without an ending.

@@ -1,3 +1,4 @@
+#include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -67,13 +68,7 @@ struct Studio
     std::uint64_t state()
     {
         rest();
-        std::optional<std::uint64_t> hash;
-        ui::ThreadMailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) {
-            mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
-        });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), timeoutMs); }();
-        return hash.value_or(0);
+        return stateHash(program.worker);
     }
 
     /// As the menu does it; small, so that it is fast. Stopped as soon as there is a picture, if that is wanted.

@@ -1,3 +1,4 @@
+#include "tests/support/ask_worker.h"
 #include "tests/support/effort.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
@@ -56,14 +57,10 @@ struct TimelineFixture
     std::uint64_t state()
     {
         rest();
-        std::optional<std::uint64_t> hash;
-        ui::ThreadMailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) {
+        return ask(program.worker, [](core::Sculptor& sculptor) -> std::uint64_t {
             const bool isSound = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
-            mail.post([&hash, value = isSound ? sculptor.mesh().stateHash() : 0] { hash = value; });
+            return isSound ? sculptor.mesh().stateHash() : 0;
         });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), timeoutMs); }();
-        return hash.value_or(0);
     }
 
     void stroke(const core::Stroke& stroke)

@@ -1,3 +1,4 @@
+#include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -96,16 +97,7 @@ struct Spoilt
         files = place.files();
         hash = state();
     }
-    std::uint64_t state()
-    {
-        std::optional<std::uint64_t> answer;
-        ui::ThreadMailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) {
-            mail.post([&answer, value = sculptor.mesh().stateHash()] { answer = value; });
-        });
-        [&] { QTRY_VERIFY(answer); }();
-        return answer.value_or(0);
-    }
+    std::uint64_t state() { return stateHash(program.worker); }
     QMessageBox* problem() const { return program.window.findChild<QMessageBox*>(QStringLiteral("problem")); }
     /// What a person would see of it all, for the message of a check that waited in vain.
     QString seen() const

@@ -2,6 +2,7 @@
 #include "app/headset/headset_settings.h"
 
 #include "core/io/mesh_io.h"
+#include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -67,30 +68,17 @@ struct Visit
         wait();
     }
 
-    std::uint64_t hash()
-    {
-        std::optional<std::uint64_t> answer;
-        ui::ThreadMailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) {
-            mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
-        });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 60'000); }();
-        return answer.value_or(0);
-    }
+    std::uint64_t hash() { return meshHash(program.worker); }
 
     /// Vertices.
     std::size_t masked()
     {
-        std::optional<std::size_t> answer;
-        ui::ThreadMailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) {
+        return ask(program.worker, [](core::Sculptor& sculptor) {
             std::size_t count = 0;
             for (core::Slot v = 0; v < sculptor.mesh().slots().vertices; ++v)
                 count += sculptor.mesh().isVertex(v) && sculptor.mesh().isMasked(v) ? 1 : 0;
-            mail.post([&answer, count] { answer = count; });
+            return count;
         });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 60'000); }();
-        return answer.value_or(0);
     }
 
     vr::DocumentUpdate update()

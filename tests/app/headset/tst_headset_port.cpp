@@ -2,6 +2,7 @@
 #include "app/headset/headset_port.h"
 
 #include "core/sculpt/sculptor.h"
+#include "tests/support/ask_worker.h"
 #include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
 #include "ui/util/thread_mailbox.h"
@@ -54,26 +55,11 @@ struct Visit
 
     void meshRests() { stateHash(); }
 
-    std::uint64_t stateHash()
-    {
-        std::optional<std::uint64_t> hash;
-        ui::ThreadMailbox mail;
-        worker.post([&](core::Sculptor& sculptor) {
-            mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
-        });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, 60'000); }();
-        return hash.value_or(0);
-    }
+    std::uint64_t stateHash() { return app::stateHash(worker); }
 
     Viewer mesh()
     {
-        std::optional<Viewer> viewer;
-        ui::ThreadMailbox mail;
-        worker.post([&](core::Sculptor& sculptor) {
-            mail.post([&viewer, whole = sculptor.wholePatch()] { viewer = viewerOf(whole); });
-        });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(viewer, 60'000); }();
-        return viewer.value_or(Viewer());
+        return viewerOf(ask(worker, [](core::Sculptor& sculptor) { return sculptor.wholePatch(); }));
     }
 
     bool stroke(const core::Vec3& where, core::Tool tool = core::Tool::Pull)

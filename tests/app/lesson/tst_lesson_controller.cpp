@@ -1,4 +1,5 @@
 // A lesson in the real window: shown, tried, checked, and left.
+#include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 
@@ -35,11 +36,7 @@ void press(Program& program, const char* button)
 
 std::uint64_t hashOf(Program& program)
 {
-    std::atomic<std::uint64_t> hash = 0;
-    program.worker.post([&](core::Sculptor& sculptor) { hash = sculptor.mesh().meshHash(); });
-    while (hash == 0)
-        QTest::qWait(5);
-    return hash;
+    return meshHash(program.worker);
 }
 
 QString marks(Program& program)

@@ -1,4 +1,5 @@
 // A teacher's lesson in the real window: recorded by strokes, written, read back and played; opened and changed.
+#include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 
@@ -50,11 +51,7 @@ bool rests(Program& program)
 
 std::uint64_t hashOf(Program& program)
 {
-    std::atomic<std::uint64_t> hash = 0;
-    program.worker.post([&](core::Sculptor& sculptor) { hash = sculptor.mesh().meshHash(); });
-    while (hash == 0)
-        QTest::qWait(5);
-    return hash;
+    return meshHash(program.worker);
 }
 
 /// The window with its lesson editor, and nothing recorded.

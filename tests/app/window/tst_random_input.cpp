@@ -1,3 +1,4 @@
+#include "tests/support/ask_worker.h"
 #include "tests/support/effort.h"
 #include "tests/support/program.h"
 #include "tests/support/test_main.h"
@@ -229,26 +230,17 @@ void TestRandomInput::theModelStaysSound()
     program.document.cancelJob();
     QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.document.job().isBusy(), 120'000);
 
-    const auto ask = [&](auto question) {
-        std::optional<decltype(question(std::declval<core::Sculptor&>()))> answer;
-        ui::ThreadMailbox mail;
-        program.worker.post([&, question](core::Sculptor& sculptor) {
-            mail.post([&answer, value = question(sculptor)] { answer = value; });
-        });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 120'000); }();
-        return answer.value();
+    const auto isPrintReady = [](core::Sculptor& sculptor) {
+        return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
     };
-    const auto state = [](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); };
-    QVERIFY(
-        ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
+    QVERIFY(ask(program.worker, isPrintReady));
     const int last = program.document.history().stack().index();
-    const std::uint64_t before = ask(state);
+    const std::uint64_t before = meshHash(program.worker);
     program.document.history().goTo(0);
-    QVERIFY(
-        ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
+    QVERIFY(ask(program.worker, isPrintReady));
     program.document.history().goTo(last);
     QCOMPARE(program.document.history().stack().index(), last);
-    QCOMPARE(ask(state), before);
+    QCOMPARE(meshHash(program.worker), before);
 }
 
 static int testMain(int argc, char* argv[])

@@ -32,28 +32,12 @@ Q_DECLARE_METATYPE(core::Tool)
 
 namespace
 {
-constexpr double ballRadius = 50, pi = 3.14159265358979323846;
+using clay::ball;
+using clay::ballRadius;
+using clay::stroke;
+
+constexpr double pi = 3.14159265358979323846;
 using How = MaskOperation::Kind;
-
-std::unique_ptr<Sculptor> ball(int subdivisions = 5)
-{
-    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(subdivisions, ballRadius)));
-}
-
-std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
-{
-    std::vector<DabReport> reports;
-    sculptor.beginStroke(settings);
-    for (const Vec3& at : path) {
-        core::StrokeSample sample;
-        sample.position = at;
-        sample.direction = -at;
-        for (const DabReport& report : sculptor.addSample(sample))
-            reports.push_back(report);
-    }
-    sculptor.endStroke();
-    return reports;
-}
 
 StrokeSettings settingsOf(Tool tool, double radius, int falloff = 4)
 {

@@ -2,6 +2,7 @@
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/test_main.h"
@@ -20,12 +21,8 @@ using core::Vec3;
 
 namespace
 {
-constexpr double ballRadius = 50;
-
-std::unique_ptr<Sculptor> ball()
-{
-    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
-}
+using clay::ball;
+using clay::ballRadius;
 
 /// Bright on the right, black on the left.
 std::shared_ptr<const Alpha> rightHalf()

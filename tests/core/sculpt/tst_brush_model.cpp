@@ -26,7 +26,10 @@ using core::Vec3f;
 
 namespace
 {
-constexpr double ballRadius = 50, radius = 12;
+using clay::ball;
+using clay::ballRadius;
+
+constexpr double radius = 12;
 using Model = std::shared_ptr<const BrushModel>;
 
 Model modelOf(const TriangleMesh& mesh)
@@ -53,11 +56,6 @@ TriangleMesh letterL(float thickness = 3)
         mesh.triangles.push_back({i, j + 6, i + 6});
     }
     return mesh;
-}
-
-std::unique_ptr<Sculptor> ball()
-{
-    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
 }
 
 StrokeSettings stampOf(Model model, bool raises = false)

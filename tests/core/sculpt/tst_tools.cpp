@@ -25,13 +25,11 @@ Q_DECLARE_METATYPE(core::Tool)
 
 namespace
 {
-constexpr double ballRadius = 50, pi = 3.14159265358979323846;
+using clay::ball;
+using clay::ballRadius;
+using clay::stroke;
 
-/// 100 mm across.
-std::unique_ptr<Sculptor> ball(int subdivisions = 5)
-{
-    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(subdivisions, ballRadius)));
-}
+constexpr double pi = 3.14159265358979323846;
 
 StrokeSettings settingsOf(Tool tool, double radius = 12)
 {
@@ -39,21 +37,6 @@ StrokeSettings settingsOf(Tool tool, double radius = 12)
     settings.tool = tool;
     settings.radius = radius;
     return settings;
-}
-
-std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
-{
-    std::vector<DabReport> reports;
-    sculptor.beginStroke(settings);
-    for (const Vec3& at : path) {
-        core::StrokeSample sample;
-        sample.position = at;
-        sample.direction = -at;
-        const std::vector<DabReport> more = sculptor.addSample(sample);
-        reports.insert(reports.end(), more.begin(), more.end());
-    }
-    sculptor.endStroke();
-    return reports;
 }
 
 /// On the ball about y, at such angles from the z axis.

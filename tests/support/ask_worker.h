@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/worker/sculpt_worker.h"
+#include "core/sculpt/sculptor.h"
+#include "ui/util/thread_mailbox.h"
+
+#include <QCoreApplication>
+#include <QTest>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace app
+{
+/// Returns what the mesh thread answers once it has done what came before. Events are processed meanwhile.
+template <class Question> auto ask(SculptWorker& worker, const Question& question)
+{
+    using Answer = decltype(question(std::declval<core::Sculptor&>()));
+    std::optional<Answer> answer;
+    ui::ThreadMailbox mail;
+    worker.post([&](core::Sculptor& sculptor) {
+        mail.post([&answer, value = question(sculptor)]() mutable { answer = std::move(value); });
+    });
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 120'000); }();
+    return answer ? std::move(*answer) : Answer();
+}
+
+/// Returns the hash of the surface.
+inline std::uint64_t meshHash(SculptWorker& worker)
+{
+    return ask(worker, [](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
+}
+
+/// Returns the hash of the surface, its slots and its free lists.
+inline std::uint64_t stateHash(SculptWorker& worker)
+{
+    return ask(worker, [](core::Sculptor& sculptor) { return sculptor.mesh().stateHash(); });
+}
+
+/// Returns when the mesh thread and the document's queue have run dry.
+inline void settle(SculptWorker& worker)
+{
+    for (int i = 0; i < 3; ++i) {
+        ask(worker, [](core::Sculptor&) { return true; });
+        QCoreApplication::processEvents();
+    }
+}
+} // namespace app
