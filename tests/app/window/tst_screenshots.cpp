@@ -207,7 +207,7 @@ void TestScreenshots::states()
     ui::Preferences preferences;
     preferences.theme = theme;
     ui::Settings().setPreferences(preferences);
-    Program program;
+    Program program(Program::anyView);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.window.resize(smallScreen);
@@ -281,7 +281,7 @@ void TestScreenshots::largerTexts()
     QApplication::setFont(ui::scaled(usual, ui::factorOf(size)));
     {
         const Words words(QStringLiteral("de")); // the longest
-        Program program;
+        Program program(Program::anyView);
         program.window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         program.window.resize(largeScreen);
@@ -502,7 +502,7 @@ void TestScreenshots::takeClass()
                             {core::Tool::Pull, core::Tool::Smooth}};
     classroom.fullScreen = false;
     RecoveryStore store(own.filePath(QStringLiteral("journals")).toStdString());
-    Program program;
+    Program program(Program::anyView);
     program.document.journaling().setRecoveryStore(&store);
     qint64 now = 0;
     const ClassPaths places{{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))};
