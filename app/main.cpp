@@ -172,7 +172,7 @@ int showWindow(const app::WindowStart& start)
         document.opener().openSphere();
     else
         document.opener().open(start.file);
-    if (start.file.isEmpty() && !start.entersVr && ui::Settings().showsStartPage())
+    if (start.file.isEmpty() && !start.entersVr && ui::Settings().get(&ui::Setting::showsStartPage))
         window.action(QStringLiteral("help.start"))->trigger();
     return QApplication::exec();
 }
@@ -224,8 +224,8 @@ int runWindow(int argc, char* argv[])
     const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
     QApplication application(argc, argv);
     qInstallMessageHandler(usual);
-    chooseLanguage(ui::Settings().preferences().language);
-    chooseTextSize(ui::Settings().preferences().textSize);
+    chooseLanguage(ui::Settings().get<ui::Preferences>().language);
+    chooseTextSize(ui::Settings().get<ui::Preferences>().textSize);
     loadTranslations(application);
 
     int status = app::Done;

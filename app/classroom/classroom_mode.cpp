@@ -223,7 +223,7 @@ void ClassroomMode::saveThen(const ClassTurn& turn, std::function<void()> then)
 {
     if (m_stage == Stage::Saving)
         return;
-    m_program.window->viewport()->finish();
+    m_program.window->viewport()->input()->finish();
     const auto done = [this, then = std::move(then)](const EndedTurn& ended, const QString& problem) {
         onSaved(ended, problem, then);
     };

@@ -19,7 +19,7 @@ namespace app
 {
 void ModelSaver::save(const QString& path)
 {
-    const int backups = ui::Settings().preferences().keepsBackups ? ui::backupCount : 0;
+    const int backups = ui::Settings().get<ui::Preferences>().keepsBackups ? ui::backupCount : 0;
     saveBy(QFileInfo(path).fileName(),
            [path, backups](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
                return ModelSaving::save(path, mesh, metadata, backups);

@@ -29,7 +29,7 @@ StrokeEdit::StrokeEdit(ui::MainWindow& window, Document& document)
             [this, action] { action->setEnabled(m_document->lastStroke().step().has_value()); });
     connect(m_document, &Document::historyChanged, this, &StrokeEdit::checkHistory);
     connect(m_document, &Document::opened, this, &StrokeEdit::end);
-    connect(window.viewport(), &ui::Viewport::strokeBegan, this, &StrokeEdit::finish);
+    connect(window.viewport()->input(), &ui::PointerInput::strokeBegan, this, &StrokeEdit::finish);
 }
 
 void StrokeEdit::begin()

@@ -33,8 +33,8 @@ ui::HeadsetState stateOf(const vr::HeadsetReport& report)
 void connectVisits(ui::MainWindow& window, Headset* headset)
 {
     using ui::MainWindow;
-    QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
-    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, &Headset::leave);
+    QObject::connect(window.headset(), &ui::HeadsetActions::enterRequested, headset, &Headset::enter);
+    QObject::connect(window.headset(), &ui::HeadsetActions::leaveRequested, headset, &Headset::leave);
     QObject::connect(headset, &Headset::leaving, &window,
                      [&window] { window.setHeadset(ui::HeadsetState::Changing, Headset::tr("Leaving VR…")); });
     QObject::connect(headset, &Headset::noticed, &window, &MainWindow::showNotice);
@@ -52,7 +52,8 @@ void connectVisits(ui::MainWindow& window, Headset* headset)
 /// What the one at the desktop does for the one in the headset.
 void connectPartner(ui::MainWindow& window, Headset* headset)
 {
-    QObject::connect(window.viewport(), &ui::Viewport::pointed, &headset->partner(), &PartnerView::point);
+    QObject::connect(window.viewport()->spotlight(), &ui::PointerSpotlight::pointed, &headset->partner(),
+                     &PartnerView::point);
     QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, &headset->partner(),
                      &PartnerView::setTakenOver);
     auto* bar = window.findChild<ui::PartnerBar*>();

@@ -4,6 +4,7 @@
 #include "app/headset/avatar.h"
 
 #include "ui/brush/color_panel.h"
+#include "ui/scene/materials.h"
 #include "ui/settings/brush_settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -178,7 +179,7 @@ void HeadsetController::sendUpdate()
     m_partner.addTo(update);
     const ui::Viewport& viewport = *m_window->viewport();
     update.box = m_document->modelInfo().box;
-    update.shading = viewport.shading();
+    update.shading = ui::shadingOf(viewport.appearance().material);
     update.isFlat = viewport.appearance().flat;
     update.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
     update.reducesMotion = viewport.reducesMotion();

@@ -113,7 +113,7 @@ void LessonController::begin()
     m_path = m_openingPath;
     m_teacher.setLesson(m_lesson);
     enter(0);
-    m_window->viewport()->turnTo(ui::OrbitCamera::Side::Front);
+    m_window->viewport()->navigation()->turnTo(ui::OrbitCamera::Side::Front);
 }
 
 void LessonController::leave()
@@ -139,7 +139,7 @@ void LessonController::show()
 {
     const std::size_t step = m_teacher.stepIndex();
     m_panel->showPage(pageOf(*m_lesson, step));
-    m_window->viewport()->frame();
+    m_window->viewport()->navigation()->frame();
     const std::vector<core::Tool>& tools = m_lesson->steps[step].tools;
     m_window->brush()->offerTools(QList<core::Tool>(tools.begin(), tools.end()));
     m_checker->setPosition({m_lesson, m_path, step});

@@ -132,7 +132,7 @@ void LessonEditorController::connectAll()
 
 void LessonEditorController::start(const std::optional<core::Starter>& starter)
 {
-    m_window->viewport()->finish();
+    m_window->viewport()->input()->finish();
     if (!starter)
         return startFromModel();
     core::Lesson lesson;
@@ -222,7 +222,7 @@ void LessonEditorController::leave()
 
 void LessonEditorController::record(bool on)
 {
-    m_window->viewport()->finish();
+    m_window->viewport()->input()->finish();
     on ? openAtEnd(m_isAllRecorded) : m_document->queue().enqueue([this] { stopRecording(); });
 }
 

@@ -33,7 +33,7 @@ LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
     connect(m_panel, &LessonPanel::singleStrokeRequested, this, &LessonTeacher::playOne);
     connect(m_panel, &LessonPanel::tryRequested, this, &LessonTeacher::tryIt);
     connect(m_panel, &LessonPanel::speedChosen, this, &LessonTeacher::setSpeed);
-    connect(window.viewport(), &ui::Viewport::strokeBegan, this, &LessonTeacher::interrupt);
+    connect(window.viewport()->input(), &ui::PointerInput::strokeBegan, this, &LessonTeacher::interrupt);
     connect(&document.worker().strokes(), &StrokeGate::refused, this, &LessonTeacher::onStrokeRefused);
 }
 

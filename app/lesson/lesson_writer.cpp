@@ -34,7 +34,7 @@ LessonWriter::LessonWriter(ui::MainWindow& window, Document& document, const cor
 
 void LessonWriter::save(const QString& before)
 {
-    m_window->viewport()->finish();
+    m_window->viewport()->input()->finish();
     const QString missing = LessonSaving::missing(*m_draft);
     if (!missing.isEmpty())
         return m_window->showProblem(missing);

@@ -43,14 +43,14 @@ namespace
 void connectDocument(ui::MainWindow& window, Document& document)
 {
     using ui::MainWindow;
-    QObject::connect(&window, &MainWindow::starterRequested, &document.opener(), &ModelOpener::openStarter);
-    QObject::connect(&window, &MainWindow::saveRequested, &document.saver(), &ModelSaver::save);
-    QObject::connect(&window, &MainWindow::exportRequested, &document.saver(), &ModelSaver::exportTo);
-    QObject::connect(&window, &MainWindow::modelRenamed, &document, &Document::setPath);
-    QObject::connect(&window, &MainWindow::modelFileDeleted, &document.savedState(), &SavedState::onFileDeleted);
+    QObject::connect(window.files(), &ui::ModelFiles::starterRequested, &document.opener(), &ModelOpener::openStarter);
+    QObject::connect(window.files(), &ui::ModelFiles::saveRequested, &document.saver(), &ModelSaver::save);
+    QObject::connect(window.files(), &ui::ModelFiles::exportRequested, &document.saver(), &ModelSaver::exportTo);
+    QObject::connect(window.files(), &ui::ModelFiles::renamed, &document, &Document::setPath);
+    QObject::connect(window.files(), &ui::ModelFiles::gone, &document.savedState(), &SavedState::onFileDeleted);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
     QObject::connect(&document, &Document::modelInfoChanged, &window, &MainWindow::updateModelInfo);
-    QObject::connect(&document.savedState(), &SavedState::modifiedChanged, &window, &MainWindow::setModified);
+    QObject::connect(&document.savedState(), &SavedState::modifiedChanged, &window, &MainWindow::setWindowModified);
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
     QObject::connect(&document.opener(), &ModelOpener::repairable, &window,
@@ -76,20 +76,21 @@ void connectDocument(ui::MainWindow& window, Document& document)
                      [&window](const QString& name, const QStringList& steps) {
                          ui::showRepaired(&window, ui::RepairUse::Insertion, name, steps);
                      });
-    QObject::connect(&document.job(), &BackgroundJob::busy, &window, &MainWindow::setBusy);
-    QObject::connect(&document.job(), &BackgroundJob::idle, &window, &MainWindow::setIdle);
-    QObject::connect(&document.job(), &BackgroundJob::progressed, &window, &MainWindow::setProgress);
-    QObject::connect(&document.job(), &BackgroundJob::cancellable, &window, &MainWindow::setStoppable);
-    QObject::connect(&window, &MainWindow::stopRequested, &document, &Document::cancelJob);
+    QObject::connect(&document.job(), &BackgroundJob::busy, window.progress(), &ui::ProgressBar::begin);
+    QObject::connect(&document.job(), &BackgroundJob::idle, window.progress(), &ui::ProgressBar::end);
+    QObject::connect(&document.job(), &BackgroundJob::progressed, window.progress(), &ui::ProgressBar::setProgress);
+    QObject::connect(&document.job(), &BackgroundJob::cancellable, window.progress(), &ui::ProgressBar::setStoppable);
+    QObject::connect(window.action(QStringLiteral("edit.stop")), &QAction::triggered, &document, &Document::cancelJob);
     QObject::connect(&window, &MainWindow::commandRequested, &document.changer(), &ModelChanger::apply);
-    QObject::connect(&window, &MainWindow::insertRequested, &document.changer(), &ModelChanger::insert);
+    QObject::connect(window.files(), &ui::ModelFiles::insertRequested, &document.changer(), &ModelChanger::insert);
     QObject::connect(&document.saver(), &ModelSaver::saved, &window,
                      [&window, &document] { window.showSaved(document.modelInfo()); });
     QObject::connect(&document.saver(), &ModelSaver::exported, &window, &MainWindow::showExported);
-    QObject::connect(&window, &MainWindow::brushModelRequested, &document.saver(), &ModelSaver::exportBrush);
+    QObject::connect(window.action(QStringLiteral("brush.fromModel")), &QAction::triggered, &document.saver(),
+                     &ModelSaver::exportBrush);
     QObject::connect(&document.saver(), &ModelSaver::brushExported, &window, &MainWindow::setBrushModel);
     document.opener().setDiscardPrompt(
-        [&window](const std::function<void()>& proceed) { return window.askToDiscard(proceed); });
+        [&window](const std::function<void()>& proceed) { return window.files()->askToDiscard(proceed); });
     window.setCanClose([&window, &document] { return document.opener().canDiscard([&window] { window.close(); }); });
 }
 
@@ -121,23 +122,24 @@ void connectUnits(ui::MainWindow& window, Document& document)
 void connectClosing(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::MainWindow;
-    using ui::Viewport;
-    Viewport& viewport = *window.viewport();
-    QObject::connect(&window, &MainWindow::openRequested, &document, [&viewport, &document](const QString& path) {
-        viewport.finish();
-        if (!viewport.isPressPending())
-            return document.opener().open(path);
-        const auto open = [&document, path] { document.opener().open(path); };
-        const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
-        QObject::connect(&viewport, &Viewport::pressDecided, &document, open, how);
-    });
-    window.setIsSettled([&viewport, &document, headset] {
-        viewport.finish();
+    using ui::PointerInput;
+    PointerInput* input = window.viewport()->input();
+    QObject::connect(
+        window.files(), &ui::ModelFiles::openRequested, &document, [input, &document](const QString& path) {
+            input->finish();
+            if (!input->isPressPending())
+                return document.opener().open(path);
+            const auto open = [&document, path] { document.opener().open(path); };
+            const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+            QObject::connect(input, &PointerInput::pressDecided, &document, open, how);
+        });
+    window.setIsSettled([input, &document, headset] {
+        input->finish();
         headset->leave();
-        return !viewport.isPressPending() && !headset->isActive() && document.queue().isSettled();
+        return !input->isPressPending() && !headset->isActive() && document.queue().isSettled();
     });
     QObject::connect(headset, &Headset::reported, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
-    QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
+    QObject::connect(input, &PointerInput::pressDecided, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
     QObject::connect(&document, &Document::historyChanged, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
 }
 
@@ -234,7 +236,7 @@ void connectPrintPanel(ui::MainWindow& window, Document& document, SculptWorker&
     QObject::connect(analysis, &PrintAnalysis::outdated, panel, [panel, viewport] {
         panel->setStale();
         viewport->setShades(nullptr);
-        viewport->clearMark();
+        viewport->navigation()->clearMark();
     });
     QObject::connect(analysis, &PrintAnalysis::finished, panel,
                      [panel, viewport](const core::MeshReport& mesh, const core::PrintReport& print,
@@ -244,13 +246,13 @@ void connectPrintPanel(ui::MainWindow& window, Document& document, SculptWorker&
                      });
 }
 
-void connectStrokes(ui::Viewport& viewport, Document& document)
+void connectStrokes(const ui::PointerInput* input, Document& document)
 {
-    using ui::Viewport;
-    QObject::connect(&viewport, &Viewport::strokeBegan, &document.strokes(), &DocumentStrokes::beginStroke);
-    QObject::connect(&viewport, &Viewport::strokeSampled, &document.strokes(), &DocumentStrokes::addSample);
-    QObject::connect(&viewport, &Viewport::strokeEnded, &document.strokes(), &DocumentStrokes::endStroke);
-    QObject::connect(&viewport, &Viewport::sphereRequested, &document.strokes(), &DocumentStrokes::addSphere);
+    using ui::PointerInput;
+    QObject::connect(input, &PointerInput::strokeBegan, &document.strokes(), &DocumentStrokes::beginStroke);
+    QObject::connect(input, &PointerInput::strokeSampled, &document.strokes(), &DocumentStrokes::addSample);
+    QObject::connect(input, &PointerInput::strokeEnded, &document.strokes(), &DocumentStrokes::endStroke);
+    QObject::connect(input, &PointerInput::sphereRequested, &document.strokes(), &DocumentStrokes::addSphere);
 }
 
 void connectWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
@@ -258,11 +260,11 @@ void connectWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shar
     using ui::Viewport;
     viewport.setPatchSource([inbox] { return inbox->take(); });
     QObject::connect(inbox.get(), &PatchInbox::filled, &viewport, &Viewport::patchReady, Qt::QueuedConnection);
-    QObject::connect(&viewport, &Viewport::hoverRequested, &worker,
+    QObject::connect(viewport.input(), &ui::PointerInput::hoverRequested, &worker,
                      [&worker](const core::Ray& ray, const std::optional<core::StrokeSettings>& brush) {
                          worker.ask(Source::Desktop, ray, brush);
                      });
-    QObject::connect(&worker, &SculptWorker::answeredDesktop, &viewport, &Viewport::setHover);
+    QObject::connect(&worker, &SculptWorker::answeredDesktop, viewport.input(), &ui::PointerInput::setHover);
     worker.setInbox(Source::Desktop, inbox);
 }
 
@@ -280,7 +282,7 @@ void connectDrawings(ui::MainWindow& window, SculptWorker& worker)
 void connectReports(ui::MainWindow& window, Document& document)
 {
     auto* controller = new ReportController(&document.job(), &window);
-    QObject::connect(&window, &ui::MainWindow::reportRequested, controller, &ReportController::write);
+    QObject::connect(window.files(), &ui::ModelFiles::reportRequested, controller, &ReportController::write);
     QObject::connect(controller, &ReportController::noticed, &window, &ui::MainWindow::showNotice);
     QObject::connect(controller, &ReportController::refused, &window, &ui::MainWindow::showProblem);
 }
@@ -314,7 +316,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     new LessonController(window, document); // before the strokes: the teacher's ends where the hand's begins
     new StrokeEdit(window, document);       // the same: requested changes of the last stroke come before the next
     new LessonEditorController(window, document);
-    connectStrokes(*window.viewport(), document);
+    connectStrokes(window.viewport()->input(), document);
     connectWorker(*window.viewport(), worker, inbox);
     connectDrawings(window, worker);
     connectReports(window, document);

@@ -66,7 +66,7 @@ inline void openFile(Program& program, const QString& path, const QSize& size = 
     program.window.resize(size);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    Q_EMIT program.window.openRequested(path);
+    Q_EMIT program.window.files()->openRequested(path);
     QTRY_COMPARE_WITH_TIMEOUT(program.document.modelInfo().path, path, 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);

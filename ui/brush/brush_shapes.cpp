@@ -26,7 +26,7 @@ BrushShapes::BrushShapes(BrushSettings* brush, Settings* settings, QObject* pare
     : QObject(parent)
     , m_brush(brush)
     , m_settings(settings)
-    , m_stored(settings->shapes())
+    , m_stored(settings->get<StoredShapes>())
 {
     settings->onReset([this] { restore(); });
 }
@@ -35,7 +35,7 @@ BrushShapes::~BrushShapes() = default;
 
 void BrushShapes::restore()
 {
-    m_stored = m_settings->shapes();
+    m_stored = m_settings->get<StoredShapes>();
     const StoredShapes wanted = m_stored;
     m_brush->set(&core::StrokeSettings::alphaFollows, wanted.alphaFollows);
     m_alpha.isRestoring = m_model.isRestoring = true; // neither goes while the other is taken
@@ -150,7 +150,7 @@ void BrushShapes::save()
     store(m_alpha);
     store(m_model);
     m_stored.alphaFollows = m_brush->stroke().alphaFollows;
-    if (m_stored != m_settings->shapes())
-        m_settings->setShapes(m_stored);
+    if (m_stored != m_settings->get<StoredShapes>())
+        m_settings->set(m_stored);
 }
 } // namespace ui

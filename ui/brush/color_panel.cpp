@@ -151,18 +151,18 @@ const QList<core::Rgb>& ColorPanel::swatches() const
 void ColorPanel::reset(const QList<core::Rgb>& swatches)
 {
     m_other = {255, 255, 255};
-    m_settings->setSwatches(swatches);
+    m_settings->set(&Setting::swatches, swatches);
     setSwatches(swatches);
     showColor();
 }
 
 void ColorPanel::buildSwatches()
 {
-    m_swatches->setColors(m_settings->swatches());
+    m_swatches->setColors(m_settings->get(&Setting::swatches));
     connect(m_swatches, &ColorSwatches::chosen, this, &ColorPanel::set);
     connect(m_swatches, &ColorSwatches::addRequested, this, [this] { m_swatches->add(m_brush->stroke().color); });
     connect(m_swatches, &ColorSwatches::changed, this, [this] {
-        m_settings->setSwatches(m_swatches->colors());
+        m_settings->set(&Setting::swatches, m_swatches->colors());
         Q_EMIT swatchesChanged();
     });
 }
@@ -238,11 +238,13 @@ void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Setti
         dock->raise();
         panel->wheel()->setFocus();
     });
-    QObject::connect(picking, &QAction::triggered, viewport, &Viewport::setPicking);
-    QObject::connect(viewport, &Viewport::pickingChanged, picking, &QAction::setChecked);
-    QObject::connect(viewport, &Viewport::picked, dock, [brush, notice](const std::optional<core::Rgb>& color) {
-        if (color)
-            brush->set(&core::StrokeSettings::color, *color);
+    PointerInput* input = viewport->input();
+    QObject::connect(picking, &QAction::triggered, input, [input](bool on) { input->setMode(PointerMode::Pick, on); });
+    QObject::connect(input, &PointerInput::modeChanged, picking,
+                     [picking](PointerMode mode) { picking->setChecked(mode == PointerMode::Pick); });
+    QObject::connect(input, &PointerInput::picked, dock, [brush, notice](const std::optional<core::SurfaceHit>& hit) {
+        if (hit)
+            brush->set(&core::StrokeSettings::color, hit->color);
         else
             notice(ColorPanel::tr("No colour was picked: the click was not on the model."));
     });

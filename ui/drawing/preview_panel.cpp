@@ -54,12 +54,12 @@ private:
 PreviewPanel::PreviewPanel(Settings* settings, QAction* exporting, QWidget* parent)
     : QDockWidget(tr("2D Preview"), parent)
     , m_settings(settings)
-    , m_options(settings->drawing())
+    , m_options(settings->get<DrawingSettings>())
 {
     setObjectName(QStringLiteral("previewPanel"));
     setWidget(content(exporting));
     m_canvas->setOptions(m_options);
-    settings->onReset([this] { show(m_settings->drawing()); });
+    settings->onReset([this] { show(m_settings->get<DrawingSettings>()); });
     connect(this, &QDockWidget::visibilityChanged, this, [this](bool isSeen) {
         m_isSeen = isSeen;
         Q_EMIT drawingRequested(isSeen, m_options.shaded);
@@ -144,7 +144,7 @@ void PreviewPanel::choose()
     const bool wasShaded = m_options.shaded;
     m_options = {static_cast<DrawnSides>(m_sides->currentIndex()), m_style->currentIndex() == 1,
                  m_dimensions->isChecked()};
-    m_settings->setDrawing(m_options);
+    m_settings->set(m_options);
     m_canvas->setOptions(m_options);
     if (m_options.shaded != wasShaded)
         Q_EMIT drawingRequested(m_isSeen, m_options.shaded);
@@ -164,7 +164,7 @@ void PreviewPanel::exportAs(const QString& modelName)
 {
     askForDrawing(window(), m_settings->lastFolder(), modelName, drawingEndings(),
                   [this, modelName](const QString& path) {
-                      m_settings->setLastFolder(QFileInfo(path).absolutePath());
+                      m_settings->set(&Setting::lastFolder, QFileInfo(path).absolutePath());
                       Q_EMIT exportRequested(path, modelName, m_options.shaded);
                   });
 }

@@ -158,10 +158,10 @@ private:
 void askForExportChoice(QWidget* parent, const ModelInfo& modelInfo, Settings* settings,
                         const std::function<void(const ExportSettings&)>& callback)
 {
-    auto* dialog = new ExportDialog(parent, modelInfo, settings->exporting());
+    auto* dialog = new ExportDialog(parent, modelInfo, settings->get<ExportSettings>());
     QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, settings, callback] {
         ExportSettings options = dialog->options();
-        settings->setExporting(options);
+        settings->set(options);
         options.slices = dialog->wantsSlicerCheck();
         callback(options);
     });

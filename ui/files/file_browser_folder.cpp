@@ -51,7 +51,7 @@ void FileBrowser::goTo(const QString& folder)
     m_toSelect.clear();
     m_isListed = m_isStopped = false;
     m_filter->clear();
-    m_settings->setFiles(m_options);
+    m_settings->set(m_options);
     requestThumbnails();
     list();
 }
@@ -76,7 +76,7 @@ void FileBrowser::choose()
     if (m_options.picture != m_size->value())
         m_grid->setPicture(m_size->value());
     m_options.picture = m_size->value();
-    m_settings->setFiles(m_options);
+    m_settings->set(m_options);
     m_thumbnailTimer.start();
 }
 

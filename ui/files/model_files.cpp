@@ -94,7 +94,7 @@ void ModelFiles::showRecent()
     if (!paths.isEmpty()) {
         m_recent->addSeparator();
         const auto clear = [this] {
-            m_settings->setRecentFiles({});
+            m_settings->set(&Setting::recentFiles, {});
             showRecent(); // which ends this action
         };
         connect(m_recent->addAction(tr("&Clear This List")), &QAction::triggered, this, clear, Qt::QueuedConnection);
@@ -187,7 +187,7 @@ void ModelFiles::setRenamed(const QString& from, const QString& to)
     for (QString& path : recent)
         path = path == from ? to : path;
     recent.removeDuplicates();
-    m_settings->setRecentFiles(recent);
+    m_settings->set(&Setting::recentFiles, recent);
     if (QFileInfo(m_path).absoluteFilePath() == from) {
         m_path = m_file.path = to;
         m_name = QFileInfo(to).fileName();
@@ -230,7 +230,7 @@ void ModelFiles::exportAs()
 void ModelFiles::report()
 {
     askForFolder(m_window, m_settings->lastFolder(), [this](const QString& folder) {
-        m_settings->setLastFolder(folder);
+        m_settings->set(&Setting::lastFolder, folder);
         askForReport(m_window, folder, reportEndings(),
                      [this, folder](const QString& path) { Q_EMIT reportRequested(folder, path); });
     });
@@ -310,6 +310,6 @@ void ModelFiles::openDropped(const QString& path)
 
 void ModelFiles::remember(const QString& path)
 {
-    m_settings->setLastFolder(QFileInfo(path).absolutePath());
+    m_settings->set(&Setting::lastFolder, QFileInfo(path).absolutePath());
 }
 } // namespace ui

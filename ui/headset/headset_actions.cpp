@@ -35,10 +35,10 @@ HeadsetActions::HeadsetActions(const Parts& parts, QObject* parent)
     QAction* follow = action(followId);
     Viewport* viewport = parts.viewport;
     connect(follow, &QAction::toggled, viewport, [follow, viewport](bool on) {
-        viewport->setFollowing(on);
-        follow->setChecked(viewport->isFollowing());
+        viewport->navigation()->setFollowing(on);
+        follow->setChecked(viewport->navigation()->isFollowing());
     });
-    connect(viewport, &Viewport::followingChanged, follow, &QAction::setChecked);
+    connect(viewport->navigation(), &ViewNavigation::followingChanged, follow, &QAction::setChecked);
     connectPointing();
     connectTakeOver();
     show(HeadsetState::Out);
@@ -55,9 +55,10 @@ void HeadsetActions::connectPointing()
     point->setAutoRepeat(false);
     connect(point, &QAction::toggled, this, [this](bool on) {
         m_sincePointing.start();
-        m_parts.viewport->setPointing(on);
+        m_parts.viewport->spotlight()->setOn(on);
     });
-    connect(m_parts.viewport, &Viewport::pointingChanged, point, &QAction::setChecked);
+    connect(m_parts.viewport->input(), &PointerInput::modeChanged, point,
+            [point](PointerMode mode) { point->setChecked(mode == PointerMode::Point); });
     QCoreApplication::instance()->installEventFilter(this);
 }
 
@@ -70,7 +71,8 @@ void HeadsetActions::connectTakeOver()
 /// A key that was held points no longer than it is down.
 bool HeadsetActions::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::KeyRelease && m_parts.viewport->isPointing() && m_sincePointing.elapsed() > heldMs) {
+    if (event->type() == QEvent::KeyRelease && m_parts.viewport->spotlight()->isOn() &&
+        m_sincePointing.elapsed() > heldMs) {
         const auto* key = static_cast<QKeyEvent*>(event);
         QAction* point = action(pointId);
         const QList<QKeySequence> own = point->shortcuts();

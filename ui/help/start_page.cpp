@@ -171,10 +171,11 @@ QLayout* StartPage::foot()
     auto* atStart = new QCheckBox(tr("&Show this page at start"));
     atStart->setObjectName(QStringLiteral("startAlways"));
     atStart->setToolTip(tr("Else Fettle begins with the ball of clay; Help › Start Page brings this page back."));
-    const auto applySettings = [this, atStart] { atStart->setChecked(m_settings->showsStartPage()); };
+    const auto applySettings = [this, atStart] { atStart->setChecked(m_settings->get(&Setting::showsStartPage)); };
     applySettings();
     m_settings->onReset(applySettings);
-    connect(atStart, &QCheckBox::clicked, this, [this](bool shows) { m_settings->setShowsStartPage(shows); });
+    connect(atStart, &QCheckBox::clicked, this,
+            [this](bool shows) { m_settings->set(&Setting::showsStartPage, shows); });
     auto* guide = new QPushButton(m_actions.get(QStringLiteral("help.guide"))->text());
     guide->setObjectName(QStringLiteral("startGuide"));
     guide->setToolTip(m_actions.get(QStringLiteral("help.guide"))->toolTip());

@@ -138,11 +138,11 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     m_cap->setSuffix(tr(" MB"));
     m_cap->setKeyboardTracking(false);
     m_cap->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    const auto applySettings = [this, settings] { m_cap->setValue(settings->historyMegabytes()); };
+    const auto applySettings = [this, settings] { m_cap->setValue(settings->get(&Setting::historyMegabytes)); };
     applySettings();
     settings->onReset(applySettings);
     connect(m_cap, &QSpinBox::valueChanged, this, [this, settings](int megabytes) {
-        settings->setHistoryMegabytes(megabytes);
+        settings->set(&Setting::historyMegabytes, megabytes);
         Q_EMIT capChanged(cap());
     });
 

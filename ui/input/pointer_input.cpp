@@ -17,6 +17,7 @@ PointerInput::PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObj
     , m_camera(camera)
     , m_stroke(brush, camera)
 {
+    connect(&m_query, &HoverQuery::sent, this, &PointerInput::sendQuery);
     connect(&m_stroke, &StrokeBuilder::began, this, &PointerInput::strokeBegan);
     connect(&m_stroke, &StrokeBuilder::sampled, this, &PointerInput::strokeSampled);
     connect(&m_stroke, &StrokeBuilder::ended, this, &PointerInput::strokeEnded);
@@ -43,7 +44,7 @@ void PointerInput::handle(const PointerEvent& event)
         m_pending.push_back(pending);
     } else if (isUndecided(event)) {
         m_pending.push_back(pending);
-        requestHover({event.pixel, pending.ray, true});
+        m_query.request(event.pixel, pending.ray, true);
     } else {
         process(pending);
     }
@@ -78,14 +79,14 @@ void PointerInput::setGestureCenter(const OrbitCamera::Pixel& pixel)
 /// Where the surface under the pixel is known, it is what panning and zooming hold: the view never runs through it.
 void PointerInput::setTargetDepthAt(const OrbitCamera::Pixel& pixel)
 {
-    if (m_inside && m_hit && (m_camera->project(m_hit->position) - pixel).norm() <= samePixel)
-        m_camera->setTargetDepth(m_hit->position);
+    const std::optional<core::SurfaceHit>& hit = m_query.hit();
+    if (m_inside && hit && (m_camera->project(hit->position) - pixel).norm() <= samePixel)
+        m_camera->setTargetDepth(hit->position);
 }
 
 void PointerInput::viewMoved()
 {
-    ++m_view;
-    m_answeredPixel.reset();
+    m_query.viewMoved();
     Q_EMIT viewChanged();
     refreshHover();
 }
@@ -93,8 +94,7 @@ void PointerInput::viewMoved()
 void PointerInput::pointerLeft()
 {
     m_inside = m_isGesture = false;
-    if (m_next && !m_next->forPress)
-        m_next.reset();
+    m_query.dropNext();
     Q_EMIT hoverChanged();
 }
 
@@ -122,27 +122,12 @@ std::optional<PointerInput::Stabilizer> PointerInput::stabilizer() const
     return strokeOpen() ? std::optional(Stabilizer{m_stroke.pointerAt(), m_stroke.brushAt()}) : std::nullopt;
 }
 
-void PointerInput::setPicking(bool on)
+void PointerInput::setMode(PointerMode mode, bool on)
 {
-    if (std::exchange(m_isPicking, on) == on)
+    const PointerMode next = on ? mode : m_mode == mode ? PointerMode::Sculpt : m_mode;
+    if (std::exchange(m_mode, next) == next)
         return;
-    if (on) {
-        setAdding(false);
-        setPointing(false);
-    }
-    Q_EMIT pickingChanged(on);
-    Q_EMIT hoverChanged();
-}
-
-void PointerInput::setPointing(bool on)
-{
-    if (std::exchange(m_isPointing, on) == on)
-        return;
-    if (on) {
-        setAdding(false);
-        setPicking(false);
-    }
-    Q_EMIT pointingChanged(on);
+    Q_EMIT modeChanged(next);
     Q_EMIT hoverChanged();
 }
 
@@ -195,19 +180,21 @@ void PointerInput::process(const PendingEvent& pending)
     m_last = pending.event.pixel;
 }
 
-/// A second button during a drag means nothing.
+/// A second button during a drag is ignored.
 void PointerInput::press(const PendingEvent& pending)
 {
-    if (m_drag == Drag::None && addsSphere(pending.event))
+    if (m_drag != Drag::None)
+        return;
+    if (m_mode == PointerMode::Add && isForBrush(pending.event))
         addSphere(pending);
-    else if (m_drag == Drag::None)
-        begin(pending, m_hit);
+    else
+        begin(pending, m_query.hit());
 }
 
-bool PointerInput::addsSphere(const PointerEvent& press) const
+/// True unless the press moves the view wherever it is.
+bool PointerInput::isForBrush(const PointerEvent& press) const
 {
-    return m_isAdding && press.button == Qt::LeftButton &&
-           viewDrag(press.button, press.modifiers, m_preferences) == Drag::None;
+    return press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers, m_preferences) == Drag::None;
 }
 
 void PointerInput::addSphere(const PendingEvent& press)
@@ -216,41 +203,31 @@ void PointerInput::addSphere(const PendingEvent& press)
     sample.time = press.event.time;
     sample.position = m_camera->acrossPivot(press.ray);
     sample.direction = press.ray.direction;
-    setAdding(false);
+    setMode(PointerMode::Sculpt);
     Q_EMIT sphereRequested(addingDab(press.settings), sample);
-}
-
-void PointerInput::setAdding(bool adding)
-{
-    if (std::exchange(m_isAdding, adding) == adding)
-        return;
-    if (adding) {
-        setPicking(false);
-        setPointing(false);
-    }
-    Q_EMIT addingChanged(adding);
-    Q_EMIT hoverChanged();
 }
 
 void PointerInput::begin(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit)
 {
-    m_drag = viewDrag(press.event.button, press.event.modifiers, m_preferences);
-    if (m_drag == Drag::None && press.event.button == Qt::LeftButton && m_isPicking) {
-        setPicking(false);
-        Q_EMIT picked(hit);
-        return;
-    }
-    if (m_drag == Drag::None && press.event.button == Qt::LeftButton && m_isPointing && hit)
-        return;
-    if (m_drag == Drag::None && press.event.button == Qt::LeftButton)
+    if (isForBrush(press.event)) {
+        if (m_mode == PointerMode::Pick) {
+            setMode(PointerMode::Sculpt);
+            Q_EMIT picked(hit);
+            return;
+        }
+        if (m_mode == PointerMode::Point && hit)
+            return;
         m_drag = hit ? Drag::Stroke : dragBesideModel(press.event.modifiers, m_preferences);
+    } else {
+        m_drag = viewDrag(press.event.button, press.event.modifiers, m_preferences);
+    }
     if (m_drag == Drag::None)
         return;
     m_dragButton = press.event.button;
     m_pressed = m_last = press.event.pixel;
     if (m_drag == Drag::Stroke) {
         m_camera->setPivot(hit->position);
-        m_footprint.reset();
+        m_query.clearFootprint();
         m_stroke.begin({press.event, press.ray, press.settings, press.stabilizerLength});
     } else if (m_drag != Drag::Orbit) {
         setTargetDepthAt(m_pressed);
@@ -280,7 +257,7 @@ void PointerInput::move(const PendingEvent& pending)
     if (m_drag == Drag::Stroke)
         m_stroke.moveTo(pending.event, pending.ray);
     const OrbitCamera::Pixel at = m_drag == Drag::Stroke ? m_stroke.brushAt() : pending.event.pixel;
-    requestHover({at, m_camera->ray(at)});
+    m_query.request(at, m_camera->ray(at));
 }
 
 /// A zooming drag to the right or up comes nearer to where it began.
@@ -300,5 +277,120 @@ void PointerInput::emitViewMovedByUser()
 {
     Q_EMIT viewMovedByUser();
     viewMoved();
+}
+
+/// The model turns on the screen; in its own space, in which everything is kept, camera and pointer turn the other way.
+void PointerInput::turnModel(double angle, double seconds)
+{
+    m_camera->turnModel(angle);
+    m_stroke.turnModel(angle, seconds);
+    m_query.turnModel(angle);
+    Q_EMIT viewChanged();
+    refreshHover();
+}
+
+void PointerInput::refreshHover()
+{
+    if (m_inside && m_pending.empty() && (m_drag == Drag::None || m_drag == Drag::Stroke))
+        m_query.request(brushAt(), m_camera->ray(brushAt()));
+}
+
+void PointerInput::brushChanged()
+{
+    if (m_brush->stroke().brush == core::BrushShape::Ray && m_drag == Drag::None)
+        refreshHover();
+}
+
+void PointerInput::clearHover()
+{
+    m_stroke.resetTurn();
+    m_query.clear();
+    Q_EMIT hoverChanged();
+    refreshHover();
+}
+
+/// A footprint is of no use to a press, which shall be answered soon, and in a stroke.
+void PointerInput::sendQuery(const HoverQuery::Request& request)
+{
+    const core::StrokeSettings settings = m_brush->stroke();
+    const bool wanted =
+        settings.brush == core::BrushShape::Ray && !request.isForPress && !m_isGesture && m_drag == Drag::None;
+    Q_EMIT hoverRequested(request.ray, wanted ? std::optional(settings) : std::nullopt);
+}
+
+void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit,
+                            const std::shared_ptr<const core::Footprint>& footprint)
+{
+    const std::optional<HoverQuery::Request> answered = m_query.takeAnswer(hit, footprint);
+    if (!answered)
+        return;
+    if (m_drag == Drag::Stroke && hit)
+        m_camera->setPivot(hit->position);
+    if (answered->isForPress) {
+        processPending(hit);
+        Q_EMIT pressDecided();
+    }
+    m_query.sendNext();
+    Q_EMIT hoverChanged();
+}
+
+/// Processes the press at the front, which is decided now, and the events after it, up to the next press that needs an
+/// answer.
+void PointerInput::processPending(const std::optional<core::SurfaceHit>& hit)
+{
+    std::deque<PendingEvent> events;
+    events.swap(m_pending);
+    begin(events.front(), hit);
+    events.pop_front();
+    while (!events.empty()) {
+        const PendingEvent pending = events.front();
+        if (isUndecided(pending.event)) {
+            m_pending.swap(events);
+            m_query.request(pending.event.pixel, pending.ray, true);
+            return;
+        }
+        events.pop_front();
+        process(pending);
+    }
+}
+
+/// True for a press for the brush at a place that no answer is about.
+bool PointerInput::isUndecided(const PointerEvent& event) const
+{
+    return event.kind == PointerEvent::Kind::Press && isForBrush(event) && m_drag == Drag::None &&
+           m_mode != PointerMode::Add && !m_query.isAbout(event.pixel);
+}
+
+std::optional<core::SurfaceHit> PointerInput::hover() const
+{
+    if (!m_inside || movesView())
+        return {};
+    if (m_mode == PointerMode::Add)
+        return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0,
+                                core::noSlot};
+    const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_preferences) != Drag::None;
+    return !m_isGesture && !next && m_mode == PointerMode::Sculpt ? m_query.hit() : std::nullopt;
+}
+
+std::optional<core::SurfaceHit> PointerInput::pointed() const
+{
+    return m_mode == PointerMode::Point && m_inside && !m_isGesture && m_drag == Drag::None ? m_query.hit()
+                                                                                            : std::nullopt;
+}
+
+bool PointerInput::wouldStroke() const
+{
+    return m_drag == Drag::None && m_mode != PointerMode::Add && hover().has_value();
+}
+
+std::shared_ptr<const core::Footprint> PointerInput::footprint() const
+{
+    return wouldStroke() ? m_query.footprint() : nullptr;
+}
+
+double PointerInput::pixelsPerMm() const
+{
+    const std::optional<core::SurfaceHit> hit = hover();
+    return m_camera->pixelsPerMm(hit ? hit->position : m_camera->pivot());
 }
 } // namespace ui

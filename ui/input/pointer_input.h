@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/input/hover_query.h"
+#include "ui/input/pointer_mode.h"
 #include "ui/input/stroke_builder.h"
 #include "ui/input/view_drag.h"
 
@@ -18,7 +20,7 @@ namespace ui
 /// Decides what a drag is: a stroke, or a turn, a move or a zoom of the view. A left press is a stroke if it is on the
 /// model, else it turns the view; a hover query tells, and events that come before its answer wait in a queue. The
 /// other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place of the last
-/// stroke. Gui thread, no widget, no OpenGL.
+/// stroke. No widget, no OpenGL. Thread: gui.
 class PointerInput : public QObject
 {
     Q_OBJECT
@@ -54,23 +56,20 @@ public:
     /// What was known belongs to another model.
     void clearHover();
 
+    /// Takes the answer to hoverRequested(). Each is answered once, in order, at any later time: with the surface's
+    /// point, or with nothing if the ray misses or there is no model. `footprint`: of the brush that was asked about;
+    /// it belongs to the mesh as it is drawn, or soon will be.
     void setHover(const std::optional<core::SurfaceHit>& hit,
                   const std::shared_ptr<const core::Footprint>& footprint = {});
 
-    /// While on, the next press for the brush does nothing but tell what it is on by picked(), and that was that.
-    void setPicking(bool on);
-    bool isPicking() const { return m_isPicking; }
+    /// Add and Pick end with the next press for the brush: by sphereRequested(), wherever it is, and by picked(). While
+    /// Point is on, a press on the model does nothing.
+    /// Off: sculpts again if that mode was on.
+    void setMode(PointerMode mode, bool on = true);
+    PointerMode mode() const { return m_mode; }
 
-    /// While on, a press on the model does nothing: the hand points.
-    void setPointing(bool on);
-    bool isPointing() const { return m_isPointing; }
-    /// Where; nothing: beside the model, or the hand does something else.
+    /// Returns the place that the pointer shows to others; nothing beside the model and in other modes.
     std::optional<core::SurfaceHit> pointed() const;
-
-    /// Armed: the next left press anywhere asks for a sphere, and disarms.
-    void setAdding(bool adding);
-    bool isAdding() const { return m_isAdding; }
-
     /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view; if armed, where the
     /// sphere would be.
     std::optional<core::SurfaceHit> hover() const;
@@ -84,6 +83,8 @@ public:
         OrbitCamera::Pixel pointer, brush;
     };
     std::optional<Stabilizer> stabilizer() const;
+    /// How many logical pixels 1 mm covers where the cursor lies, else at the depth that the view turns about.
+    double pixelsPerMm() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
     /// A press waits for its answer: a stroke may still come of it.
     bool isPressPending() const { return !m_pending.empty(); }
@@ -91,20 +92,25 @@ public:
     core::StrokeSettings stroke() const;
 
 Q_SIGNALS:
+    /// Asks where the surface is, one request at a time. `brush`: its footprint is wanted, too; none for a spherical
+    /// brush, whose region is seen without asking.
     void hoverRequested(const core::Ray& ray, const std::optional<core::StrokeSettings>& brush);
     void hoverChanged();
+    /// A stroke: began, one sample or more (the first at the press), ended; in this order, never nested. Its placement
+    /// is Ray. The settings are those at the press.
     void strokeBegan(const core::StrokeSettings& settings);
+    /// Each event of mouse or pen, none left out. `time`: the event's own, seconds; `position`, `direction`: the ray
+    /// through the pixel, in mm, not rounded to the lattice.
     void strokeSampled(const core::StrokeSample& sample);
     void strokeEnded();
     void pressDecided();
-    void pickingChanged(bool on);
-    void pointingChanged(bool on);
+    void modeChanged(ui::PointerMode mode);
+    /// Nothing: the press was not on the model.
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
     /// The user turned, moved or zoomed the view; viewChanged() follows.
     void viewMovedByUser();
-    void addingChanged(bool adding);
-    /// One dab that is to add a sphere and do nothing else.
+    /// One dab that adds a sphere of the brush's radius at the sample's position and does nothing else.
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
 private:
@@ -115,14 +121,6 @@ private:
         core::Ray ray;
         core::StrokeSettings settings; ///< of a press
         double stabilizerLength = 0;   ///< pixels; of a press
-    };
-    struct HoverQuery
-    {
-        OrbitCamera::Pixel pixel;
-        core::Ray ray;
-        bool forPress = false;
-        quint64 view = 0;  ///< m_view when it was asked
-        double turned = 0; ///< how the model stood then
     };
 
     void process(const PendingEvent& pending);
@@ -136,9 +134,8 @@ private:
     OrbitCamera::Pixel brushAt() const;
     bool isUndecided(const PointerEvent& event) const;
     void setTargetDepthAt(const OrbitCamera::Pixel& pixel);
-    void requestHover(HoverQuery query);
-    void sendQuery(const HoverQuery& query);
-    bool addsSphere(const PointerEvent& press) const;
+    void sendQuery(const HoverQuery::Request& request);
+    bool isForBrush(const PointerEvent& press) const;
     void addSphere(const PendingEvent& press);
     void moveView(const OrbitCamera::Pixel& delta);
     void emitViewMovedByUser();
@@ -146,6 +143,7 @@ private:
     const BrushSettings* m_brush;
     OrbitCamera* m_camera;
     StrokeBuilder m_stroke;
+    HoverQuery m_query;
 
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;
@@ -153,18 +151,10 @@ private:
     OrbitCamera::Pixel m_last{0, 0};
     bool m_inside = false;
     bool m_isGesture = false; ///< fingers are inside, no pointer
-    bool m_isPicking = false;
-    bool m_isPointing = false;
-    bool m_isAdding = false;
+    PointerMode m_mode = PointerMode::Sculpt;
     InputPreferences m_preferences;
     Qt::KeyboardModifiers m_modifiers;
     bool m_isEraser = false;            ///< the last that moved
     std::deque<PendingEvent> m_pending; ///< the first is a press that nobody knows about yet
-
-    quint64 m_view = 0; ///< grows when an older answer no longer fits
-    std::optional<HoverQuery> m_inFlight, m_next;
-    std::optional<OrbitCamera::Pixel> m_answeredPixel; ///< none: the answer is not of this view, or there is none
-    std::optional<core::SurfaceHit> m_hit;
-    std::shared_ptr<const core::Footprint> m_footprint; ///< at the hit, unless the surface changed
 };
 } // namespace ui

@@ -41,8 +41,6 @@ public:
 
     /// The model turned about the Y axis by so many radians in so many seconds, and the camera went with the hand.
     void turnModel(double angle, double seconds);
-    /// By how much the model stands turned in the world, about Y; radians.
-    double turned() const { return m_turned; }
     void resetTurn() { m_turned = 0; }
 
     bool isOpen() const { return m_isOpen; }
@@ -69,7 +67,7 @@ private:
     double m_stabilizerLength = 0; ///< pixels
     PointerEvent m_pointer;        ///< its place and pressure now
     OrbitCamera::Pixel m_brushAt{0, 0};
-    double m_turned = 0;
+    double m_turned = 0; ///< of the model in the world, about Y; radians
 };
 
 /// Of a dab that is to add a ball and do nothing else.

@@ -18,19 +18,19 @@ void resetBrush(BrushSettings* brush, const Settings& settings)
 {
     for (const core::Parameter parameter : storedParameters)
         brush->setValue(parameter, settings.value(parameter));
-    brush->setRadiusShare(settings.radiusShare());
+    brush->setRadiusShare(settings.get(&Setting::radiusShare));
 }
 } // namespace
 
 void connectPreferences(const PreferencesContext& context)
 {
     const auto [window, actions, settings, brush, viewport] = context;
-    auto* theme = new Theme(settings->preferences().theme, window);
+    auto* theme = new Theme(settings->get<Preferences>().theme, window);
     const auto applySettings = [=] {
-        const Preferences preferences = settings->preferences();
+        const Preferences preferences = settings->get<Preferences>();
         theme->choose(preferences.theme);
         viewport->setReducesMotion(preferences.reducesMotion);
-        viewport->setInputPreferences(preferences.effectiveInput());
+        viewport->input()->setInputPreferences(preferences.effectiveInput());
         actions->setKeys(preferences.keys);
     };
     applySettings();
@@ -40,14 +40,14 @@ void connectPreferences(const PreferencesContext& context)
         window->restoreState(panels);
     });
     QObject::connect(actions->get(QStringLiteral("edit.preferences")), &QAction::triggered, window, [=] {
-        auto* dialog = new PreferencesDialog(settings->preferences(), *actions, window);
+        auto* dialog = new PreferencesDialog(settings->get<Preferences>(), *actions, window);
         QObject::connect(dialog, &PreferencesDialog::changed, window, [=](const Preferences& preferences) {
-            settings->setPreferences(preferences);
+            settings->set(preferences);
             applySettings();
         });
         QObject::connect(dialog, &PreferencesDialog::resetRequested, window, [=] {
             settings->reset();
-            dialog->setPreferences(settings->preferences());
+            dialog->setPreferences(settings->get<Preferences>());
         });
         dialog->open();
     });

@@ -155,8 +155,8 @@ void PrintPanel::addList()
 void PrintPanel::applySettings()
 {
     m_isFilling = true;
-    const PrintSettings choice = m_settings->print();
-    m_printers = m_settings->printers();
+    const PrintSettings choice = m_settings->get<PrintSettings>();
+    m_printers = m_settings->get(&Setting::printers);
     m_printer->clear();
     for (const PrinterPreset& printer : m_printers)
         m_printer->addItem(printer.name);
@@ -173,7 +173,8 @@ void PrintPanel::applyOptions()
 {
     if (m_isFilling)
         return;
-    m_settings->setPrint({m_printer->currentText(), m_wall->value(), m_overhang->value(), m_picture->currentIndex()});
+    m_settings->set(
+        PrintSettings{m_printer->currentText(), m_wall->value(), m_overhang->value(), m_picture->currentIndex()});
     m_legend->setVisible(picture().has_value());
     if (const auto shown = picture())
         m_legend->setScale({*shown, *shown == core::PrintPicture::Thickness ? m_wall->value() : m_overhang->value()});
@@ -184,7 +185,7 @@ void PrintPanel::editPrinters()
 {
     auto* dialog = new PrintersDialog(m_printers, window());
     connect(dialog, &PrintersDialog::chosen, this, [this](const QList<PrinterPreset>& printers) {
-        m_settings->setPrinters(printers);
+        m_settings->set(&Setting::printers, printers);
         applySettings();
     });
     dialog->open();
@@ -327,11 +328,11 @@ void addPrintPanel(const PrintPanelContext& context, Settings* settings, const A
     dock->hide();
     Viewport* viewport = context.viewport;
     QObject::connect(panel, &PrintPanel::placeChosen, viewport, [viewport](const core::PrintPlace& found) {
-        viewport->flyTo(found.point, found.normal, std::sqrt(found.area));
+        viewport->navigation()->flyTo(found.point, found.normal, std::sqrt(found.area));
     });
     QObject::connect(panel, &PrintPanel::watched, viewport, [viewport](bool isWatched) {
         if (!isWatched)
-            viewport->clearMark();
+            viewport->navigation()->clearMark();
     });
     QObject::connect(actions.get(QStringLiteral("model.printCheck")), &QAction::triggered, dock, [dock, panel] {
         dock->show();

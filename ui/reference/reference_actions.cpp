@@ -33,7 +33,7 @@ void connectCommands(const ReferenceContext& context, ReferenceImages* images, c
 {
     Viewport* viewport = context.viewport;
     const auto choose = [=](const QString& path) {
-        images->choose(nearestSide(viewport->camera()), path, viewport->box());
+        images->choose(nearestSide(viewport->camera()), path, viewport->navigation()->box());
     };
     QObject::connect(actions.get(QStringLiteral("reference.choose")), &QAction::triggered, images,
                      [=, window = context.window] {
@@ -50,7 +50,7 @@ void connectCommands(const ReferenceContext& context, ReferenceImages* images, c
         remove->setEnabled(!images->path(nearestSide(viewport->camera())).isEmpty());
     };
     QObject::connect(images, &ReferenceImages::changed, show, showState);
-    QObject::connect(viewport, &Viewport::viewChanged, show, showState);
+    QObject::connect(viewport->input(), &PointerInput::viewChanged, show, showState);
     showState();
 }
 
@@ -58,7 +58,7 @@ void connectCommands(const ReferenceContext& context, ReferenceImages* images, c
 void turnTo(OrbitCamera::Side side, Viewport* viewport)
 {
     if (!looksFrom(viewport->camera(), side))
-        viewport->turnTo(side);
+        viewport->navigation()->turnTo(side);
 }
 } // namespace
 

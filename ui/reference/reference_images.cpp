@@ -13,9 +13,9 @@ namespace ui
 ReferenceImages::ReferenceImages(Settings* settings, QObject* parent)
     : QObject(parent)
     , m_settings(settings)
-    , m_isShown(settings->showsReferences())
+    , m_isShown(settings->get(&Setting::showsReferences))
 {
-    settings->onReset([this] { setShown(m_settings->showsReferences()); });
+    settings->onReset([this] { setShown(m_settings->get(&Setting::showsReferences)); });
 }
 
 ReferenceImages::~ReferenceImages()
@@ -88,7 +88,7 @@ void ReferenceImages::setShown(bool shown)
     if (m_isShown == shown)
         return;
     m_isShown = shown;
-    m_settings->setShowsReferences(shown);
+    m_settings->set(&Setting::showsReferences, shown);
     Q_EMIT changed();
 }
 

@@ -61,7 +61,7 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     m_sides->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_sides->setMinimumWidth(minWidth);
     connect(m_sides, &QComboBox::activated, this,
-            [this](int index) { m_viewport->turnTo(static_cast<OrbitCamera::Side>(index)); });
+            [this](int index) { m_viewport->navigation()->turnTo(static_cast<OrbitCamera::Side>(index)); });
     m_width = lengthBox(QStringLiteral("reference.width"), tr("Width"),
                         tr("How wide the image is, measured beside the model."), minReferenceWidth, maxReferenceWidth);
     m_width->setStepType(QDoubleSpinBox::AdaptiveDecimalStepType);
@@ -88,7 +88,7 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
     connect(images, &ReferenceImages::changed, this, &ReferencePanel::showImage);
-    connect(viewport, &Viewport::viewChanged, this, &ReferencePanel::followView);
+    connect(viewport->input(), &PointerInput::viewChanged, this, &ReferencePanel::followView);
     showImage();
 }
 

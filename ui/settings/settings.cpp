@@ -1,7 +1,5 @@
 #include "ui/settings/settings.h"
 
-#include "ui/settings/stored_values.h"
-
 #include <QDir>
 
 #include <algorithm>
@@ -12,49 +10,49 @@ namespace
 {
 constexpr qsizetype maxRecentFiles = 10;
 
-const QString geometryKey = QStringLiteral("window/geometry");
-const QString stateKey = QStringLiteral("window/state");
-const QString historyKey = QStringLiteral("history/megabytes");
-const QString recentKey = QStringLiteral("files/recent");
-const QString folderKey = QStringLiteral("files/lastFolder");
-const QString shownFolderKey = QStringLiteral("files/folder");
-const QString fileOrderKey = QStringLiteral("files/order");
-const QString filesDescendingKey = QStringLiteral("files/descending");
-const QString filePictureKey = QStringLiteral("files/picture");
-const QString exportUseKey = QStringLiteral("export/use");
-const QString exportTrianglesKey = QStringLiteral("export/mostTriangles");
-const QString exportSlicesKey = QStringLiteral("export/slices");
-const QString printerKey = QStringLiteral("print/printer");
-const QString printersKey = QStringLiteral("print/printers");
-const QString printWallKey = QStringLiteral("print/wall");
-const QString printOverhangKey = QStringLiteral("print/overhang");
-const QString printPictureKey = QStringLiteral("print/picture");
-const QString startPageKey = QStringLiteral("start/page");
+const QString referenceGroup = QStringLiteral("reference/"); ///< and the side
+
+QString keyOf(core::Parameter parameter)
+{
+    const std::string_view key = core::info(parameter).key;
+    return QStringLiteral("brush/") + QLatin1StringView(key.data(), static_cast<qsizetype>(key.size()));
+}
+
+double defaultOf(core::Parameter parameter)
+{
+    return parameter == core::Parameter::Spacing ? defaultSpacing : core::info(parameter).defaultValue;
+}
+
+bool isThere(const QString& folder)
+{
+    return !folder.isEmpty() && QDir(folder).exists();
+}
+
+template <class S, class T> void addKept(const stored::Row<S, T>& row, QStringList& keys)
+{
+    if (row.reset == stored::Reset::Keep)
+        keys << QLatin1StringView(row.key);
+}
+
+QStringList keptKeys()
+{
+    QStringList keys;
+    const auto add = [&](const auto&... row) { (addKept(row, keys), ...); };
+    std::apply(add, stored::rows<Setting>);
+    std::apply(add, stored::rows<StoredShapes>);
+    return keys;
+}
 } // namespace
 
-QByteArray Settings::windowGeometry() const
+QList<core::Rgb> firstSwatches()
 {
-    return m_settings.value(geometryKey).toByteArray();
-}
-
-void Settings::setWindowGeometry(const QByteArray& geometry)
-{
-    m_settings.setValue(geometryKey, geometry);
-}
-
-QByteArray Settings::windowState() const
-{
-    return m_settings.value(stateKey).toByteArray();
-}
-
-void Settings::setWindowState(const QByteArray& state)
-{
-    m_settings.setValue(stateKey, state);
+    return {{200, 110, 80}, {138, 90, 60},  {242, 227, 204}, {255, 255, 255}, {128, 128, 128}, {32, 32, 32},
+            {216, 58, 52},  {240, 180, 41}, {76, 154, 74},   {47, 111, 181},  {122, 79, 160}};
 }
 
 QStringList Settings::recentFiles() const
 {
-    return m_settings.value(recentKey).toStringList().mid(0, maxRecentFiles);
+    return get(&Setting::recentFiles).mid(0, maxRecentFiles);
 }
 
 void Settings::addRecentFile(const QString& path)
@@ -62,100 +60,52 @@ void Settings::addRecentFile(const QString& path)
     QStringList paths = recentFiles();
     paths.removeAll(path);
     paths.prepend(path);
-    setRecentFiles(paths.mid(0, maxRecentFiles));
-}
-
-void Settings::setRecentFiles(const QStringList& paths)
-{
-    m_settings.setValue(recentKey, paths);
+    set(&Setting::recentFiles, paths.mid(0, maxRecentFiles));
 }
 
 QString Settings::lastFolder() const
 {
-    const QString folder = m_settings.value(folderKey).toString();
-    return !folder.isEmpty() && QDir(folder).exists() ? folder : QDir::homePath();
-}
-
-void Settings::setLastFolder(const QString& folder)
-{
-    m_settings.setValue(folderKey, folder);
+    const QString folder = get(&Setting::lastFolder);
+    return isThere(folder) ? folder : QDir::homePath();
 }
 
 FileBrowserSettings Settings::files() const
 {
-    const QString folder = m_settings.value(shownFolderKey).toString();
-    const bool isThere = !folder.isEmpty() && QDir(folder).exists();
-    return {isThere ? folder : lastFolder(), stored::choice(m_settings, fileOrderKey, fileOrders, FileOrder::Name),
-            stored::yesNo(m_settings, filesDescendingKey, false),
-            static_cast<int>(stored::number(m_settings, filePictureKey, minPicture, maxPicture, defaultPicture))};
+    FileBrowserSettings files = get<FileBrowserSettings>();
+    if (!isThere(files.folder))
+        files.folder = lastFolder();
+    return files;
 }
 
-void Settings::setFiles(const FileBrowserSettings& options)
+double Settings::value(core::Parameter parameter) const
 {
-    m_settings.setValue(shownFolderKey, options.folder);
-    m_settings.setValue(fileOrderKey, stored::wordFor(options.order, fileOrders));
-    m_settings.setValue(filesDescendingKey, options.descending);
-    m_settings.setValue(filePictureKey, options.picture);
+    const core::ParameterInfo& row = core::info(parameter);
+    return stored::number(m_settings, keyOf(parameter), row.min, row.max, defaultOf(parameter));
 }
 
-int Settings::historyMegabytes() const
+void Settings::setValue(core::Parameter parameter, double value)
 {
-    return static_cast<int>(
-        stored::number(m_settings, historyKey, minHistoryMegabytes, maxHistoryMegabytes, defaultHistoryMegabytes));
+    m_settings.setValue(keyOf(parameter), value);
 }
 
-void Settings::setHistoryMegabytes(int megabytes)
+StoredReference Settings::reference(ViewSide side) const
 {
-    m_settings.setValue(historyKey, megabytes);
+    return readAll<StoredReference>(referenceGroup + stored::wordFor(side, viewSides) + u'/');
 }
 
-ExportSettings Settings::exporting() const
+void Settings::setReference(ViewSide side, const StoredReference& reference)
 {
-    const double max = stored::number(m_settings, exportTrianglesKey, minExportTriangles, maxExportTriangles, 0);
-    return {stored::choice(m_settings, exportUseKey, exportUses, ExportUse::Print), static_cast<quint64>(max),
-            stored::yesNo(m_settings, exportSlicesKey, false)};
-}
-
-void Settings::setExporting(const ExportSettings& options)
-{
-    m_settings.setValue(exportUseKey, stored::wordFor(options.use, exportUses));
-    m_settings.setValue(exportTrianglesKey, options.maxTriangles);
-    m_settings.setValue(exportSlicesKey, options.slices);
-}
-
-PrintSettings Settings::print() const
-{
-    const PrintSettings defaults;
-    return {m_settings.value(printerKey).toString(),
-            stored::number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, defaults.wall),
-            stored::number(m_settings, printOverhangKey, 0, 90, defaults.overhang),
-            static_cast<int>(stored::number(m_settings, printPictureKey, 0, 2, defaults.picture))};
-}
-
-void Settings::setPrint(const PrintSettings& options)
-{
-    m_settings.setValue(printerKey, options.printer);
-    m_settings.setValue(printWallKey, options.wall);
-    m_settings.setValue(printOverhangKey, options.overhang);
-    m_settings.setValue(printPictureKey, options.picture);
-}
-
-QList<PrinterPreset> Settings::printers() const
-{
-    const QList<PrinterPreset> stored = printersOf(m_settings.value(printersKey).toStringList());
-    return stored.isEmpty() ? defaultPrinters() : stored;
-}
-
-void Settings::setPrinters(const QList<PrinterPreset>& printers)
-{
-    m_settings.setValue(printersKey, toLines(printers));
+    const QString group = referenceGroup + stored::wordFor(side, viewSides);
+    m_settings.remove(group);
+    if (!reference.path.isEmpty())
+        writeAll(group + u'/', reference);
 }
 
 void Settings::reset()
 {
+    const QStringList kept = keptKeys();
     for (const QString& key : m_settings.allKeys())
-        if (key != recentKey && key != folderKey && key != stored::swatchesKey && key != printersKey &&
-            key != stored::alphaFilesKey && key != stored::modelFilesKey && !key.startsWith(stored::referenceKeys))
+        if (!kept.contains(key) && !key.startsWith(referenceGroup))
             m_settings.remove(key);
     for (const auto& applySettings : m_onReset)
         applySettings();
@@ -164,15 +114,5 @@ void Settings::reset()
 void Settings::onReset(std::function<void()> applySettings)
 {
     m_onReset.push_back(std::move(applySettings));
-}
-
-bool Settings::showsStartPage() const
-{
-    return stored::yesNo(m_settings, startPageKey, true);
-}
-
-void Settings::setShowsStartPage(bool shows)
-{
-    m_settings.setValue(startPageKey, shows);
 }
 } // namespace ui

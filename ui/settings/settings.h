@@ -1,32 +1,17 @@
 #pragma once
 
-#include "ui/settings/brush_settings.h"
-#include "ui/settings/drawing_settings.h"
-#include "ui/settings/export_settings.h"
-#include "ui/settings/file_browser_settings.h"
-#include "ui/settings/preferences.h"
-#include "ui/settings/printer_presets.h"
-#include "ui/settings/reference_placement.h"
-#include "ui/settings/turntable_settings.h"
-#include "ui/settings/view_appearance.h"
+#include "ui/settings/settings_table.h"
 
-#include "core/geometry/geometry.h"
 #include "core/stroke/tool.h"
 
-#include <QByteArray>
-#include <QList>
 #include <QSettings>
-#include <QString>
-#include <QStringList>
+#include <QVariant>
 
 #include <functional>
 #include <vector>
 
 namespace ui
 {
-/// The radii that make sense, as shares of the model's longest side. The least that the lattice takes is a little more.
-inline constexpr double minRadiusShare = 0.002, maxRadiusShare = 0.5;
-
 /// The spacing of a new user's brush, in radii: dense enough for an even furrow, wide enough that a slow hand does not
 /// dig a hole.
 inline constexpr double defaultSpacing = 0.25;
@@ -34,124 +19,117 @@ inline constexpr double defaultSpacing = 0.25;
 inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength, core::Parameter::Falloff,
                                                        core::Parameter::Detail, core::Parameter::Spacing};
 
-inline constexpr int minHistoryMegabytes = 16, maxHistoryMegabytes = 65536, defaultHistoryMegabytes = 512;
-
-/// A reference image: a local path, empty where there is none, and how it stands.
-struct StoredReference
-{
-    QString path;
-    ReferencePlacement placement;
-
-    bool operator==(const StoredReference&) const = default;
-};
-
-/// Of the brush: what is chosen, and files that were, the latest first.
-struct StoredShapes
-{
-    QString alpha; ///< a name of core::builtInAlphas(), or a path; empty: none
-    bool alphaFollows = false;
-    QString model;              ///< a path; empty: a ball
-    QStringList alphas, models; ///< paths
-
-    bool operator==(const StoredShapes&) const = default;
-};
-
-/// Of the print check: whose bed, what is too thin and what leans out too far, and what the model shows (0: nothing).
-struct PrintSettings
-{
-    QString printer;      ///< by name
-    double wall = 0.8;    ///< mm
-    double overhang = 45; ///< degrees
-    int picture = 1;      ///< 1 and core::PrintPicture
-};
-
-/// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The
-/// program sets organisation and application name before. Gui thread.
+/// Reads and writes the stored settings by their table (settings_table.h). A missing or invalid entry gives the
+/// default. Precondition: the program has set organisation and application name. Thread: gui.
 class Settings
 {
 public:
-    QByteArray windowGeometry() const;
-    void setWindowGeometry(const QByteArray& geometry);
-    QByteArray windowState() const;
-    void setWindowState(const QByteArray& state);
+    /// Returns one setting: get(&Setting::turnSpeed).
+    template <class T> T get(T Setting::*what) const
+    {
+        Setting all;
+        forEachRow<Setting>([&](const auto& row) {
+            if (isRowOf(row, what))
+                read({}, row, all);
+        });
+        return all.*what;
+    }
 
-    /// Paths, the latest first.
+    template <class T> void set(T Setting::*what, const std::type_identity_t<T>& value)
+    {
+        Setting all;
+        all.*what = value;
+        forEachRow<Setting>([&](const auto& row) {
+            if (isRowOf(row, what))
+                write({}, row, all);
+        });
+    }
+
+    /// Returns settings that belong together: get<ViewAppearance>().
+    template <class S> S get() const { return readAll<S>({}); }
+    template <class S> void set(const S& settings) { writeAll({}, settings); }
+
+    /// The latest first.
     QStringList recentFiles() const;
     void addRecentFile(const QString& path);
-    void setRecentFiles(const QStringList& paths);
-    /// The folder of the last file opened or exported; the user's home if there is none, or it is gone.
+    /// Returns the folder of the last file opened or exported; the user's home if there is none, or it is gone.
     QString lastFolder() const;
-    void setLastFolder(const QString& folder);
-
-    /// Of the files panel. A folder that is gone gives lastFolder().
+    /// Returns the settings of the files panel; lastFolder() instead of a folder that is gone.
     FileBrowserSettings files() const;
-    void setFiles(const FileBrowserSettings& options);
 
-    /// So much memory the undo steps may take.
-    int historyMegabytes() const;
-    void setHistoryMegabytes(int megabytes);
-
-    /// How the 2D preview shows the model.
-    DrawingSettings drawing() const;
-    void setDrawing(const DrawingSettings& options);
-
-    /// As it was agreed to last.
-    ExportSettings exporting() const;
-    void setExporting(const ExportSettings& options);
-
-    PrintSettings print() const;
-    void setPrint(const PrintSettings& options);
-    /// Not empty: the usual ones where none are stored.
-    QList<PrinterPreset> printers() const;
-    void setPrinters(const QList<PrinterPreset>& printers);
-
-    /// Of the brush; the radius is kept as a share instead.
+    /// A parameter of the brush, except the radius (Setting::radiusShare).
     double value(core::Parameter parameter) const;
     void setValue(core::Parameter parameter, double value);
-    /// The radius as a share of the model's longest side, so that it fits the next model too.
-    double radiusShare() const;
-    void setRadiusShare(double share);
-
-    StoredShapes shapes() const;
-    void setShapes(const StoredShapes& shapes);
-
-    Preferences preferences() const;
-    void setPreferences(const Preferences& preferences);
-
-    /// Everything to its default but what a person made: recent files and folder, swatches, reference images, printers.
-    /// Then all are called that asked for it, in that order, to take up what holds now.
-    void reset();
-    void onReset(std::function<void()> applySettings);
-
-    ViewAppearance appearance() const;
-    void setAppearance(const ViewAppearance& appearance);
-
-    /// Whether the start page is shown when the program begins without a file.
-    bool showsStartPage() const;
-    void setShowsStartPage(bool shows);
-
-    /// Whether strokes are steady, and the length of the stabilizer in logical pixels.
-    bool isSteady() const;
-    void setSteady(bool steady);
-    double stabilizerLength() const;
-    void setStabilizerLength(double pixels);
-
-    /// Of the turntable, degrees a second; seen from above.
-    double turnSpeed() const;
-    void setTurnSpeed(double speed);
-    bool turnsClockwise() const;
-    void setTurnsClockwise(bool clockwise);
 
     StoredReference reference(ViewSide side) const;
     void setReference(ViewSide side, const StoredReference& reference);
-    bool showsReferences() const;
-    void setShowsReferences(bool shows);
 
-    /// Colours at hand, in order; a first choice where none were ever stored. Broken ones are left out.
-    QList<core::Rgb> swatches() const;
-    void setSwatches(const QList<core::Rgb>& swatches);
+    /// Resets everything except what the user made: recent files and folder, swatches, brush files, reference images,
+    /// printers. Then calls the functions of onReset() in their order.
+    void reset();
+    /// `takeUp` applies the settings as they are after a reset.
+    void onReset(std::function<void()> applySettings);
 
 private:
+    template <class S, class Function> static void forEachRow(const Function& function)
+    {
+        std::apply([&](const auto&... row) { (function(row), ...); }, stored::rows<S>);
+    }
+
+    template <class T, class U> static bool isRowOf(const stored::Row<Setting, T>& row, U Setting::*what)
+    {
+        if constexpr (std::is_same_v<T, U>)
+            return row.member == what;
+        else
+            return false;
+    }
+
+    template <class S> S readAll(const QString& group) const
+    {
+        S settings;
+        forEachRow<S>([&](const auto& row) { read(group, row, settings); });
+        return settings;
+    }
+
+    template <class S> void writeAll(const QString& group, const S& settings)
+    {
+        forEachRow<S>([&](const auto& row) { write(group, row, settings); });
+    }
+
+    template <class S, class T> void read(const QString& group, const stored::Row<S, T>& row, S& settings) const
+    {
+        const QString key = group + QLatin1StringView(row.key);
+        T& value = settings.*row.member;
+        if constexpr (std::is_same_v<T, bool>)
+            value = stored::yesNo(m_settings, key, value);
+        else if constexpr (std::is_enum_v<T>)
+            value = stored::choice(m_settings, key, row.valid, value);
+        else if constexpr (std::is_arithmetic_v<T>)
+            value = static_cast<T>(
+                stored::number(m_settings, key, row.valid.min, row.valid.max, static_cast<double>(value)));
+        else
+            stored::read(m_settings, key, value);
+    }
+
+    template <class S, class T> void read(const QString& group, const stored::Part<S, T>& part, S& settings) const
+    {
+        settings.*part.member = readAll<T>(group);
+    }
+
+    template <class S, class T> void write(const QString& group, const stored::Row<S, T>& row, const S& settings)
+    {
+        const QString key = group + QLatin1StringView(row.key);
+        if constexpr (std::is_enum_v<T>)
+            m_settings.setValue(key, stored::wordFor(settings.*row.member, row.valid));
+        else
+            stored::write(m_settings, key, settings.*row.member);
+    }
+
+    template <class S, class T> void write(const QString& group, const stored::Part<S, T>& part, const S& settings)
+    {
+        writeAll(group, settings.*part.member);
+    }
+
     QSettings m_settings;
     std::vector<std::function<void()>> m_onReset;
 };

@@ -1,22 +1,24 @@
 #pragma once
 
-#include "ui/settings/shortcut_preset.h"
+#include "ui/settings/printer_presets.h"
+#include "ui/settings/view_appearance.h"
 
+#include "core/geometry/geometry.h"
+
+#include <QList>
+#include <QMap>
 #include <QSettings>
 #include <QString>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <type_traits>
 
-/// How the parts of Settings read what is stored: what is missing or makes no sense gives the default.
+/// How stored values are read: what is missing or makes no sense gives the default.
 namespace ui::stored
 {
-// What a person made, which Settings::reset() leaves.
-inline const QString alphaFilesKey = QStringLiteral("brush/alphaFiles");
-inline const QString modelFilesKey = QStringLiteral("brush/modelFiles");
-inline const QString swatchesKey = QStringLiteral("color/swatches");
-inline const QString referenceKeys = QStringLiteral("reference/"); ///< and the side
-
 inline double number(const QSettings& settings, const QString& key, double min, double max, double otherwise)
 {
     bool ok = false;
@@ -30,17 +32,40 @@ inline bool yesNo(const QSettings& settings, const QString& key, bool otherwise)
     return stored == QLatin1StringView("true") || (stored != QLatin1StringView("false") && otherwise);
 }
 
-template <class T, std::size_t count>
-T choice(const QSettings& settings, const QString& key, const std::array<Named<T>, count>& choices, T otherwise)
+/// The values of an enumeration with their words.
+template <class T> using Words = std::type_identity_t<std::span<const Named<T>>>;
+
+template <class T> T choice(const QSettings& settings, const QString& key, Words<T> words, T otherwise)
 {
     const QString stored = settings.value(key).toString();
     const auto found =
-        std::ranges::find_if(choices, [&](const Named<T>& row) { return stored == QLatin1StringView(row.key); });
-    return found != choices.end() ? found->value : otherwise;
+        std::ranges::find_if(words, [&](const Named<T>& row) { return stored == QLatin1StringView(row.key); });
+    return found != words.end() ? found->value : otherwise;
 }
 
-template <class T, std::size_t count> QString wordFor(T value, const std::array<Named<T>, count>& choices)
+template <class T> QString wordFor(T value, Words<T> words)
 {
-    return QLatin1StringView(std::ranges::find(choices, value, &Named<T>::value)->key);
+    return QLatin1StringView(std::ranges::find(words, value, &Named<T>::value)->key);
 }
+
+/// Reads what QVariant knows: texts, lists of texts, bytes.
+template <class T> void read(const QSettings& settings, const QString& key, T& value)
+{
+    value = settings.value(key).value<T>();
+}
+
+template <class T> void write(QSettings& settings, const QString& key, const T& value)
+{
+    settings.setValue(key, value);
+}
+
+/// Leaves out invalid colours. A stored list may be empty; without one `colors` stays.
+void read(const QSettings& settings, const QString& key, QList<core::Rgb>& colors);
+void write(QSettings& settings, const QString& key, const QList<core::Rgb>& colors);
+/// Without a valid printer `printers` stays.
+void read(const QSettings& settings, const QString& key, QList<PrinterPreset>& printers);
+void write(QSettings& settings, const QString& key, const QList<PrinterPreset>& printers);
+/// Texts by name in a group of their own, which a write replaces.
+void read(const QSettings& settings, const QString& group, QMap<QString, QString>& texts);
+void write(QSettings& settings, const QString& group, const QMap<QString, QString>& texts);
 } // namespace ui::stored

@@ -74,7 +74,7 @@ private:
                              ViewAppearance appearance = viewport->appearance();
                              change(appearance, on);
                              viewport->setAppearance(appearance);
-                             settings->setAppearance(appearance);
+                             settings->set(appearance);
                          });
     }
 
@@ -92,7 +92,7 @@ void addMenu(const Actions& actions, MenuId which, const char* icon, QMenu* to)
 
 void addAppearanceActions(const Actions& actions, Viewport* viewport, Settings* settings, QMenu* viewMenu)
 {
-    const auto applySettings = [=] { viewport->setAppearance(settings->appearance()); };
+    const auto applySettings = [=] { viewport->setAppearance(settings->get<ViewAppearance>()); };
     applySettings();
     settings->onReset(applySettings);
     const AppearanceActions appearanceActions(actions, viewport, settings);

@@ -32,7 +32,7 @@ void BrushDrag::begin(core::Parameter parameter)
 {
     if (isActive())
         return accept();
-    if (!m_viewport->isVisible() || m_viewport->strokeOpen() || m_viewport->isPressPending())
+    if (!m_viewport->isVisible() || m_viewport->input()->strokeOpen() || m_viewport->input()->isPressPending())
         return;
     m_parameter = parameter;
     m_from.reset();
@@ -110,7 +110,8 @@ void BrushDrag::moveTo(double x)
     const core::Parameter parameter = *m_parameter;
     const double moved = x - m_from.value_or(x);
     m_from = x - moved;
-    const double perPixel = parameter == core::Parameter::Radius ? 1 / m_viewport->pixelsPerMm() : strengthPerPixel;
+    const double perPixel =
+        parameter == core::Parameter::Radius ? 1 / m_viewport->input()->pixelsPerMm() : strengthPerPixel;
     m_brush->setValue(parameter,
                       std::clamp(m_before + moved * perPixel, m_brush->minOf(parameter), m_brush->maxOf(parameter)));
 }
@@ -146,7 +147,7 @@ void BrushDrag::showValue()
 void BrushDrag::place()
 {
     const bool isRadius = *m_parameter == core::Parameter::Radius;
-    const double rim = isRadius ? m_brush->value(core::Parameter::Radius) * m_viewport->pixelsPerMm() : 0;
+    const double rim = isRadius ? m_brush->value(core::Parameter::Radius) * m_viewport->input()->pixelsPerMm() : 0;
     const QPoint beside =
         m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + labelDistance, labelDistance);
     const QPoint corner(m_viewport->width() - width(), m_viewport->height() - height());

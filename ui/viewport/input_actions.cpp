@@ -3,6 +3,7 @@
 #include "ui/actions/actions.h"
 #include "ui/settings/settings.h"
 #include "ui/viewport/brush_drag.h"
+#include "ui/viewport/keyboard_cursor.h"
 #include "ui/viewport/turntable.h"
 #include "ui/viewport/turntable_panel.h"
 #include "ui/viewport/viewport.h"
@@ -38,8 +39,8 @@ void connectDrags(const Actions& actions, BrushSettings* brush, Viewport* viewpo
 void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
 {
     const auto applySettings = [=] {
-        brush->setSteady(settings->isSteady());
-        brush->setStabilizerLength(settings->stabilizerLength());
+        brush->setSteady(settings->get(&Setting::isSteady));
+        brush->setStabilizerLength(settings->get(&Setting::stabilizerLength));
     };
     applySettings();
     settings->onReset(applySettings);
@@ -47,8 +48,8 @@ void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
     QObject::connect(action, &QAction::triggered, brush, &BrushSettings::setSteady);
     QObject::connect(brush, &BrushSettings::changed, action, show);
     QObject::connect(brush, &BrushSettings::inputChanged, action, [=] {
-        settings->setSteady(brush->isSteady());
-        settings->setStabilizerLength(brush->stabilizerLength());
+        settings->set(&Setting::isSteady, brush->isSteady());
+        settings->set(&Setting::stabilizerLength, brush->stabilizerLength());
     });
     show();
 }
@@ -56,11 +57,14 @@ void connectAdding(QAction* action, const InputActionsContext& context)
 {
     QObject::connect(action, &QAction::triggered, context.viewport,
                      [viewport = context.viewport, notice = context.notice](bool adds) {
-                         viewport->setAdding(adds);
+                         if (adds)
+                             viewport->setFocus();
+                         viewport->input()->setMode(PointerMode::Add, adds);
                          if (adds)
                              notice(InputActions::tr("Click where the ball should be. Esc puts it away."));
                      });
-    QObject::connect(context.viewport, &Viewport::addingChanged, action, &QAction::setChecked);
+    QObject::connect(context.viewport->input(), &PointerInput::modeChanged, action,
+                     [action](PointerMode mode) { action->setChecked(mode == PointerMode::Add); });
 }
 
 void connectKeyboardCursor(QAction* action, const InputActionsContext& context)
@@ -72,7 +76,9 @@ void connectKeyboardCursor(QAction* action, const InputActionsContext& context)
                 notice(InputActions::tr(
                     "Arrow keys move the cross. Space presses while it is held, Return until the next Return."));
         });
-    QObject::connect(context.viewport, &Viewport::keyboardCursorChanged, action, &QAction::setChecked);
+    const KeyboardCursor* cursor = context.viewport->keyboardCursor();
+    QObject::connect(cursor, &KeyboardCursor::changed, action,
+                     [action, cursor] { action->setChecked(cursor->isOn()); });
 }
 
 void connectInvert(QAction* action, BrushSettings* brush)
@@ -85,17 +91,17 @@ void connectTurntable(QAction* action, const InputActionsContext& context, Setti
 {
     auto* turntable = new Turntable(context.viewport);
     const auto applySettings = [=] {
-        turntable->setSpeed(settings->turnSpeed());
-        turntable->setClockwise(settings->turnsClockwise());
+        turntable->setSpeed(settings->get(&Setting::turnSpeed));
+        turntable->setClockwise(settings->get(&Setting::turnsClockwise));
     };
     applySettings();
     settings->onReset(applySettings);
-    QObject::connect(turntable, &Turntable::turned, context.viewport, &Viewport::turnModel);
+    QObject::connect(turntable, &Turntable::turned, context.viewport->navigation(), &ViewNavigation::turnModel);
     QObject::connect(action, &QAction::triggered, turntable, &Turntable::setOn);
     QObject::connect(turntable, &Turntable::changed, action, [=] {
         action->setChecked(turntable->isOn());
-        settings->setTurnSpeed(turntable->speed());
-        settings->setTurnsClockwise(turntable->isClockwise());
+        settings->set(&Setting::turnSpeed, turntable->speed());
+        settings->set(&Setting::turnsClockwise, turntable->isClockwise());
     });
     addSideDock(context.window, context.toggles, makeTurntablePanel(turntable), QStringLiteral("topologyPanel"));
 }

@@ -1,6 +1,7 @@
 #include "ui/viewport/view_actions.h"
 
 #include "ui/actions/actions.h"
+#include "ui/viewport/keyboard_cursor.h"
 #include "ui/viewport/viewport.h"
 
 #include <QAction>
@@ -31,25 +32,32 @@ constexpr SideAction sideActions[] = {
     {"view.front", OrbitCamera::Side::Front}, {"view.back", OrbitCamera::Side::Back},
     {"view.right", OrbitCamera::Side::Right}, {"view.left", OrbitCamera::Side::Left},
     {"view.top", OrbitCamera::Side::Top},     {"view.bottom", OrbitCamera::Side::Bottom}};
+/// Goes to the keyboard cursor, else to the middle of the view.
+void zoomByKey(Viewport* viewport, double factor)
+{
+    const KeyboardCursor* cursor = viewport->keyboardCursor();
+    viewport->navigation()->zoom(factor, cursor->isOn() ? std::optional(cursor->at()) : std::nullopt);
+}
 } // namespace
 
 void connectView(const Actions& actions, Viewport* viewport)
 {
     using Projection = OrbitCamera::Projection;
+    ViewNavigation* navigation = viewport->navigation();
     const auto action = [&](const char* id) { return actions.get(QLatin1StringView(id)); };
-    QObject::connect(action("view.frame"), &QAction::triggered, viewport, &Viewport::frame);
+    QObject::connect(action("view.frame"), &QAction::triggered, navigation, &ViewNavigation::frame);
     for (const SideAction& row : sideActions)
-        QObject::connect(action(row.id), &QAction::triggered, viewport,
-                         [viewport, side = row.side] { viewport->turnTo(side); });
+        QObject::connect(action(row.id), &QAction::triggered, navigation,
+                         [navigation, side = row.side] { navigation->turnTo(side); });
     for (const TurnAction& row : turnActions)
-        QObject::connect(action(row.id), &QAction::triggered, viewport,
-                         [viewport, row] { viewport->turnView(row.right, row.down); });
+        QObject::connect(action(row.id), &QAction::triggered, navigation,
+                         [navigation, row] { navigation->turn(row.right, row.down); });
     QObject::connect(action("view.nearer"), &QAction::triggered, viewport,
-                     [viewport] { viewport->zoomView(zoomStep); });
+                     [viewport] { zoomByKey(viewport, zoomStep); });
     QObject::connect(action("view.farther"), &QAction::triggered, viewport,
-                     [viewport] { viewport->zoomView(1 / zoomStep); });
-    QObject::connect(action("view.orthographic"), &QAction::toggled, viewport, [viewport](bool on) {
-        viewport->setProjection(on ? Projection::Orthographic : Projection::Perspective);
+                     [viewport] { zoomByKey(viewport, 1 / zoomStep); });
+    QObject::connect(action("view.orthographic"), &QAction::toggled, navigation, [navigation](bool on) {
+        navigation->setProjection(on ? Projection::Orthographic : Projection::Perspective);
     });
 }
 } // namespace ui

@@ -1,15 +1,28 @@
 #include "ui/viewport/viewport.h"
 
+#include "ui/input/pointer_input.h"
+#include "ui/input/touch_input.h"
 #include "ui/scene/cursor_color.h"
-#include "ui/viewport/viewport_state.h"
+#include "ui/scene/scene.h"
+#include "ui/viewport/keyboard_cursor.h"
+#include "ui/viewport/keyboard_cursor_overlay.h"
+#include "ui/viewport/pointer_highlight.h"
+#include "ui/viewport/scale_bar.h"
+#include "ui/viewport/stabilizer_line.h"
 #include "ui/widgets/themed_icon.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QOpenGLExtraFunctions>
+#include <QTabletEvent>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace ui
@@ -32,7 +45,79 @@ QCursor pickCursor()
     constexpr int size = 24, tip = 3;
     return QCursor(themedIcon(QStringLiteral("pick")).pixmap(size, size), tip, size - tip);
 }
+constexpr double zoomPerNotch = 0.87;
+constexpr double minPinch = 0.1;   ///< of an event: a touchpad that says less means it no more
+constexpr double wheelNotch = 120; ///< QWheelEvent's eighths of a degree
+
+OrbitCamera::Pixel pixelOf(const QPointF& position)
+{
+    return {position.x(), position.y()};
+}
+
+PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& event)
+{
+    PointerEvent made;
+    made.kind = kind;
+    made.pixel = pixelOf(event.position());
+    made.button = event.button();
+    made.modifiers = event.modifiers();
+    made.time = static_cast<double>(event.timestamp()) * 1e-3;
+    return made;
+}
+
+/// Handles the fingers on a touchpad where the system tells pinching from scrolling, which comes as a wheel. Returns
+/// false for other gestures.
+bool handleGesture(PointerInput& input, const QNativeGestureEvent& event)
+{
+    switch (event.gestureType()) {
+    case Qt::ZoomNativeGesture:
+        input.zoom(1 / std::max(1 + event.value(), minPinch), pixelOf(event.position()));
+        return true;
+    case Qt::PanNativeGesture:
+        input.pan(pixelOf(event.delta()));
+        return true;
+    default:
+        return false;
+    }
+}
 } // namespace
+
+struct Viewport::State
+{
+    explicit State(BrushSettings* settings) : brush(settings) {}
+
+    BrushSettings* brush;
+    OrbitCamera camera;
+    PointerInput input{brush, &camera};
+    ViewNavigation navigation{&camera, &input};
+    PointerSpotlight spotlight{&input};
+    TouchInput touch{&input};
+    KeyboardCursor keyboardCursor{&input};
+    std::unique_ptr<Scene> scene;
+    ViewAppearance appearance;
+    References references;
+    ScaleBar* scaleBar = nullptr;
+    StabilizerLine* stabilizerLine = nullptr;
+    KeyboardCursorOverlay* keyboardOverlay = nullptr; ///< where the keyboard cursor is
+    PointerHighlight* highlight = nullptr;
+    std::function<std::optional<core::MeshPatch>()> patchSource;
+    std::shared_ptr<const core::Footprint> shades;
+    std::optional<core::Sphere> teacher;
+    bool patchPending = false;
+    unsigned int readFramebuffer = 0;
+    ViewportStats stats;
+
+    bool applyPatch();
+    void placeGround();
+    void placeCursor();
+    void placeKeys();
+    void placeMark();
+    void placeAvatar();
+    void placeHighlight();
+    void updateKeyboardCursorBounds(const QSize& view);
+    void updateStabilizerLine();
+    void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
+};
 
 void prepareGraphics()
 {
@@ -82,6 +167,49 @@ void Viewport::State::placeCursor()
         scene->tint(input.footprint());
 }
 
+void Viewport::State::placeGround()
+{
+    if (scene && scene->usable() && !navigation.box().isEmpty())
+        scene->placeGround(navigation.box());
+}
+
+void Viewport::State::placeKeys()
+{
+    if (keyboardCursor.isOn())
+        keyboardOverlay->place(QPointF(keyboardCursor.at().x(), keyboardCursor.at().y()), keyboardCursor.isDown());
+    keyboardOverlay->setVisible(keyboardCursor.isOn());
+}
+
+void Viewport::State::placeMark()
+{
+    scene->shade(shades);
+    if (const auto& mark = navigation.mark())
+        scene->showMark(mark->point, mark->normal, mark->radius);
+    else
+        scene->hideMark();
+}
+
+void Viewport::State::placeAvatar()
+{
+    scene->showAvatar(navigation.shownAvatar());
+    scene->showTeacher(teacher);
+}
+
+void Viewport::State::placeHighlight()
+{
+    const std::optional<core::SurfaceHit>& place = spotlight.place();
+    if (!place)
+        return highlight->place({});
+    const OrbitCamera::Pixel at = camera.project(place->position);
+    highlight->place(QPointF(at.x(), at.y()));
+}
+
+void Viewport::State::updateKeyboardCursorBounds(const QSize& view)
+{
+    keyboardCursor.setBounds(
+        {OrbitCamera::Pixel(view.width(), view.height()), input.pixelsPerMm() * brush->value(core::Parameter::Radius)});
+}
+
 void Viewport::State::updateStabilizerLine()
 {
     const auto stabilizer = input.stabilizer();
@@ -122,33 +250,26 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     m_state->scaleBar = new ScaleBar(this);
     m_state->stabilizerLine = new StabilizerLine(this);
     m_state->highlight = new PointerHighlight(this);
-    prepareFlight();
-    prepareFollowing();
-    prepareKeyboardCursor();
-    preparePointing();
+    m_state->keyboardOverlay = new KeyboardCursorOverlay(this);
+    connectInput();
+    connect(brush, &BrushSettings::changed, this, qOverload<>(&Viewport::update));
+    connect(brush, &BrushSettings::changed, &m_state->input, &PointerInput::brushChanged);
+    QCoreApplication::instance()->installEventFilter(this);
+}
 
-    PointerInput* input = &m_state->input;
-    connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
-    connect(input, &PointerInput::strokeBegan, this, &Viewport::strokeBegan);
-    connect(input, &PointerInput::strokeSampled, this, &Viewport::strokeSampled);
-    connect(input, &PointerInput::strokeEnded, this, &Viewport::strokeEnded);
-    connect(input, &PointerInput::pressDecided, this, &Viewport::pressDecided);
-    connect(input, &PointerInput::addingChanged, this, &Viewport::addingChanged);
-    connect(input, &PointerInput::sphereRequested, this, &Viewport::sphereRequested);
-    connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
-    connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
-    connect(input, &PointerInput::hoverChanged, this, [this] {
+void Viewport::connectInput()
+{
+    const auto repaint = qOverload<>(&Viewport::update);
+    connect(&m_state->input, &PointerInput::viewChanged, this, repaint);
+    connect(&m_state->input, &PointerInput::hoverChanged, this, [this] {
         updateCursor();
         m_state->updateStabilizerLine();
         update();
     });
-    connect(input, &PointerInput::pickingChanged, this, &Viewport::pickingChanged);
-    connect(input, &PointerInput::picked, this, [this](const std::optional<core::SurfaceHit>& hit) {
-        Q_EMIT picked(hit ? std::optional(hit->color) : std::nullopt);
-    });
-    connect(brush, &BrushSettings::changed, this, qOverload<>(&Viewport::update));
-    connect(brush, &BrushSettings::changed, input, &PointerInput::brushChanged);
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(&m_state->navigation, &ViewNavigation::followingChanged, this, repaint);
+    connect(&m_state->navigation, &ViewNavigation::markChanged, this, repaint);
+    connect(&m_state->spotlight, &PointerSpotlight::pointed, this, repaint);
+    connect(&m_state->keyboardCursor, &KeyboardCursor::changed, this, [this] { m_state->placeKeys(); });
 }
 
 Viewport::~Viewport()
@@ -172,68 +293,60 @@ void Viewport::patchReady()
     update();
 }
 
+PointerInput* Viewport::input() const
+{
+    return &m_state->input;
+}
+
+ViewNavigation* Viewport::navigation() const
+{
+    return &m_state->navigation;
+}
+
+PointerSpotlight* Viewport::spotlight() const
+{
+    return &m_state->spotlight;
+}
+
+const KeyboardCursor* Viewport::keyboardCursor() const
+{
+    return &m_state->keyboardCursor;
+}
+
+void Viewport::setKeyboardCursor(bool on)
+{
+    if (on == m_state->keyboardCursor.isOn())
+        return;
+    m_state->updateKeyboardCursorBounds(size());
+    m_state->keyboardCursor.setOn(on);
+    if (on)
+        setFocus();
+}
+
 void Viewport::showModel(const core::Box& box)
 {
-    finish();
-    m_state->box = box;
-    if (m_state->scene && m_state->scene->usable())
-        m_state->scene->placeGround(box);
+    m_state->input.finish();
     m_state->input.clearHover();
     m_state->shades.reset();
-    clearMark();
-    m_state->camera.setPivot({});
-    m_state->camera.frame(box);
-    m_state->input.viewMoved();
+    m_state->navigation.showModel(box);
+    m_state->placeGround();
 }
 
 void Viewport::setBox(const core::Box& box)
 {
-    m_state->box = box;
-    m_state->camera.setScene(box);
-    if (m_state->scene && m_state->scene->usable() && !box.isEmpty())
-        m_state->scene->placeGround(box);
+    m_state->navigation.setBox(box);
+    m_state->placeGround();
 }
 
-const core::Box& Viewport::box() const
+void Viewport::setReducesMotion(bool reducesMotion)
 {
-    return m_state->box;
+    m_state->navigation.setReducesMotion(reducesMotion);
+    m_state->highlight->setReducesMotion(reducesMotion);
 }
 
-void Viewport::frame()
+bool Viewport::reducesMotion() const
 {
-    setFollowing(false);
-    m_state->camera.frame(m_state->box);
-    m_state->input.viewMoved();
-}
-
-void Viewport::setView(const core::SavedView& view)
-{
-    m_state->camera.setView(view);
-    m_state->input.viewMoved();
-}
-
-void Viewport::turnTo(OrbitCamera::Side side)
-{
-    setFollowing(false);
-    m_state->camera.turnTo(side);
-    m_state->input.viewMoved();
-}
-
-void Viewport::turnModel(double angle, double seconds)
-{
-    if (!isFollowing() || strokeOpen())
-        m_state->input.turnModel(angle, seconds);
-}
-
-void Viewport::setProjection(OrbitCamera::Projection projection)
-{
-    m_state->camera.setProjection(projection);
-    m_state->input.viewMoved();
-}
-
-void Viewport::setInputPreferences(const InputPreferences& preferences)
-{
-    m_state->input.setInputPreferences(preferences);
+    return m_state->navigation.reducesMotion();
 }
 
 void Viewport::setAppearance(const ViewAppearance& appearance)
@@ -245,11 +358,6 @@ void Viewport::setAppearance(const ViewAppearance& appearance)
         Q_EMIT appearanceChanged();
 }
 
-core::Shading Viewport::shading() const
-{
-    return shadingOf(m_state->appearance.material);
-}
-
 const ViewAppearance& Viewport::appearance() const
 {
     return m_state->appearance;
@@ -258,6 +366,12 @@ const ViewAppearance& Viewport::appearance() const
 void Viewport::setReferences(const References& references)
 {
     m_state->references = references;
+    update();
+}
+
+void Viewport::setShades(const std::shared_ptr<const core::Footprint>& shades)
+{
+    m_state->shades = shades;
     update();
 }
 
@@ -276,43 +390,21 @@ const ViewportStats& Viewport::stats() const
     return m_state->stats;
 }
 
-double Viewport::pixelsPerMm() const
+void Viewport::showAvatar(const std::optional<HeadsetAvatar>& avatar)
 {
-    const std::optional<core::SurfaceHit> hit = m_state->input.hover();
-    return m_state->camera.pixelsPerMm(hit ? hit->position : m_state->camera.pivot());
+    if (!avatar && !m_state->navigation.shownAvatar())
+        return;
+    m_state->navigation.setAvatar(avatar);
+    update();
 }
 
-bool Viewport::strokeOpen() const
+void Viewport::showTeacher(const std::optional<core::Sphere>& brush)
 {
-    return m_state->input.strokeOpen();
-}
-
-bool Viewport::isPressPending() const
-{
-    return m_state->input.isPressPending();
-}
-
-void Viewport::setAdding(bool adding)
-{
-    if (adding)
-        setFocus();
-    m_state->input.setAdding(adding);
-}
-
-void Viewport::finish()
-{
-    m_state->input.finish();
-}
-
-void Viewport::setPicking(bool on)
-{
-    m_state->input.setPicking(on);
-}
-
-void Viewport::setHover(const std::optional<core::SurfaceHit>& hit,
-                        const std::shared_ptr<const core::Footprint>& footprint)
-{
-    m_state->input.setHover(hit, footprint);
+    if (!brush && !m_state->teacher)
+        return;
+    m_state->teacher = brush;
+    update();
+    Q_EMIT teacherShown(brush);
 }
 
 /// Also called when the widget moves to another window; the scene has contexts of its own and stays.
@@ -323,8 +415,7 @@ void Viewport::initializeGL()
         m_state->scene = std::make_unique<Scene>();
         if (!m_state->scene->usable())
             showDriverProblem();
-        else if (!m_state->box.isEmpty())
-            m_state->scene->placeGround(m_state->box);
+        m_state->placeGround();
     }
     makeCurrent();
 }
@@ -332,7 +423,9 @@ void Viewport::initializeGL()
 void Viewport::updateCursor()
 {
     const PointerInput& input = m_state->input;
-    setCursor(input.isPicking() ? pickCursor() : input.hover() || input.pointed() ? Qt::CrossCursor : Qt::ArrowCursor);
+    setCursor(input.mode() == PointerMode::Pick  ? pickCursor()
+              : input.hover() || input.pointed() ? Qt::CrossCursor
+                                                 : Qt::ArrowCursor);
 }
 
 /// The driver promised OpenGL 3.3 (graphicsProblem() was empty) and did not keep it.
@@ -364,11 +457,11 @@ void Viewport::paintGL()
     s.placeMark();
     s.placeAvatar();
     s.placeHighlight();
-    s.scene->showPlane(s.brush->stroke().symmetry, s.box);
-    s.scene->showSectors(s.brush->stroke().radial, s.brush->stroke().symmetry, s.box);
+    s.scene->showPlane(s.brush->stroke().symmetry, s.navigation.box());
+    s.scene->showSectors(s.brush->stroke().radial, s.brush->stroke().symmetry, s.navigation.box());
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setAppearance(s.appearance, darkTheme);
-    s.scene->showReference(seenReference(s.references, s.camera, s.box));
+    s.scene->showReference(seenReference(s.references, s.camera, s.navigation.box()));
     s.scaleBar->setLight(isDark(backdropOf(s.appearance.background, darkTheme)));
     s.scaleBar->showFor(s.camera);
     const QSize pixels = size() * devicePixelRatioF();
@@ -385,5 +478,126 @@ void Viewport::paintGL()
     s.stats.frameMs = milliseconds(timer);
     if (surfaceChanged)
         s.input.refreshHover();
+}
+
+void Viewport::changeEvent(QEvent* event)
+{
+    QOpenGLWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange)
+        return;
+    updateCursor(); // it may be a drawing in the text's colour
+    update();
+}
+
+/// The mouse is ignored while the keyboard cursor draws.
+void Viewport::mousePressEvent(QMouseEvent* event)
+{
+    if (m_state->keyboardCursor.isDown())
+        return;
+    m_state->navigation.stop();
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Press, *event));
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event)
+{
+    if (m_state->keyboardCursor.isDown())
+        return;
+    m_state->spotlight.restartTimer();
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (m_state->keyboardCursor.isDown())
+        return;
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Release, *event));
+}
+
+/// Accepts the event, or Qt would send it again as a mouse's.
+void Viewport::tabletEvent(QTabletEvent* event)
+{
+    const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
+                      : event->type() == QEvent::TabletRelease ? PointerEvent::Kind::Release
+                                                               : PointerEvent::Kind::Move;
+    m_state->spotlight.restartTimer();
+    PointerEvent pen = pointerEvent(kind, *event);
+    pen.pressure = event->pressure();
+    pen.isEraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
+    m_state->input.handle(pen);
+    event->accept();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    m_state->navigation.stop();
+    const double notches = event->angleDelta().y() / wheelNotch;
+    if (notches != 0)
+        m_state->input.zoom(std::pow(zoomPerNotch, notches), pixelOf(event->position()));
+    event->accept();
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    if (!m_state->keyboardCursor.isOn())
+        m_state->input.pointerLeft();
+    QOpenGLWidget::leaveEvent(event);
+}
+
+/// Handles touch, for which Qt has no handler of its own, and ends drags whose release will not come: when a dialog
+/// opens over the window or the view is hidden.
+bool Viewport::event(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        m_state->touch.handle(*static_cast<QTouchEvent*>(event));
+        event->accept(); // or Qt would send it again as a mouse's
+        return true;
+    case QEvent::NativeGesture:
+        if (handleGesture(m_state->input, *static_cast<QNativeGestureEvent*>(event)))
+            return true;
+        break;
+    case QEvent::WindowBlocked:
+    case QEvent::Hide:
+        m_state->input.finish();
+        break;
+    default:
+        break;
+    }
+    return QOpenGLWidget::event(event);
+}
+
+/// Whatever has the focus: the cursor shows what a press would do now.
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
+        m_state->input.setModifiers(static_cast<QKeyEvent*>(event)->modifiers());
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        m_state->spotlight.setOn(false);
+        m_state->input.setMode(PointerMode::Sculpt);
+    }
+    return QOpenGLWidget::eventFilter(watched, event);
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event)
+{
+    m_state->updateKeyboardCursorBounds(size());
+    if (!m_state->keyboardCursor.press(*event))
+        QOpenGLWidget::keyPressEvent(event);
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent* event)
+{
+    if (!m_state->keyboardCursor.release(*event))
+        QOpenGLWidget::keyReleaseEvent(event);
+}
+
+/// Without the focus the releases of held keys would not come.
+void Viewport::focusOutEvent(QFocusEvent* event)
+{
+    m_state->keyboardCursor.releaseAll();
+    QOpenGLWidget::focusOutEvent(event);
 }
 } // namespace ui

@@ -3,7 +3,6 @@
 #include "ui/brush/brush_shapes.h"
 #include "ui/widgets/notification_banner.h"
 #include "ui/window/info_bar.h"
-#include "ui/window/progress_bar.h"
 #include "ui/window/window_geometry.h"
 
 #include <QAction>
@@ -47,7 +46,7 @@ void MainWindow::State::save()
     for (const core::Parameter parameter : storedParameters)
         settings.setValue(parameter, brush.value(parameter));
     if (model.size.maxCoeff() > 0)
-        settings.setRadiusShare(brush.radiusShare());
+        settings.set(&Setting::radiusShare, brush.radiusShare());
 }
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make_unique<State>(this))
@@ -90,6 +89,21 @@ ModelPanel* MainWindow::modelPanel() const
     return m_state->modelPanel;
 }
 
+ModelFiles* MainWindow::files() const
+{
+    return &m_state->files;
+}
+
+HeadsetActions* MainWindow::headset() const
+{
+    return m_state->headset;
+}
+
+ProgressBar* MainWindow::progress() const
+{
+    return m_state->progressBar;
+}
+
 QAction* MainWindow::action(const QString& id) const
 {
     return m_state->actions.get(id);
@@ -103,11 +117,6 @@ void MainWindow::setUndoText(const QString& what)
 void MainWindow::setRedoText(const QString& what)
 {
     action(QStringLiteral("edit.redo"))->setText(what.isEmpty() ? tr("&Redo") : tr("&Redo %1").arg(what));
-}
-
-core::StrokeSettings MainWindow::strokeSettings() const
-{
-    return m_state->brush.stroke();
 }
 
 void MainWindow::setCanClose(std::function<bool()> canClose)
@@ -135,11 +144,6 @@ const Actions& MainWindow::commands() const
     return m_state->actions;
 }
 
-bool MainWindow::askToDiscard(const std::function<void()>& proceed)
-{
-    return m_state->files.askToDiscard(proceed);
-}
-
 void MainWindow::showSaved(const ModelInfo& modelInfo)
 {
     m_state->model = modelInfo;
@@ -158,9 +162,9 @@ void MainWindow::setModel(const ModelInfo& modelInfo)
 {
     m_state->model = modelInfo;
     m_state->showName();
-    setModified(false);
+    setWindowModified(false);
     if (modelInfo.size.maxCoeff() > 0)
-        m_state->brush.fitTo(modelInfo, m_state->settings.radiusShare());
+        m_state->brush.fitTo(modelInfo, m_state->settings.get(&Setting::radiusShare));
     m_state->files.setOpened(modelInfo);
     m_state->infoBar->setModelInfo(modelInfo);
     m_state->viewport->showModel(modelInfo.box);
@@ -174,14 +178,9 @@ void MainWindow::updateModelInfo(const ModelInfo& modelInfo)
     m_state->viewport->setBox(modelInfo.box);
     if (!m_state->brush.fits(modelInfo)) {
         m_state->brush.fitTo(modelInfo, m_state->brush.radiusShare());
-        if (!m_state->viewport->isFollowing())
-            m_state->viewport->frame();
+        if (!m_state->viewport->navigation()->isFollowing())
+            m_state->viewport->navigation()->frame();
     }
-}
-
-void MainWindow::setModified(bool modified)
-{
-    setWindowModified(modified);
 }
 
 void MainWindow::showProblem(const QString& sentence)
@@ -206,28 +205,6 @@ void MainWindow::setBrushModel(const QString& path)
     m_state->shapes->chooseModel(path);
     m_state->brush.setTool(core::Tool::Stamp);
     showNotice(tr("Stamp has %1 as it is now.").arg(QFileInfo(path).completeBaseName()));
-}
-
-void MainWindow::setBusy(const QString& what)
-{
-    m_state->progressBar->begin(what);
-    m_state->setBusy(true);
-}
-
-void MainWindow::setProgress(double share)
-{
-    m_state->progressBar->setProgress(share);
-}
-
-void MainWindow::setStoppable(bool canStop)
-{
-    m_state->progressBar->setStoppable(canStop);
-}
-
-void MainWindow::setIdle()
-{
-    m_state->progressBar->end();
-    m_state->setBusy(false);
 }
 
 void MainWindow::setHeadset(HeadsetState state, const QString& sentence)

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "ui/classroom/classroom_dialog.h"
+#include "ui/files/model_files.h"
 #include "ui/headset/headset_actions.h"
-#include "ui/model/insert_request.h"
 #include "ui/settings/brush_settings.h"
 #include "ui/settings/model_info.h"
+#include "ui/window/progress_bar.h"
 
 #include "core/operations/starter_models.h"
 
@@ -23,8 +24,8 @@ class ModelPanel;
 class Settings;
 class Viewport;
 
-/// The desktop window: viewport, menus, tool bar, brush bar, status bar. Decides nothing about the document: it asks by
-/// signals and shows what it is told. Gui thread.
+/// The desktop window: viewport, menus, tool bar, brush bar, status bar. Decides nothing about the document: its parts
+/// ask by signals, and it shows what it is told. Thread: gui.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -37,15 +38,17 @@ public:
     BrushSettings* brush() const;
     HistoryPanel* history() const;
     ModelPanel* modelPanel() const;
+    /// Where models come from and go to.
+    ModelFiles* files() const;
+    HeadsetActions* headset() const;
+    /// Long work, in the status bar. Save, Export and the commands of the model are disabled while it is shown.
+    ProgressBar* progress() const;
     /// By its id in the action table. "edit.undo" and "edit.redo" start disabled; text and enablement are set by
     /// whoever owns the undo stack: use setUndoText() for a translated, uniform wording.
     QAction* action(const QString& id) const;
     /// `what` names the step ("Pull"), empty if there is none.
     void setUndoText(const QString& what);
     void setRedoText(const QString& what);
-
-    /// What the next stroke will be, without modifiers.
-    core::StrokeSettings strokeSettings() const;
 
     /// Asked before the window closes: false keeps it open. Without one it closes.
     void setCanClose(std::function<bool()> canClose);
@@ -66,16 +69,11 @@ public:
     /// For what lies over the window.
     const Actions& commands() const;
 
-    /// Asks what becomes of changes that no file holds: true if they may be lost. If the person would rather save them,
-    /// `proceed` is called when that is done.
-    bool askToDiscard(const std::function<void()>& proceed);
-
 public Q_SLOTS:
     /// Another model is shown from now on: title, figures, ground, default radius, and the view frames it.
     void setModel(const ui::ModelInfo& modelInfo);
     /// The same model changed: figures; and if it is of quite another size now, the brush keeps its proportion to it.
     void updateModelInfo(const ui::ModelInfo& modelInfo);
-    void setModified(bool modified);
 
     /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the
     /// first.
@@ -88,40 +86,16 @@ public Q_SLOTS:
     void setBrushModel(const QString& path);
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);
-    /// Something long is going on, in the status bar; Open, Save, Export and the model's menu are disabled meanwhile.
-    void setBusy(const QString& what);
-    /// How far it is, 0 to 1; not known until the first call.
-    void setProgress(double share);
-    void setStoppable(bool canStop);
-    void setIdle();
     /// What the VR menu offers; the sentence stands in the status bar while nobody is quite out.
     void setHeadset(ui::HeadsetState state, const QString& sentence);
     /// Retries closing, if that waits: something that it may wait for is done.
     void continueClosing();
 
 Q_SIGNALS:
-    /// By dialog, menu, or drag and drop. A local path; nothing about it is checked.
-    void openRequested(const QString& path);
-    void starterRequested(core::Starter starter);
-    /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
-    void saveRequested(const QString& path);
-    void exportRequested(const QString& path, quint64 maxTriangles = 0, bool slices = false);
-    /// Of the models in a folder; the ending says the format.
-    void reportRequested(const QString& folder, const QString& path);
     /// By dialog or menu.
     void commandRequested(const core::ModelCommand& command);
-    void insertRequested(const ui::InsertRequest& insertion);
-    /// The model as it is now shall be Stamp's: setBrushModel() with a file of it.
-    void brushModelRequested();
-    /// The model's own file is called so now.
-    void modelRenamed(const QString& path);
-    /// The model's own file is not there any more.
-    void modelFileDeleted();
-    void stopRequested();
     /// By dialog: a class is to be written to a file.
     void classroomDrafted(const ui::ClassroomDraft& draft);
-    void enterVrRequested();
-    void leaveVrRequested();
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -27,7 +27,6 @@
 #include "ui/viewport/view_actions.h"
 #include "ui/widgets/notification_banner.h"
 #include "ui/window/info_bar.h"
-#include "ui/window/progress_bar.h"
 
 #include <QAction>
 #include <QLabel>
@@ -124,6 +123,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
 void MainWindow::State::buildStatusBar()
 {
     progressBar = new ProgressBar(actions.get(QStringLiteral("edit.stop")));
+    connect(progressBar, &ProgressBar::activeChanged, q, [this](bool isBusy) { setBusy(isBusy); });
     infoBar = new InfoBar(&brush);
     headsetText = new QLabel;
     headsetText->setObjectName(QStringLiteral("headsetText"));
@@ -148,12 +148,11 @@ void MainWindow::State::connectActions()
         [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
     connectTools();
     connectHeadset();
-    on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
     connectPreferences({q, &actions, &settings, &brush, viewport});
     StartPage* start = connectHelp(actions, &settings, q);
-    connect(start, &StartPage::fileChosen, q, &MainWindow::openRequested);
-    connect(q, &MainWindow::openRequested, start, &StartPage::close);
+    connect(start, &StartPage::fileChosen, &files, &ModelFiles::openRequested);
+    connect(&files, &ModelFiles::openRequested, start, &StartPage::close);
     for (const char* id : {"edit.undo", "edit.redo"})
         actions.get(QLatin1StringView(id))->setEnabled(false);
 }
@@ -166,21 +165,12 @@ void MainWindow::State::connectFiles()
                         [this](const ClassroomDraft& draft) { Q_EMIT q->classroomDrafted(draft); });
     });
     on("file.quit", [this] { q->close(); });
-    connect(&files, &ModelFiles::openRequested, q, &MainWindow::openRequested);
-    connect(&files, &ModelFiles::starterRequested, q, &MainWindow::starterRequested);
-    connect(&files, &ModelFiles::saveRequested, q, &MainWindow::saveRequested);
-    connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
-    connect(&files, &ModelFiles::reportRequested, q, &MainWindow::reportRequested);
-    connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
-    connect(&files, &ModelFiles::renamed, q, &MainWindow::modelRenamed);
-    connect(&files, &ModelFiles::fileDeleted, q, &MainWindow::modelFileDeleted);
     connect(&files, &ModelFiles::noticed, q, &MainWindow::showNotice);
 }
 
 void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
-    on("brush.fromModel", [this] { Q_EMIT q->brushModelRequested(); });
     connect(shapes, &BrushShapes::ownModelRequested, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(ErrorMessages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
@@ -190,7 +180,5 @@ void MainWindow::State::connectTools()
 void MainWindow::State::connectHeadset()
 {
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
-    connect(headset, &HeadsetActions::enterRequested, q, &MainWindow::enterVrRequested);
-    connect(headset, &HeadsetActions::leaveRequested, q, &MainWindow::leaveVrRequested);
 }
 } // namespace ui

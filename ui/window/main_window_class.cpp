@@ -25,14 +25,14 @@ void MainWindow::setClassroom(const Classroom& classroom)
 void MainWindow::beginTurn()
 {
     const TurnDefaults& turnDefaults = m_state->turnDefaults;
-    m_state->viewport->finish();
+    m_state->viewport->input()->finish();
     m_state->settings.reset();
     restoreState(turnDefaults.bars);
     m_state->brush.reset();
-    m_state->brush.setRadiusShare(m_state->settings.radiusShare());
+    m_state->brush.setRadiusShare(m_state->settings.get(&Setting::radiusShare));
     findChild<ColorPanel*>()->reset(turnDefaults.swatches);
     setSwitches(m_state->actions, turnDefaults.switches);
-    m_state->viewport->setView(turnDefaults.view);
-    m_state->viewport->frame();
+    m_state->viewport->navigation()->setView(turnDefaults.view);
+    m_state->viewport->navigation()->frame();
 }
 } // namespace ui

@@ -2,7 +2,6 @@
 
 #include "ui/actions/actions.h"
 #include "ui/classroom/classroom.h"
-#include "ui/files/model_files.h"
 #include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"

@@ -34,10 +34,11 @@ ProgressBar::ProgressBar(QAction* stop, QWidget* parent)
 void ProgressBar::begin(const QString& what)
 {
     m_what->setText(what);
-    if (!isHidden())
-        return;
-    m_progress->setRange(0, 0);
-    show();
+    if (isHidden()) {
+        m_progress->setRange(0, 0);
+        show();
+    }
+    Q_EMIT activeChanged(true);
 }
 
 void ProgressBar::setProgress(double share)
@@ -56,5 +57,6 @@ void ProgressBar::end()
 {
     setStoppable(false);
     hide();
+    Q_EMIT activeChanged(false);
 }
 } // namespace ui

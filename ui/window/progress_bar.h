@@ -25,6 +25,10 @@ public:
     void setStoppable(bool canStop);
     void end();
 
+Q_SIGNALS:
+    /// Each begin() and end().
+    void activeChanged(bool isActive);
+
 private:
     QLabel* m_what;
     QProgressBar* m_progress;

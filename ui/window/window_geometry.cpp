@@ -36,14 +36,14 @@ void restoreBars(QMainWindow* window, const QByteArray& state)
 void restoreWindowGeometry(QMainWindow* window, const Settings& settings)
 {
     window->resize(firstSize);
-    window->restoreGeometry(settings.windowGeometry());
+    window->restoreGeometry(settings.get(&Setting::windowGeometry));
     keepOnScreen(window);
-    restoreBars(window, settings.windowState());
+    restoreBars(window, settings.get(&Setting::windowState));
 }
 
 void saveWindowGeometry(const QMainWindow& window, Settings& settings)
 {
-    settings.setWindowGeometry(window.saveGeometry());
-    settings.setWindowState(window.saveState(barsVersion));
+    settings.set(&Setting::windowGeometry, window.saveGeometry());
+    settings.set(&Setting::windowState, window.saveState(barsVersion));
 }
 } // namespace ui

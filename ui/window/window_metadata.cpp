@@ -21,6 +21,6 @@ void applyMetadata(MainWindow& window, const core::DocumentMetadata& metadata)
     if (!metadata.view)
         return;
     window.action(QStringLiteral("view.orthographic"))->setChecked(metadata.view->orthographic);
-    window.viewport()->setView(*metadata.view);
+    window.viewport()->navigation()->setView(*metadata.view);
 }
 } // namespace ui

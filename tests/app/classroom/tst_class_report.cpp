@@ -362,7 +362,7 @@ void TestClassReport::window_writesAReport()
     QTRY_VERIFY(notice(program).contains(QStringLiteral("on paper.pdf was written.")));
     QVERIFY(read(at("on paper.pdf")).count("/URI (class/") >= models);
 
-    Q_EMIT program.window.reportRequested(QString::fromStdString(at("class/folder.stl").string()), path);
+    Q_EMIT program.window.files()->reportRequested(QString::fromStdString(at("class/folder.stl").string()), path);
     const QMessageBox* problem = nullptr;
     QTRY_VERIFY((problem = program.window.findChild<QMessageBox*>(QStringLiteral("problem"))) && problem->isVisible());
     QVERIFY(problem->text().contains(QStringLiteral("there is no model in this folder")));

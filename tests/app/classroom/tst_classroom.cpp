@@ -177,7 +177,7 @@ struct Class
 struct Beginning
 {
     explicit Beginning(const Class& c)
-        : brush(c.program.window.strokeSettings())
+        : brush(c.program.window.brush()->stroke())
         , swatches(c.program.window.findChild<ui::ColorPanel*>()->swatches())
         , switches(ui::switchesOf(c.program.window.commands()))
         , view(c.program.window.viewport()->camera().saved())
@@ -335,7 +335,7 @@ void TestClassroom::aTurnBegins_asTheClassDid()
     c.sculpt();
     leaveTraces(c);
     QVERIFY(!(Beginning(c) == first));
-    QCOMPARE(c.program.window.strokeSettings().tool, core::Tool::Paint);
+    QCOMPARE(c.program.window.brush()->stroke().tool, core::Tool::Paint);
     c.next();
     c.beginTurn(QStringLiteral("Ben"));
     QVERIFY(Beginning(c) == first);
@@ -343,9 +343,9 @@ void TestClassroom::aTurnBegins_asTheClassDid()
             !c.program.document.savedState().isModified());
     QVERIFY(c.program.window.windowTitle().contains(QStringLiteral("Ben")));
     c.program.window.action(QStringLiteral("symmetry.on"))->trigger(); // the plane that was chosen last went, too
-    QCOMPARE(c.program.window.strokeSettings().symmetry, core::Symmetry::X);
+    QCOMPARE(c.program.window.brush()->stroke().symmetry, core::Symmetry::X);
     c.program.window.brush()->setTool(core::Tool::Smooth); // by whatever way
-    QCOMPARE(c.program.window.strokeSettings().tool, core::Tool::Clay);
+    QCOMPARE(c.program.window.brush()->stroke().tool, core::Tool::Clay);
 }
 
 void TestClassroom::aMistakenPress_isTakenBack()

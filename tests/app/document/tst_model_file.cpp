@@ -219,7 +219,7 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
 {
     Opened o;
     o.wait();
-    ui::Settings().setLastFolder(o.folder.path());
+    ui::Settings().set(&ui::Setting::lastFolder, o.folder.path());
     for (const char* name : {"lion.glb", "tiger-old.glb"})
         core::writeMesh(o.folder.filePath(QString::fromLatin1(name)).toStdString(), core::icosphere(1, 20));
     o.press("file.saveAs");

@@ -196,7 +196,7 @@ void TestPrintPanelWindow::limits_evaluateAgain()
     QTest::keyClicks(overhang, QStringLiteral("90"));
     QTest::keyClick(overhang, Qt::Key_Return);
     QTRY_VERIFY(rowWith(program, QStringLiteral("No overhangs")));
-    QCOMPARE(ui::Settings().print().wall, 0.4);
+    QCOMPARE(ui::Settings().get<ui::PrintSettings>().wall, 0.4);
 }
 
 void TestPrintPanelWindow::printers_areEdited()
@@ -217,8 +217,8 @@ void TestPrintPanelWindow::printers_areEdited()
         qobject_cast<QDoubleSpinBox*>(table->cellWidget(0, i))->setValue(30);
     QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
     QTRY_VERIFY(rowWith(program, QStringLiteral("Too large for Tiny")));
-    QCOMPARE(ui::Settings().printers().size(), 1);
-    QCOMPARE(ui::Settings().printers()[0].bed.z, 30.0);
+    QCOMPARE(ui::Settings().get(&ui::Setting::printers).size(), 1);
+    QCOMPARE(ui::Settings().get(&ui::Setting::printers)[0].bed.z, 30.0);
 }
 
 void TestPrintPanelWindow::stopping_leavesItUnchecked()
@@ -270,7 +270,7 @@ void TestPrintPanelWindow::home_isTheControlsThatHasTheFocus()
     const ui::OrbitCamera& camera = program.window.viewport()->camera();
     const core::Vec3 framed = camera.eye();
     program.window.viewport()->setFocus();
-    program.window.viewport()->flyTo({0, 30, 0}, {0, 1, 0}, 5);
+    program.window.viewport()->navigation()->flyTo({0, 30, 0}, {0, 1, 0}, 5);
     QTRY_VERIFY((camera.eye() - framed).norm() > 10);
     QTest::qWait(800); // it has arrived
     const core::Vec3 near = camera.eye();

@@ -77,7 +77,7 @@ void TestSavedDocument::reopened_isTheSame()
     brush.set(&core::StrokeSettings::color, core::Rgb{1, 2, 3});
     brush.setTool(core::Tool::Paint);
     brush.setValue(core::Parameter::Radius, 17);
-    program.window.viewport()->turnTo(ui::OrbitCamera::Side::Left);
+    program.window.viewport()->navigation()->turnTo(ui::OrbitCamera::Side::Left);
     program.window.action(QStringLiteral("view.orthographic"))->setChecked(true);
     const QList<core::Rgb> swatches = {{9, 8, 7}, {200, 1, 1}};
     auto* colors = program.window.findChild<ui::ColorPanel*>();
@@ -94,7 +94,7 @@ void TestSavedDocument::reopened_isTheSame()
     brush.set(&core::StrokeSettings::topology, core::Topology::Adaptive);
     brush.setTool(core::Tool::Pull);
     colors->setSwatches({{0, 0, 0}});
-    program.window.viewport()->turnTo(ui::OrbitCamera::Side::Top);
+    program.window.viewport()->navigation()->turnTo(ui::OrbitCamera::Side::Top);
     program.window.action(QStringLiteral("view.orthographic"))->setChecked(false);
 
     program.document.opener().open(path);

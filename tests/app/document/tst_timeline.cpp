@@ -356,10 +356,10 @@ void TestTimeline::edit_theNextStrokeEndsIt()
     fixture.beginEdit();
     fixture.set("radius.box", 11);
     fixture.set("radius.box", 14); // not begun yet
-    Q_EMIT fixture.program.window.viewport()->strokeBegan(across(core::Tool::Push).settings);
+    Q_EMIT fixture.program.window.viewport()->input()->strokeBegan(across(core::Tool::Push).settings);
     for (const core::StrokeSample& sample : across().samples)
-        Q_EMIT fixture.program.window.viewport()->strokeSampled(sample);
-    Q_EMIT fixture.program.window.viewport()->strokeEnded();
+        Q_EMIT fixture.program.window.viewport()->input()->strokeSampled(sample);
+    Q_EMIT fixture.program.window.viewport()->input()->strokeEnded();
     fixture.rest();
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
     QCOMPARE(fixture.count(), 2);

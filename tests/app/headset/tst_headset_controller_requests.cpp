@@ -182,7 +182,7 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
 
 void TestHeadsetControllerRequests::save_ofAModelWithoutAFile()
 {
-    ui::Settings().setLastFolder(m_folder->path());
+    ui::Settings().set(&ui::Setting::lastFolder, m_folder->path());
     Visit visit({});
     visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, m_folder->filePath(visit.update().saved),
@@ -197,7 +197,7 @@ void TestHeadsetControllerRequests::save_whereNothingFits()
         QSKIP("no disk can be mounted here");
     const QString folder = QString::fromStdString(disk->folder().string());
     disk->fill();
-    ui::Settings().setLastFolder(folder);
+    ui::Settings().set(&ui::Setting::lastFolder, folder);
     Visit visit({});
     visit.stroke({50, 0, 0});
     const QSignalSpy refused(&visit.program.document, &Document::refused);
@@ -214,7 +214,7 @@ void TestHeadsetControllerRequests::save_whereOnlyTheFirstFits()
 {
     if (!disk->isThere())
         QSKIP("no disk can be mounted here");
-    ui::Settings().setLastFolder(QString::fromStdString(disk->folder().string()));
+    ui::Settings().set(&ui::Setting::lastFolder, QString::fromStdString(disk->folder().string()));
     Visit visit({});
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
@@ -309,14 +309,14 @@ void TestHeadsetControllerRequests::class_hasItsToolsAndNoFiles()
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), files);
     QCOMPARE(visit.hash(), hash);
     const quint64 told = visit.update().brushChange;
-    vr::ChooseBrush other{visit.program.window.strokeSettings()};
+    vr::ChooseBrush other{visit.program.window.brush()->stroke()};
     other.brush.tool = core::Tool::Stamp;
     visit.request(other);
     QVERIFY(visit.update().brushChange > told &&
             visit.update().brush.tool == core::Tool::Clay); // it hears which there is
     other.brush.tool = core::Tool::Pull;
     visit.request(other);
-    QCOMPARE(visit.program.window.strokeSettings().tool, core::Tool::Pull);
+    QCOMPARE(visit.program.window.brush()->stroke().tool, core::Tool::Pull);
 }
 
 void TestHeadsetControllerRequests::restore_isUndoable()

@@ -53,7 +53,7 @@ struct Pair : Visit
 {
     explicit Pair(const QSize& pixels = HeadsetHand::few) : Visit({}, keepsPictures() ? QSize(540, 600) : pixels)
     {
-        QObject::connect(&viewport(), &ui::Viewport::pointed, &program.window,
+        QObject::connect(viewport().spotlight(), &ui::PointerSpotlight::pointed, &program.window,
                          [this](const auto& where) { place = where; });
     }
     ui::Viewport& viewport() const { return *program.window.viewport(); }
@@ -235,12 +235,12 @@ void TestHeadsetPartner::pointing_sculptsNothing()
     v.pull(); // who wears the headset goes on meanwhile
     QCOMPARE(v.changes(), 1);
     QTest::keyClick(&v.viewport(), Qt::Key_Escape);
-    QVERIFY(!v.action("vr.point")->isChecked() && !v.viewport().isPointing() && !v.place);
+    QVERIFY(!v.action("vr.point")->isChecked() && !v.viewport().spotlight()->isOn() && !v.place);
     v.drawAtTheDesktop();
     QVERIFY(v.isSound());
     v.action("vr.point")->setChecked(true);
     v.hand.leave();
-    QVERIFY(!v.viewport().isPointing() && !v.action("vr.point")->isEnabled());
+    QVERIFY(!v.viewport().spotlight()->isOn() && !v.action("vr.point")->isEnabled());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -251,9 +251,9 @@ void TestHeadsetPartner::pointing_endsAtRestAndBeside()
     sendMove(&v.viewport(), {2, 2});
     QTRY_VERIFY_WITH_TIMEOUT(!v.place, 60'000);
     v.pointAt(middle(&v.viewport()));
-    QVERIFY(v.viewport().isPointing());
+    QVERIFY(v.viewport().spotlight()->isOn());
     QTRY_VERIFY_WITH_TIMEOUT(!v.place, 60'000); // nobody moves
-    QVERIFY(v.viewport().isPointing());
+    QVERIFY(v.viewport().spotlight()->isOn());
     sendMove(&v.viewport(), middle(&v.viewport()) + QPoint(3, 0));
     QTRY_VERIFY_WITH_TIMEOUT(v.place, 60'000);
 }
@@ -264,14 +264,14 @@ void TestHeadsetPartner::pointing_byAKeyThatIsHeld()
     Pair v;
     v.viewport().setFocus();
     QTest::keyClick(&v.viewport(), Qt::Key_Q);
-    QVERIFY(v.viewport().isPointing());
+    QVERIFY(v.viewport().spotlight()->isOn());
     QTest::keyClick(&v.viewport(), Qt::Key_Q);
-    QVERIFY(!v.viewport().isPointing());
+    QVERIFY(!v.viewport().spotlight()->isOn());
     QTest::keyPress(&v.viewport(), Qt::Key_Q);
-    QVERIFY(v.viewport().isPointing());
+    QVERIFY(v.viewport().spotlight()->isOn());
     QTest::qWait(500);
     QTest::keyRelease(&v.viewport(), Qt::Key_Q);
-    QVERIFY(!v.viewport().isPointing() && !v.action("vr.point")->isChecked());
+    QVERIFY(!v.viewport().spotlight()->isOn() && !v.action("vr.point")->isChecked());
 }
 
 /// A radius in millimetres is that length on the model as it is shown; the headset's own change of it stays its own.

@@ -258,8 +258,8 @@ void TestHeadsetVisits::partner_seesGhostsAndFollows()
     HeadsetFixture fixture;
     ui::Viewport& viewport = *fixture.program.window.viewport();
     const auto lookFromTheFront = [&] {
-        viewport.turnTo(ui::OrbitCamera::Side::Front);
-        viewport.frame();
+        viewport.navigation()->turnTo(ui::OrbitCamera::Side::Front);
+        viewport.navigation()->frame();
         fixture.hand.settle();
         return viewport.grabFramebuffer();
     };
@@ -273,14 +273,14 @@ void TestHeadsetVisits::partner_seesGhostsAndFollows()
 
     fixture.hand.enter();
     fixture.trigger("vr.follow");
-    QVERIFY(viewport.isFollowing());
+    QVERIFY(viewport.navigation()->isFollowing());
     const auto isFollowed = [&] {
         fixture.hand.frame();
         return viewport.camera().pose().distance < 200 || viewport.camera().pose().pitch > 0.1;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isFollowed(), 60'000);
     fixture.hand.leave();
-    QVERIFY(!viewport.isFollowing());
+    QVERIFY(!viewport.navigation()->isFollowing());
     QCOMPARE(lookFromTheFront(), alone);
     QCOMPARE(fixture.changes(), 0);
     QVERIFY(fixture.isUntouched());
@@ -293,7 +293,7 @@ void TestHeadsetVisits::partner_opensAnotherModel()
     core::TriangleMesh other = core::icosphere(3, 20);
     core::writeMesh(v.path("other.glb").toStdU16String(), other);
     const double before = v.scale();
-    Q_EMIT v.program.window.openRequested(v.path("other.glb"));
+    Q_EMIT v.program.window.files()->openRequested(v.path("other.glb"));
     QTRY_COMPARE_WITH_TIMEOUT(v.program.document.modelInfo().path, v.path("other.glb"), 60'000);
     v.hand.settle();
     QVERIFY(std::abs(v.scale() / before - 2.5) < 0.05); // as large in the room as the first
@@ -369,7 +369,7 @@ void TestHeadsetVisits::strokes_areOneAtATime()
     Visit v;
     ui::Viewport* viewport = v.program.window.viewport();
     QTest::mousePress(viewport, Qt::LeftButton, {}, middle(viewport));
-    QTRY_VERIFY_WITH_TIMEOUT((v.hand.frame(), viewport->strokeOpen()), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT((v.hand.frame(), viewport->input()->strokeOpen()), 60'000);
     sendMouse(viewport, QEvent::MouseMove, middle(viewport) + QPoint(8, 0), Qt::LeftButton);
     v.hand.frame();
     const int before = pulsesOf(v.hand, Side::Right, refusal);

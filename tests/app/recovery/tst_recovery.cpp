@@ -713,13 +713,13 @@ void TestRecovery::earlierVersions_areKeptIfAskedFor()
     Session session(newRoot());
     session.openBall();
     for (int i = 0; i < 6; ++i) { // the last four with the request
-        ui::Settings().setPreferences({.input = {}, .keepsBackups = i >= 2});
+        ui::Settings().set(ui::Preferences{.input = {}, .keepsBackups = i >= 2});
         session.apply(core::Fill{{static_cast<std::uint8_t>(i), 0, 0}});
         session.document.saver().save(file);
         session.wait();
         QVERIFY(i >= 2 || !fs::exists(kept(1)));
     }
-    ui::Settings().setPreferences({});
+    ui::Settings().set(ui::Preferences{});
     for (int version = 1; version <= 3; ++version)
         QCOMPARE(core::readMesh(kept(version)).colors.at(0).r, std::uint8_t(5 - version));
     QVERIFY(!fs::exists(kept(4)));

@@ -76,7 +76,7 @@ void TestEndToEnd::openPullUndoExport()
     QTRY_COMPARE(program.document.history().stack().index(), 1);
 
     QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
-    Q_EMIT program.window.exportRequested(out);
+    Q_EMIT program.window.files()->exportRequested(out);
     QTRY_COMPARE(exported.size(), 1);
     const core::TriangleMesh mesh = core::readMesh(out.toStdString());
     const core::MeshReport report = core::checkMesh(mesh);
@@ -120,7 +120,7 @@ void TestEndToEnd::sculptedByKeysAlone()
     const QUndoStack& steps = program.document.history().stack();
 
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
-    QVERIFY(view->hasKeyboardCursor() && view->hasFocus());
+    QVERIFY(view->keyboardCursor()->isOn() && view->hasFocus());
     QVERIFY(program.window.findChild<QWidget*>(QStringLiteral("keyCross"))->isVisible());
     QTest::keyClick(view, Qt::Key_1); // Pull
     QTest::keyPress(view, Qt::Key_Space);
@@ -140,13 +140,13 @@ void TestEndToEnd::sculptedByKeysAlone()
     QVERIFY(steps.text(0) != steps.text(1)); // Push
 
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
-    QVERIFY(!view->hasKeyboardCursor());
+    QVERIFY(!view->keyboardCursor()->isOn());
     QTest::keyClick(view, Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), 60'000);
     QCOMPARE(steps.count(), 2);
 
     QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
-    Q_EMIT program.window.exportRequested(out);
+    Q_EMIT program.window.files()->exportRequested(out);
     QTRY_COMPARE(exported.size(), 1);
     QVERIFY(isSound(out));
 }
@@ -185,7 +185,7 @@ void TestEndToEnd::refusedFileLeavesTheModel()
     program.document.opener().openSphere();
     QTRY_VERIFY(!program.document.job().isBusy());
     QSignalSpy refused(&program.document, &Document::refused);
-    Q_EMIT program.window.openRequested(path);
+    Q_EMIT program.window.files()->openRequested(path);
     QTRY_COMPARE(refused.size(), 1);
     QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
     QVERIFY(program.document.modelInfo().path.isEmpty());
@@ -229,7 +229,7 @@ void TestEndToEnd::closing_waitsForThePress()
     int asked = 0;
     program.document.opener().setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
     QTest::mousePress(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
-    QVERIFY(program.window.viewport()->isPressPending());
+    QVERIFY(program.window.viewport()->input()->isPressPending());
     QVERIFY(!program.window.close());
     QCOMPARE(asked, 0);
     QTRY_COMPARE(asked, 1);
@@ -297,7 +297,7 @@ void TestEndToEnd::swatches_areSavedWithTheModel()
     colors->setSwatches(persons);
     program.document.opener().open(path);
     QTRY_VERIFY(!program.document.job().isBusy() && colors->swatches() == own);
-    QVERIFY(ui::Settings().swatches() == persons); // other models keep the person's
+    QVERIFY(ui::Settings().get(&ui::Setting::swatches) == persons); // other models keep the person's
 }
 
 void TestEndToEnd::closing_maySaveFirst()

@@ -226,7 +226,7 @@ void TestRandomInput::theModelStaysSound()
         hand.rest();
         qInfo("%d acts, %d steps to undo", acts, program.document.history().stack().count());
     }
-    program.window.viewport()->finish();
+    program.window.viewport()->input()->finish();
     program.document.cancelJob();
     QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.document.job().isBusy(), 120'000);
 

@@ -206,7 +206,7 @@ void TestScreenshots::states()
     const Words words(locale);
     ui::Preferences preferences;
     preferences.theme = theme;
-    ui::Settings().setPreferences(preferences);
+    ui::Settings().set(preferences);
     Program program(Program::anyView);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));

@@ -277,16 +277,16 @@ void TestBrushFiles::window_takesItsOwnModel()
 {
     core::writeMesh(path("own.glb").toStdString(), core::starterModel(core::Starter::Cube));
     ui::MainWindow window;
-    QSignalSpy asked(&window, &ui::MainWindow::brushModelRequested);
+    QSignalSpy asked(window.action(QStringLiteral("brush.fromModel")), &QAction::triggered);
     window.action(QStringLiteral("brush.fromModel"))->trigger();
     auto* box = window.findChild<QComboBox*>(QStringLiteral("stampShape"));
     box->setCurrentIndex(box->count() - 2);
     Q_EMIT box->activated(box->currentIndex());
     QCOMPARE(asked.count(), 2);
     QVERIFY(box->currentData().toString().isEmpty());
-    window.setBusy(QStringLiteral("Saving"));
+    window.progress()->begin(QStringLiteral("Saving"));
     QVERIFY(!window.action(QStringLiteral("brush.fromModel"))->isEnabled());
-    window.setIdle();
+    window.progress()->end();
     window.setBrushModel(path("own.glb"));
     QTRY_COMPARE(box->currentData().toString(), path("own.glb"));
     QCOMPARE(window.brush()->tool(), Tool::Stamp);
@@ -315,8 +315,8 @@ void TestBrushFiles::settings_keepTheAlpha()
         ui::MainWindow window; // is gone before the file was read
         window.brush()->setTool(Tool::Clay);
     }
-    QCOMPARE(ui::Settings().shapes().alpha, path("kept.png"));
-    QVERIFY(ui::Settings().shapes().alphaFollows);
+    QCOMPARE(ui::Settings().get<ui::StoredShapes>().alpha, path("kept.png"));
+    QVERIFY(ui::Settings().get<ui::StoredShapes>().alphaFollows);
     QVERIFY(QFile::remove(path("kept.png")));
     ui::MainWindow window;
     QTest::qWait(100);
@@ -351,7 +351,7 @@ void TestBrushFiles::settings_keepTheModel()
     ui::MainWindow window;
     QTest::qWait(100);
     QVERIFY(!window.brush()->stroke().model);
-    QCOMPARE(ui::Settings().shapes().models, QStringList{path("stamp.stl")}); // still at hand
+    QCOMPARE(ui::Settings().get<ui::StoredShapes>().models, QStringList{path("stamp.stl")}); // still at hand
 }
 
 void TestBrushFiles::aModelThatIsGone_isSaidOnce_data()
@@ -369,7 +369,7 @@ void TestBrushFiles::aModelThatIsGone_isSaidOnce()
     ui::StoredShapes stored;
     stored.model = path("was.stl");
     stored.models = QStringList{stored.model};
-    ui::Settings().setShapes(stored);
+    ui::Settings().set(stored);
     for (const int times : {1, 0}) {
         ui::MainWindow window;
         QSignalSpy refused(window.findChild<ui::BrushShapes*>(), &ui::BrushShapes::refused);
@@ -388,12 +388,12 @@ void TestBrushFiles::aLaterModelWins()
     core::writeMesh(path("second.stl").toStdString(), core::starterModel(core::Starter::Cube));
     ui::StoredShapes stored;
     stored.model = path("first.stl");
-    ui::Settings().setShapes(stored);
+    ui::Settings().set(stored);
     ui::MainWindow window;
     window.findChild<ui::BrushShapes*>()->chooseModel(path("second.stl"));
     QTest::qWait(300);
     QCOMPARE(window.brush()->stroke().model->source(), path("second.stl").toStdString());
-    QCOMPARE(ui::Settings().shapes().model, path("second.stl"));
+    QCOMPARE(ui::Settings().get<ui::StoredShapes>().model, path("second.stl"));
 }
 
 /// A document that is opened while the stored file is still being read.
@@ -404,28 +404,29 @@ void TestBrushFiles::aLaterAlphaWins()
     QVERIFY(image.save(path("late.png")));
     ui::StoredShapes stored;
     stored.alpha = path("late.png");
-    ui::Settings().setShapes(stored);
+    ui::Settings().set(stored);
     ui::MainWindow window;
     core::StrokeSettings noted = window.brush()->stroke();
     noted.alpha = core::builtInAlpha("star");
     window.brush()->apply(noted);
     QTest::qWait(200);
     QCOMPARE(window.brush()->stroke().alpha, core::builtInAlpha("star"));
-    QCOMPARE(ui::Settings().shapes().alpha, QStringLiteral("star"));
+    QCOMPARE(ui::Settings().get<ui::StoredShapes>().alpha, QStringLiteral("star"));
 }
 
 void TestBrushFiles::aRefusedFile_isForgotten()
 {
     ui::StoredShapes stored;
     stored.alphas = stored.models = QStringList{path("never.png")};
-    ui::Settings().setShapes(stored);
+    ui::Settings().set(stored);
     ui::MainWindow window;
     auto* shapes = window.findChild<ui::BrushShapes*>();
     QSignalSpy refused(shapes, &ui::BrushShapes::refused);
     shapes->chooseAlpha(path("never.png"));
     shapes->chooseModel(path("never.png"));
     QTRY_COMPARE(refused.count(), 2);
-    QVERIFY(ui::Settings().shapes().alphas.isEmpty() && ui::Settings().shapes().models.isEmpty());
+    QVERIFY(ui::Settings().get<ui::StoredShapes>().alphas.isEmpty() &&
+            ui::Settings().get<ui::StoredShapes>().models.isEmpty());
 }
 
 /// What was painted into it meanwhile is seen.

@@ -185,7 +185,7 @@ private Q_SLOTS:
         }
         Palette p;
         QVERIFY(p.child<ui::ColorSwatches>("swatches")->colors().contains(mine));
-        QCOMPARE(p.child<ui::ColorSwatches>("swatches")->colors(), p.settings.swatches());
+        QCOMPARE(p.child<ui::ColorSwatches>("swatches")->colors(), p.settings.get(&ui::Setting::swatches));
     }
 
     /// A colour is seen where it has the window's.

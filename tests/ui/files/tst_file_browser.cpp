@@ -223,17 +223,17 @@ private Q_SLOTS:
     {
         const Models models;
         Shown s(models);
-        QSignalSpy opened(&s.window, &ui::MainWindow::openRequested);
+        QSignalSpy opened(s.window.files(), &ui::ModelFiles::openRequested);
         QTRY_COMPARE(s.names().size(), 4);
         s.choose(QStringLiteral("ball 9.obj"));
         QTest::keyClick(s.grid, Qt::Key_Return);
         QCOMPARE(opened.size(), 1);
         QCOMPARE(opened.takeFirst().constFirst().toString(), models.path("ball 9.obj"));
-        s.window.setBusy(QStringLiteral("Opening"));
+        s.window.progress()->begin(QStringLiteral("Opening"));
         QTest::keyClick(s.grid, Qt::Key_Return);
         QCOMPARE(opened.size(), 1); // the latest choice wins
         opened.clear();
-        s.window.setIdle();
+        s.window.progress()->end();
 
         s.choose(QStringLiteral("inner"));
         QTest::keyClick(s.grid, Qt::Key_Return);

@@ -77,7 +77,7 @@ private Q_SLOTS:
     {
         MainWindow window;
         StartPage* page = shownIn(window, true);
-        const QSignalSpy requested(&window, &MainWindow::starterRequested);
+        const QSignalSpy requested(window.files(), &ui::ModelFiles::starterRequested);
         for (const ui::ActionInfo& row : ui::actionTable()) {
             if (row.menu != ui::MenuId::New)
                 continue;
@@ -115,12 +115,12 @@ private Q_SLOTS:
     {
         QTemporaryFile file;
         QVERIFY(file.open());
-        ui::Settings().setRecentFiles({QStringLiteral("/no/such.stl"), file.fileName()});
+        ui::Settings().set(&ui::Setting::recentFiles, {QStringLiteral("/no/such.stl"), file.fileName()});
         MainWindow window;
         StartPage* page = shownIn(window, true);
         auto* list = page->findChild<QListWidget*>(QStringLiteral("startRecent"));
         QCOMPARE(list->count(), 1);
-        const QSignalSpy requested(&window, &MainWindow::openRequested);
+        const QSignalSpy requested(window.files(), &ui::ModelFiles::openRequested);
         Q_EMIT list->itemActivated(list->item(0));
         QCOMPARE(requested.size(), 1);
         QCOMPARE(requested[0][0].toString(), file.fileName());
@@ -161,12 +161,12 @@ private Q_SLOTS:
 
     void whetherItIsShownIsRemembered()
     {
-        QVERIFY(ui::Settings().showsStartPage());
+        QVERIFY(ui::Settings().get(&ui::Setting::showsStartPage));
         MainWindow window;
         auto* box = shownIn(window, true)->findChild<QCheckBox*>(QStringLiteral("startAlways"));
         QVERIFY(box->isChecked());
         QTest::keyClick(box, Qt::Key_Space);
-        QVERIFY(!ui::Settings().showsStartPage());
+        QVERIFY(!ui::Settings().get(&ui::Setting::showsStartPage));
     }
 
     void everyControlHasANameAndATip()

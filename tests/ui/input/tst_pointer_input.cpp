@@ -147,7 +147,7 @@ private Q_SLOTS:
              {std::optional(somewhere), std::optional<core::SurfaceHit>()}) {
             Recorder r;
             QSignalSpy picked(&r.input, &ui::PointerInput::picked);
-            r.input.setPicking(true);
+            r.input.setMode(ui::PointerMode::Pick);
             r.rest({400, 300}, somewhere);
             QVERIFY(!r.input.hover());       // nothing would be sculpted
             r.send(Kind::Press, {450, 300}); // the answer is not known yet
@@ -157,7 +157,7 @@ private Q_SLOTS:
             r.input.setHover(hit);
             QCOMPARE(picked.count(), 1);
             QCOMPARE(picked[0][0].value<std::optional<core::SurfaceHit>>().has_value(), hit.has_value());
-            QVERIFY(r.log.isEmpty() && !r.input.isPicking());
+            QVERIFY(r.log.isEmpty() && r.input.mode() == ui::PointerMode::Sculpt);
         }
     }
 
@@ -177,14 +177,14 @@ private Q_SLOTS:
         r.brush.setTool(Tool::Smooth);
         r.brush.setValue(core::Parameter::Strength, 0);
         const auto click = [&](const Pixel& at) {
-            r.input.setAdding(true);
+            r.input.setMode(ui::PointerMode::Add);
             r.send(Kind::Move, at);
             QVERIFY(r.input.hover());
             const core::Vec3 shown = r.input.hover()->position;
             r.send(Kind::Press, at);
             r.send(Kind::Move, at + Pixel(50, 0));
             r.send(Kind::Release, at + Pixel(50, 0));
-            QVERIFY(!r.input.isAdding() && r.log.isEmpty());
+            QVERIFY(r.input.mode() == ui::PointerMode::Sculpt && r.log.isEmpty());
             QCOMPARE(places.back(), shown);
             QVERIFY((r.camera.project(places.back()) - at).norm() < 1e-6);
         };
@@ -199,10 +199,10 @@ private Q_SLOTS:
         QVERIFY(std::abs(depth(places.back()) - depth(somewhere.position)) < 1e-9);
         QCOMPARE(r.camera.eye(), eye); // neither did it turn the view
 
-        r.input.setAdding(true);
+        r.input.setMode(ui::PointerMode::Add);
         r.send(Kind::Press, {400, 300}, Qt::MiddleButton); // the view may be turned meanwhile
         r.send(Kind::Release, {400, 300}, Qt::MiddleButton);
-        QVERIFY(r.input.isAdding());
+        QVERIFY(r.input.mode() == ui::PointerMode::Add);
         QCOMPARE(places.size(), 2);
     }
 
@@ -581,12 +581,12 @@ private Q_SLOTS:
         r.input.setHover(somewhere, footprint);
         QCOMPARE(r.input.footprint(), footprint);
 
-        r.input.setPicking(true);
+        r.input.setMode(ui::PointerMode::Pick);
         QVERIFY(!r.input.footprint());
-        r.input.setPicking(false);
-        r.input.setAdding(true);
+        r.input.setMode(ui::PointerMode::Sculpt);
+        r.input.setMode(ui::PointerMode::Add);
         QVERIFY(!r.input.footprint());
-        r.input.setAdding(false);
+        r.input.setMode(ui::PointerMode::Sculpt);
         QCOMPARE(r.input.footprint(), footprint);
         r.input.pointerLeft();
         QVERIFY(!r.input.footprint());

@@ -90,13 +90,13 @@ private Q_SLOTS:
     {
         QSettings().clear();
         ui::Settings settings;
-        QCOMPARE(settings.printers().size(), ui::defaultPrinters().size());
-        settings.setPrinters({{QStringLiteral("A; \"b\", c"), {100.5, 200, 300}}});
-        QCOMPARE(settings.printers().size(), 1);
-        QCOMPARE(settings.printers()[0].name, QStringLiteral("A; \"b\", c"));
-        QCOMPARE(settings.printers()[0].bed.x, 100.5);
+        QCOMPARE(settings.get(&ui::Setting::printers).size(), ui::defaultPrinters().size());
+        settings.set(&ui::Setting::printers, {{QStringLiteral("A; \"b\", c"), {100.5, 200, 300}}});
+        QCOMPARE(settings.get(&ui::Setting::printers).size(), 1);
+        QCOMPARE(settings.get(&ui::Setting::printers)[0].name, QStringLiteral("A; \"b\", c"));
+        QCOMPARE(settings.get(&ui::Setting::printers)[0].bed.x, 100.5);
         settings.reset();
-        QCOMPARE(settings.printers().size(), 1); // a person made it
+        QCOMPARE(settings.get(&ui::Setting::printers).size(), 1); // a person made it
         for (const char* broken : {"", "Name", "Name\t1\t2", "Name\t100\t100\tx", "\t100\t100\t100",
                                    "Name\t1\t100\t100", "Name\t1e9\t100\t100", "Name\tnan\t100\t100"})
             QVERIFY2(ui::printersOf({QString::fromLatin1(broken)}).isEmpty(), broken);
@@ -106,16 +106,16 @@ private Q_SLOTS:
     {
         QSettings().clear();
         ui::Settings settings;
-        QCOMPARE(settings.print().wall, 0.8);
-        settings.setPrint({QStringLiteral("Mine"), 1.2, 60, 2});
-        QCOMPARE(settings.print().printer, QStringLiteral("Mine"));
-        QCOMPARE(settings.print().wall, 1.2);
-        QCOMPARE(settings.print().overhang, 60.0);
-        QCOMPARE(settings.print().picture, 2);
+        QCOMPARE(settings.get<ui::PrintSettings>().wall, 0.8);
+        settings.set(ui::PrintSettings{QStringLiteral("Mine"), 1.2, 60, 2});
+        QCOMPARE(settings.get<ui::PrintSettings>().printer, QStringLiteral("Mine"));
+        QCOMPARE(settings.get<ui::PrintSettings>().wall, 1.2);
+        QCOMPARE(settings.get<ui::PrintSettings>().overhang, 60.0);
+        QCOMPARE(settings.get<ui::PrintSettings>().picture, 2);
         QSettings().setValue(QStringLiteral("print/wall"), QStringLiteral("thick"));
         QSettings().setValue(QStringLiteral("print/picture"), 7);
-        QCOMPARE(settings.print().wall, 0.8);
-        QCOMPARE(settings.print().picture, 1);
+        QCOMPARE(settings.get<ui::PrintSettings>().wall, 0.8);
+        QCOMPARE(settings.get<ui::PrintSettings>().picture, 1);
     }
 };
 

@@ -191,9 +191,9 @@ private Q_SLOTS:
         Shown shown;
         drop(shown.window, picture());
         QTRY_VERIFY(!shown.seen().none());
-        shown.window.viewport()->turnModel(0.05, 0);
+        shown.window.viewport()->navigation()->turnModel(0.05, 0);
         QVERIFY(!shown.seen().none());
-        shown.window.viewport()->turnModel(0.1, 0);
+        shown.window.viewport()->navigation()->turnModel(0.1, 0);
         QVERIFY(shown.seen().none());
     }
 
@@ -247,7 +247,7 @@ private Q_SLOTS:
     void aModelIsStillOpenedByDrop()
     {
         Shown shown;
-        QSignalSpy opened(&shown.window, &ui::MainWindow::openRequested);
+        QSignalSpy opened(shown.window.files(), &ui::ModelFiles::openRequested);
         drop(shown.window, picture());
         drop(shown.window, m_folder.filePath(QStringLiteral("a.stl")));
         QTRY_COMPARE(opened.count(), 1);
@@ -316,10 +316,10 @@ private Q_SLOTS:
         ui::Settings settings;
         const ui::StoredReference stored{picture(), {42, 1, 2, 0.5, true}};
         settings.setReference(Side::Left, stored);
-        settings.setShowsReferences(false);
+        settings.set(&ui::Setting::showsReferences, false);
         settings.reset();
         QCOMPARE(settings.reference(Side::Left), stored);
-        QVERIFY(settings.showsReferences());
+        QVERIFY(settings.get(&ui::Setting::showsReferences));
     }
 
     /// Levels are uploaded over some frames; in the last the finest is there.

@@ -30,8 +30,8 @@ struct Stage
         viewport.resize(400, 300);
         viewport.setPatchSource([this] { return std::exchange(next, std::nullopt); });
         QObject::connect(
-            &viewport, &Viewport::hoverRequested, &viewport,
-            [this](const core::Ray& ray) { viewport.setHover(model.hit(ray)); }, Qt::QueuedConnection);
+            viewport.input(), &PointerInput::hoverRequested, &viewport,
+            [this](const core::Ray& ray) { viewport.input()->setHover(model.hit(ray)); }, Qt::QueuedConnection);
         viewport.showModel(model.box());
         viewport.show();
         QVERIFY(QTest::qWaitForWindowExposed(&viewport));
@@ -236,7 +236,7 @@ void TestHeadsetAvatar::drawing_isCoalesced()
 void TestHeadsetAvatar::pressOnAGhost_isAPressBesideTheModel()
 {
     Stage s;
-    QSignalSpy began(&s.viewport, &Viewport::strokeBegan);
+    QSignalSpy began(s.viewport.input(), &PointerInput::strokeBegan);
     s.viewport.showAvatar(avatarAt(s.at(besideModel)));
     s.picture();
     const core::Vec3 direction = s.camera().viewDirection();
@@ -253,12 +253,12 @@ void TestHeadsetAvatar::pressOnAGhost_isAPressBesideTheModel()
 void TestHeadsetAvatar::modelAndView_areNotTheirs()
 {
     Stage s;
-    const core::Box box = s.viewport.box();
+    const core::Box box = s.viewport.navigation()->box();
     const core::Vec3 eye = s.camera().eye();
     s.viewport.showAvatar(avatarAt({900, 0, 0}));
     s.picture();
-    QVERIFY(s.viewport.box().isApprox(box));
-    s.viewport.frame();
+    QVERIFY(s.viewport.navigation()->box().isApprox(box));
+    s.viewport.navigation()->frame();
     QVERIFY(s.camera().eye().isApprox(eye));
 }
 
@@ -307,17 +307,17 @@ void TestHeadsetAvatar::following_goesWhereTheHeadIs()
     Stage s;
     const HeadsetAvatar avatar = avatarAt({180, 120, 100});
     s.viewport.showAvatar(avatar);
-    QSignalSpy changes(&s.viewport, &Viewport::followingChanged);
-    s.viewport.setFollowing(true);
-    QVERIFY(s.viewport.isFollowing());
+    QSignalSpy changes(s.viewport.navigation(), &ViewNavigation::followingChanged);
+    s.viewport.navigation()->setFollowing(true);
+    QVERIFY(s.viewport.navigation()->isFollowing());
     QTRY_VERIFY((s.camera().eye() - avatar.head->translation()).norm() < 0.5);
     QVERIFY(turnOf(s.camera(), *avatar.head) < 0.01);
 
-    s.viewport.setFollowing(false);
+    s.viewport.navigation()->setFollowing(false);
     QCOMPARE(changes.size(), 2);
     QVERIFY(s.camera().pivot().norm() < 50); // still on the model
-    s.viewport.turnTo(OrbitCamera::Side::Front);
-    s.viewport.frame();
+    s.viewport.navigation()->turnTo(OrbitCamera::Side::Front);
+    s.viewport.navigation()->frame();
     OrbitCamera framed = cameraOnBall();
     framed.setPose(s.camera().pose());
     framed.frame(s.model.box());
@@ -330,20 +330,20 @@ void TestHeadsetAvatar::following_showsNoHead()
     const QImage bare = s.picture();
     s.viewport.showAvatar(avatarAt(s.at(besideModel)));
     QVERIFY(changed(bare, s.picture()).isValid());
-    s.viewport.setFollowing(true);
+    s.viewport.navigation()->setFollowing(true);
     QCOMPARE(changed(bare, s.picture()), QRect());
 }
 
 void TestHeadsetAvatar::following_needsAnAvatar()
 {
     Stage s;
-    QSignalSpy changes(&s.viewport, &Viewport::followingChanged);
-    s.viewport.setFollowing(true);
-    QVERIFY(!s.viewport.isFollowing());
+    QSignalSpy changes(s.viewport.navigation(), &ViewNavigation::followingChanged);
+    s.viewport.navigation()->setFollowing(true);
+    QVERIFY(!s.viewport.navigation()->isFollowing());
     s.viewport.showAvatar(avatarAt({100, 0, 0}));
-    s.viewport.setFollowing(true);
+    s.viewport.navigation()->setFollowing(true);
     s.viewport.showAvatar({});
-    QVERIFY(!s.viewport.isFollowing());
+    QVERIFY(!s.viewport.navigation()->isFollowing());
     QCOMPARE(changes.size(), 2);
 }
 
@@ -359,7 +359,7 @@ void TestHeadsetAvatar::following_ends()
     QFETCH(QString, by);
     Stage s;
     s.viewport.showAvatar(avatarAt({100, 0, 300}));
-    s.viewport.setFollowing(true);
+    s.viewport.navigation()->setFollowing(true);
     if (by == QStringLiteral("turn"))
         s.drag(besideModel, Qt::MiddleButton);
     else if (by == QStringLiteral("move"))
@@ -369,22 +369,22 @@ void TestHeadsetAvatar::following_ends()
                           Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&s.viewport, &event);
     } else if (by == QStringLiteral("frame"))
-        s.viewport.frame();
+        s.viewport.navigation()->frame();
     else if (by == QStringLiteral("side"))
-        s.viewport.turnTo(OrbitCamera::Side::Top);
+        s.viewport.navigation()->turnTo(OrbitCamera::Side::Top);
     else
-        s.viewport.flyTo({0, 50, 0}, {0, 1, 0}, 10);
-    QVERIFY(!s.viewport.isFollowing());
+        s.viewport.navigation()->flyTo({0, 50, 0}, {0, 1, 0}, 10);
+    QVERIFY(!s.viewport.navigation()->isFollowing());
 }
 
 void TestHeadsetAvatar::following_goesOnWithAnotherModel()
 {
     Stage s;
     s.viewport.showAvatar(avatarAt({100, 0, 300}));
-    s.viewport.setFollowing(true);
+    s.viewport.navigation()->setFollowing(true);
     s.viewport.showModel(s.model.box());
-    s.viewport.setView({});
-    QVERIFY(s.viewport.isFollowing());
+    s.viewport.navigation()->setView({});
+    QVERIFY(s.viewport.navigation()->isFollowing());
 }
 
 /// Or the hand would lose its place.
@@ -392,9 +392,9 @@ void TestHeadsetAvatar::following_waitsForAStroke()
 {
     Stage s;
     sendMouse(&s.viewport, QEvent::MouseButtonPress, onModel, Qt::LeftButton);
-    QTRY_VERIFY(s.viewport.strokeOpen());
+    QTRY_VERIFY(s.viewport.input()->strokeOpen());
     s.viewport.showAvatar(avatarAt({300, 0, 0}));
-    s.viewport.setFollowing(true);
+    s.viewport.navigation()->setFollowing(true);
     const core::Vec3 eye = s.camera().eye();
     QTest::qWait(100);
     QCOMPARE(s.camera().eye(), eye);
@@ -412,7 +412,7 @@ void TestHeadsetAvatar::appearanceChanges_areReported()
     appearance.material = ui::Material::Wax;
     s.viewport.setAppearance(appearance);
     QCOMPARE(changes.size(), 1);
-    QCOMPARE(s.viewport.shading(), ui::shadingOf(ui::Material::Wax));
+    QCOMPARE(ui::shadingOf(s.viewport.appearance().material), ui::shadingOf(ui::Material::Wax));
 }
 
 FETTLE_TEST(TestHeadsetAvatar, ui::TestApplication)

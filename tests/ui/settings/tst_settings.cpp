@@ -29,9 +29,11 @@ private Q_SLOTS:
              {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail})
             QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
         QCOMPARE(settings.value(core::Parameter::Spacing), ui::defaultSpacing);
-        QVERIFY(settings.radiusShare() > ui::minRadiusShare && settings.radiusShare() < ui::maxRadiusShare);
+        QVERIFY(settings.get(&ui::Setting::radiusShare) > ui::minRadiusShare &&
+                settings.get(&ui::Setting::radiusShare) < ui::maxRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
-        QVERIFY(settings.windowGeometry().isEmpty() && settings.windowState().isEmpty());
+        QVERIFY(settings.get(&ui::Setting::windowGeometry).isEmpty() &&
+                settings.get(&ui::Setting::windowState).isEmpty());
     }
 
     void whatIsStoredComesBack()
@@ -40,21 +42,21 @@ private Q_SLOTS:
             ui::Settings settings;
             for (const core::Parameter parameter : ui::storedParameters)
                 settings.setValue(parameter, 3);
-            settings.setRadiusShare(0.2);
-            settings.setLastFolder(m_home.path());
-            settings.setWindowState("state");
+            settings.set(&ui::Setting::radiusShare, 0.2);
+            settings.set(&ui::Setting::lastFolder, m_home.path());
+            settings.set(&ui::Setting::windowState, "state");
         }
         const ui::Settings settings;
         for (const core::Parameter parameter : ui::storedParameters)
             QCOMPARE(settings.value(parameter), 3.0);
-        QCOMPARE(settings.radiusShare(), 0.2);
+        QCOMPARE(settings.get(&ui::Setting::radiusShare), 0.2);
         QCOMPARE(settings.lastFolder(), m_home.path());
-        QCOMPARE(settings.windowState(), QByteArray("state"));
+        QCOMPARE(settings.get(&ui::Setting::windowState), QByteArray("state"));
     }
 
     void preferencesComeBack()
     {
-        QCOMPARE(ui::Settings().preferences(), ui::Preferences());
+        QCOMPARE(ui::Settings().get<ui::Preferences>(), ui::Preferences());
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
                 const ui::Preferences preferences{.theme = theme.value,
@@ -63,27 +65,27 @@ private Q_SLOTS:
                                                   .reducesMotion = true,
                                                   .input = {false, true, false, 2.5},
                                                   .keepsBackups = true};
-                ui::Settings().setPreferences(preferences);
-                QCOMPARE(ui::Settings().preferences(), preferences);
+                ui::Settings().set(preferences);
+                QCOMPARE(ui::Settings().get<ui::Preferences>(), preferences);
             }
     }
 
     void exportsComeBack()
     {
-        QCOMPARE(ui::Settings().exporting(), ui::ExportSettings());
+        QCOMPARE(ui::Settings().get<ui::ExportSettings>(), ui::ExportSettings());
         for (const auto& use : ui::exportUses)
             for (const quint64 triangles :
                  {quint64(0), quint64(ui::minExportTriangles), quint64(ui::maxExportTriangles)})
                 for (const bool slices : {false, true}) {
                     const ui::ExportSettings choice{use.value, triangles, slices};
-                    ui::Settings().setExporting(choice);
-                    QCOMPARE(ui::Settings().exporting(), choice);
+                    ui::Settings().set(choice);
+                    QCOMPARE(ui::Settings().get<ui::ExportSettings>(), choice);
                 }
         QSettings().setValue(QStringLiteral("export/mostTriangles"), 3);
         QSettings().setValue(QStringLiteral("export/use"), QStringLiteral("gcode"));
-        QCOMPARE(ui::Settings().exporting(), (ui::ExportSettings{ui::ExportUse::Print, 0, true}));
+        QCOMPARE(ui::Settings().get<ui::ExportSettings>(), (ui::ExportSettings{ui::ExportUse::Print, 0, true}));
         ui::Settings().reset();
-        QCOMPARE(ui::Settings().exporting(), ui::ExportSettings());
+        QCOMPARE(ui::Settings().get<ui::ExportSettings>(), ui::ExportSettings());
     }
 
     void keysComeBack()
@@ -92,56 +94,56 @@ private Q_SLOTS:
         preferences.keys = {
             ui::ShortcutPreset::Blender,
             {{QStringLiteral("tool.pull"), QStringLiteral("Q; Ctrl+,")}, {QStringLiteral("tool.push"), {}}}};
-        ui::Settings().setPreferences(preferences);
-        QCOMPARE(ui::Settings().preferences(), preferences);
+        ui::Settings().set(preferences);
+        QCOMPARE(ui::Settings().get<ui::Preferences>(), preferences);
         preferences.keys.custom.remove(QStringLiteral("tool.push"));
-        ui::Settings().setPreferences(preferences);
-        QCOMPARE(ui::Settings().preferences(), preferences);
+        ui::Settings().set(preferences);
+        QCOMPARE(ui::Settings().get<ui::Preferences>(), preferences);
     }
 
     void resettingKeepsWhatAPersonMade()
     {
         ui::Settings settings;
-        settings.setAppearance({ui::Material::Wax, ui::Background::Sky, true, true, false, false});
-        settings.setHistoryMegabytes(99);
-        settings.setRadiusShare(0.3);
-        settings.setWindowState("state");
+        settings.set(ui::ViewAppearance{ui::Material::Wax, ui::Background::Sky, true, true, false, false});
+        settings.set(&ui::Setting::historyMegabytes, 99);
+        settings.set(&ui::Setting::radiusShare, 0.3);
+        settings.set(&ui::Setting::windowState, "state");
         settings.addRecentFile(QStringLiteral("/a.stl"));
-        settings.setLastFolder(m_home.path());
-        settings.setSwatches({{1, 2, 3}});
+        settings.set(&ui::Setting::lastFolder, m_home.path());
+        settings.set(&ui::Setting::swatches, {{1, 2, 3}});
         int told = 0;
-        settings.onReset([&] { told += settings.appearance() == ui::ViewAppearance() ? 1 : 100; });
+        settings.onReset([&] { told += settings.get<ui::ViewAppearance>() == ui::ViewAppearance() ? 1 : 100; });
         settings.reset();
         QCOMPARE(told, 1);
-        QCOMPARE(settings.appearance(), ui::ViewAppearance());
-        QCOMPARE(settings.historyMegabytes(), ui::defaultHistoryMegabytes);
-        QVERIFY(settings.radiusShare() != 0.3 && settings.windowState().isEmpty());
+        QCOMPARE(settings.get<ui::ViewAppearance>(), ui::ViewAppearance());
+        QCOMPARE(settings.get(&ui::Setting::historyMegabytes), ui::defaultHistoryMegabytes);
+        QVERIFY(settings.get(&ui::Setting::radiusShare) != 0.3 && settings.get(&ui::Setting::windowState).isEmpty());
         QCOMPARE(settings.recentFiles(), QStringList{QStringLiteral("/a.stl")});
         QCOMPARE(settings.lastFolder(), m_home.path());
-        QCOMPARE(settings.swatches(), (QList<core::Rgb>{{1, 2, 3}}));
+        QCOMPARE(settings.get(&ui::Setting::swatches), (QList<core::Rgb>{{1, 2, 3}}));
     }
 
     void theAppearanceComesBack()
     {
-        QCOMPARE(ui::Settings().appearance(), ui::ViewAppearance());
+        QCOMPARE(ui::Settings().get<ui::ViewAppearance>(), ui::ViewAppearance());
         for (const auto& material : ui::materials)
             for (const auto& background : ui::backgrounds) {
                 const ui::ViewAppearance appearance{material.value, background.value, true, true, false, false};
-                ui::Settings().setAppearance(appearance);
-                QCOMPARE(ui::Settings().appearance(), appearance);
+                ui::Settings().set(appearance);
+                QCOMPARE(ui::Settings().get<ui::ViewAppearance>(), appearance);
             }
     }
 
     void swatchesComeBackWithoutTheBrokenOnes()
     {
-        QVERIFY(!ui::Settings().swatches().isEmpty());
-        ui::Settings().setSwatches({{1, 2, 3}, {255, 254, 253}});
-        QCOMPARE(ui::Settings().swatches(), (QList<core::Rgb>{{1, 2, 3}, {255, 254, 253}}));
+        QVERIFY(!ui::Settings().get(&ui::Setting::swatches).isEmpty());
+        ui::Settings().set(&ui::Setting::swatches, {{1, 2, 3}, {255, 254, 253}});
+        QCOMPARE(ui::Settings().get(&ui::Setting::swatches), (QList<core::Rgb>{{1, 2, 3}, {255, 254, 253}}));
         QSettings().setValue(QStringLiteral("color/swatches"),
                              QStringList{QStringLiteral("loud"), QStringLiteral("#040506")});
-        QCOMPARE(ui::Settings().swatches(), (QList<core::Rgb>{{4, 5, 6}}));
-        ui::Settings().setSwatches({});
-        QVERIFY(ui::Settings().swatches().isEmpty());
+        QCOMPARE(ui::Settings().get(&ui::Setting::swatches), (QList<core::Rgb>{{4, 5, 6}}));
+        ui::Settings().set(&ui::Setting::swatches, {});
+        QVERIFY(ui::Settings().get(&ui::Setting::swatches).isEmpty());
     }
 
     void brokenEntriesGiveDefaults_data()
@@ -168,16 +170,17 @@ private Q_SLOTS:
         const ui::Settings settings;
         for (const core::Parameter parameter : {core::Parameter::Strength, core::Parameter::Falloff})
             QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
-        QVERIFY(settings.radiusShare() <= ui::maxRadiusShare && settings.radiusShare() >= ui::minRadiusShare);
+        QVERIFY(settings.get(&ui::Setting::radiusShare) <= ui::maxRadiusShare &&
+                settings.get(&ui::Setting::radiusShare) >= ui::minRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
-        QCOMPARE(settings.appearance(), ui::ViewAppearance());
-        QCOMPARE(settings.preferences(), ui::Preferences());
+        QCOMPARE(settings.get<ui::ViewAppearance>(), ui::ViewAppearance());
+        QCOMPARE(settings.get<ui::Preferences>(), ui::Preferences());
     }
 
     void aFolderThatIsGoneIsForgotten()
     {
         ui::Settings settings;
-        settings.setLastFolder(m_home.filePath(QStringLiteral("gone")));
+        settings.set(&ui::Setting::lastFolder, m_home.filePath(QStringLiteral("gone")));
         QCOMPARE(settings.lastFolder(), QDir::homePath());
     }
 

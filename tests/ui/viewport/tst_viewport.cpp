@@ -59,8 +59,8 @@ struct Stage
         viewport.setPatchSource([this] { return std::exchange(next, std::nullopt); });
         if (answers)
             QObject::connect(
-                &viewport, &ui::Viewport::hoverRequested, &viewport,
-                [this](const core::Ray& ray) { viewport.setHover(model.hit(ray)); }, Qt::QueuedConnection);
+                viewport.input(), &ui::PointerInput::hoverRequested, &viewport,
+                [this](const core::Ray& ray) { viewport.input()->setHover(model.hit(ray)); }, Qt::QueuedConnection);
         viewport.showModel(model.box());
         viewport.show();
         QVERIFY(QTest::qWaitForWindowExposed(&viewport));
@@ -206,8 +206,9 @@ private Q_SLOTS:
         QFETCH(Qt::KeyboardModifiers, keys);
         QFETCH(int, tool);
         Stage s;
-        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan), ended(&s.viewport, &ui::Viewport::strokeEnded);
-        QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled);
+        QSignalSpy began(s.viewport.input(), &ui::PointerInput::strokeBegan),
+            ended(s.viewport.input(), &ui::PointerInput::strokeEnded);
+        QSignalSpy sampled(s.viewport.input(), &ui::PointerInput::strokeSampled);
         const core::Vec3 eye = s.viewport.camera().eye();
         s.drag(onModel, Qt::LeftButton, keys);
         QTRY_COMPARE(ended.count(), 1);
@@ -245,7 +246,7 @@ private Q_SLOTS:
     void aDragBesideTheModelTurnsTheView()
     {
         Stage s;
-        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
+        QSignalSpy began(s.viewport.input(), &ui::PointerInput::strokeBegan);
         const core::Vec3 eye = s.viewport.camera().eye();
         s.drag(besideModel);
         QTRY_VERIFY((s.viewport.camera().eye() - eye).norm() > 1);
@@ -255,9 +256,9 @@ private Q_SLOTS:
     void aDialogOverTheViewEndsTheStroke()
     {
         Stage s;
-        QSignalSpy ended(&s.viewport, &ui::Viewport::strokeEnded);
+        QSignalSpy ended(s.viewport.input(), &ui::PointerInput::strokeEnded);
         sendMouse(&s.viewport, QEvent::MouseButtonPress, onModel, Qt::LeftButton);
-        QTRY_VERIFY(s.viewport.strokeOpen());
+        QTRY_VERIFY(s.viewport.input()->strokeOpen());
         QEvent blocked(QEvent::WindowBlocked);
         QCoreApplication::sendEvent(&s.viewport, &blocked);
         QCOMPARE(ended.count(), 1);
@@ -266,7 +267,8 @@ private Q_SLOTS:
     void thePenGivesItsPressure()
     {
         Stage s;
-        QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled), ended(&s.viewport, &ui::Viewport::strokeEnded);
+        QSignalSpy sampled(s.viewport.input(), &ui::PointerInput::strokeSampled),
+            ended(s.viewport.input(), &ui::PointerInput::strokeEnded);
         const auto send = [&s](QEvent::Type type, QPointF at, double pressure) {
             const bool moves = type == QEvent::TabletMove;
             QTabletEvent event(type, QPointingDevice::primaryPointingDevice(), at, s.viewport.mapToGlobal(at), pressure,
@@ -289,7 +291,7 @@ private Q_SLOTS:
         const double distance = s.viewport.camera().distance();
         turnWheel(s.viewport, onModel, 1);
         QVERIFY(s.viewport.camera().distance() < distance);
-        s.viewport.frame();
+        s.viewport.navigation()->frame();
         QCOMPARE(s.viewport.camera().distance(), distance);
     }
 
@@ -299,7 +301,7 @@ private Q_SLOTS:
     {
         QFETCH(Projection, projection);
         Stage s;
-        s.viewport.setProjection(projection);
+        s.viewport.navigation()->setProjection(projection);
         const QPoint at(230, 120);
         sendMouse(&s.viewport, QEvent::MouseMove, at);
         QTRY_COMPARE(s.viewport.cursor().shape(), Qt::CrossCursor);
@@ -323,7 +325,7 @@ private Q_SLOTS:
     void theMiddleButtonTurnsWhereTheModelFillsTheView()
     {
         Stage s;
-        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
+        QSignalSpy began(s.viewport.input(), &ui::PointerInput::strokeBegan);
         turnWheel(s.viewport, onModel, 8);
         const core::Vec3 direction = s.viewport.camera().viewDirection();
         s.drag(onModel, Qt::MiddleButton);
@@ -338,8 +340,8 @@ private Q_SLOTS:
     {
         QFETCH(Projection, projection);
         Stage s;
-        s.viewport.setProjection(projection);
-        QSignalSpy ended(&s.viewport, &ui::Viewport::strokeEnded);
+        s.viewport.navigation()->setProjection(projection);
+        QSignalSpy ended(s.viewport.input(), &ui::PointerInput::strokeEnded);
         s.drag({220, 130});
         QTRY_COMPARE(ended.count(), 1);
         const ui::OrbitCamera& camera = s.viewport.camera();
@@ -359,8 +361,8 @@ private Q_SLOTS:
     {
         QFETCH(Projection, projection);
         Stage s;
-        s.viewport.setProjection(projection);
-        s.viewport.turnTo(ui::OrbitCamera::Side::Top);
+        s.viewport.navigation()->setProjection(projection);
+        s.viewport.navigation()->turnTo(ui::OrbitCamera::Side::Top);
         const QImage picture = s.viewport.grabFramebuffer();
         int wrong = 0;
         for (int y = 0; y < 300; y += 3)
@@ -376,8 +378,8 @@ private Q_SLOTS:
     void inParallelPanningChangesNoShade()
     {
         Stage s;
-        s.viewport.setProjection(Projection::Orthographic);
-        s.viewport.turnTo(ui::OrbitCamera::Side::Front);
+        s.viewport.navigation()->setProjection(Projection::Orthographic);
+        s.viewport.navigation()->turnTo(ui::OrbitCamera::Side::Front);
         const QImage before = s.viewport.grabFramebuffer();
         const core::Vec3 target = s.viewport.camera().target();
         sendMouse(&s.viewport, QEvent::MouseButtonPress, onModel, Qt::RightButton);
@@ -395,10 +397,10 @@ private Q_SLOTS:
     void strokesHitInParallelToo()
     {
         Stage s;
-        s.viewport.setProjection(Projection::Orthographic);
+        s.viewport.navigation()->setProjection(Projection::Orthographic);
         for (int zoomed = 0; zoomed < 2; ++zoomed) {
-            QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled),
-                ended(&s.viewport, &ui::Viewport::strokeEnded);
+            QSignalSpy sampled(s.viewport.input(), &ui::PointerInput::strokeSampled),
+                ended(s.viewport.input(), &ui::PointerInput::strokeEnded);
             s.drag({180, 120});
             QTRY_COMPARE(ended.count(), 1);
             QCOMPARE(sampled.count(), 6);
@@ -414,7 +416,7 @@ private Q_SLOTS:
     void twoFingersPinchAndPan()
     {
         Stage s;
-        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
+        QSignalSpy began(s.viewport.input(), &ui::PointerInput::strokeBegan);
         const ui::OrbitCamera& camera = s.viewport.camera();
         const core::Vec3 direction = camera.viewDirection();
         const core::Vec3 held =
@@ -465,7 +467,8 @@ private Q_SLOTS:
     void oneFingerIsTheLeftButton()
     {
         Stage s;
-        QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled), ended(&s.viewport, &ui::Viewport::strokeEnded);
+        QSignalSpy sampled(s.viewport.input(), &ui::PointerInput::strokeSampled),
+            ended(s.viewport.input(), &ui::PointerInput::strokeEnded);
         QTest::touchEvent(&s.viewport, m_finger).press(0, onModel);
         QTest::touchEvent(&s.viewport, m_finger).move(0, onModel + QPoint(30, 0));
         QTest::touchEvent(&s.viewport, m_finger).release(0, onModel + QPoint(30, 0));
@@ -488,10 +491,10 @@ private Q_SLOTS:
     void aSecondFingerEndsTheStroke()
     {
         Stage s;
-        QSignalSpy ended(&s.viewport, &ui::Viewport::strokeEnded);
+        QSignalSpy ended(s.viewport.input(), &ui::PointerInput::strokeEnded);
         QTest::touchEvent(&s.viewport, m_finger).press(0, onModel);
         QTest::touchEvent(&s.viewport, m_finger).move(0, onModel + QPoint(30, 0));
-        QTRY_VERIFY(s.viewport.strokeOpen());
+        QTRY_VERIFY(s.viewport.input()->strokeOpen());
         QTest::touchEvent(&s.viewport, m_finger).move(0, onModel + QPoint(30, 0)).press(1, onModel + QPoint(-60, 0));
         QCOMPARE(ended.count(), 1);
         QTest::touchEvent(&s.viewport, m_finger)

@@ -88,7 +88,7 @@ private Q_SLOTS:
         QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(2562)));
         QVERIFY(child<QLabel>(window, "facts.size")->text().contains(QLocale().toString(80.0, 'f', 1)));
         QVERIFY(!window.isWindowModified());
-        window.setModified(true);
+        window.setWindowModified(true);
         QVERIFY(window.isWindowModified());
 
         ui::ModelInfo more = modelInfo(QStringLiteral("lion.stl"), 80);
@@ -101,7 +101,7 @@ private Q_SLOTS:
     void newBeginsWithTheStarter()
     {
         MainWindow window;
-        QSignalSpy requested(&window, &MainWindow::starterRequested);
+        QSignalSpy requested(window.files(), &ui::ModelFiles::starterRequested);
         window.action(QStringLiteral("new.vase"))->trigger();
         QCOMPARE(requested.size(), 1);
         QCOMPARE(requested.at(0).at(0).value<core::Starter>(), core::Starter::Vase);
@@ -111,12 +111,12 @@ private Q_SLOTS:
     {
         MainWindow window;
         window.setModel(modelInfo(QStringLiteral("a"), 80));
-        window.setBusy(QStringLiteral("Thinking"));
+        window.progress()->begin(QStringLiteral("Thinking"));
         for (const char* id : {"file.save", "file.saveCopy", "file.revert", "model.reset"})
             QVERIFY2(!act(window, id)->isEnabled(), id);
         for (const char* id : {"file.open", "new.vase", "file.quit"}) // the latest choice wins
             QVERIFY2(act(window, id)->isEnabled(), id);
-        window.setIdle();
+        window.progress()->end();
         for (const char* id : {"file.open", "file.save", "file.saveCopy", "model.reset"})
             QVERIFY2(act(window, id)->isEnabled(), id);
         QVERIFY(!act(window, "file.revert")->isEnabled());
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY(menu->isEnabled());
         QCOMPARE(menu->actions().size(), qsizetype(4)); // two, a line, and clear
         QCOMPARE(menu->actions().at(0)->text(), QStringLiteral("lion.stl"));
-        QSignalSpy requested(&window, &MainWindow::openRequested);
+        QSignalSpy requested(window.files(), &ui::ModelFiles::openRequested);
         menu->actions().at(1)->trigger();
         QCOMPARE(requested.at(0).at(0).toString(), QStringLiteral("/a/ox & cow.stl"));
         menu->actions().last()->trigger();
@@ -153,11 +153,11 @@ private Q_SLOTS:
     {
         MainWindow window;
         window.setModel(modelInfo(QStringLiteral("a"), 100));
-        QCOMPARE(window.strokeSettings().radius, 10.0);
+        QCOMPARE(window.brush()->stroke().radius, 10.0);
         window.setModel(modelInfo(QStringLiteral("b"), 2));
-        QCOMPARE(window.strokeSettings().radius, 0.2);
+        QCOMPARE(window.brush()->stroke().radius, 0.2);
         window.brush()->scaleRadius(1e9);
-        QCOMPARE(window.strokeSettings().radius, 1.0);
+        QCOMPARE(window.brush()->stroke().radius, 1.0);
     }
 
     void bracketsScaleTheRadius()
@@ -165,9 +165,9 @@ private Q_SLOTS:
         MainWindow window;
         window.setModel(modelInfo(QStringLiteral("a"), 100));
         act(window, "brush.smaller")->trigger();
-        QCOMPARE(window.strokeSettings().radius, 9.0);
+        QCOMPARE(window.brush()->stroke().radius, 9.0);
         act(window, "brush.larger")->trigger();
-        QCOMPARE(window.strokeSettings().radius, 10.0);
+        QCOMPARE(window.brush()->stroke().radius, 10.0);
     }
 
     void theRadiusFollowsThePointer_data()
@@ -194,8 +194,9 @@ private Q_SLOTS:
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         ui::Viewport* view = window.viewport();
-        const QSignalSpy strokes(view, &ui::Viewport::strokeBegan), stops(&window, &MainWindow::stopRequested),
-            questions(view, &ui::Viewport::hoverRequested);
+        const QSignalSpy strokes(view->input(), &ui::PointerInput::strokeBegan),
+            stops(window.action(QStringLiteral("edit.stop")), &QAction::triggered),
+            questions(view->input(), &ui::PointerInput::hoverRequested);
         for (const auto& [key, modifiers, parameter] :
              {std::tuple(Qt::Key_F, Qt::NoModifier, Parameter::Radius),
               std::tuple(Qt::Key_F, Qt::ShiftModifier, Parameter::Strength)}) {
@@ -264,7 +265,7 @@ private Q_SLOTS:
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
-        const QSignalSpy spheres(window.viewport(), &ui::Viewport::sphereRequested);
+        const QSignalSpy spheres(window.viewport()->input(), &ui::PointerInput::sphereRequested);
         const auto click = [&] {
             sendMouse(window.viewport(), QEvent::MouseButtonPress, {30, 40}, Qt::LeftButton);
             sendMouse(window.viewport(), QEvent::MouseButtonRelease, {30, 40}, Qt::LeftButton);
@@ -275,7 +276,7 @@ private Q_SLOTS:
         QVERIFY(!act(window, "brush.add")->isChecked());
         click();
         QVERIFY(spheres.isEmpty());
-        window.viewport()->setHover({});
+        window.viewport()->input()->setHover({});
         QTest::keyClick(window.windowHandle(), Qt::Key_A);
         click();
         QCOMPARE(spheres.size(), 1);
@@ -308,15 +309,15 @@ private Q_SLOTS:
         auto* slider = child<QSlider>(window, "radius.slider");
         QVERIFY(box && slider);
         box->setValue(25);
-        QCOMPARE(window.strokeSettings().radius, 25.0);
+        QCOMPARE(window.brush()->stroke().radius, 25.0);
         slider->setValue(slider->maximum());
-        QCOMPARE(window.strokeSettings().radius, 50.0);
+        QCOMPARE(window.brush()->stroke().radius, 50.0);
         QCOMPARE(box->value(), 50.0);
         window.brush()->setValue(Parameter::Radius, 3.14159);
         QCOMPARE(box->value(), 3.14);
-        QCOMPARE(window.strokeSettings().radius, 3.14159); // showing is not changing
+        QCOMPARE(window.brush()->stroke().radius, 3.14159); // showing is not changing
         child<QDoubleSpinBox>(window, "strength.box")->setValue(0.5);
-        QCOMPARE(window.strokeSettings().strength, 0.5);
+        QCOMPARE(window.brush()->stroke().strength, 0.5);
     }
 
     void oneToolIsChosen()
@@ -324,7 +325,7 @@ private Q_SLOTS:
         MainWindow window;
         QVERIFY(act(window, "tool.pull")->isChecked());
         act(window, "tool.smooth")->trigger();
-        QCOMPARE(window.strokeSettings().tool, core::Tool::Smooth);
+        QCOMPARE(window.brush()->stroke().tool, core::Tool::Smooth);
         QVERIFY(!act(window, "tool.pull")->isChecked());
         window.brush()->setTool(core::Tool::Push);
         QVERIFY(act(window, "tool.push")->isChecked() && !act(window, "tool.smooth")->isChecked());
@@ -346,7 +347,7 @@ private Q_SLOTS:
             if (!action->isSeparator()) {
                 action->trigger();
                 QVERIFY(action->isChecked());
-                QCOMPARE(window.strokeSettings().tool, static_cast<core::Tool>(tools++));
+                QCOMPARE(window.brush()->stroke().tool, static_cast<core::Tool>(tools++));
             }
         QCOMPARE(tools, core::toolNames().size());
     }
@@ -360,7 +361,7 @@ private Q_SLOTS:
             delete child<QToolBar>(older, "toolOptions");
             state = older.saveState();
         }
-        ui::Settings().setWindowState(state);
+        ui::Settings().set(&ui::Setting::windowState, state);
         MainWindow window;
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
@@ -416,16 +417,16 @@ private Q_SLOTS:
             const double x = 0.5;
             const QPoint at(8 + 100, 108 - static_cast<int>(std::lround(100 * core::falloff(x, n))));
             sendMouse(curve, QEvent::MouseButtonPress, at, Qt::LeftButton);
-            QVERIFY(std::abs(core::falloff(x, window.strokeSettings().falloff) - core::falloff(x, n)) <= 0.01);
+            QVERIFY(std::abs(core::falloff(x, window.brush()->stroke().falloff) - core::falloff(x, n)) <= 0.01);
         }
         window.brush()->setValue(Parameter::Falloff, 3);
         QTest::keyClick(curve, Qt::Key_Down);
-        QCOMPARE(window.strokeSettings().falloff, 0);
+        QCOMPARE(window.brush()->stroke().falloff, 0);
         QTest::keyClick(curve, Qt::Key_Down);
-        QCOMPARE(window.strokeSettings().falloff, 0);
+        QCOMPARE(window.brush()->stroke().falloff, 0);
         QTest::keyClick(curve, Qt::Key_Up);
         QTest::keyClick(curve, Qt::Key_Up);
-        QCOMPARE(window.strokeSettings().falloff, 4);
+        QCOMPARE(window.brush()->stroke().falloff, 4);
     }
 
     void thePaintColourHasAPanel()
@@ -494,13 +495,13 @@ private Q_SLOTS:
         const core::SurfaceHit red{core::Vec3::Zero(), core::Vec3::UnitZ(), 1, 0, {250, 10, 20}};
         const auto click = [&](const std::optional<core::SurfaceHit>& hit) {
             sendMouse(window.viewport(), QEvent::MouseButtonPress, {50, 50}, Qt::LeftButton);
-            window.viewport()->setHover(hit);
+            window.viewport()->input()->setHover(hit);
             sendMouse(window.viewport(), QEvent::MouseButtonRelease, {50, 50}, Qt::LeftButton);
         };
-        QSignalSpy strokes(window.viewport(), &ui::Viewport::strokeBegan);
+        QSignalSpy strokes(window.viewport()->input(), &ui::PointerInput::strokeBegan);
         pick->trigger();
         click(red);
-        QCOMPARE(window.strokeSettings().color, red.color);
+        QCOMPARE(window.brush()->stroke().color, red.color);
         QVERIFY(!pick->isChecked());
         QCOMPARE(strokes.count(), 0);
         click(red);
@@ -550,7 +551,7 @@ private Q_SLOTS:
         QVERIFY(!child<QDockWidget>(window, "topologyPanel")->isVisible());
         QVERIFY(child<QDockWidget>(window, "symmetryPanel")->isVisible());
         QCOMPARE(window.dockWidgetArea(child<QDockWidget>(window, "brushPanel")), Qt::LeftDockWidgetArea);
-        QCOMPARE(window.strokeSettings().falloff, 7);
+        QCOMPARE(window.brush()->stroke().falloff, 7);
     }
 
     void everyCommandIsFoundByItsWords()
@@ -588,7 +589,7 @@ private Q_SLOTS:
         QTest::keyClicks(words, QStringLiteral("ROUGH evens"));
         QTest::keyClick(words, Qt::Key_Return);
         QVERIFY(!box->isVisible());
-        QCOMPARE(window.strokeSettings().tool, core::Tool::Smooth);
+        QCOMPARE(window.brush()->stroke().tool, core::Tool::Smooth);
     }
 
     /// After a stroke there is an "Undo Pull" above it.
@@ -605,7 +606,7 @@ private Q_SLOTS:
         auto* words = child<QDialog>(window, "commandBox")->findChild<QLineEdit*>();
         QTest::keyClicks(words, QStringLiteral("pull"));
         QTest::keyClick(words, Qt::Key_Return);
-        QCOMPARE(window.strokeSettings().tool, core::Tool::Pull);
+        QCOMPARE(window.brush()->stroke().tool, core::Tool::Pull);
         QVERIFY(undone.isEmpty());
     }
 
@@ -646,9 +647,9 @@ private Q_SLOTS:
         QVERIFY(looksAlong(Qt::Key_1, {}, {0, 0, -1}) && looksAlong(Qt::Key_1, Qt::ControlModifier, {0, 0, 1}));
         QVERIFY(looksAlong(Qt::Key_3, {}, {-1, 0, 0}) && looksAlong(Qt::Key_3, Qt::ControlModifier, {1, 0, 0}));
         QVERIFY(looksAlong(Qt::Key_7, {}, {0, -1, 0}) && looksAlong(Qt::Key_7, Qt::ControlModifier, {0, 1, 0}));
-        QCOMPARE(window.strokeSettings().tool, core::Tool::Smooth);
+        QCOMPARE(window.brush()->stroke().tool, core::Tool::Smooth);
         QTest::keyClick(&window, Qt::Key_1);
-        QCOMPARE(window.strokeSettings().tool, core::Tool::Pull);
+        QCOMPARE(window.brush()->stroke().tool, core::Tool::Pull);
         QVERIFY(looksAlong(Qt::Key_7, Qt::ControlModifier, {0, 1, 0})); // and that turned nothing
 
         // The window takes the pad's keys before Qt looks for shortcuts: on X11 it would find those of other keys.
@@ -676,7 +677,7 @@ private Q_SLOTS:
         QTest::keyClick(box, Qt::Key_1, Qt::KeypadModifier);
         QTest::keyClick(box, Qt::Key_7, Qt::KeypadModifier);
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window.strokeSettings().radius, 17.0);
+        QCOMPARE(window.brush()->stroke().radius, 17.0);
         QCOMPARE(window.viewport()->camera().viewDirection(), direction);
     }
 
@@ -746,12 +747,12 @@ private Q_SLOTS:
             QTest::keyClick(dialog, Qt::Key_Escape);
             QTRY_VERIFY(!window.findChild<QDialog*>(QStringLiteral("preferences")));
         }
-        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Light, .input = {}});
+        ui::Settings().set(ui::Preferences{.theme = ui::ThemeChoice::Light, .input = {}});
         {
             const MainWindow light;
             QVERIFY(!isDark());
         }
-        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Dark, .input = {}});
+        ui::Settings().set(ui::Preferences{.theme = ui::ThemeChoice::Dark, .input = {}});
         const MainWindow dark;
         QVERIFY(isDark());
     }
@@ -882,7 +883,7 @@ private Q_SLOTS:
             window.show();
             QVERIFY(QTest::qWaitForWindowExposed(&window));
             QVERIFY(window.screen()->geometry().intersects(window.geometry()) && window.width() >= 200);
-            QVERIFY(window.strokeSettings().radius > 0 && window.strokeSettings().strength >= 0);
+            QVERIFY(window.brush()->stroke().radius > 0 && window.brush()->stroke().strength >= 0);
             QSet<QKeySequence> keys;
             for (const ui::ActionInfo& row : ui::actionTable())
                 for (const QKeySequence& key : act(window, row.id)->shortcuts()) {
@@ -918,13 +919,13 @@ private Q_SLOTS:
     void filesAreOpenedByDrop()
     {
         MainWindow window;
-        QSignalSpy opened(&window, &MainWindow::openRequested);
+        QSignalSpy opened(window.files(), &ui::ModelFiles::openRequested);
         QVERIFY(drop(window, {QUrl::fromLocalFile(QStringLiteral("/tmp/a model.stl"))}));
         QTRY_COMPARE(opened.count(), 1);
         QCOMPARE(opened[0][0].toString(), QStringLiteral("/tmp/a model.stl"));
         QVERIFY(!drop(window, {QUrl(QStringLiteral("https://example.org/a.stl"))}));
         QVERIFY(!drop(window, {}));
-        window.setBusy(QStringLiteral("Opening"));
+        window.progress()->begin(QStringLiteral("Opening"));
         QVERIFY(drop(window, {QUrl::fromLocalFile(QStringLiteral("/tmp/b.stl"))})); // the latest choice wins
         QTRY_COMPARE(opened.count(), 2);
     }
@@ -936,7 +937,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         MainWindow window;
         window.show();
-        QSignalSpy opened(&window, &MainWindow::openRequested);
+        QSignalSpy opened(window.files(), &ui::ModelFiles::openRequested);
         act(window, "file.open")->trigger();
         auto* dialog = child<QFileDialog>(window, "openDialog");
         QVERIFY(dialog);
@@ -1040,11 +1041,11 @@ private Q_SLOTS:
     {
         MainWindow window;
         window.show();
-        window.setBusy(QStringLiteral("Opening lion.stl"));
+        window.progress()->begin(QStringLiteral("Opening lion.stl"));
         QVERIFY(child<QLabel>(window, "busyText")->isVisible());
         QVERIFY(!act(window, "file.save")->isEnabled() && !act(window, "model.recentre")->isEnabled());
         QVERIFY(act(window, "file.open")->isEnabled() && act(window, "new.cube")->isEnabled());
-        window.setIdle();
+        window.progress()->end();
         QVERIFY(!child<QLabel>(window, "busyText")->isVisible());
         QVERIFY(act(window, "file.save")->isEnabled() && act(window, "model.recentre")->isEnabled());
     }
@@ -1055,20 +1056,20 @@ private Q_SLOTS:
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
-        QSignalSpy stopped(&window, &MainWindow::stopRequested);
-        window.setBusy(QStringLiteral("Opening lion.stl"));
+        QSignalSpy stopped(window.action(QStringLiteral("edit.stop")), &QAction::triggered);
+        window.progress()->begin(QStringLiteral("Opening lion.stl"));
         QVERIFY(!act(window, "edit.stop")->isEnabled());
-        window.setStoppable(true);
-        window.setProgress(0.25);
-        window.setBusy(QStringLiteral("Checking lion.stl"));
+        window.progress()->setStoppable(true);
+        window.progress()->setProgress(0.25);
+        window.progress()->begin(QStringLiteral("Checking lion.stl"));
         QCOMPARE(child<QLabel>(window, "busyText")->text(), QStringLiteral("Checking lion.stl"));
         QCOMPARE(window.statusBar()->findChild<QProgressBar*>()->value(), 25);
         QVERIFY(act(window, "edit.stop")->isEnabled());
         QTest::keyClick(&window, Qt::Key_Escape);
         QCOMPARE(stopped.count(), 1);
-        window.setIdle();
+        window.progress()->end();
         QVERIFY(!act(window, "edit.stop")->isEnabled());
-        window.setBusy(QStringLiteral("Opening cup.stl"));
+        window.progress()->begin(QStringLiteral("Opening cup.stl"));
         QVERIFY(!act(window, "edit.stop")->isEnabled());
         QCOMPARE(window.statusBar()->findChild<QProgressBar*>()->maximum(), 0);
     }
@@ -1076,7 +1077,8 @@ private Q_SLOTS:
     void vrIsEnteredAndLeft()
     {
         MainWindow window;
-        QSignalSpy entering(&window, &MainWindow::enterVrRequested), leaving(&window, &MainWindow::leaveVrRequested);
+        QSignalSpy entering(window.headset(), &ui::HeadsetActions::enterRequested),
+            leaving(window.headset(), &ui::HeadsetActions::leaveRequested);
         QAction *enter = act(window, "vr.enter"), *follow = act(window, "vr.follow"), *find = act(window, "vr.status");
         const auto* said = child<QLabel>(window, "headsetText");
         QVERIFY(enter->isEnabled() && !follow->isEnabled() && find->isEnabled() && said->isHidden());
@@ -1111,12 +1113,12 @@ private Q_SLOTS:
         avatar.head = Eigen::Isometry3d::Identity();
         window.viewport()->showAvatar(avatar);
         follow->trigger();
-        QVERIFY(follow->isChecked() && window.viewport()->isFollowing());
+        QVERIFY(follow->isChecked() && window.viewport()->navigation()->isFollowing());
         act(window, "view.frame")->trigger();
         QVERIFY(!follow->isChecked());
         follow->trigger();
         window.setHeadset(ui::HeadsetState::Out, {});
-        QVERIFY(!follow->isChecked() && !window.viewport()->isFollowing());
+        QVERIFY(!follow->isChecked() && !window.viewport()->navigation()->isFollowing());
     }
 
     void closingAsks()
@@ -1163,7 +1165,7 @@ private Q_SLOTS:
         box->selectAll();
         QTest::keyClicks(box, QLocale().toString(25));
         QTest::keyClick(box, Qt::Key_Return);
-        QCOMPARE(window.strokeSettings().radius, 25.0);
+        QCOMPARE(window.brush()->stroke().radius, 25.0);
         QVERIFY(window.viewport()->hasFocus());
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Tab);
@@ -1219,7 +1221,7 @@ private Q_SLOTS:
             box->selectAll();
             QTest::keyClicks(box, QLatin1StringView(text));
             QTest::keyClick(box, Qt::Key_Return);
-            QVERIFY(window.strokeSettings().radius >= 1e-6 && window.strokeSettings().radius <= 50);
+            QVERIFY(window.brush()->stroke().radius >= 1e-6 && window.brush()->stroke().radius <= 50);
         }
     }
 
@@ -1231,9 +1233,9 @@ private Q_SLOTS:
         const auto* banner = child<QLabel>(window, "banner");
         for (int i = 0; i < 15; ++i)
             act(window, "brush.larger")->trigger();
-        QVERIFY(window.strokeSettings().radius < 50 && !banner->isVisible());
+        QVERIFY(window.brush()->stroke().radius < 50 && !banner->isVisible());
         act(window, "brush.larger")->trigger();
-        QCOMPARE(window.strokeSettings().radius, 50.0);
+        QCOMPARE(window.brush()->stroke().radius, 50.0);
         QVERIFY(banner->isVisible());
     }
 
@@ -1258,8 +1260,8 @@ private Q_SLOTS:
         }
         MainWindow window;
         window.setModel(modelInfo(QStringLiteral("b"), 50));
-        QCOMPARE(window.strokeSettings().radius, 10.0);
-        QCOMPARE(window.strokeSettings().strength, 0.75);
+        QCOMPARE(window.brush()->stroke().radius, 10.0);
+        QCOMPARE(window.brush()->stroke().strength, 0.75);
     }
 
     void aBrokenSettingsFileDoesNoHarm()
