@@ -21,8 +21,13 @@ while [ $# -gt 0 ]; do
 done
 
 fettle_install "$fettle_build_packages$fettle_test_packages"
+"$fettle_root/tests/check_format.sh" >&2
 fettle_lock
 fettle_is_configured "$preset" BUILD_TESTING:BOOL=ON || fettle_configure "$preset" -DBUILD_TESTING=ON
+# First what needs no library of ours and fails at once: the layout of the sources and the sizes of classes.
+fettle_build "$preset" test_app
+"$fettle_root/build/$preset/tests/app/test_app" -silent >&2 ||
+    fettle_fail "the sources break a rule of the layout; the lines above say which"
 fettle_build "$preset" all
 fettle_unlock
 

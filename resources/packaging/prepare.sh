@@ -34,6 +34,7 @@ fettle_test_packages='
 libcgal-dev         CGAL: an independent judge of meshes
 libtinygltf-dev     tinygltf: reads what we write
 libbenchmark-dev    Google Benchmark
+clang-format        checks the format of the sources
 clang               libFuzzer, which feeds every reader the bytes of strangers
 libclang-rt-14-dev  the libraries of libFuzzer and the sanitizers
 openxr-layer-corevalidation  says where a client of OpenXR breaks its rules
