@@ -1,5 +1,5 @@
 // What the figures of the paper show. Of those that are shown elsewhere: Figures 5 and 6 in tst_remesh, 16 in
-// tst_dab_engine.
+// tst_dab_pipeline.
 
 #include "core/analysis/mesh_check.h"
 #include "core/sculpt/remesh/remesh.h"

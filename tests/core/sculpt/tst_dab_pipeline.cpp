@@ -61,7 +61,7 @@ template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
 } // namespace
 
 /// The tools and modes of a dab, seen from outside.
-class TestDabEngine : public QObject
+class TestDabPipeline : public QObject
 {
     Q_OBJECT
 
@@ -79,7 +79,7 @@ private Q_SLOTS:
     void addedSphere_beyondTheWallIsRefused();
 };
 
-void TestDabEngine::flatten_leavesAPlatform()
+void TestDabPipeline::flatten_leavesAPlatform()
 {
     const auto sculptor = sphere();
     StrokeSettings settings = settingsFor(Tool::Flatten);
@@ -97,7 +97,7 @@ void TestDabEngine::flatten_leavesAPlatform()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestDabEngine::paint_coloursTheRegionAndMovesNothing()
+void TestDabPipeline::paint_coloursTheRegionAndMovesNothing()
 {
     const auto sculptor = sphere();
     const core::TriangleMesh before = core::extractMesh(sculptor->mesh());
@@ -116,7 +116,7 @@ void TestDabEngine::paint_coloursTheRegionAndMovesNothing()
     QVERIFY(painted > 20);
 }
 
-void TestDabEngine::paint_withoutFalloff_setsTheFullColour()
+void TestDabPipeline::paint_withoutFalloff_setsTheFullColour()
 {
     const auto sculptor = sphere();
     StrokeSettings settings = settingsFor(Tool::Paint);
@@ -129,7 +129,7 @@ void TestDabEngine::paint_withoutFalloff_setsTheFullColour()
     QCOMPARE(painted, report.touchedVertices);
 }
 
-void TestDabEngine::colours_areCarriedThroughRemeshing()
+void TestDabPipeline::colours_areCarriedThroughRemeshing()
 {
     const auto sculptor = sphere();
     StrokeSettings settings = settingsFor(Tool::Paint, 0.5);
@@ -143,7 +143,7 @@ void TestDabEngine::colours_areCarriedThroughRemeshing()
     });
 }
 
-void TestDabEngine::rayBrush_leavesTheOtherSheetAlone()
+void TestDabPipeline::rayBrush_leavesTheOtherSheetAlone()
 {
     const double thickness = 0.05;
     Sculptor sculptor(mesh_asserts::sculptable(clay::slab(1, thickness, 40)));
@@ -166,7 +166,7 @@ void TestDabEngine::rayBrush_leavesTheOtherSheetAlone()
     QVERIFY(isSound(sculptor));
 }
 
-void TestDabEngine::rayBrush_refinesACoarseFace()
+void TestDabPipeline::rayBrush_refinesACoarseFace()
 {
     Sculptor sculptor(mesh_asserts::sculptable(shapes::cube(2)));
     const core::Box box = [&] {
@@ -184,7 +184,7 @@ void TestDabEngine::rayBrush_refinesACoarseFace()
     QVERIFY(isSound(sculptor));
 }
 
-void TestDabEngine::uniformTopology_keepsItsLength()
+void TestDabPipeline::uniformTopology_keepsItsLength()
 {
     const auto sculptor = sphere();
     const double before = static_cast<double>(sculptor->mesh().live().vertices);
@@ -210,7 +210,7 @@ void TestDabEngine::uniformTopology_keepsItsLength()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestDabEngine::addedSphere_isPartOfTheModel()
+void TestDabPipeline::addedSphere_isPartOfTheModel()
 {
     const auto sculptor = sphere();
     const std::uint64_t start = sculptor->mesh().stateHash();
@@ -236,7 +236,7 @@ void TestDabEngine::addedSphere_isPartOfTheModel()
     QCOMPARE(sculptor->mesh().stateHash(), end);
 }
 
-void TestDabEngine::addedSphere_insideIsRefused()
+void TestDabPipeline::addedSphere_insideIsRefused()
 {
     const auto sculptor = sphere();
     const std::uint64_t start = sculptor->mesh().stateHash();
@@ -247,7 +247,7 @@ void TestDabEngine::addedSphere_insideIsRefused()
     QCOMPARE(sculptor->mesh().stateHash(), start);
 }
 
-void TestDabEngine::addedSphere_tooCloseIsRefused()
+void TestDabPipeline::addedSphere_tooCloseIsRefused()
 {
     const auto sculptor = sphere();
     StrokeSettings settings = settingsFor(Tool::Pull);
@@ -257,7 +257,7 @@ void TestDabEngine::addedSphere_tooCloseIsRefused()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestDabEngine::addedSphere_beyondTheWallIsRefused()
+void TestDabPipeline::addedSphere_beyondTheWallIsRefused()
 {
     const auto sculptor = sphere();
     StrokeSettings settings = settingsFor(Tool::Pull);
@@ -267,5 +267,5 @@ void TestDabEngine::addedSphere_beyondTheWallIsRefused()
     QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::Wall);
 }
 
-FETTLE_TEST(TestDabEngine, QCoreApplication)
-#include "tst_dab_engine.moc"
+FETTLE_TEST(TestDabPipeline, QCoreApplication)
+#include "tst_dab_pipeline.moc"
