@@ -8,6 +8,7 @@
 #include "app/platform/process_signals.h"
 #include "app/recovery/recovery_store.h"
 #include "app/window/connections.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "ui/scene/scene.h"
 #include "ui/settings/settings.h"

@@ -115,8 +115,9 @@ const FolderRule folderRules[] = {
                     "app/document app/commands"},
     {"app/window", "ui/viewport ui/model ui/brush ui/drawing ui/print ui/history ui/headset ui/window app/worker "
                    "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
-    {"app", "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window"
-            " ui/scene ui/settings ui/viewport ui/widgets ui/window vr/openxr"},
+    {"app",
+     "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window app/worker"
+     " ui/scene ui/settings ui/viewport ui/widgets ui/window vr/openxr"},
 };
 
 const QStringList libraries{"core", "ui", "vr", "app"};
