@@ -614,7 +614,7 @@ void TestJournal::samples_areKept()
     const std::vector<JournalStep>& kept = found->history.steps;
     QCOMPARE(kept.size(), strokes.size());
     for (std::size_t i = 0; i < kept.size(); ++i) {
-        const auto& stroke = std::get<Stroke>(*kept[i].deed);
+        const auto& stroke = std::get<Stroke>(*kept[i].entry);
         QCOMPARE(stroke.samples.size(), strokes[i].samples.size());
         QCOMPARE(stroke.settings.radius, strokes[i].settings.radius);
         QVERIFY(stroke.samples.back().position == strokes[i].samples.back().position);

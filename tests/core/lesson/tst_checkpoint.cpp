@@ -107,7 +107,7 @@ private Q_SLOTS:
         std::erase_if(half.triangles, [&](const Triangle& t) { return half.points[t[0]].x() < 0; });
         const TargetVerdict missing = verdictOf(5, half, ball);
         QVERIFY(!missing.holds);
-        QVERIFY(verdictOf(5, ball, half).apart == missing.apart);
+        QVERIFY(verdictOf(5, ball, half).nearDistance == missing.nearDistance);
     }
 
     void place_counts()
