@@ -1,3 +1,4 @@
+#include "core/geometry/point_triangle.h"
 #include "core/mesh/surface_query.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"

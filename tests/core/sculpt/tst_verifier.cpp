@@ -1,6 +1,7 @@
 // The local check against exhaustive exact tests of all pairs and against CGAL, on random changes; certificates against
 // exact pairs; and the errors that no pair of faces shows.
 
+#include "core/geometry/triangle_intersection.h"
 #include "core/sculpt/verify/verifier.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
