@@ -12,6 +12,8 @@
 
 using ui::HeadsetAvatar;
 using ui::OrbitCamera;
+using ui::PointerInput;
+using ui::ViewNavigation;
 using ui::Viewport;
 
 namespace
