@@ -93,7 +93,7 @@ void TestSettingsPanel::aSlider_changesItsValueOnly()
         const HeadsetSettings choice = after(Slide{moved, wanted});
         for (const PanelSlider slider : sliders)
             QCOMPARE(valueOf(choice, slider), slider == moved ? wanted : valueOf({}, slider));
-        QVERIFY(choice.wands == HeadsetSettings().hands && choice.showsFloor && !choice.showsPerformance);
+        QVERIFY(choice.wands == HeadsetSettings().wands && choice.showsFloor && !choice.showsPerformance);
     }
 }
 
@@ -142,8 +142,8 @@ void TestSettingsPanel::everySetting_canBeReached()
         return false;
     };
     for (const vr::ButtonPreset preset : {vr::ButtonPreset::Studio, vr::ButtonPreset::OneHand})
-        QVERIFY(canBecome([&](const HeadsetSettings& c) { return c.hands.preset == preset; }));
-    QVERIFY(canBecome([](const HeadsetSettings& c) { return c.hands.sculpting == vr::Side::Left; }));
+        QVERIFY(canBecome([&](const HeadsetSettings& c) { return c.wands.preset == preset; }));
+    QVERIFY(canBecome([](const HeadsetSettings& c) { return c.wands.sculpting == vr::Side::Left; }));
     QVERIFY(canBecome([](const HeadsetSettings& c) { return !c.showsFloor; }));
     QVERIFY(canBecome([](const HeadsetSettings& c) { return c.showsPerformance; }));
     for (const double heightOffset : {-SettingsPanel::maxHeightOffset, SettingsPanel::maxHeightOffset})
