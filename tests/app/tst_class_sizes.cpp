@@ -1,7 +1,7 @@
 // How large the classes and the functions of the program are. Those over the limits stand in class_sizes.txt, with the
 // reason; the sizes there are exact, so what shrinks makes the table shrink. To write the table anew, with the reasons
 // that are known:
-//     FETTLE_WRITE_SIZES=1 ctest --test-dir build/release -R tst_class_sizes
+//     FETTLE_WRITE_SIZES=1 ctest --test-dir build/release -R TestClassSizes
 #include "tests/app/source_outline.h"
 #include "tests/support/test_main.h"
 
