@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QtGlobal>
+#include <QByteArray>
 
 namespace test
 {
@@ -18,6 +18,6 @@ inline bool hasDisplay()
 inline void useOffscreenUnless(bool canBeShown)
 {
     if (!canBeShown)
-        qputenv("QT_QPA_PLATFORM", "offscreen");
+        qputenv("QT_QPA_PLATFORM", QByteArrayLiteral("offscreen"));
 }
 } // namespace test
