@@ -47,7 +47,7 @@ void connectDocument(ui::MainWindow& window, Document& document)
     QObject::connect(window.files(), &ui::ModelFiles::saveRequested, &document.saver(), &ModelSaver::save);
     QObject::connect(window.files(), &ui::ModelFiles::exportRequested, &document.saver(), &ModelSaver::exportTo);
     QObject::connect(window.files(), &ui::ModelFiles::renamed, &document, &Document::setPath);
-    QObject::connect(window.files(), &ui::ModelFiles::gone, &document.savedState(), &SavedState::onFileDeleted);
+    QObject::connect(window.files(), &ui::ModelFiles::fileDeleted, &document.savedState(), &SavedState::onFileDeleted);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
     QObject::connect(&document, &Document::modelInfoChanged, &window, &MainWindow::updateModelInfo);
     QObject::connect(&document.savedState(), &SavedState::modifiedChanged, &window, &MainWindow::setWindowModified);
