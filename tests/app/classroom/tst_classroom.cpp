@@ -120,7 +120,7 @@ struct Class
         return program.window.findChild<Part*>(QLatin1StringView(name));
     }
     QString text(const char* label) const { return part<QLabel>(label)->text(); }
-    bool isIdle() const
+    bool isIdle()
     {
         return !program.document.job().isBusy() && program.document.queue().isSettled() &&
                program.document.modelInfo().faces > 0;

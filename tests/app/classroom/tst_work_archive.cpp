@@ -270,7 +270,7 @@ void TestWorkArchive::leftovers_areSwept()
     const QString here = places.outbox + QStringLiteral("/.unfinished-1"),
                   there = places.works + QStringLiteral("/.unfinished-2");
     QVERIFY(QDir().mkpath(here) && QDir().mkpath(there));
-    QVERIFY(places.archive().deliver().outbox == 0); // neither is taken for a work
+    QVERIFY(places.archive().deliver().undelivered == 0); // neither is taken for a work
     places.archive().removeUnfinished();
     QVERIFY(!QDir(here).exists());
     QVERIFY(QDir(there).exists()); // another computer may be writing it

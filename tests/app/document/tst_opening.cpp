@@ -37,7 +37,7 @@ bool dropFile(Program& program, const QString& path)
 }
 
 /// Until the document is at rest with the model of that file; no other came before it.
-void expectOnly(const Program& program, const QSignalSpy& opened, const QString& path)
+void expectOnly(Program& program, const QSignalSpy& opened, const QString& path)
 {
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), timeoutMs);

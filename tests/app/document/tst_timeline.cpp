@@ -72,8 +72,8 @@ struct TimelineFixture
         rest();
     }
 
-    int index() const { return program.document.history().stack().index(); }
-    int count() const { return program.document.history().stack().count(); }
+    int index() { return program.document.history().stack().index(); }
+    int count() { return program.document.history().stack().count(); }
     template <class Widget> Widget* find(const char* name)
     {
         return program.window.findChild<Widget*>(QLatin1StringView(name));

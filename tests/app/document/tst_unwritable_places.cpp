@@ -100,7 +100,7 @@ struct Spoilt
     std::uint64_t state() { return stateHash(program.worker); }
     QMessageBox* problem() const { return program.window.findChild<QMessageBox*>(QStringLiteral("problem")); }
     /// What a person would see of it all, for the message of a check that waited in vain.
-    QString seen() const
+    QString seen()
     {
         QString all = program.document.job().isBusy() ? QStringLiteral("busy") : QStringLiteral("idle");
         all += program.document.queue().isSettled() ? QStringLiteral(", settled") : QStringLiteral(", unsettled");
@@ -126,7 +126,7 @@ struct Spoilt
         QTRY_VERIFY2(isAnswered(),
                      qPrintable(seen())); // on a busy machine a press on a box that has just been shown may be lost
     }
-    void verifySaved() const
+    void verifySaved()
     {
         QTRY_VERIFY2(!program.document.savedState().isModified() && !program.document.job().isBusy(),
                      qPrintable(seen()));

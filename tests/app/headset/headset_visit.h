@@ -44,7 +44,7 @@ struct HeadsetFixture
     core::StrokeSettings brush() const { return program.window.brush()->stroke(); }
     void trigger(const char* action) { program.window.action(QLatin1StringView(action))->trigger(); }
     /// Changes on the undo stack that are done.
-    int changes() const { return program.document.history().stack().index(); }
+    int changes() { return program.document.history().stack().index(); }
     /// As it was opened.
     bool isUntouched() { return hash() == startHash && !program.document.savedState().isModified(); }
 

@@ -317,7 +317,7 @@ void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
 vr::FilesPanel filesOf(const HeadsetFixture& fixture)
 {
     HeadsetFiles files;
-    files.look(QFileInfo(fixture.path("clay.glb")).absolutePath());
+    files.watch(QFileInfo(fixture.path("clay.glb")).absolutePath());
     [&] { QTRY_VERIFY_WITH_TIMEOUT(!files.tiles().isEmpty(), 60'000); }();
     vr::FilesPanel panel;
     panel.files = files.tiles();
@@ -384,8 +384,8 @@ void TestHeadsetPanels::files_save()
     const vr::PanelLayout before = layoutOf(panel);
     panel.saved = QStringLiteral("clay-001.glb");
     const vr::PanelLayout after = layoutOf(panel);
-    const QRectF area = after.parts.back().area;
-    const auto* status = std::get_if<vr::TextLook>(&after.parts.back().look);
+    const QRectF area = after.items.back().area;
+    const auto* status = std::get_if<vr::TextLook>(&after.items.back().look);
     QVERIFY(status && status->text.contains(panel.saved));
 
     const QImage silent = v.areaOf(before, area);

@@ -427,7 +427,7 @@ void TestHeadsetPartner::caption_tellsTheBrush()
 void TestHeadsetPartner::caption_isReadFromThreeMetres()
 {
     ui::BrushCaption caption;
-    caption.setWords({QIcon(), QStringLiteral("Clay"), QStringLiteral("12 mm"), QStringLiteral("3 min"), true});
+    caption.setText({QIcon(), QStringLiteral("Clay"), QStringLiteral("12 mm"), QStringLiteral("3 min"), true});
     caption.resize(1500, 10);
     caption.show();
     QVERIFY(QTest::qWaitForWindowExposed(&caption));
@@ -542,7 +542,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     v.keep("lesson-shown");
     QVERIFY(v.hand.choose(content(), vr::LessonRequest::TryIt, [&] { return v.changes() == 0; }));
     QVERIFY(v.isSound());
-    panel->left();
+    panel->closed();
     v.hand.settle();
     QVERIFY(!panel->shown());
     v.keep("lesson-left");

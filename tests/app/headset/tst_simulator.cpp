@@ -74,7 +74,7 @@ struct SimulatorFixture
     /// Where the eye sees a point of the room.
     Eigen::Vector2d placeOf(const Vec3& point) const
     {
-        const Vec3 own = view->person().head().inverse() * point;
+        const Vec3 own = view->controls().head().inverse() * point;
         return Eigen::Vector2d(own.x() / ui::SimulatorControls::sideTangent,
                                own.y() / ui::SimulatorControls::upTangent) /
                -own.z();
@@ -84,8 +84,8 @@ struct SimulatorFixture
     {
         const Vec3 front = seen.model * Vec3(0, 0, 48);
         move(placeOf(front));
-        const Vec3 eye = view->person().head().translation();
-        const Vec3 tip = view->person().tip(view->person().hand()).translation();
+        const Vec3 eye = view->controls().head().translation();
+        const Vec3 tip = view->controls().tip(view->controls().hand()).translation();
         constexpr double metresPerNotch = 0.02;
         const double notches = ((front - eye).norm() - (tip - eye).norm()) / metresPerNotch;
         QWheelEvent event(QPointF(9, 9), view->mapToGlobal(QPointF(9, 9)), {}, {0, qRound(120 * notches)}, {}, {},
@@ -97,7 +97,7 @@ struct SimulatorFixture
     void stroke()
     {
         touchModel();
-        const Eigen::Vector2d from = placeOf(view->person().tip(view->person().hand()).translation());
+        const Eigen::Vector2d from = placeOf(view->controls().tip(view->controls().hand()).translation());
         sendMouse(view, QEvent::MouseButtonPress, view->placeOf(from).toPoint(), Qt::LeftButton);
         for (int i = 1; i <= 8; ++i) {
             move(from + Eigen::Vector2d(0.02 * i, 0), Qt::LeftButton);
@@ -122,7 +122,7 @@ struct SimulatorFixture
     {
         return ask([](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
     }
-    int changes() const { return program.document.history().stack().index(); }
+    int changes() { return program.document.history().stack().index(); }
 
     ScriptedRuntime runtime; ///< hears what the client does wrong
     Program program;

@@ -7,6 +7,7 @@
 #include "ui/brush/color_panel.h"
 #include "ui/settings/settings.h"
 #include "ui/util/error_messages.h"
+#include "ui/viewport/keyboard_cursor.h"
 
 #include <QAction>
 #include <QApplication>
@@ -154,7 +155,7 @@ void TestEndToEnd::sculptedByKeysAlone()
 /// They are kept; one hand given up is the usual two again.
 void TestEndToEnd::handsOfTheNextVisit_areChosenInTheMenu()
 {
-    const auto hands = [] { return HeadsetSettings().choice().wands; };
+    const auto hands = [] { return HeadsetSettings().load().wands; };
     const QStringList ids{QStringLiteral("vr.oneHand"), QStringLiteral("vr.leftHanded")};
     {
         Program program;

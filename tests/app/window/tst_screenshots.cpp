@@ -305,7 +305,7 @@ void TestScreenshots::takeRecovery(Program& program)
     bar->findChild<QPushButton*>(QStringLiteral("discardRecovery"))->click();
     take(*QApplication::activeModalWidget(), QStringLiteral("recovery-question"));
     QApplication::activeModalWidget()->close();
-    bar->leave();
+    bar->dismiss();
 }
 
 void TestScreenshots::takeStrokeBar(Program& program)
@@ -319,7 +319,7 @@ void TestScreenshots::takeStrokeBar(Program& program)
     auto* bar = new ui::StrokeEditBar({core::Tool::Flatten, 12.5, 0.8}, facts, tools, &program.window);
     bar->setHint(QCoreApplication::translate("app::StrokeEdit", "With this brush it does nothing."));
     take(program.window, QStringLiteral("stroke-bar"));
-    bar->leave();
+    bar->dismiss();
 }
 
 void TestScreenshots::takeUnits(Program& program)
@@ -328,7 +328,7 @@ void TestScreenshots::takeUnits(Program& program)
         auto* bar =
             new ui::UnitBar({QStringLiteral("a-model-with-a-rather-long-name.stl"), 1.234, guess}, &program.window);
         take(program.window, QStringLiteral("units-%1").arg(static_cast<int>(guess)));
-        bar->leave();
+        bar->dismiss();
     }
 }
 
