@@ -158,7 +158,7 @@ struct Spoilt
     }
 
     Place place;
-    Program program;
+    Program program{Program::anyView}; // the small disk holds the strokes that the large view makes
     QByteArray bytes;
     QStringList files;
     std::uint64_t hash = 0;
