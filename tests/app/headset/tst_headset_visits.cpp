@@ -423,7 +423,7 @@ void TestHeadsetVisits::contactAndFusion_feelDifferent()
 void TestHeadsetVisits::faults_beforeAVisit_data()
 {
     QTest::addColumn<QString>("step");
-    QTest::addColumn<QString>("mended");
+    QTest::addColumn<QString>("repaired");
     QTest::addColumn<QString>("words");
     QTest::newRow("no runtime") << "'runtime': false"
                                 << "'runtime': true"
