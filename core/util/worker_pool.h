@@ -12,6 +12,9 @@ namespace core
 {
 /// Threads that wait for work: a fork and join costs some microseconds, not the tens that starting threads does.
 /// Thread-safe.
+///
+/// Not oneTBB: it has no setting for how long helpers stay awake after their work. With 100 microseconds large dabs
+/// take 10 % less time than with helpers that sleep at once.
 class WorkerPool
 {
 public:
