@@ -82,7 +82,7 @@ const FolderRule folderRules[] = {
     {"vr/util", "core/geometry"},
     {"vr/gl", ""},
     {"vr/openxr", "vr/util vr/gl"},
-    {"vr/input", "vr/util vr/openxr"},
+    {"vr/input", "core/geometry vr/util vr/openxr"},
     {"vr/frame", "vr/util vr/gl vr/openxr"},
     {"vr/scene", "core/geometry core/stroke core/mesh core/render core/io/mesh vr/util vr/gl vr/openxr vr/input"},
     {"vr/panels", "core/stroke vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},

@@ -1,5 +1,7 @@
 #include "vr/input/model_placement.h"
 
+#include "core/geometry/rotation.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -72,7 +74,7 @@ void ModelPlacement::stretch(const Span& from, const Span& to)
     const Vec3 before = from.b - from.a, after = to.b - to.a;
     const Vec3 middleBefore = (from.a + from.b) / 2, middleAfter = (to.a + to.b) / 2;
     if (std::min(before.norm(), after.norm()) >= minSpan) {
-        rotateAbout(middleBefore, Eigen::Quaterniond::FromTwoVectors(before, after));
+        rotateAbout(middleBefore, core::rotationBetween(before, after));
         scaleAbout(middleBefore, after.norm() / before.norm());
     }
     m_origin += middleAfter - middleBefore;

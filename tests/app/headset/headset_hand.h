@@ -5,6 +5,7 @@
 
 #include "app/headset/headset.h"
 #include "app/headset/headset_settings.h"
+#include "core/geometry/rotation.h"
 #include "vr/input/model_placement.h"
 #include "vr/input/wand_mapping.h"
 #include "vr/panels/panel_manager.h"
@@ -23,7 +24,7 @@ class HeadsetHand
 {
 public:
     /// Pixels of an eye: where nobody looks at them, and where somebody does.
-    static constexpr QSize few{108, 120}, enough{216, 240};
+    static constexpr QSize few{54, 60}, enough{216, 240};
 
     explicit HeadsetHand(Program& program, const QSize& pixels = few) : m_program(program)
     {
@@ -111,7 +112,7 @@ public:
     /// The tip of that wand, in the room, and where it points.
     void put(vr::Side side, const core::Vec3& tip, const core::Vec3& direction = -core::Vec3::UnitZ(), int over = 0)
     {
-        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), direction);
+        const Eigen::Quaterniond turn = core::rotationBetween(-core::Vec3::UnitZ(), direction);
         const core::Vec3 grip = tip - vr::tipReach * direction.normalized();
         m_grips[static_cast<std::size_t>(side)] = {turn, grip};
         QJsonObject step{{nameOf(side), QJsonObject{{"position", QJsonArray{grip.x(), grip.y(), grip.z()}},

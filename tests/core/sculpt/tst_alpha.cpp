@@ -1,3 +1,4 @@
+#include "core/geometry/rotation.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/sculptor.h"
@@ -190,7 +191,7 @@ void TestAlpha::stroke_standsUprightOnATurntable()
     const auto sculptor = ball();
     sculptor->beginStroke(settingsOf(Tool::Pull, upperHalf()));
     core::StrokeSample sample; // the model lies on its right side: its x points up
-    sample.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), Vec3::UnitY());
+    sample.rotation = core::rotationBetween(Vec3::UnitX(), Vec3::UnitY());
     sample.position = front(0, 0);
     sculptor->addSample(sample);
     sculptor->endStroke();

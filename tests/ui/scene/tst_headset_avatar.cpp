@@ -2,6 +2,7 @@
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
+#include "core/geometry/rotation.h"
 #include "ui/viewport/head_tracking.h"
 
 #include <QOpenGLExtraFunctions>
@@ -74,7 +75,7 @@ Eigen::Isometry3d poseAt(const core::Vec3& place)
 Eigen::Isometry3d lookingAtOrigin(const core::Vec3& place)
 {
     Eigen::Isometry3d pose = poseAt(place);
-    pose.linear() = Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), -place).toRotationMatrix();
+    pose.linear() = core::rotationBetween(-core::Vec3::UnitZ(), -place).toRotationMatrix();
     return pose;
 }
 

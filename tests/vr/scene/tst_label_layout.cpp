@@ -1,3 +1,4 @@
+#include "core/geometry/rotation.h"
 #include "tests/support/stroke_fuzzer.h"
 #include "tests/support/test_main.h"
 #include "vr/scene/label_layout.h"
@@ -24,8 +25,8 @@ Case randomCase(StrokeFuzzer& random)
     made.grip = {turn(), core::Vec3(random.uniform(-0.5, 0.5), random.uniform(0.5, 1.7), random.uniform(-0.5, 0.5))};
     const core::Vec3 middle = made.grip * vr::placeOf(vr::WandSpot::PadMiddle), back = random.direction();
     made.head.position = middle + random.uniform(0.2, 1.2) * back;
-    made.head.rotation = Eigen::Quaterniond::FromTwoVectors(core::Vec3::UnitZ(), back) *
-                         Eigen::AngleAxisd(random.uniform(-1, 1), random.direction());
+    made.head.rotation =
+        core::rotationBetween(core::Vec3::UnitZ(), back) * Eigen::AngleAxisd(random.uniform(-1, 1), random.direction());
     for (auto& aspect : made.aspects)
         if (random.below(4) != 0)
             aspect = random.uniform(2, 10);

@@ -1,5 +1,6 @@
 #include "vr/scene/wand_labels.h"
 
+#include "core/geometry/rotation.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/input/hand_motion.h"
 #include "tests/vr/scene/counted_allocations.h"
@@ -46,8 +47,8 @@ public:
     void look(Side side, double degrees)
     {
         const core::Vec3 to = wand(side).grip * vr::placeOf(WandSpot::PadMiddle) - m_head.position;
-        m_head.rotation = Eigen::AngleAxisd(degrees * degree, to.unitOrthogonal()) *
-                          Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), to);
+        m_head.rotation =
+            Eigen::AngleAxisd(degrees * degree, to.unitOrthogonal()) * core::rotationBetween(-core::Vec3::UnitZ(), to);
     }
     void lookAhead() { m_head.rotation = Eigen::Quaterniond::Identity(); }
 
