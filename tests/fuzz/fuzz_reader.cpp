@@ -1,5 +1,5 @@
-// One reader, fed with a stranger's bytes: it returns a mesh as core/io/mesh_io.h promises, or throws a FileError;
-// nothing else.
+// The reader of the format that FETTLE_FORMAT names (stl, obj, ...), fed with a stranger's bytes: it returns a mesh as
+// core/io/mesh_io.h promises, or throws a FileError; nothing else.
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 
@@ -17,14 +17,21 @@ class Folder
 public:
     Folder() : m_path(std::filesystem::temp_directory_path() / ("fettle_fuzz_" + std::to_string(getpid())))
     {
+        const char* format = std::getenv("FETTLE_FORMAT");
+        if (!format) {
+            std::fputs("FETTLE_FORMAT does not say which reader\n", stderr);
+            std::exit(2);
+        }
+        m_name += format;
         std::filesystem::create_directory(m_path);
     }
     ~Folder() { std::filesystem::remove_all(m_path); }
 
-    std::filesystem::path file() const { return m_path / "model." FETTLE_FORMAT; }
+    std::filesystem::path file() const { return m_path / m_name; }
 
 private:
     std::filesystem::path m_path;
+    std::string m_name = "model.";
 };
 
 void require(bool holds, const char* what)

@@ -8,5 +8,6 @@ case ${FETTLE_EFFORT:-small} in
     *) seconds=3 found=$1/found/$2 ;;
 esac
 mkdir -p "$found"
-exec "$1/fuzz_$2" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=256 -max_len=16384 \
+export FETTLE_FORMAT=$2
+exec "$1/fuzz_reader" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=256 -max_len=16384 \
     -artifact_prefix="$1/$2-" "$found" "$(dirname "$(readlink -f "$0")")/corpus/$2"
