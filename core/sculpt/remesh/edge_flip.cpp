@@ -15,8 +15,9 @@ constexpr int flipPasses = 4;
 bool EdgeFlip::shouldFlip(Slot e) const
 {
     const Slot h = 2 * e;
-    const Vec3 a = m_pass.point(m_mesh.from(h)), b = m_pass.point(m_mesh.to(h));
-    const Vec3 c = m_pass.point(m_mesh.to(m_mesh.next(h))), d = m_pass.point(m_mesh.to(m_mesh.next(h ^ 1)));
+    const auto point = [&mesh = m_mesh](Slot v) -> Vec3 { return mesh.point(v).cast<double>(); };
+    const Vec3 a = point(m_mesh.from(h)), b = point(m_mesh.to(h));
+    const Vec3 c = point(m_mesh.to(m_mesh.next(h))), d = point(m_mesh.to(m_mesh.next(h ^ 1)));
     const double dot0 = (a - c).dot(b - c), dot1 = (a - d).dot(b - d);
     if (dot0 >= 0 && dot1 >= 0)
         return false; // neither angle is obtuse
