@@ -86,7 +86,7 @@ const FolderRule folderRules[] = {
     {"vr/frame", "vr/util vr/gl vr/openxr"},
     {"vr/scene", "core/geometry core/stroke core/mesh core/render core/io/mesh vr/util vr/gl vr/openxr vr/input"},
     {"vr/panels", "core/stroke vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},
-    {"vr/sculpt", "core/stroke core/mesh core/render core/operations vr/util vr/input vr/frame vr/scene "
+    {"vr/sculpt", "core/util core/stroke core/mesh core/render core/operations vr/util vr/input vr/frame vr/scene "
                   "vr/panels"},
     {"vr/simulator", "vr/util"},
     {"app/platform", ""},

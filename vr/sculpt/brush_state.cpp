@@ -1,6 +1,6 @@
 #include "vr/sculpt/brush_state.h"
 
-#include "vr/util/overloaded.h"
+#include "core/util/overloaded.h"
 
 #include <algorithm>
 #include <array>
@@ -53,7 +53,7 @@ BrushState changed(BrushState brush, const WandAction& action)
 {
     using core::BrushShape, core::Symmetry, core::Topology;
     core::StrokeSettings& stroke = brush.stroke;
-    const Overloaded change{
+    const core::Overloaded change{
         [&](const StepTool& step) { stroke.tool = stepped(stroke.tool, step.by); },
         [&](ToggleInverse) { brush.isInverse = !brush.isInverse; },
         [&](ToggleBrushShape) {
@@ -74,7 +74,7 @@ BrushState changed(BrushState brush, const WandAction& action)
 BrushState changed(BrushState brush, const PanelAction& action)
 {
     core::StrokeSettings& stroke = brush.stroke;
-    const Overloaded change{
+    const core::Overloaded change{
         [&](core::Tool tool) { stroke.tool = tool; },
         [&](core::BrushShape shape) { stroke.brush = shape; },
         [&](core::Topology topology) { stroke.topology = topology; },

@@ -1,6 +1,6 @@
 #include "vr/sculpt/panel_contents.h"
 
-#include "vr/util/overloaded.h"
+#include "core/util/overloaded.h"
 
 #include <cmath>
 
@@ -45,7 +45,7 @@ void PanelContents::update(const DocumentUpdate& before, const DocumentUpdate& n
 
 void PanelContents::apply(const PanelAction& action)
 {
-    const Overloaded handler{
+    const core::Overloaded handler{
         [&](SettingsPage page) { m_settingsPage = page; },
         [&](const ShowLessonPage& shown) { m_lessonPage = shown.page; },
         [](const auto&) {},

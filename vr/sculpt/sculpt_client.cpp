@@ -1,6 +1,6 @@
 #include "vr/sculpt/sculpt_client.h"
 
-#include "vr/util/overloaded.h"
+#include "core/util/overloaded.h"
 
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
@@ -260,7 +260,7 @@ void SculptClient::handle(const WandCommand& command)
         if (action)
             handle(side, *action);
     };
-    const Overloaded handler{
+    const core::Overloaded handler{
         [&](const BeginStroke& begin) { m_brush.begin(begin, m_placement) ? void() : refuse(); },
         [&](const StrokePoint& point) { m_brush.draw(point, m_placement); },
         [&](const EndStroke&) { m_brush.end(); },
@@ -285,7 +285,7 @@ void SculptClient::handle(const WandCommand& command)
 
 void SculptClient::handle(Side side, const PanelAction& action)
 {
-    const Overloaded handler{
+    const core::Overloaded handler{
         [&](PanelCommand command) {
             if (const std::optional<DocumentRequest> request = requestOf(command))
                 m_port->request(*request);

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace vr
+namespace core
 {
 /// Functions for the alternatives of a variant, as one: for std::visit.
 template <class... T> struct Overloaded : T...
@@ -8,4 +8,4 @@ template <class... T> struct Overloaded : T...
     using T::operator()...;
 };
 template <class... T> Overloaded(T...) -> Overloaded<T...>;
-} // namespace vr
+} // namespace core
