@@ -51,7 +51,7 @@ QList<ui::ToolOption> StrokeEdit::offeredTools() const
 {
     QList<ui::ToolOption> tools;
     for (const std::string_view name : core::toolNames()) {
-        const core::Tool tool = core::toolNamed(name).value_or(m_present.tool);
+        const core::Tool tool = core::named<core::Tool>(name).value_or(m_present.tool);
         if (tool != m_present.tool && !m_window->brush()->isOffered(tool))
             continue;
         tools.append({tool, m_window->action(QStringLiteral("tool.") +

@@ -42,9 +42,9 @@ LessonError LessonJsonReader::errorHere(Kind kind, std::string key) const
     return error;
 }
 
-void LessonJsonReader::refuseRange(const std::string& key, double min, double max) const
+void LessonJsonReader::refuseBeyond(Kind kind, const std::string& key, double max, double min) const
 {
-    LessonError error = errorHere(Kind::OutOfRange, key);
+    LessonError error = errorHere(kind, key);
     error.min = min;
     error.max = max;
     throw error;
@@ -71,11 +71,8 @@ Lesson LessonJsonReader::read()
     const Json& steps = required(root, "steps");
     if (!steps.is_array() || steps.empty())
         refuse(Kind::WrongType, "steps");
-    if (steps.size() > LessonLimits::maxSteps) {
-        LessonError error = errorHere(Kind::TooMany, "steps");
-        error.max = LessonLimits::maxSteps;
-        throw error;
-    }
+    if (steps.size() > LessonLimits::maxSteps)
+        refuseBeyond(Kind::TooMany, "steps", LessonLimits::maxSteps);
     for (std::size_t i = 0; i < steps.size(); ++i) {
         m_step = i;
         m_lesson.steps.push_back(step(steps[i]));
@@ -124,7 +121,7 @@ void LessonJsonReader::requireFormat(const Json& root) const
     if (newer.version > version)
         throw newer;
     if (newer.version < version)
-        refuseRange("version", version, version);
+        refuseBeyond(Kind::OutOfRange, "version", version, version);
 }
 
 void LessonJsonReader::knowsOnly(const Json& object, const std::string& key,
@@ -158,7 +155,7 @@ double LessonJsonReader::number(const Json& value, const std::string& key, doubl
         refuse(Kind::WrongType, key);
     const double number = value.get<double>();
     if (!(number >= min && number <= max))
-        refuseRange(key, min, max);
+        refuseBeyond(Kind::OutOfRange, key, max, min);
     return number;
 }
 
@@ -173,11 +170,8 @@ LessonText LessonJsonReader::text(const Json& value, const std::string& key) con
         const std::string& words = word(item.value(), key);
         if (words.find_first_not_of(" \t\r\n") == std::string::npos)
             refuse(Kind::NoWords, key);
-        if (words.size() > LessonLimits::maxTextBytes) {
-            LessonError error = errorHere(Kind::TooLong, key);
-            error.max = LessonLimits::maxTextBytes;
-            throw error;
-        }
+        if (words.size() > LessonLimits::maxTextBytes)
+            refuseBeyond(Kind::TooLong, key, LessonLimits::maxTextBytes);
         text.words.emplace(item.key(), words);
     }
     if (text.words.empty())
@@ -222,7 +216,7 @@ std::vector<Tool> LessonJsonReader::tools(const Json& list) const
         refuse(Kind::WrongType, "tools");
     std::vector<Tool> tools;
     for (const Json& entry : list) {
-        const auto tool = toolNamed(word(entry, "tools"));
+        const auto tool = named<Tool>(word(entry, "tools"));
         if (!tool || std::ranges::find(tools, *tool) != tools.end())
             refuse(Kind::UnknownValue, word(entry, "tools"));
         tools.push_back(*tool);

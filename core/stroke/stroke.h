@@ -115,10 +115,13 @@ struct Dab
 };
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };
+/// As in `replay --stats`.
+template <>
+inline constexpr std::array<std::string_view, 6> valueNames<DabOutcome>{"committed", "careful", "ended_early",
+                                                                        "empty",     "added",   "refused"};
 
 /// Why a sphere, or the brush's model, was not added. Unfit: on the lattice the model is not sound at that size.
 enum class Refusal { None, Inside, TooClose, Wall, Unfit };
-std::string_view name(DabOutcome outcome); ///< as in `replay --stats`
 
 /// What a dab did and what it cost.
 struct DabReport

@@ -2,6 +2,8 @@
 
 #include "core/geometry/geometry.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -90,18 +92,35 @@ enum class Placement {
 /// The plane through the origin about which a stroke is mirrored (paper, section 3.5.2): x, y or z = 0.
 enum class Symmetry { None, X, Y, Z };
 
-/// The tools by their names in stroke files, in palette order.
-std::span<const std::string_view> toolNames();
-std::string_view name(Tool tool);
-std::optional<Tool> toolNamed(std::string_view name);
-std::string_view name(BrushShape brush);
-std::optional<BrushShape> brushNamed(std::string_view name);
-std::string_view name(Topology topology);
-std::optional<Topology> topologyNamed(std::string_view name);
-std::string_view name(Placement placement);
-std::optional<Placement> placementNamed(std::string_view name);
-std::string_view name(Symmetry symmetry);
-std::optional<Symmetry> symmetryNamed(std::string_view name);
+/// The names of an enumeration's values in files, in their order.
+template <class Value> inline constexpr std::array<std::string_view, 0> valueNames{};
+template <>
+inline constexpr std::array<std::string_view, 16> valueNames<Tool>{
+    "pull",  "push",   "inflate", "clay",  "layer", "flatten", "scrape", "smooth",
+    "pinch", "crease", "grab",    "snake", "twist", "stamp",   "paint",  "mask"};
+template <> inline constexpr std::array<std::string_view, 2> valueNames<BrushShape>{"sphere", "ray"};
+template <> inline constexpr std::array<std::string_view, 2> valueNames<Topology>{"adaptive", "uniform"};
+template <> inline constexpr std::array<std::string_view, 3> valueNames<Placement>{"point", "nearest", "ray"};
+template <> inline constexpr std::array<std::string_view, 4> valueNames<Symmetry>{"none", "x", "y", "z"};
+
+/// In palette order.
+constexpr std::span<const std::string_view> toolNames()
+{
+    return valueNames<Tool>;
+}
+template <class Value>
+requires(!valueNames<Value>.empty()) constexpr std::string_view name(Value value)
+{
+    return valueNames<Value>[static_cast<std::size_t>(value)];
+}
+/// Returns the value of that name, if there is one.
+template <class Value> constexpr std::optional<Value> named(std::string_view name)
+{
+    const auto found = std::ranges::find(valueNames<Value>, name);
+    if (found == valueNames<Value>.end())
+        return std::nullopt;
+    return static_cast<Value>(found - valueNames<Value>.begin());
+}
 
 enum class Unit { None, Millimetres, Radii };
 

@@ -67,7 +67,7 @@ public:
                 classroom.starters << starter;
         for (const std::string_view name : core::toolNames())
             if (box(QStringLiteral("tool.") + QString::fromUtf8(name))->isChecked())
-                classroom.tools << *core::toolNamed(name);
+                classroom.tools << *core::named<core::Tool>(name);
         classroom.turnMinutes = m_turn->value();
         classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
         classroom.fullScreen = m_fullScreen->isChecked();

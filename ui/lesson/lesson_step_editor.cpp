@@ -113,7 +113,7 @@ void LessonStepEditor::addTools(const Actions& actions)
     auto* grid = new QGridLayout;
     constexpr int columns = 2;
     for (const std::string_view name : core::toolNames()) {
-        const core::Tool tool = *core::toolNamed(name);
+        const core::Tool tool = *core::named<core::Tool>(name);
         const QString id = QStringLiteral("tool.") + QString::fromUtf8(name);
         auto* box = new QCheckBox(Actions::plain(actions.get(id)->text()));
         box->setObjectName(QStringLiteral("lesson.") + id);

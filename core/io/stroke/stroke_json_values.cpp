@@ -241,27 +241,27 @@ bool StrokeJsonReader::string(string_t& value)
 void StrokeJsonReader::strokeWord(const std::string& word)
 {
     StrokeSettings& settings = stroke().settings;
+    const auto take = [&]<class Value>(Value& setting) {
+        const std::optional<Value> value = named<Value>(word);
+        setting = value.value_or(setting);
+        return value.has_value();
+    };
     bool known = true;
     switch (m_key) {
     case ToolKey:
-        known = toolNamed(word).has_value();
-        settings.tool = toolNamed(word).value_or(settings.tool);
+        known = take(settings.tool);
         break;
     case BrushKey:
-        known = brushNamed(word).has_value();
-        settings.brush = brushNamed(word).value_or(settings.brush);
+        known = take(settings.brush);
         break;
     case TopologyKey:
-        known = topologyNamed(word).has_value();
-        settings.topology = topologyNamed(word).value_or(settings.topology);
+        known = take(settings.topology);
         break;
     case SymmetryKey:
-        known = symmetryNamed(word).has_value();
-        settings.symmetry = symmetryNamed(word).value_or(settings.symmetry);
+        known = take(settings.symmetry);
         break;
     case PlaceKey:
-        known = placementNamed(word).has_value();
-        settings.place = placementNamed(word).value_or(settings.place);
+        known = take(settings.place);
         break;
     case AlphaKey:
         settings.alpha = builtInAlpha(word);

@@ -199,7 +199,7 @@ private Q_SLOTS:
         LessonDraft all = draft;
         std::vector<Tool> every;
         for (const std::string_view name : toolNames())
-            every.push_back(*toolNamed(name));
+            every.push_back(*named<Tool>(name));
         all.setTools(0, every);
         QVERIFY(all.step(0).tools.empty());
     }

@@ -130,7 +130,7 @@ public:
             return;
         const std::string plane = qEnvironmentVariable("FETTLE_PLANE", "none").toStdString();
         m_given = {"given", core::readMesh(qEnvironmentVariable("FETTLE_START").toStdString()),
-                   core::symmetryNamed(plane).value()};
+                   core::named<core::Symmetry>(plane).value()};
     }
 
     FuzzStart next()

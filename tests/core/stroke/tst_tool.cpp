@@ -72,15 +72,15 @@ void TestTool::edgeBounds_keepThePapersRelation()
 void TestTool::names_comeBack()
 {
     for (const std::string_view word : toolNames()) {
-        QVERIFY(toolNamed(word));
-        QVERIFY(name(*toolNamed(word)) == word);
+        QVERIFY(named<Tool>(word));
+        QVERIFY(name(*named<Tool>(word)) == word);
     }
-    QVERIFY(!toolNamed("melt"));
-    QVERIFY(!toolNamed(""));
+    QVERIFY(!named<Tool>("melt"));
+    QVERIFY(!named<Tool>(""));
     for (const core::Symmetry plane : {core::Symmetry::None, core::Symmetry::X, core::Symmetry::Y, core::Symmetry::Z})
-        QVERIFY(core::symmetryNamed(core::name(plane)) == plane);
+        QVERIFY(core::named<core::Symmetry>(core::name(plane)) == plane);
     for (const Placement placement : {Placement::Point, Placement::Nearest, Placement::Ray})
-        QVERIFY(placementNamed(name(placement)) == placement);
+        QVERIFY(named<Placement>(name(placement)) == placement);
     QVERIFY(name(DabOutcome::Committed) == "committed");
     QVERIFY(name(DabOutcome::Fallback) == "careful");
     QVERIFY(name(DabOutcome::EndedEarly) == "ended_early");
