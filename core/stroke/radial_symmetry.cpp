@@ -8,20 +8,6 @@ namespace
 {
 constexpr double quarter = 1.57079632679489661923;
 
-/// Of an angle up to an eighth of a turn, by their Taylor series.
-Turn turnBy(double angle)
-{
-    double sine = 0, cosine = 0, term = 1;
-    for (int i = 0; i < 18; i += 2) {
-        const double sign = i % 4 == 0 ? 1 : -1;
-        cosine += sign * term;
-        term *= angle / (i + 1);
-        sine += sign * term;
-        term *= angle / (i + 2);
-    }
-    return {cosine, sine};
-}
-
 bool usesMotion(Tool tool)
 {
     return sharpens(tool) || tool == Tool::Grab || tool == Tool::SnakeHook;
@@ -49,6 +35,19 @@ double overlap(const Vec3& a, const Vec3& b, double radius)
 }
 } // namespace
 
+Turn Turn::by(double angle)
+{
+    double sine = 0, cosine = 0, term = 1;
+    for (int i = 0; i < 24; i += 2) {
+        const double sign = i % 4 == 0 ? 1 : -1;
+        cosine += sign * term;
+        term *= angle / (i + 1);
+        sine += sign * term;
+        term *= angle / (i + 2);
+    }
+    return {cosine, sine};
+}
+
 Turn Turn::part(int k, int n)
 {
     constexpr Turn quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -56,7 +55,7 @@ Turn Turn::part(int k, int n)
     const int rest = 4 * k % n; // of n in a quarter
     if (rest == 0)
         return whole;
-    Turn within = turnBy(quarter * std::min(rest, n - rest) / n);
+    Turn within = by(quarter * std::min(rest, n - rest) / n);
     if (2 * rest > n)
         std::swap(within.cosine, within.sine);
     return {whole.cosine * within.cosine - whole.sine * within.sine,

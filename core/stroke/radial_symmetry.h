@@ -11,6 +11,8 @@ struct Turn
 {
     double cosine = 1, sine = 0;
 
+    /// By up to a quarter turn, in radians. Taylor series, so that it has the same bits on every machine.
+    static Turn by(double angle);
     /// By k of n equal parts of a whole turn, 0 <= k < n. Quarter turns are exact, others have the same bits on every
     /// machine.
     static Turn part(int k, int n);

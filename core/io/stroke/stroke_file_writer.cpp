@@ -3,6 +3,7 @@
 
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/deform/brush_model.h"
+#include "core/util/overloaded.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,20 +33,32 @@ std::string list(std::initializer_list<double> values)
     return text + "]";
 }
 
+std::string list(const Vec3& v)
+{
+    return list({v.x(), v.y(), v.z()});
+}
+
+std::string list(const Rgb& color)
+{
+    return list({double(color.r), double(color.g), double(color.b)});
+}
+
+std::string list(const Eigen::Quaterniond& turn)
+{
+    return list({turn.x(), turn.y(), turn.z(), turn.w()});
+}
+
 void writeSample(std::ostream& out, const StrokeSample& sample)
 {
-    const auto& [x, y, z] = std::array{sample.position.x(), sample.position.y(), sample.position.z()};
-    const Eigen::Quaterniond& turn = sample.rotation;
-    out << "{\"t\":" << shortest(sample.time) << ",\"position\":" << list({x, y, z})
-        << ",\"direction\":" << list({sample.direction.x(), sample.direction.y(), sample.direction.z()})
-        << ",\"pressure\":" << shortest(sample.pressure)
-        << ",\"rotation\":" << list({turn.x(), turn.y(), turn.z(), turn.w()});
+    out << "{\"t\":" << shortest(sample.time) << ",\"position\":" << list(sample.position)
+        << ",\"direction\":" << list(sample.direction) << ",\"pressure\":" << shortest(sample.pressure)
+        << ",\"rotation\":" << list(sample.rotation);
     if (sample.radius)
         out << ",\"radius\":" << shortest(*sample.radius);
     if (sample.strength)
         out << ",\"strength\":" << shortest(*sample.strength);
     if (sample.up)
-        out << ",\"up\":" << list({sample.up->x(), sample.up->y(), sample.up->z()});
+        out << ",\"up\":" << list(*sample.up);
     out << '}';
 }
 
@@ -81,7 +94,7 @@ void write(std::ostream& out, const Stroke& stroke)
         << name(settings.topology) << "\",\"fusion\":" << (settings.fusion ? "true" : "false") << ",\"symmetry\":\""
         << name(settings.symmetry) << "\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
         << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false")
-        << ",\"color\":" << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
+        << ",\"color\":" << list(settings.color);
     if (settings.radial > 1)
         out << ",\"radial\":" << settings.radial;
     if (settings.inverted)
@@ -97,93 +110,45 @@ void write(std::ostream& out, const Stroke& stroke)
     out << "]}";
 }
 
-std::string list(const Vec3& v)
+/// Returns what follows "command": in the file.
+std::string keysOf(const FileCommand& entry)
 {
-    return list({v.x(), v.y(), v.z()});
-}
-
-std::string list(const Rgb& color)
-{
-    return list({double(color.r), double(color.g), double(color.b)});
-}
-
-/// What follows "command": in the file.
-std::string keysOf(const Move& move, const std::string&)
-{
-    return "\"move\",\"by\":" + list(move.by);
-}
-
-std::string keysOf(const Rotate& rotate, const std::string&)
-{
-    const Eigen::Quaterniond& turn = rotate.rotation;
-    return "\"rotate\",\"rotation\":" + list({turn.x(), turn.y(), turn.z(), turn.w()});
-}
-
-std::string keysOf(const Scale& scale, const std::string&)
-{
-    return "\"scale\",\"factor\":" + shortest(scale.factor);
-}
-
-std::string keysOf(const Mirror& mirror, const std::string&)
-{
-    return "\"mirror\",\"plane\":\"" + std::string(1, "xyz"[mirror.axis]) + "\"";
-}
-
-std::string keysOf(const Recentre&, const std::string&)
-{
-    return "\"recentre\"";
-}
-
-std::string keysOf(const Insert& insert, const std::string& file)
-{
-    const std::string keys = "\"insert\",\"file\":" + nlohmann::json(file).dump() + ",\"where\":";
-    if (insert.place == Insert::Place::Centre)
-        return keys + "\"centre\",\"centre\":" + list(insert.centre);
-    return keys + (insert.place == Insert::Place::Beside ? "\"beside\"" : "\"as_it_is\"");
-}
-
-std::string keysOf(const Fill& fill, const std::string&)
-{
-    return "\"fill\",\"color\":" + list(fill.color);
-}
-
-std::string keysOf(const MaskOperation& change, const std::string&)
-{
-    const std::string keys =
-        "\"mask\",\"how\":\"" + std::string(maskChangeNames[static_cast<std::size_t>(change.how)]) + "\"";
-    return change.how == MaskOperation::Kind::Color ? keys + ",\"color\":" + list(change.color) : keys;
-}
-
-std::string keysOf(const RemeshUniformly& remesh, const std::string&)
-{
-    return "\"remesh\"" + (remesh.detailLength > 0 ? ",\"detail_length\":" + shortest(remesh.detailLength) : "");
-}
-
-std::string keysOf(const Symmetrize& symmetrize, const std::string&)
-{
-    return "\"symmetrize\",\"plane\":\"" + std::string(name(symmetrize.plane)) + "\",\"keep\":\"" +
-           (symmetrize.keep == Half::Positive ? "positive" : "negative") + "\"";
-}
-
-std::string keysOf(const Reset&, const std::string&)
-{
-    return "\"reset\"";
-}
-
-std::string keysOf(const PlaceOnBed&, const std::string&)
-{
-    return "\"place_on_bed\"";
-}
-
-std::string keysOf(const FlattenBase& flatten, const std::string&)
-{
-    return "\"flatten_base\",\"height\":" + shortest(flatten.height);
+    using Text = std::string;
+    const Overloaded keys{
+        [](const Move& move) { return R"("move","by":)" + list(move.by); },
+        [](const Rotate& rotate) { return R"("rotate","rotation":)" + list(rotate.rotation); },
+        [](const Scale& scale) { return R"("scale","factor":)" + shortest(scale.factor); },
+        [](const Mirror& mirror) { return R"("mirror","plane":")" + Text(1, "xyz"[mirror.axis]) + '"'; },
+        [](const Recentre&) { return Text(R"("recentre")"); },
+        [&](const Insert& insert) {
+            const Text text = R"("insert","file":)" + nlohmann::json(entry.file).dump() + R"(,"where":)";
+            if (insert.place == Insert::Place::Centre)
+                return text + R"("centre","centre":)" + list(insert.centre);
+            return text + (insert.place == Insert::Place::Beside ? R"("beside")" : R"("as_it_is")");
+        },
+        [](const Fill& fill) { return R"("fill","color":)" + list(fill.color); },
+        [](const MaskOperation& mask) {
+            const Text text = R"("mask","how":")" + Text(maskChangeNames[static_cast<std::size_t>(mask.how)]) + '"';
+            return mask.how == MaskOperation::Kind::Color ? text + R"(,"color":)" + list(mask.color) : text;
+        },
+        [](const RemeshUniformly& remesh) {
+            const Text length = R"(,"detail_length":)" + shortest(remesh.detailLength);
+            return R"("remesh")" + (remesh.detailLength > 0 ? length : Text());
+        },
+        [](const Symmetrize& symmetrize) {
+            return R"("symmetrize","plane":")" + Text(name(symmetrize.plane)) + R"(","keep":")" +
+                   (symmetrize.keep == Half::Positive ? "positive" : "negative") + '"';
+        },
+        [](const Reset&) { return Text(R"("reset")"); },
+        [](const PlaceOnBed&) { return Text(R"("place_on_bed")"); },
+        [](const FlattenBase& flatten) { return R"("flatten_base","height":)" + shortest(flatten.height); },
+    };
+    return std::visit(keys, entry.command);
 }
 
 void write(std::ostream& out, const FileCommand& entry)
 {
-    out << "{\"command\":"
-        << std::visit([&](const auto& command) { return keysOf(command, entry.file); }, entry.command) << '}';
+    out << "{\"command\":" << keysOf(entry) << '}';
 }
 } // namespace
 

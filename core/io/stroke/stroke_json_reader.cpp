@@ -11,15 +11,6 @@ void StrokeJsonReader::refuse(Kind kind, std::string_view value) const
     throw errorHere(kind, std::move(key));
 }
 
-void StrokeJsonReader::refuse(Kind kind, const std::string& key, std::optional<double> min,
-                              std::optional<double> max) const
-{
-    StrokeFileError error = errorHere(kind, key);
-    error.min = min;
-    error.max = max;
-    throw error;
-}
-
 StrokeFileError StrokeJsonReader::errorHere(Kind kind, std::string key) const
 {
     StrokeFileError error(kind, std::move(key));

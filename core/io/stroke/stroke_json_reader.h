@@ -46,13 +46,10 @@ private:
     enum class Level { Start, File, Strokes, Stroke, Samples, Sample };
 
     [[noreturn]] void refuse(Kind kind, std::string_view value = {}) const;
-    [[noreturn]] void refuse(Kind kind, const std::string& key, std::optional<double> min,
-                             std::optional<double> max) const;
     StrokeFileError errorHere(Kind kind, std::string key) const;
     std::string_view keyName() const;
-    double inRange(double value, double min, double max) const;
+    double inRange(double value, double min, double max, bool orZero = false) const;
     double inRange(double value, Parameter parameter) const;
-    double zeroOrInRange(double value, double min, double max) const;
 
     template <std::size_t N> void noteKey(const Keys<N>& keys, const std::string& name);
     template <std::size_t N> void requireKeys(const Keys<N>& keys);

@@ -1,8 +1,9 @@
 // The stroke file's values: types, ranges, and where each goes.
 #include "core/io/stroke/stroke_json_reader.h"
-#include "core/util/fingerprint.h"
 
 #include "core/sculpt/deform/alpha.h"
+#include "core/stroke/radial_symmetry.h"
+#include "core/util/fingerprint.h"
 
 #include <cmath>
 #include <limits>
@@ -17,38 +18,22 @@ constexpr double minFactor = 1e-6;  ///< of scaling; its inverse is the largest
 /// The xz plane (section 3.5.2): what `"symmetry": true` means.
 constexpr Symmetry paperPlane = Symmetry::Y;
 
-/// By Taylor series of sine and cosine, so that it has the same bits on every machine.
 Eigen::Quaterniond turnAboutY(double degrees)
 {
     constexpr double halfDegree = 3.14159265358979323846 / 360;
-    const double x = std::remainder(degrees, 360.0) * halfDegree; // within a quarter turn
-    double sine = 0, cosine = 0, term = 1;
-    for (int i = 0; i < 24; i += 2) {
-        const double sign = i % 4 == 0 ? 1 : -1;
-        cosine += sign * term;
-        term *= x / (i + 1);
-        sine += sign * term;
-        term *= x / (i + 2);
-    }
-    return Eigen::Quaterniond(cosine, 0, sine, 0).normalized();
+    const Turn half = Turn::by(std::remainder(degrees, 360.0) * halfDegree);
+    return Eigen::Quaterniond(half.cosine, 0, half.sine, 0).normalized();
 }
 } // namespace
 
-double StrokeJsonReader::inRange(double value, double min, double max) const
+double StrokeJsonReader::inRange(double value, double min, double max, bool orZero) const
 {
-    if (!(value >= min && value <= max))
-        refuse(Kind::OutOfRange, std::string(keyName()), min, max);
-    return value;
-}
-
-double StrokeJsonReader::zeroOrInRange(double value, double min, double max) const
-{
-    if (value == 0 || (value >= min && value <= max))
+    if ((value >= min && value <= max) || (orZero && value == 0))
         return value;
     StrokeFileError error = errorHere(Kind::OutOfRange, std::string(keyName()));
     error.min = min;
     error.max = max;
-    error.orZero = true;
+    error.orZero = orZero;
     throw error;
 }
 
@@ -153,7 +138,7 @@ void StrokeJsonReader::strokeNumber(double value)
         settings.detail = inRange(value, Parameter::Detail);
         break;
     case DetailLengthKey:
-        settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max);
+        settings.detailLength = inRange(value, Parameter::Radius);
         break;
     case HeightKey:
         m_command.height = inRange(value, ModelLimits::minExtent, ModelLimits::maxExtent);
@@ -165,7 +150,7 @@ void StrokeJsonReader::strokeNumber(double value)
         m_turntable = inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
         break;
     case SpacingKey:
-        settings.spacing = zeroOrInRange(value, minSpacing, info(Parameter::Spacing).max);
+        settings.spacing = inRange(value, minSpacing, info(Parameter::Spacing).max, true);
         break;
     case RadialKey:
         settings.radial = static_cast<int>(inRange(value, 1, maxRadial));
@@ -173,7 +158,7 @@ void StrokeJsonReader::strokeNumber(double value)
             refuse(Kind::WrongType);
         break;
     case FalloffKey:
-        zeroOrInRange(value, minFalloff, info(Parameter::Falloff).max);
+        inRange(value, minFalloff, info(Parameter::Falloff).max, true);
         if (value != std::trunc(value))
             refuse(Kind::WrongType);
         settings.falloff = static_cast<int>(value);
@@ -296,18 +281,17 @@ void StrokeJsonReader::endStroke()
     }
     Stroke& stroke = this->stroke();
     const bool alongRays = stroke.settings.place == Placement::Ray || stroke.settings.brush == BrushShape::Ray;
-    if (alongRays && m_undirected) {
-        StrokeFileError error = errorHere(Kind::MissingKey, "direction");
-        error.sample = m_undirected;
+    const auto refuseDirection = [&](Kind kind, std::size_t sample) {
+        StrokeFileError error = errorHere(kind, "direction");
+        error.sample = sample;
         throw error;
-    }
+    };
+    if (alongRays && m_undirected)
+        refuseDirection(Kind::MissingKey, *m_undirected);
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
         StrokeSample& sample = stroke.samples[i];
-        if (alongRays && sample.direction.cwiseAbs().maxCoeff() < minDirection) {
-            StrokeFileError error = errorHere(Kind::OutOfRange, "direction");
-            error.sample = i;
-            throw error;
-        }
+        if (alongRays && sample.direction.cwiseAbs().maxCoeff() < minDirection)
+            refuseDirection(Kind::OutOfRange, i);
         if (m_turntable != 0)
             sample.rotation = turnAboutY(m_turntable * sample.time) * sample.rotation;
     }

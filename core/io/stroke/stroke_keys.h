@@ -24,7 +24,7 @@ template <std::size_t N> struct Keys
 
     int indexOf(std::string_view name) const
     {
-        const auto found = std::find(names.begin(), names.end(), name);
+        const auto found = std::ranges::find(names, name);
         return found == names.end() ? -1 : static_cast<int>(found - names.begin());
     }
 };
