@@ -102,8 +102,7 @@ private:
         return static_cast<double>(a.normal.dot(b.normal)) < maxCosine;
     }
 
-    /// The first face that the ray leaves the matter by. Slab test by Kay and Kajiya 1986, triangles after Möller and
-    /// Trumbore 1997.
+    /// The first face that the ray leaves the matter by. Slab test by Kay and Kajiya 1986.
     Hit firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const
     {
         const Eigen::Array3d inverse = (direction.array() + 0.0).inverse(); // no -0
@@ -132,20 +131,7 @@ private:
     double hitFromWithin(Slot position, const Vec3& origin, const Vec3& direction) const
     {
         const auto [a, c, b] = cornersOf(position); // seen from within
-        const Vec3 ab = b - a, ac = c - a;
-        const Vec3 p = direction.cross(ac);
-        const double determinant = ab.dot(p);
-        if (!(determinant > 0))
-            return -1;
-        const Vec3 s = origin - a;
-        const double u = s.dot(p);
-        if (u < 0 || u > determinant)
-            return -1;
-        const Vec3 q = s.cross(ab);
-        const double v = direction.dot(q);
-        if (v < 0 || u + v > determinant)
-            return -1;
-        return ac.dot(q) / determinant;
+        return hitTriangle({origin, direction}, {a, b, c});
     }
 
     /// Each ray goes one unit inward, so that the ball that its hit at t makes has the diameter t (1 + tan^2).

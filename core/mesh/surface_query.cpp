@@ -34,26 +34,6 @@ bool meetsBox(const Ray& ray, const Box& box)
     return enter <= leave;
 }
 
-/// Möller and Trumbore 1997, front faces only. Returns the multiple of the direction, negative for a miss.
-double hitTriangle(const Ray& ray, const Corners& t)
-{
-    const auto& [a, b, c] = t;
-    const Vec3 ab = b - a, ac = c - a;
-    const Vec3 p = ray.direction.cross(ac);
-    const double determinant = ab.dot(p);
-    if (!(determinant > 0))
-        return -1;
-    const Vec3 s = ray.origin - a;
-    const double u = s.dot(p);
-    if (u < 0 || u > determinant)
-        return -1;
-    const Vec3 q = s.cross(ab);
-    const double v = ray.direction.dot(q);
-    if (v < 0 || u + v > determinant)
-        return -1;
-    return ac.dot(q) / determinant;
-}
-
 /// By the areas of the triangles that the point and each side make.
 Rgb colorAt(const Mesh& mesh, Slot f, const Corners& t, const Vec3& position)
 {

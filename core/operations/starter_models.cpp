@@ -110,12 +110,12 @@ double softMax(double a, double b)
 }
 
 /// How far along y a point of the unit sphere lies, and how far from the y axis.
-struct Ray
+struct Profile
 {
     double up, out;
 };
 
-Ray rayOf(const Vec3& p)
+Profile profileOf(const Vec3& p)
 {
     return {p.y(), std::sqrt(p.x() * p.x() + p.z() * p.z())};
 }
@@ -123,8 +123,8 @@ Ray rayOf(const Vec3& p)
 /// A cylinder with round rims that narrows to a foot and to a neck.
 Vec3 vasePoint(const Vec3& p)
 {
-    const Ray ray = rayOf(p);
-    const Vec3 q = half / softMax(ray.up, ray.out) * p;
+    const Profile profile = profileOf(p);
+    const Vec3 q = half / softMax(profile.up, profile.out) * p;
     const double height = q.y() / half; // -1 to 1
     const double width = 0.62 - 0.10 * height - 0.16 * height * height;
     return {width * q.x(), q.y(), width * q.z()};
@@ -133,11 +133,11 @@ Vec3 vasePoint(const Vec3& p)
 /// An egg, narrow at the chin, on a neck; it looks along z. Not yet in its place.
 Vec3 headPoint(const Vec3& p)
 {
-    const Ray ray = rayOf(p);
-    const double chin = ray.up < 0 ? 1 - 0.22 * ray.up * ray.up : 1;
-    const double forward = p.z() > 0 && ray.up < 0 ? 1 + 0.25 * ray.up * ray.up : 1;
-    const double egg = 1 / std::sqrt(ray.up * ray.up + ray.out * ray.out / (chin * chin));
-    const double neck = ray.up < 0 ? 1 / softMax(ray.up / 1.5, ray.out / 0.48) : 0;
+    const Profile profile = profileOf(p);
+    const double chin = profile.up < 0 ? 1 - 0.22 * profile.up * profile.up : 1;
+    const double forward = p.z() > 0 && profile.up < 0 ? 1 + 0.25 * profile.up * profile.up : 1;
+    const double egg = 1 / std::sqrt(profile.up * profile.up + profile.out * profile.out / (chin * chin));
+    const double neck = profile.up < 0 ? 1 / softMax(profile.up / 1.5, profile.out / 0.48) : 0;
     const double length = softMax(egg, neck);
     return {0.74 * length * p.x(), length * p.y(), 0.86 * forward * length * p.z()};
 }
