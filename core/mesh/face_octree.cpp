@@ -39,10 +39,8 @@ FaceOctree::FaceOctree(const Mesh& mesh)
     const Slot faces = mesh.slots().faces;
     m_places.reserve(static_cast<std::size_t>(faces) * 4); // address space; no reallocation in a stroke
     m_places.resize(faces);
-    for (Slot f = 0; f < faces; ++f) {
-        if (mesh.isFace(f))
-            insert(boxOf(mesh, f), f);
-    }
+    for (const Slot f : mesh.faces())
+        insert(boxOf(mesh, f), f);
     m_nodes.reserve(4 * m_nodes.size());
     m_cells.reserve(4 * m_cells.size());
 }

@@ -69,10 +69,8 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
 double Mesh::meanEdge() const
 {
     double sum = 0;
-    for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
-        if (isEdge(e))
-            sum += (point(to(2 * e)) - point(to(2 * e + 1))).cast<double>().norm();
-    }
+    for (const Slot e : edges())
+        sum += (point(to(2 * e)) - point(to(2 * e + 1))).cast<double>().norm();
     return sum / live().edges;
 }
 

@@ -54,6 +54,10 @@ public:
     bool isVertex(Slot v) const { return !m_vertexSlots.isFree(v); }
     bool isEdge(Slot e) const { return !m_edgeSlots.isFree(e); }
     bool isFace(Slot f) const { return !m_faceSlots.isFree(f); }
+    /// The live vertices, edges and faces, ascending.
+    LiveSlots vertices() const { return LiveSlots(m_vertexSlots); }
+    LiveSlots edges() const { return LiveSlots(m_edgeSlots); }
+    LiveSlots faces() const { return LiveSlots(m_faceSlots); }
 
     const Vec3f& point(Slot v) const { return m_kernel.points()[v]; }
     LatticePoint latticePoint(Slot v) const { return m_frame.lattice.toLattice(point(v)); }

@@ -125,17 +125,13 @@ TriangleMesh extractMesh(const Mesh& mesh)
     result.masks.reserve(live.vertices);
     result.triangles.reserve(live.faces);
     std::vector<Slot> newIndex(mesh.slots().vertices, noSlot);
-    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
-        if (!mesh.isVertex(v))
-            continue;
+    for (const Slot v : mesh.vertices()) {
         newIndex[v] = static_cast<Slot>(result.points.size());
         result.points.push_back(mesh.point(v));
         result.colors.push_back(mesh.color(v));
         result.masks.push_back(mesh.mask(v));
     }
-    for (Slot f = 0; f < mesh.slots().faces; ++f) {
-        if (!mesh.isFace(f))
-            continue;
+    for (const Slot f : mesh.faces()) {
         const Triangle& t = mesh.corners(f);
         result.triangles.push_back({newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]});
     }

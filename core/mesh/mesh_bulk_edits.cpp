@@ -10,28 +10,22 @@ void Mesh::relocate(const Lattice& lattice, std::span<const Vec3f> points)
 {
     assert(m_strokeOpen);
     m_frame.lattice = lattice;
-    for (Slot v = 0; v < m_vertexSlots.size(); ++v) {
-        if (isVertex(v) && points[v] != point(v))
+    for (const Slot v : vertices()) {
+        if (points[v] != point(v))
             setPoint(v, points[v]);
     }
 }
 
 void Mesh::reverseOrientation()
 {
-    for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
-        if (!isEdge(e))
-            continue;
+    for (const Slot e : edges()) {
         const Slot a = to(2 * e), b = to(2 * e + 1);
         setTo(2 * e, b);
         setTo(2 * e + 1, a);
     }
-    for (Slot v = 0; v < m_vertexSlots.size(); ++v) {
-        if (isVertex(v))
-            setOutgoing(v, outgoing(v) ^ 1);
-    }
-    for (Slot f = 0; f < m_faceSlots.size(); ++f) {
-        if (!isFace(f))
-            continue;
+    for (const Slot v : vertices())
+        setOutgoing(v, outgoing(v) ^ 1);
+    for (const Slot f : faces()) {
         const Slot h0 = faceHalfedge(f), h1 = next(h0), h2 = next(h1);
         link(f, h0, h2, h1);
     }

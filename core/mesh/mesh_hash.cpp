@@ -93,10 +93,8 @@ std::uint64_t hashChange(const Mesh& mesh, const MeshDelta& before)
 std::uint64_t wholeHash(const Mesh& mesh)
 {
     std::uint64_t sum = 0;
-    for (Slot f = 0; f < mesh.slots().faces; ++f) {
-        if (mesh.isFace(f))
-            sum += currentHash(mesh, f);
-    }
+    for (const Slot f : mesh.faces())
+        sum += currentHash(mesh, f);
     return sum;
 }
 } // namespace core

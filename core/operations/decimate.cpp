@@ -45,9 +45,8 @@ public:
         , m_start(mesh.live().faces)
     {
         Box box;
-        for (Slot v = 0; v < mesh.slots().vertices; ++v)
-            if (mesh.isVertex(v))
-                box.extend(mesh.point(v).template cast<double>());
+        for (const Slot v : mesh.vertices())
+            box.extend(mesh.point(v).template cast<double>());
         m_perColor = colorReach * box.sizes().maxCoeff() / 255;
     }
 
@@ -120,9 +119,7 @@ template <int N> typename Decimater<N>::Point Decimater<N>::pointOf(Slot v) cons
 template <int N> void Decimater<N>::gatherQuadrics()
 {
     m_quadrics.resize(m_mesh.slots().vertices);
-    for (Slot f = 0; f < m_mesh.slots().faces; ++f) {
-        if (!m_mesh.isFace(f))
-            continue;
+    for (const Slot f : m_mesh.faces()) {
         const Triangle& t = m_mesh.corners(f);
         const auto quadric = Quadric<N>::ofTriangle(pointOf(t[0]), pointOf(t[1]), pointOf(t[2]));
         for (const Slot v : t)
@@ -158,9 +155,8 @@ template <int N> void Decimater<N>::push(Slot v0, Slot v1)
 
 template <int N> void Decimater<N>::pushAll()
 {
-    for (Slot e = 0; e < m_mesh.slots().edges; ++e)
-        if (m_mesh.isEdge(e))
-            push(m_mesh.from(2 * e), m_mesh.to(2 * e));
+    for (const Slot e : m_mesh.edges())
+        push(m_mesh.from(2 * e), m_mesh.to(2 * e));
 }
 
 template <int N> std::size_t Decimater<N>::collapseQueue()
@@ -235,10 +231,7 @@ template <int N> void Decimater<N>::tell() const
 
 bool isColored(const Mesh& mesh)
 {
-    for (Slot v = 0; v < mesh.slots().vertices; ++v)
-        if (mesh.isVertex(v) && mesh.color(v) != Rgb())
-            return true;
-    return false;
+    return std::ranges::any_of(mesh.vertices(), [&](Slot v) { return mesh.color(v) != Rgb(); });
 }
 } // namespace
 

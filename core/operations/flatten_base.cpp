@@ -34,7 +34,6 @@ public:
 
 private:
     float height(Slot v) const { return m_mesh.point(v).y() - m_level; }
-    double shortestEdge(Slot v) const;
     bool isKept(const Triangle& t) const { return height(t[0]) > 0 || height(t[1]) > 0 || height(t[2]) > 0; }
     std::vector<std::vector<Slot>> openLoops() const;
 
@@ -42,20 +41,10 @@ private:
     float m_level;
 };
 
-double BaseCutter::shortestEdge(Slot v) const
-{
-    double shortest = std::numeric_limits<double>::infinity();
-    m_mesh.forEachOutgoing(v, [&](Slot h) {
-        shortest = std::min(shortest, (m_mesh.point(m_mesh.to(h)) - m_mesh.point(v)).cast<double>().norm());
-    });
-    return shortest;
-}
-
 void BaseCutter::settle()
 {
-    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
-        if (!m_mesh.isVertex(v) || height(v) == 0 ||
-            std::abs(static_cast<double>(height(v))) > settledHeightPerEdge * shortestEdge(v))
+    for (const Slot v : m_mesh.vertices()) {
+        if (height(v) == 0 || std::abs(static_cast<double>(height(v))) > settledHeightPerEdge * shortestEdge(m_mesh, v))
             continue;
         Vec3f p = m_mesh.point(v);
         p.y() = m_level;
@@ -66,10 +55,7 @@ void BaseCutter::settle()
 /// No new edge crosses the plane, so one pass finds all.
 void BaseCutter::part()
 {
-    const Slot edges = m_mesh.slots().edges;
-    for (Slot e = 0; e < edges; ++e) {
-        if (!m_mesh.isEdge(e))
-            continue;
+    for (const Slot e : m_mesh.edges()) {
         const Slot a = m_mesh.to(2 * e), b = m_mesh.to(2 * e + 1);
         const auto ha = static_cast<double>(height(a)), hb = static_cast<double>(height(b));
         if (ha * hb >= 0)
@@ -86,8 +72,8 @@ std::vector<std::vector<Slot>> BaseCutter::openLoops() const
 {
     std::unordered_map<Slot, Slot> next;
     std::vector<Slot> starts;
-    for (Slot f = 0; f < m_mesh.slots().faces; ++f) {
-        if (!m_mesh.isFace(f) || !isKept(m_mesh.corners(f)))
+    for (const Slot f : m_mesh.faces()) {
+        if (!isKept(m_mesh.corners(f)))
             continue;
         Slot h = m_mesh.faceHalfedge(f);
         for (int i = 0; i < 3; ++i, h = m_mesh.next(h)) {
@@ -132,9 +118,8 @@ bool BaseCutter::cap()
     surgery.near = vertices[0];
     for (const auto& [a, b, c] : *filling)
         surgery.faces.push_back({vertices[a], vertices[b], vertices[c]});
-    for (Slot f = 0; f < m_mesh.slots().faces; ++f)
-        if (m_mesh.isFace(f) && !isKept(m_mesh.corners(f)))
-            surgery.removed.push_back(f);
+    std::ranges::copy_if(m_mesh.faces(), std::back_inserter(surgery.removed),
+                         [&](Slot f) { return !isKept(m_mesh.corners(f)); });
     if (!isSurgeryOk(m_mesh, surgery))
         return false;
     m_mesh.replaceFaces(surgery);

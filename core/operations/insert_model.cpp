@@ -95,10 +95,7 @@ void write(Mesh& mesh, const Lattice& lattice, const LatticeFit& fit, TriangleMe
     added.points.assign(firstAdded, points.end());
     points.erase(firstAdded, points.end());
     mesh.relocate(lattice, points);
-    Slot hint = 0;
-    while (!mesh.isVertex(hint))
-        ++hint;
-    mesh.replaceFaces(additionOf(inMortonOrder(added, lattice), hint));
+    mesh.replaceFaces(additionOf(inMortonOrder(added, lattice), *mesh.vertices().begin()));
 }
 } // namespace
 

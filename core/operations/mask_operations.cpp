@@ -23,26 +23,17 @@ constexpr int sameColor = 24, otherColor = 64;
 /// By slot.
 using Masks = std::vector<std::uint8_t>;
 
-template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
+template <class Value> Masks each(const Mesh& mesh, Value value)
 {
-    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
-        if (mesh.isVertex(v))
-            visit(v);
-    }
+    Masks masks(mesh.slots().vertices);
+    for (const Slot v : mesh.vertices())
+        masks[v] = value(v);
+    return masks;
 }
 
 Masks masksOf(const Mesh& mesh)
 {
-    Masks masks(mesh.slots().vertices);
-    forEachVertex(mesh, [&](Slot v) { masks[v] = mesh.mask(v); });
-    return masks;
-}
-
-template <class Value> Masks each(const Mesh& mesh, Value value)
-{
-    Masks masks(mesh.slots().vertices);
-    forEachVertex(mesh, [&](Slot v) { masks[v] = value(v); });
-    return masks;
+    return each(mesh, [&](Slot v) { return mesh.mask(v); });
 }
 
 std::uint8_t clamped(double mask)
@@ -91,10 +82,10 @@ Masks hollows(const Mesh& mesh)
 {
     std::vector<double> depth(mesh.slots().vertices);
     double squares = 0;
-    forEachVertex(mesh, [&](Slot v) {
+    for (const Slot v : mesh.vertices()) {
         depth[v] = hollowness(mesh, v);
         squares += depth[v] * depth[v];
-    });
+    }
     const double mean = std::sqrt(squares / mesh.live().vertices);
     return each(mesh, [&](Slot v) {
         return std::max(mesh.mask(v), mean > 0 ? clamped(255 * depth[v] / mean) : std::uint8_t(0));
@@ -115,10 +106,7 @@ Masks wholeParts(const Mesh& mesh)
 {
     Masks masks = masksOf(mesh);
     std::vector<Slot> front;
-    forEachVertex(mesh, [&](Slot v) {
-        if (mesh.isMasked(v))
-            front.push_back(v);
-    });
+    std::ranges::copy_if(mesh.vertices(), std::back_inserter(front), [&](Slot v) { return mesh.isMasked(v); });
     std::vector<bool> reached(mesh.slots().vertices);
     while (!front.empty()) {
         const Slot v = front.back();
@@ -161,9 +149,9 @@ Masks changed(const Mesh& mesh, const MaskOperation& command)
 void applyMaskOperation(Mesh& mesh, const MaskOperation& command)
 {
     const Masks masks = changed(mesh, command);
-    forEachVertex(mesh, [&](Slot v) {
+    for (const Slot v : mesh.vertices()) {
         if (masks[v] != mesh.mask(v))
             mesh.setMask(v, masks[v]);
-    });
+    }
 }
 } // namespace core

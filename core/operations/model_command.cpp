@@ -8,56 +8,20 @@
 #include "core/operations/symmetrize.h"
 #include "core/operations/transform.h"
 #include "core/operations/uniform_remesh.h"
+#include "core/util/overloaded.h"
 
 namespace core
 {
 namespace
 {
-template <class Command> void edit(Mesh& mesh, const Command& command, ModelChange& change, const JobControl& control)
-{
-    transform(mesh, command, change, control);
-}
-
-void edit(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control)
-{
-    insertModel(mesh, command, change, control);
-}
-
-void edit(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobControl& control)
-{
-    remeshUniformly(mesh, command, change, control);
-}
-
-void edit(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobControl& control)
-{
-    symmetrize(mesh, command, change, control);
-}
-
-void edit(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobControl& control)
-{
-    flattenBase(mesh, command, change, control);
-}
-
 /// As far as the mask lets it.
-void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobControl&)
+void fill(Mesh& mesh, Rgb color)
 {
-    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
-        if (!mesh.isVertex(v))
-            continue;
-        const Rgb before = mesh.color(v), after = mixed(before, command.color, mesh.freedom(v));
+    for (const Slot v : mesh.vertices()) {
+        const Rgb before = mesh.color(v), after = mixed(before, color, mesh.freedom(v));
         if (after != before)
             mesh.setColor(v, after);
     }
-}
-
-void edit(Mesh& mesh, const MaskOperation& command, ModelChange&, const JobControl&)
-{
-    applyMaskOperation(mesh, command);
-}
-
-void edit(Mesh& mesh, const Reset& command, ModelChange&, const JobControl&)
-{
-    mesh.assign(*meshOf(*command.start));
 }
 } // namespace
 
@@ -79,7 +43,17 @@ ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl
 {
     ModelChange change;
     copy.beginStroke();
-    std::visit([&](const auto& wanted) { edit(copy, wanted, change, control); }, command);
+    const Overloaded edit{
+        [&](const Insert& insert) { insertModel(copy, insert, change, control); },
+        [&](const RemeshUniformly& remesh) { remeshUniformly(copy, remesh, change, control); },
+        [&](const Symmetrize& symmetrizing) { symmetrize(copy, symmetrizing, change, control); },
+        [&](const FlattenBase& flattening) { flattenBase(copy, flattening, change, control); },
+        [&](const Fill& filling) { fill(copy, filling.color); },
+        [&](const MaskOperation& operation) { applyMaskOperation(copy, operation); },
+        [&](const Reset& reset) { copy.assign(*meshOf(*reset.start)); },
+        [&](const auto& motion) { transform(copy, motion, change, control); },
+    };
+    std::visit(edit, command);
     change.delta = copy.endStroke();
     if (change.refusal != ModelRefusal::None || control.isCancelled()) {
         change.delta = {};

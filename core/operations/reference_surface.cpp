@@ -71,10 +71,8 @@ Sectors sectorsAround(const Mesh& mesh, Slot v)
 
 ReferenceSurface::ReferenceSurface(const Mesh& mesh) : m_mesh(mesh), m_octree(mesh), m_boxes(mesh.slots().faces)
 {
-    for (Slot f = 0; f < m_boxes.size(); ++f) {
-        if (m_mesh.isFace(f))
-            m_boxes[f] = boxOf(m_mesh, f);
-    }
+    for (const Slot f : m_mesh.faces())
+        m_boxes[f] = boxOf(m_mesh, f);
 }
 
 std::optional<Vec3> ReferenceSurface::nearest(const Vec3& p, const Reach& reach) const

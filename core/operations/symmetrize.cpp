@@ -8,6 +8,7 @@
 #include "core/operations/symmetrize.h"
 
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/transform.h"
 #include "core/sculpt/edit/mirror_map.h"
 
 #include <algorithm>
@@ -40,7 +41,6 @@ public:
 private:
     /// Above 0 on the side that is kept.
     float height(Slot v) const { return m_side * m_mirror.height(v); }
-    double shortestEdge(Slot v) const;
     bool isKept(const Triangle& t) const;
     Surgery halfAndImage() const;
 
@@ -51,38 +51,21 @@ private:
 
 bool Symmetrizer::isHalfEmpty() const
 {
-    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
-        if (m_mesh.isVertex(v) && height(v) > 0)
-            return false;
-    }
-    return true;
-}
-
-double Symmetrizer::shortestEdge(Slot v) const
-{
-    double shortest = std::numeric_limits<double>::infinity();
-    m_mesh.forEachOutgoing(v, [&](Slot h) {
-        shortest = std::min(shortest, (m_mesh.point(m_mesh.to(h)) - m_mesh.point(v)).cast<double>().norm());
-    });
-    return shortest;
+    return std::ranges::none_of(m_mesh.vertices(), [&](Slot v) { return height(v) > 0; });
 }
 
 void Symmetrizer::settle()
 {
-    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
-        if (!m_mesh.isVertex(v) || m_mirror.isOnPlane(v) || std::abs(height(v)) > settledPerEdge * shortestEdge(v))
-            continue;
-        m_mesh.setPoint(v, m_mirror.kept(m_mesh.point(v), true));
+    for (const Slot v : m_mesh.vertices()) {
+        if (!m_mirror.isOnPlane(v) && std::abs(height(v)) <= settledPerEdge * shortestEdge(m_mesh, v))
+            m_mesh.setPoint(v, m_mirror.kept(m_mesh.point(v), true));
     }
 }
 
 /// No new edge crosses the plane, so one pass finds all.
 void Symmetrizer::part()
 {
-    const Slot edges = m_mesh.slots().edges;
-    for (Slot e = 0; e < edges; ++e) {
-        if (!m_mesh.isEdge(e))
-            continue;
+    for (const Slot e : m_mesh.edges()) {
         const Slot a = m_mesh.to(2 * e), b = m_mesh.to(2 * e + 1);
         const double ha = height(a), hb = height(b);
         if (ha * hb >= 0)
@@ -102,8 +85,8 @@ Surgery Symmetrizer::halfAndImage() const
 {
     Surgery surgery;
     std::vector<Slot> images(m_mesh.slots().vertices, noSlot);
-    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
-        if (!m_mesh.isVertex(v) || height(v) < 0)
+    for (const Slot v : m_mesh.vertices()) {
+        if (height(v) < 0)
             continue;
         if (m_mirror.isOnPlane(v)) {
             images[v] = v;
@@ -113,9 +96,7 @@ Surgery Symmetrizer::halfAndImage() const
         surgery.vertices.push_back({m_mirror.imageOf(m_mesh.point(v)), m_mesh.color(v), noSlot, m_mesh.mask(v)});
         surgery.near = v;
     }
-    for (Slot f = 0; f < m_mesh.slots().faces; ++f) {
-        if (!m_mesh.isFace(f))
-            continue;
+    for (const Slot f : m_mesh.faces()) {
         const Triangle& t = m_mesh.corners(f);
         if (isKept(t))
             surgery.faces.push_back({images[t[0]], images[t[2]], images[t[1]]});

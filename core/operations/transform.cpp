@@ -19,10 +19,8 @@ constexpr double afterPlacing = 0.1, afterFit = 0.8;
 Box boxAround(const Mesh& mesh, std::span<const Vec3> places)
 {
     Box box;
-    for (Slot v = 0; v < places.size(); ++v) {
-        if (mesh.isVertex(v))
-            box.extend(places[v]);
-    }
+    for (const Slot v : mesh.vertices())
+        box.extend(places[v]);
     return box;
 }
 
@@ -36,10 +34,8 @@ std::vector<Triangle> turnedOver(std::vector<Triangle> triangles)
 template <class Map> std::vector<Vec3> mapped(const Mesh& mesh, Map map)
 {
     std::vector<Vec3> places = placesOf(mesh);
-    for (Slot v = 0; v < places.size(); ++v) {
-        if (mesh.isVertex(v))
-            places[v] = map(places[v]);
-    }
+    for (const Slot v : mesh.vertices())
+        places[v] = map(places[v]);
     return places;
 }
 
@@ -75,10 +71,8 @@ void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& 
 std::vector<Vec3> placesOf(const Mesh& mesh)
 {
     std::vector<Vec3> places(mesh.slots().vertices, Vec3::Zero());
-    for (Slot v = 0; v < places.size(); ++v) {
-        if (mesh.isVertex(v))
-            places[v] = mesh.point(v).cast<double>();
-    }
+    for (const Slot v : mesh.vertices())
+        places[v] = mesh.point(v).cast<double>();
     return places;
 }
 
@@ -86,16 +80,23 @@ std::vector<Triangle> liveFaces(const Mesh& mesh)
 {
     std::vector<Triangle> faces;
     faces.reserve(mesh.live().faces);
-    for (Slot f = 0; f < mesh.slots().faces; ++f) {
-        if (mesh.isFace(f))
-            faces.push_back(mesh.corners(f));
-    }
+    for (const Slot f : mesh.faces())
+        faces.push_back(mesh.corners(f));
     return faces;
 }
 
 Box boxOf(const Mesh& mesh)
 {
     return boxAround(mesh, placesOf(mesh));
+}
+
+double shortestEdge(const Mesh& mesh, Slot v)
+{
+    double shortest = std::numeric_limits<double>::infinity();
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        shortest = std::min(shortest, (mesh.point(mesh.to(h)) - mesh.point(v)).cast<double>().norm());
+    });
+    return shortest;
 }
 
 ModelRefusal refusalOf(const Box& box)

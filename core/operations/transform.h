@@ -11,6 +11,8 @@ std::vector<Vec3> placesOf(const Mesh& mesh);
 /// The corners of the live faces, in the order of their slots.
 std::vector<Triangle> liveFaces(const Mesh& mesh);
 Box boxOf(const Mesh& mesh);
+/// The length of the shortest edge at the vertex, in mm.
+double shortestEdge(const Mesh& mesh, Slot v);
 
 /// Why no model may have this box.
 ModelRefusal refusalOf(const Box& box);

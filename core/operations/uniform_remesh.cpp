@@ -107,15 +107,11 @@ std::vector<Slot> UniformRemesher::alongCurve() const
 {
     std::vector<std::pair<std::uint64_t, Slot>> keys;
     keys.reserve(m_mesh.live().vertices);
-    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
-        if (m_mesh.isVertex(v))
-            keys.emplace_back(mortonCodeOf(m_mesh.latticePoint(v)), v);
-    }
+    for (const Slot v : m_mesh.vertices())
+        keys.emplace_back(mortonCodeOf(m_mesh.latticePoint(v)), v);
     std::ranges::sort(keys);
-    std::vector<Slot> order;
-    order.reserve(keys.size());
-    for (const auto& [code, v] : keys)
-        order.push_back(v);
+    std::vector<Slot> order(keys.size());
+    std::ranges::transform(keys, order.begin(), &std::pair<std::uint64_t, Slot>::second);
     return order;
 }
 
@@ -211,9 +207,7 @@ void UniformRemesher::optimiseWith(MeshEditor edit)
 Evenness evennessOf(const Mesh& mesh, const EdgeBounds& bounds)
 {
     Evenness evenness;
-    for (Slot e = 0; e < mesh.slots().edges; ++e) {
-        if (!mesh.isEdge(e))
-            continue;
+    for (const Slot e : mesh.edges()) {
         const double length2 =
             (mesh.point(mesh.to(2 * e)) - mesh.point(mesh.to(2 * e + 1))).cast<double>().squaredNorm();
         ++evenness.edges;
@@ -226,10 +220,8 @@ Evenness evennessOf(const Mesh& mesh, const EdgeBounds& bounds)
 double areaOf(const Mesh& mesh)
 {
     double sum = 0;
-    for (Slot f = 0; f < mesh.slots().faces; ++f) {
-        if (mesh.isFace(f))
-            sum += faceNormal(mesh, f).norm() / 2;
-    }
+    for (const Slot f : mesh.faces())
+        sum += faceNormal(mesh, f).norm() / 2;
     return sum;
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/util/slot.h"
 
+#include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace core
@@ -31,5 +33,37 @@ private:
     std::vector<std::uint64_t> m_summary; ///< a bit a word, 1 = has a free slot
     Slot m_size = 0;
     Slot m_free = 0;
+};
+
+/// The slots in use, ascending: a range, and its own iterator. Slots that are appended meanwhile are left out.
+class LiveSlots
+{
+public:
+    using value_type = Slot;
+    using difference_type = std::ptrdiff_t;
+
+    explicit LiveSlots(const SlotMap& map) : m_map(&map), m_end(map.size()) { skipFree(); }
+    LiveSlots begin() const { return *this; }
+    std::default_sentinel_t end() const { return {}; }
+
+    Slot operator*() const { return m_slot; }
+    LiveSlots& operator++()
+    {
+        ++m_slot;
+        skipFree();
+        return *this;
+    }
+    void operator++(int) { ++*this; }
+    bool operator==(std::default_sentinel_t) const { return m_slot == m_end; }
+
+private:
+    void skipFree()
+    {
+        while (m_slot != m_end && m_map->isFree(m_slot))
+            ++m_slot;
+    }
+
+    const SlotMap* m_map;
+    Slot m_slot = 0, m_end;
 };
 } // namespace core
