@@ -103,4 +103,17 @@ std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octre
         radius = std::min(2 * radius, max);
     }
 }
+
+Slot vertexAt(const Mesh& mesh, const FaceOctree& octree, const Vec3f& p)
+{
+    const LatticePoint at = mesh.lattice().toLattice(p);
+    Slot found = noSlot;
+    octree.query({at, at}, [&](Slot f) {
+        for (Slot corner : mesh.corners(f)) {
+            if (mesh.point(corner) == p)
+                found = corner;
+        }
+    });
+    return found;
+}
 } // namespace core

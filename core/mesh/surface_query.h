@@ -15,4 +15,7 @@ std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, c
 /// which of a point in empty space may be all.
 std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octree, const Vec3& point,
                                        double within = std::numeric_limits<double>::infinity());
+
+/// The vertex at that lattice point, or noSlot. Precondition: the octree is up to date.
+Slot vertexAt(const Mesh& mesh, const FaceOctree& octree, const Vec3f& p);
 } // namespace core

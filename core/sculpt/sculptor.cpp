@@ -1,8 +1,9 @@
 #include "core/sculpt/sculptor.h"
 
-#include "core/sculpt/brush_footprint.h"
 #include "core/sculpt/dab_selection.h"
+#include "core/sculpt/deform/dab_weights.h"
 #include "core/sculpt/radial_dabs.h"
+#include "core/sculpt/select/selector.h"
 #include "core/stroke/stroke_anchor.h"
 #include "core/stroke/stroke_path.h"
 #include "core/util/phase_timer.h"
@@ -26,12 +27,12 @@ public:
     void beginStroke(const StrokeSettings& strokeSettings);
     std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
     DabReport apply(Dab dab);
+    Footprint footprint(const StrokeSettings& strokeSettings, const Vec3& center);
 
     VerifiedMesh surface;
     DabPipeline pipeline;
     MirroredDab mirroredDab{surface, pipeline};
     RadialDabs radialDabs{surface, mirroredDab};
-    BrushFootprint footprint;
     SculptorTotals totals;
     std::function<void()> betweenSubsteps;
     std::function<void(const DabReport&)> afterDab;
@@ -47,6 +48,8 @@ private:
     void warmUp();
     DabReport sculpt(const Dab& dab);
     DabReport rest(DabRequest& request, const Dab& dab);
+
+    Region m_footprintRegion; ///< of its own: a footprint may be asked for in the middle of a dab
 };
 
 void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
@@ -118,6 +121,36 @@ DabReport Sculptor::Engine::rest(DabRequest& request, const Dab& dab)
     context.report.outcome = context.region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
     context.report.touchedVertices = context.region.size();
     return context.report;
+}
+
+Footprint Sculptor::Engine::footprint(const StrokeSettings& strokeSettings, const Vec3& center)
+{
+    const Mesh& mesh = surface.mesh();
+    const Selector selector(mesh, surface.octree());
+    Region& region = m_footprintRegion;
+    Footprint footprint;
+    std::vector<Slot> candidates;
+    const auto add = [&](const Dab& dab) {
+        selector.select(region, candidates, strokeSettings.brush, {dab.position, dab.radius}, Footprint::maxSlots);
+        const DabWeights weights(region, mesh, strokeSettings, dab);
+        region.forEach([&](Slot v) {
+            footprint.slots.push_back(v);
+            const double free = strokeSettings.tool == Tool::Mask ? 1 : mesh.freedom(v);
+            footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * free * weights.of(v)));
+        });
+    };
+    Dab dab;
+    dab.position = center;
+    dab.radius = strokeSettings.radius;
+    MirrorMap mirror(mesh);
+    mirror.setPlane(strokeSettings.symmetry);
+    for (int k = 0; k < strokeSettings.radial; ++k) {
+        const Dab inSector = Turn::part(k, strokeSettings.radial) * dab;
+        add(inSector);
+        if (mirror.isOn())
+            add(mirror.imageOf(inSector));
+    }
+    return footprint;
 }
 
 /// Warms the pipeline up with a dab at the last vertex: memory that has room for it has room for all.
@@ -217,7 +250,7 @@ std::optional<SelectionQuality> Sculptor::selectionQuality() const
 
 Footprint Sculptor::footprint(const StrokeSettings& settings, const Vec3& center)
 {
-    return m_engine->footprint.find(*m_mesh, m_engine->surface.octree(), settings, center);
+    return m_engine->footprint(settings, center);
 }
 
 MeshPatch Sculptor::takePatch()

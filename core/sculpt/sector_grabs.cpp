@@ -1,6 +1,6 @@
 #include "core/sculpt/sector_grabs.h"
 
-#include "core/sculpt/copy/patch_match.h"
+#include "core/mesh/surface_query.h"
 
 #include <utility>
 
@@ -88,13 +88,14 @@ void SectorGrabs::grabHalf(GrabPair& grabs, const GrabSnapshot& snapshot, const 
     const auto placeOf = [&](const GrabSnapshot::Point& point) {
         return isOver ? mirror.imageOf(turn * point.place) : turn * point.place;
     };
+    const auto at = [&](const Vec3f& p) { return vertexAt(mesh, m_surface.octree(), p); };
     region.clear();
     for (const GrabSnapshot::Point& point : snapshot.ownPoints) {
-        if (const Slot v = vertexAt(m_surface, placeOf(point)); v != noSlot && mirror.isInHalf(v))
+        if (const Slot v = at(placeOf(point)); v != noSlot && mirror.isInHalf(v))
             region.add(v, point.distance, Vec3::Zero(), 2 * snapshot.dab.radius);
     }
     for (const GrabSnapshot::Point& point : snapshot.ownPoints) {
-        if (const Slot v = vertexAt(m_surface, mirror.imageOf(placeOf(point))); v != noSlot && region.contains(v))
+        if (const Slot v = at(mirror.imageOf(placeOf(point))); v != noSlot && region.contains(v))
             region.setCarried(v, point.distance);
     }
 }
@@ -103,7 +104,7 @@ void SectorGrabs::grabPoints(Region& region, const std::vector<GrabSnapshot::Poi
 {
     region.clear();
     for (const GrabSnapshot::Point& point : points) {
-        if (const Slot v = vertexAt(m_surface, turn * point.place); v != noSlot)
+        if (const Slot v = vertexAt(m_surface.mesh(), m_surface.octree(), turn * point.place); v != noSlot)
             region.add(v, point.distance);
     }
 }

@@ -1,17 +1,30 @@
 // A dab's change in another sector:
 //   learn    the journal tells which faces went, which came, and which vertices moved; with a ring of faces around
 //            them they are the patch                                                                 changed_patch
-//   match    the patch as it was before, turned, is found face by face in the surface                patch_match
+//   match    the patch as it was before, turned, is found face by face in the surface
 //   claim    no vertex of the patch's image has been changed by this dab already
 //   write    faces are exchanged, vertices moved and coloured as here
 //   verify   as every change is
 
 #include "core/sculpt/copy/patch_copy.h"
 
+#include "core/geometry/lattice_box.h"
+#include "core/mesh/surface_query.h"
+
 #include <algorithm>
 
 namespace core
 {
+namespace
+{
+bool isImage(const Mesh& mesh, const ChangedPatch& patch, const Turn& turn, Slot image, Slot v)
+{
+    const ChangedPatch::VertexState state = patch.before(mesh, v);
+    return mesh.point(image) == turn * state.point && mesh.color(image) == state.color &&
+           mesh.mask(image) == state.mask;
+}
+} // namespace
+
 void PatchCopy::learn(const VerifiedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls)
 {
     m_patch.read(surface.mesh(), surface.octree(), mark, std::move(balls));
@@ -29,11 +42,93 @@ bool PatchCopy::match(const VerifiedMesh& surface, std::span<const Turn> turns)
     m_turns.assign(turns.begin(), turns.end());
     m_places.clear();
     for (const Turn& turn : turns) {
-        if (!m_match.find(surface, m_patch, turn) || !claim(std::span(m_match.images()).first(m_patch.changedCount())))
+        if (!find(surface, turn) || !claim(std::span(m_images).first(m_patch.changedCount())))
             return false;
-        m_places.push_back(m_match.images());
+        m_places.push_back(m_images);
     }
     return true;
+}
+
+/// Finds the image of the patch as it was before it changed, bit for bit: the first vertex by the octree, the others
+/// from neighbour to neighbour.
+bool PatchCopy::find(const VerifiedMesh& surface, const Turn& turn)
+{
+    m_images.assign(m_patch.vertices().size(), noSlot);
+    m_seen.assign(m_patch.faces().size(), 0);
+    m_matched.clear();
+    for (std::size_t first = 0; first < m_patch.faces().size(); ++first) {
+        if (m_seen[first])
+            continue;
+        for (Slot v : m_patch.faces()[first]) {
+            if (!matchVertex(surface, turn, v))
+                return false;
+        }
+        if (!matchFrom(surface.mesh(), turn, first))
+            return false;
+    }
+    return isAllMatched(surface, turn);
+}
+
+/// Matches a vertex of a component's first face, by its place.
+bool PatchCopy::matchVertex(const VerifiedMesh& surface, const Turn& turn, Slot v)
+{
+    const Mesh& mesh = surface.mesh();
+    Slot& found = image(v);
+    if (found == noSlot)
+        found = vertexAt(mesh, surface.octree(), turn * m_patch.before(mesh, v).point);
+    return found != noSlot && isImage(mesh, m_patch, turn, found, v);
+}
+
+/// Matches from a face to its neighbours.
+bool PatchCopy::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
+{
+    std::vector<std::size_t> front = {face};
+    while (!front.empty()) {
+        const Triangle t = m_patch.faces()[front.back()];
+        const bool isSeen = m_seen[front.back()];
+        m_seen[front.back()] = 1;
+        front.pop_back();
+        if (isSeen)
+            continue;
+        const Slot h = mesh.findHalfedge(image(t[0]), image(t[1]));
+        if (h == noSlot || mesh.to(mesh.next(h)) != image(t[2]) || !matchAcross(mesh, turn, t, front))
+            return false;
+        m_matched.add(mesh.face(h));
+    }
+    return true;
+}
+
+/// Matches the corners beyond the face's sides, and appends those faces to the front.
+bool PatchCopy::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners,
+                            std::vector<std::size_t>& front)
+{
+    const std::vector<Triangle>& faces = m_patch.faces();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Slot a = corners[(k + 1) % 3], b = corners[k];
+        const std::size_t face = m_patch.faceAt(a, b);
+        if (face == faces.size() || m_seen[face])
+            continue;
+        const Triangle& t = faces[face];
+        const Slot beyond = t[0] != a && t[0] != b ? t[0] : t[1] != a && t[1] != b ? t[1] : t[2];
+        if (image(beyond) == noSlot) {
+            const Slot h = mesh.findHalfedge(image(a), image(b));
+            if (h == noSlot || !isImage(mesh, m_patch, turn, mesh.to(mesh.next(h)), beyond))
+                return false;
+            image(beyond) = mesh.to(mesh.next(h));
+        }
+        front.push_back(face);
+    }
+    return true;
+}
+
+/// Whether each face in the turned balls is the image of a face of the patch.
+bool PatchCopy::isAllMatched(const VerifiedMesh& surface, const Turn& turn) const
+{
+    const Mesh& mesh = surface.mesh();
+    return std::ranges::all_of(m_patch.balls(), [&](const Sphere& ball) {
+        const LatticeBox box = latticeBox(mesh.lattice(), {turn * ball.center, ball.radius});
+        return std::ranges::all_of(facesIn(mesh, surface.octree(), box), [&](Slot f) { return m_matched.contains(f); });
+    });
 }
 
 /// False if one of the vertices has been claimed already.

@@ -1,5 +1,7 @@
 #include "core/sculpt/edit/mirror_map.h"
 
+#include "core/mesh/surface_query.h"
+
 #include <algorithm>
 
 namespace core
@@ -88,15 +90,7 @@ Slot MirrorMap::nextToNeighbour(Slot v) const
 
 bool MirrorMap::lookUp(Slot v, const FaceOctree& octree)
 {
-    const Vec3f p = imageOf(m_mesh.point(v));
-    const LatticePoint at = m_mesh.lattice().toLattice(p);
-    Slot found = noSlot;
-    octree.query({at, at}, [&](Slot f) {
-        for (Slot corner : m_mesh.corners(f)) {
-            if (m_mesh.point(corner) == p)
-                found = corner;
-        }
-    });
+    const Slot found = vertexAt(m_mesh, octree, imageOf(m_mesh.point(v)));
     if (found != noSlot)
         pair(v, found);
     return found != noSlot;

@@ -3,6 +3,8 @@
 #include "core/sculpt/select/region.h"
 #include "core/sculpt/verify/verified_mesh.h"
 
+#include <utility>
+
 namespace core
 {
 /// A change of the mesh that either verifies and is committed, or never was: rolls the mesh back, and the region with
@@ -32,7 +34,14 @@ public:
     }
 
     /// Does nothing after a commit or a rollback.
-    void rollBack();
+    void rollBack()
+    {
+        if (!std::exchange(m_isOpen, false))
+            return;
+        m_surface.mesh().rollback(m_mark);
+        if (m_region)
+            m_region->restore(m_saved);
+    }
 
 private:
     VerifiedMesh& m_surface;

@@ -5,7 +5,7 @@
 //                    for each part of the change that nothing connects, as on both sides of a mirror
 //                    dirty_neighbourhood
 //   4. tier a:       one certificate for all of these, or for each patch around dirty faces           patch_components
-//      tier b:       certificates for the stars of the vertices of a patch that has none              star_certificates
+//      tier b:       certificates for the stars of the vertices of a patch that has none              patch_certificate
 //                    and exact tests of its disjoint pairs
 //      tier c:       exact tests of neighbouring pairs too, where a star has no certificate
 //   5. nesting:      a shell wholly inside a box must still face the right way at its depth
@@ -23,8 +23,9 @@ namespace core
 {
 namespace
 {
-/// Faces that a core takes at a time: some ten microseconds of work, so that small dabs do not wake the others.
-constexpr std::size_t facesPerBoundary = 512;
+/// Faces, or stars, that a core takes at a time: some ten microseconds of work, so that small dabs do not wake the
+/// others.
+constexpr std::size_t facesPerBoundary = 512, starsPerChunk = 128;
 
 void sortUniquely(std::vector<Slot>& faces)
 {
@@ -187,7 +188,12 @@ bool Verifier::certifyStars(const Mesh& mesh)
         for (Slot v : m_neighbourhood.shape(i).corners)
             m_stars.add(v);
     }
-    return m_stars.certify(mesh);
+    m_isStarCertified.resize(m_stars.size());
+    forEachChunk(m_stars.size(), starsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            m_isStarCertified[i] = certifyStar(mesh, m_stars.slots()[i]);
+    });
+    return std::ranges::find(m_isStarCertified, 0) == m_isStarCertified.end();
 }
 
 /// Whether two faces meet where they may not.
@@ -197,7 +203,7 @@ bool Verifier::meetBadly(Slot i, Slot j) const
     const PatchFace& t = m_neighbourhood.shape(j);
     for (Slot v : s.corners) {
         const bool shared = v == t.corners[0] || v == t.corners[1] || v == t.corners[2];
-        if (shared && m_stars.isCertified(v))
+        if (shared && isStarCertified(v))
             return false;
     }
     return trianglesIntersect<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});

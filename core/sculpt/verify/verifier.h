@@ -3,7 +3,6 @@
 #include "core/mesh/face_octree.h"
 #include "core/sculpt/verify/dirty_neighbourhood.h"
 #include "core/sculpt/verify/patch_components.h"
-#include "core/sculpt/verify/star_certificates.h"
 
 namespace core
 {
@@ -56,6 +55,7 @@ private:
     void findDegenerate();
     void testPairs(const Mesh& mesh);
     bool certifyStars(const Mesh& mesh);
+    bool isStarCertified(Slot v) const { return m_stars.contains(v) && m_isStarCertified[m_stars.position(v)]; }
     bool meetBadly(Slot i, Slot j) const;
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
     bool isNestedWell(const Mesh& mesh, const FaceOctree& octree, Slot component) const;
@@ -64,6 +64,7 @@ private:
     VerifyResult m_result;
     DirtyNeighbourhood m_neighbourhood;
     PatchComponents m_components;
-    StarCertificates m_stars;
+    SparseIndex m_stars;                 ///< vertices of whose faces a certificate was tried (certifyStar)
+    std::vector<char> m_isStarCertified; ///< by position among them
 };
 } // namespace core
