@@ -32,9 +32,7 @@ class Joiner
 public:
     explicit Joiner(const TriangleSoup& surface) : m_surface(surface)
     {
-        m_result.points.reserve(surface.points.size());
-        for (const LatticePoint& p : surface.points)
-            m_result.points.push_back(p.cast<double>());
+        m_result.points = surface.places();
         m_result.colors = surface.colors;
         m_result.upon.resize(surface.triangles.size());
     }

@@ -52,15 +52,9 @@ private:
         m_reach.assign(m_surface.points.size(), 0);
         if (vertices.empty())
             return;
-        LatticePoint low = m_surface.points[vertices[0]], high = low;
-        for (const Triangle& t : m_surface.triangles) {
-            for (const Slot v : t) {
-                low = low.cwiseMin(m_surface.points[v]);
-                high = high.cwiseMax(m_surface.points[v]);
-            }
-        }
+        const LatticeBox box = m_surface.box();
         for (const Slot v : vertices)
-            m_reach[v] = nearInSizes * (high - low).maxCoeff();
+            m_reach[v] = nearInSizes * (box.max - box.min).maxCoeff();
         for (const Triangle& t : m_surface.triangles) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const Slot a = t[i], b = t[i == 2 ? 0 : i + 1];

@@ -193,26 +193,26 @@ double areaOf(const TriangleSoup& surface, std::size_t fromFace)
     return area;
 }
 
-double extentOf(const TriangleSoup& surface, std::span<const Slot> slots)
+double extentOf(const LatticeBox& box)
 {
-    LatticePoint low = surface.points[slots[0]], high = low;
-    for (const Slot v : slots) {
-        low = low.cwiseMin(surface.points[v]);
-        high = high.cwiseMax(surface.points[v]);
-    }
-    return (high - low).maxCoeff();
+    return (box.max - box.min).maxCoeff();
+}
+
+LatticeBox boxOf(const TriangleSoup& surface, const std::vector<Slot>& loop)
+{
+    LatticeBox box;
+    for (const Slot v : loop)
+        box.extend(surface.points[v]);
+    return box;
 }
 } // namespace
 
 HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control)
 {
     HoleFillingResult filled;
-    std::vector<Slot> all;
-    for (const Triangle& t : surface.triangles)
-        all.insert(all.end(), t.begin(), t.end());
-    if (all.empty())
+    if (surface.triangles.empty())
         return filled;
-    const double extent = extentOf(surface, all);
+    const double extent = extentOf(surface.box());
     std::vector<std::vector<Slot>> loops = loopsOf(openWays(surface), surface.points.size());
     const EdgeSet present(surface, loops);
     const std::size_t before = surface.triangles.size();
@@ -220,7 +220,7 @@ HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobContr
     for (std::vector<Slot>& loop : loops) {
         if (control.isCancelled())
             break;
-        const bool isLarge = extentOf(surface, loop) > largeHole * extent;
+        const bool isLarge = extentOf(boxOf(surface, loop)) > largeHole * extent;
         filled.largeHoles += isLarge;
         if (isLarge && !largeToo)
             continue;

@@ -227,10 +227,7 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
     OutwardResult faced;
     std::size_t turned = 0;
     const Parts parts = Flood(surface).run(turned);
-    std::vector<Vec3> points;
-    points.reserve(surface.points.size());
-    for (const LatticePoint& p : surface.points)
-        points.push_back(p.cast<double>());
+    const std::vector<Vec3> points = surface.places();
     const bool areSeveral = parts.faces.size() > 1;
     const WindingNumber winding(points, areSeveral ? std::span<const Triangle>(surface.triangles)
                                                    : std::span<const Triangle>());

@@ -44,17 +44,12 @@ public:
     ShrinkWrap(const TriangleSoup& surface, int cell, const JobControl& control)
         : m_original(surface)
         , m_cell(cell)
-        , m_points(pointsOf(surface))
+        , m_points(surface.places())
         , m_winding(m_points, surface.triangles)
         , m_tree(faceBoxes(surface.points, surface.triangles))
         , m_control(control)
-    {
-        LatticePoint low = LatticePoint::Constant(std::numeric_limits<int>::max());
-        for (const Triangle& t : surface.triangles)
-            for (const Slot v : t)
-                low = low.cwiseMin(surface.points[v]);
-        m_origin = low - LatticePoint::Constant(2 * cell);
-    }
+        , m_origin(surface.box().min - LatticePoint::Constant(2 * cell))
+    {}
 
     TriangleSoup run()
     {
@@ -70,14 +65,6 @@ public:
     }
 
 private:
-    static std::vector<Vec3> pointsOf(const TriangleSoup& surface)
-    {
-        std::vector<Vec3> points;
-        points.reserve(surface.points.size());
-        for (const LatticePoint& p : surface.points)
-            points.push_back(p.cast<double>());
-        return points;
-    }
     LatticePoint place(const Node& n) const { return m_origin + m_cell * n; }
 
     /// The cubes near a face's plane in the face's box.
@@ -247,17 +234,6 @@ private:
     TriangleSoup m_result;
 };
 
-double longestSide(const TriangleSoup& surface)
-{
-    LatticePoint low = LatticePoint::Constant(std::numeric_limits<int>::max()), high = -low;
-    for (const Triangle& t : surface.triangles) {
-        for (const Slot v : t) {
-            low = low.cwiseMin(surface.points[v]);
-            high = high.cwiseMax(surface.points[v]);
-        }
-    }
-    return (high - low).maxCoeff();
-}
 } // namespace
 
 TriangleSoup shrinkWrap(const TriangleSoup& surface, int cell, const JobControl& control)
@@ -271,7 +247,9 @@ int cellFor(const TriangleSoup& surface)
     for (const Triangle& t : surface.triangles)
         for (std::size_t i = 0; i < 3; ++i)
             edges += (surface.points[t[i]] - surface.points[t[(i + 1) % 3]]).cast<double>().norm();
-    const double side = longestSide(surface), mean = edges / (3.0 * static_cast<double>(surface.triangles.size()));
+    const LatticeBox box = surface.box();
+    const double side = (box.max - box.min).maxCoeff(),
+                 mean = edges / (3.0 * static_cast<double>(surface.triangles.size()));
     constexpr double coarsest = 64, finest = 256;
     return static_cast<int>(std::clamp(mean / 2, side / finest, side / coarsest));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/lattice.h"
+#include "core/geometry/lattice_box.h"
 
 #include <vector>
 
@@ -12,6 +12,25 @@ struct TriangleSoup
     std::vector<LatticePoint> points;
     std::vector<Rgb> colors; ///< empty, or one per point
     std::vector<Triangle> triangles;
+
+    /// The points, in lattice units.
+    std::vector<Vec3> places() const
+    {
+        std::vector<Vec3> places;
+        places.reserve(points.size());
+        for (const LatticePoint& p : points)
+            places.push_back(p.cast<double>());
+        return places;
+    }
+    LatticeBox box() const ///< of the triangles
+    {
+        LatticeBox box;
+        for (const Triangle& t : triangles) {
+            for (const Slot v : t)
+                box.extend(points[v]);
+        }
+        return box;
+    }
 
     /// With the colour between those of two points, or of one.
     Slot addPoint(const LatticePoint& p, Slot colorOf, Slot otherColorOf)

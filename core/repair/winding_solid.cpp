@@ -73,10 +73,7 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
     for (Slot f = 0; f < count; ++f)
         if (largest[f] != noSlot)
             roots.push_back(f);
-    std::vector<Vec3> points;
-    points.reserve(original.points.size());
-    for (const LatticePoint& p : original.points)
-        points.push_back(p.cast<double>());
+    const std::vector<Vec3> points = original.places();
     const WindingNumber winding(points, original.triangles);
     std::vector<Sides> sides(count);
     constexpr std::size_t patchesPerChunk = 4;
