@@ -14,6 +14,8 @@ class ByteWriter
 public:
     explicit ByteWriter(std::string& out) : m_out(out) {}
 
+    template <class... Values> void pass(const Values&... values) { (put(values), ...); }
+
     template <class T> void put(const T& value)
     {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -24,6 +26,7 @@ public:
         put(static_cast<std::uint32_t>(text.size()));
         m_out.append(text);
     }
+    void put(const std::string& text) { put(std::string_view(text)); }
 
 private:
     std::string& m_out;
@@ -35,6 +38,11 @@ class ByteReader
 public:
     explicit ByteReader(std::string_view bytes) : m_rest(bytes) {}
 
+    template <class... Values> void pass(Values&... values) { (take(values), ...); }
+
+    template <class T> void take(T& value) { value = take<T>(); }
+    void take(bool& value) { value = take<std::uint8_t>() != 0; }
+    void take(std::string& text) { text = takeText(); }
     template <class T> T take()
     {
         static_assert(std::is_trivially_copyable_v<T>);

@@ -18,85 +18,31 @@ struct Head
     std::uint64_t number = 0, length = 0;
 };
 
+/// A value that goes into a ByteWriter, or comes out of a ByteReader.
+template <class T, class Stream> using Passed = std::conditional_t<std::is_same_v<Stream, ByteWriter>, const T, T>;
+template <class Stream> constexpr bool isReading = std::is_same_v<Stream, ByteReader>;
+
 // --- parts
 
 constexpr std::size_t vertexBytes = 25, edgeBytes = 36, faceBytes = 20;
 
-void put(ByteWriter& out, const VertexImage& image)
+template <class Stream> void pass(Stream& stream, Passed<VertexImage, Stream>& image)
 {
-    out.put(image.slot), out.put(image.point.x()), out.put(image.point.y()), out.put(image.point.z());
-    out.put(image.color.r), out.put(image.color.g), out.put(image.color.b), out.put(image.mask);
-    out.put(image.live), out.put(image.item);
+    stream.pass(image.slot, image.point.x(), image.point.y(), image.point.z());
+    stream.pass(image.color.r, image.color.g, image.color.b, image.mask, image.live, image.item);
 }
 
-void put(ByteWriter& out, const EdgeImage& image)
+template <class Stream> void pass(Stream& stream, Passed<EdgeImage, Stream>& image)
 {
-    out.put((image.slot << 1) | Slot(image.live)), out.put(image.item);
+    Slot slot = (image.slot << 1) | Slot(image.live);
+    stream.pass(slot, image.item);
+    if constexpr (isReading<Stream>)
+        image.slot = slot >> 1, image.live = (slot & 1) != 0;
 }
 
-void put(ByteWriter& out, const FaceImage& image)
+template <class Stream> void pass(Stream& stream, Passed<FaceImage, Stream>& image)
 {
-    out.put(image.slot), out.put(image.corners), out.put(image.item);
-}
-
-void take(ByteReader& in, VertexImage& image)
-{
-    image.slot = in.take<Slot>(), image.stamp = 0;
-    for (int i = 0; i < 3; ++i)
-        image.point[i] = in.take<float>();
-    image.color.r = in.take<std::uint8_t>(), image.color.g = in.take<std::uint8_t>(),
-    image.color.b = in.take<std::uint8_t>();
-    image.mask = in.take<std::uint8_t>(), image.live = in.take<std::uint8_t>() != 0,
-    image.item = in.take<OpenMesh::ArrayItems::Vertex>();
-}
-
-void take(ByteReader& in, EdgeImage& image)
-{
-    const auto slot = in.take<Slot>();
-    image.slot = slot >> 1, image.stamp = 0, image.live = (slot & 1) != 0,
-    image.item = in.take<OpenMesh::ArrayItems::Edge>();
-}
-
-void take(ByteReader& in, FaceImage& image)
-{
-    image.slot = in.take<Slot>(), image.stamp = 0, image.corners = in.take<Triangle>(),
-    image.item = in.take<OpenMesh::ArrayItems::Face>();
-}
-
-template <class Image> void putAll(ByteWriter& out, const std::vector<Image>& images)
-{
-    out.put(static_cast<std::uint32_t>(images.size()));
-    for (const Image& image : images)
-        put(out, image);
-}
-
-template <class Image> void takeAll(ByteReader& in, std::vector<Image>& images, std::size_t bytesEach)
-{
-    images.resize(in.takeCount(bytesEach));
-    for (Image& image : images)
-        take(in, image);
-}
-
-void put(ByteWriter& out, const MeshFrame& frame)
-{
-    out.put(static_cast<std::int32_t>(frame.lattice.exponent())), out.put(frame.uniformDetail);
-}
-
-void take(ByteReader& in, MeshFrame& frame)
-{
-    frame.lattice = Lattice(in.take<std::int32_t>()), frame.uniformDetail = in.take<double>();
-}
-
-void put(ByteWriter& out, const MeshDelta& image)
-{
-    putAll(out, image.vertices), putAll(out, image.edges), putAll(out, image.faces);
-    out.put(image.counts), out.put(image.meshHash), put(out, image.frame);
-}
-
-void take(ByteReader& in, MeshDelta& image)
-{
-    takeAll(in, image.vertices, vertexBytes), takeAll(in, image.edges, edgeBytes), takeAll(in, image.faces, faceBytes);
-    image.counts = in.take<SlotCounts>(), image.meshHash = in.take<std::uint64_t>(), take(in, image.frame);
+    stream.pass(image.slot, image.corners, image.item);
 }
 
 /// A stroke file of its own.
@@ -121,26 +67,53 @@ std::shared_ptr<const FileEntry> takeEntry(ByteReader& in)
     return nullptr;
 }
 
-void put(ByteWriter& out, const JournalStep& step)
+template <class Stream> void pass(Stream& stream, Passed<JournalStep, Stream>& step)
 {
-    out.put(std::string_view(step.text)), out.put(std::string_view(step.icon)), out.put(step.dabs),
-        out.put(step.fusions);
-    putEntry(out, step.entry.get());
+    stream.pass(step.text, step.icon, step.dabs, step.fusions);
+    if constexpr (isReading<Stream>)
+        step.entry = takeEntry(stream);
+    else
+        putEntry(stream, step.entry.get());
 }
 
-void take(ByteReader& in, JournalStep& step)
+template <class Part> void passAll(ByteWriter& out, const std::vector<Part>& parts, std::size_t)
 {
-    step.text = in.takeText(), step.icon = in.takeText(), step.dabs = in.take<std::uint64_t>(),
-    step.fusions = in.take<std::uint64_t>();
-    step.entry = takeEntry(in);
+    out.put(static_cast<std::uint32_t>(parts.size()));
+    for (const Part& part : parts)
+        pass(out, part);
 }
 
-template <class T> void putPlain(ByteWriter& out, const std::vector<T>& values)
+/// `bytesEach`: that a part takes at least.
+template <class Part> void passAll(ByteReader& in, std::vector<Part>& parts, std::size_t bytesEach)
+{
+    parts.resize(in.takeCount(bytesEach));
+    for (Part& part : parts)
+        pass(in, part);
+}
+
+template <class Stream> void pass(Stream& stream, Passed<MeshFrame, Stream>& frame)
+{
+    std::int32_t exponent = frame.lattice.exponent();
+    stream.pass(exponent, frame.uniformDetail);
+    if constexpr (isReading<Stream>)
+        frame.lattice = Lattice(exponent);
+}
+
+template <class Stream> void pass(Stream& stream, Passed<MeshDelta, Stream>& image)
+{
+    passAll(stream, image.vertices, vertexBytes);
+    passAll(stream, image.edges, edgeBytes);
+    passAll(stream, image.faces, faceBytes);
+    stream.pass(image.counts, image.meshHash);
+    pass(stream, image.frame);
+}
+
+template <class T> void passPlain(ByteWriter& out, const std::vector<T>& values)
 {
     out.put(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
 }
 
-template <class T> void takePlain(ByteReader& in, std::vector<T>& values)
+template <class T> void passPlain(ByteReader& in, std::vector<T>& values)
 {
     const std::string_view bytes = in.takeText();
     values.resize(bytes.size() / sizeof(T));
@@ -148,39 +121,32 @@ template <class T> void takePlain(ByteReader& in, std::vector<T>& values)
         std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(T));
 }
 
-void put(ByteWriter& out, const SavedView& view)
+template <class Stream> void pass(Stream& stream, Passed<SavedView, Stream>& view)
 {
-    out.put(view.target.x()), out.put(view.target.y()), out.put(view.target.z());
-    out.put(view.distance), out.put(view.yaw), out.put(view.pitch), out.put(view.orthographic);
-}
-
-void take(ByteReader& in, SavedView& view)
-{
-    for (int i = 0; i < 3; ++i)
-        view.target[i] = in.take<double>();
-    view.distance = in.take<double>(), view.yaw = in.take<double>(), view.pitch = in.take<double>();
-    view.orthographic = in.take<std::uint8_t>() != 0;
+    stream.pass(view.target.x(), view.target.y(), view.target.z());
+    stream.pass(view.distance, view.yaw, view.pitch, view.orthographic);
 }
 
 /// Bits: which of the notes there are.
 constexpr std::uint8_t viewBit = 1, workBit = 2;
 
-void put(ByteWriter& out, const DocumentMetadata& metadata)
+void pass(ByteWriter& out, const DocumentMetadata& metadata)
 {
     const int parts = (metadata.view ? viewBit : 0) | (metadata.work ? workBit : 0);
-    putPlain(out, metadata.palette), out.put(static_cast<std::uint8_t>(parts)),
-        put(out, metadata.view.value_or(SavedView()));
+    passPlain(out, metadata.palette);
+    out.put(static_cast<std::uint8_t>(parts));
+    pass(out, metadata.view.value_or(SavedView()));
     const FileEntry brush = Stroke{metadata.brush.value_or(StrokeSettings()), {}, {}, {}};
     putEntry(out, metadata.brush ? &brush : nullptr);
     if (metadata.work)
-        out.put(metadata.work->strokes), out.put(metadata.work->seconds);
+        out.pass(metadata.work->strokes, metadata.work->seconds);
 }
 
-void take(ByteReader& in, DocumentMetadata& metadata)
+void pass(ByteReader& in, DocumentMetadata& metadata)
 {
-    takePlain(in, metadata.palette);
+    passPlain(in, metadata.palette);
     const auto parts = in.take<std::uint8_t>();
-    take(in, metadata.view.emplace());
+    pass(in, metadata.view.emplace());
     if ((parts & viewBit) == 0)
         metadata.view.reset();
     const auto brush = takeEntry(in);
@@ -190,104 +156,71 @@ void take(ByteReader& in, DocumentMetadata& metadata)
         metadata.work = WorkDone{in.take<std::uint64_t>(), in.take<double>()};
 }
 
-// --- contents, a pair for each kind
-
-void put(ByteWriter& out, const JournalDocument& document)
+template <class Stream> void pass(Stream& stream, Passed<Snapshot, Stream>& snapshot)
 {
-    out.put(std::string_view(document.name)), out.put(std::string_view(document.path)), put(out, document.metadata);
-    out.put(document.changedBeyondHistory);
+    pass(stream, snapshot.frame);
+    passPlain(stream, snapshot.surface.points);
+    passPlain(stream, snapshot.surface.colors);
+    passPlain(stream, snapshot.surface.masks);
+    passPlain(stream, snapshot.surface.triangles);
 }
 
-void take(ByteReader& in, JournalDocument& document)
+// --- contents, one for each kind
+
+template <class Stream> void pass(Stream& stream, Passed<JournalDocument, Stream>& document)
 {
-    document.name = in.takeText(), document.path = in.takeText(), take(in, document.metadata);
-    document.changedBeyondHistory = in.take<std::uint8_t>() != 0;
+    stream.pass(document.name, document.path);
+    pass(stream, document.metadata);
+    stream.pass(document.changedBeyondHistory);
 }
 
-void put(ByteWriter& out, const StartRecord& record)
+template <class Stream> void pass(Stream& stream, Passed<StartRecord, Stream>& record)
 {
-    put(out, record.document), put(out, record.start->frame);
-    putPlain(out, record.start->surface.points), putPlain(out, record.start->surface.colors),
-        putPlain(out, record.start->surface.masks);
-    putPlain(out, record.start->surface.triangles);
+    pass(stream, record.document);
+    if constexpr (isReading<Stream>) {
+        auto start = std::make_shared<Snapshot>();
+        pass(stream, *start);
+        record.start = std::move(start);
+    } else {
+        pass(stream, *record.start);
+    }
 }
 
-void take(ByteReader& in, StartRecord& record)
+template <class Stream> void pass(Stream& stream, Passed<ChangeRecord, Stream>& record)
 {
-    auto start = std::make_shared<Snapshot>();
-    take(in, record.document), take(in, start->frame);
-    takePlain(in, start->surface.points), takePlain(in, start->surface.colors), takePlain(in, start->surface.masks);
-    takePlain(in, start->surface.triangles);
-    record.start = std::move(start);
+    stream.pass(record.index);
+    pass(stream, record.step);
+    pass(stream, record.image);
 }
 
-void put(ByteWriter& out, const ChangeRecord& record)
+template <class Stream> void pass(Stream& stream, Passed<SwapRecord, Stream>& record)
 {
-    out.put(record.index), put(out, record.step), put(out, record.image);
+    stream.pass(record.index, record.isDone);
+    pass(stream, record.image);
 }
 
-void take(ByteReader& in, ChangeRecord& record)
+template <class Stream> void pass(Stream& stream, Passed<SavedRecord, Stream>& record)
 {
-    record.index = in.take<std::uint32_t>(), take(in, record.step), take(in, record.image);
+    stream.pass(record.index);
 }
 
-void put(ByteWriter& out, const SwapRecord& record)
+template <class Stream> void pass(Stream&, Passed<ForgottenRecord, Stream>&) {}
+
+template <class Stream> void pass(Stream& stream, Passed<PartRecord, Stream>& record)
 {
-    out.put(record.index), out.put(record.isDone), put(out, record.image);
+    pass(stream, record.image);
 }
 
-void take(ByteReader& in, SwapRecord& record)
+template <class Stream> void pass(Stream& stream, Passed<BaseRecord, Stream>& record)
 {
-    record.index = in.take<std::uint32_t>(), record.isDone = in.take<std::uint8_t>() != 0, take(in, record.image);
-}
-
-void put(ByteWriter& out, const SavedRecord& record)
-{
-    out.put(record.index);
-}
-
-void take(ByteReader& in, SavedRecord& record)
-{
-    record.index = in.take<std::uint32_t>();
-}
-
-void put(ByteWriter&, const ForgottenRecord&) {}
-
-void take(ByteReader&, ForgottenRecord&) {}
-
-void put(ByteWriter& out, const PartRecord& record)
-{
-    put(out, record.image);
-}
-
-void take(ByteReader& in, PartRecord& record)
-{
-    take(in, record.image);
-}
-
-void put(ByteWriter& out, const BaseRecord& record)
-{
-    const JournalHistory& history = record.history;
-    put(out, record.document), out.put(history.present), out.put(history.saved.has_value()),
-        out.put(history.saved.value_or(0));
-    out.put(history.isWhole);
-    out.put(static_cast<std::uint32_t>(history.steps.size()));
-    for (const JournalStep& step : history.steps)
-        put(out, step);
-}
-
-void take(ByteReader& in, BaseRecord& record)
-{
-    JournalHistory& history = record.history;
-    take(in, record.document), history.present = in.take<std::uint32_t>();
-    const bool isSaved = in.take<std::uint8_t>() != 0;
-    history.saved = in.take<std::uint32_t>();
-    if (!isSaved)
-        history.saved.reset();
-    history.isWhole = in.take<std::uint8_t>() != 0;
-    history.steps.resize(in.takeCount(1));
-    for (JournalStep& step : history.steps)
-        take(in, step);
+    auto& history = record.history;
+    bool isSaved = history.saved.has_value();
+    std::uint32_t saved = history.saved.value_or(0);
+    pass(stream, record.document);
+    stream.pass(history.present, isSaved, saved, history.isWhole);
+    if constexpr (isReading<Stream>)
+        history.saved = isSaved ? std::optional(saved) : std::nullopt;
+    passAll(stream, history.steps, 1);
 }
 
 template <std::size_t kind = 0> std::optional<JournalRecord> takeRecord(ByteReader& in, std::uint32_t wanted)
@@ -298,7 +231,7 @@ template <std::size_t kind = 0> std::optional<JournalRecord> takeRecord(ByteRead
         if (wanted != kind)
             return takeRecord<kind + 1>(in, wanted);
         std::variant_alternative_t<kind, JournalRecord> record;
-        take(in, record);
+        pass(in, record);
         return in.atEnd() ? std::optional<JournalRecord>(std::move(record)) : std::nullopt;
     }
 }
@@ -329,7 +262,7 @@ bool operator==(const JournalStep& a, const JournalStep& b)
 {
     std::string ofA, ofB;
     ByteWriter toA(ofA), toB(ofB);
-    put(toA, a), put(toB, b);
+    pass(toA, a), pass(toB, b);
     return ofA == ofB;
 }
 
@@ -338,7 +271,7 @@ std::string pack(const JournalRecord& record, std::uint64_t number)
     std::string bytes;
     ByteWriter out(bytes);
     out.put(Head{mark, static_cast<std::uint32_t>(record.index()), number, 0});
-    std::visit([&](const auto& content) { put(out, content); }, record);
+    std::visit([&](const auto& content) { pass(out, content); }, record);
     const std::uint64_t length = bytes.size() - sizeof(Head);
     std::memcpy(bytes.data() + offsetof(Head, length), &length, sizeof length);
     out.put(checksum(bytes));
