@@ -37,8 +37,8 @@ std::string endingOf(const std::filesystem::path& path)
     if (version != std::string::npos && version + 1 < ending.size() &&
         ending.find_first_not_of("0123456789", version + 1) == std::string::npos)
         ending.resize(version);
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return ending;
 }
 
@@ -46,30 +46,16 @@ std::string printable(std::string_view text)
 {
     constexpr std::size_t longest = 40;
     std::string result(text.substr(0, longest));
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::ranges::replace_if(
+        result, [](char c) { return c < ' ' || c > '~'; }, '?');
     return result;
-}
-
-FileError errorOfEnding(FileErrorKind kind, const std::filesystem::path& path)
-{
-    FileError error(kind, path);
-    error.token = printable(endingOf(path));
-    return error;
 }
 
 MeshFormat requireFormat(const std::filesystem::path& path)
 {
     if (const auto format = meshFormatOf(path))
         return *format;
-    throw errorOfEnding(FileErrorKind::UnknownFormat, path);
-}
-
-FileError unreadable(const std::filesystem::path& path, int systemError)
-{
-    FileError error(FileErrorKind::NotReadable, path);
-    error.systemError = systemError;
-    return error;
+    throw io::errorWithToken(FileErrorKind::UnknownFormat, {path, {}}, endingOf(path));
 }
 
 std::uint64_t requireFileSize(const std::filesystem::path& path)
@@ -79,12 +65,12 @@ std::uint64_t requireFileSize(const std::filesystem::path& path)
     if (status.type() == std::filesystem::file_type::not_found)
         throw FileError(FileErrorKind::NotFound, path);
     if (!std::filesystem::status_known(status) || status.type() == std::filesystem::file_type::unknown)
-        throw unreadable(path, error.value());
+        throw FileError(FileErrorKind::NotReadable, path, error.value());
     if (status.type() != std::filesystem::file_type::regular)
         throw FileError(FileErrorKind::NotAFile, path);
     const std::uint64_t size = std::filesystem::file_size(path, error);
     if (error)
-        throw unreadable(path, error.value());
+        throw FileError(FileErrorKind::NotReadable, path, error.value());
     return size;
 }
 
@@ -92,12 +78,8 @@ void refuseSize(const std::filesystem::path& path, std::uint64_t size)
 {
     if (size == 0)
         throw FileError(FileErrorKind::Empty, path);
-    if (size > maxFileSize) {
-        FileError error(FileErrorKind::TooLarge, path);
-        error.expected = maxFileSize;
-        error.found = size;
-        throw error;
-    }
+    if (size > maxFileSize)
+        throw io::withCounts({FileErrorKind::TooLarge, path}, maxFileSize, size);
 }
 
 void refuseOtherContent(const io::FileBytes& start, std::uint64_t size, MeshFormat format)
@@ -198,10 +180,15 @@ void refuseStart(const io::FileBytes& start, std::uint64_t size, MeshFormat form
         refuseStlSize(start, size);
 }
 
-/// What was parsed as a document has it.
-void settle(ReadResult& result, const io::FileBytes& file, MeshFormat format, UpAxis up)
+bool isWeldedByReader(MeshFormat format)
 {
-    if (format != MeshFormat::Stl) // its reader has done so
+    return format == MeshFormat::Stl;
+}
+
+/// What was parsed as a document has it.
+void settle(ReadResult& result, const io::FileBytes& file, bool isWelded, UpAxis up)
+{
+    if (!isWelded)
         io::weld(result.mesh, file.stop);
     if (result.mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, file.path);
@@ -213,11 +200,7 @@ ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, c
 {
     refuseSize(path, size);
     ReadResult result = externalReader().read(path, options.stop);
-    io::weld(result.mesh, options.stop);
-    if (result.mesh.triangles.empty())
-        throw FileError(FileErrorKind::NoFaces, path);
-    if (options.up == UpAxis::Z)
-        fromZUp(result.mesh.points);
+    settle(result, {path, {}, options.stop}, false, options.up.value_or(UpAxis::Y));
     return result;
 }
 } // namespace
@@ -241,7 +224,7 @@ std::vector<std::string_view> readEndings()
 
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path)
 {
-    const auto found = std::find(endings.begin(), endings.end(), endingOf(path));
+    const auto found = std::ranges::find(endings, endingOf(path));
     if (found == endings.end())
         return std::nullopt;
     return static_cast<MeshFormat>(found - endings.begin());
@@ -278,7 +261,7 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
         const LargeBuffer<char> bytes = allOf(input, path, size, options.stop);
         result = parse({path, {bytes.data(), bytes.size()}, options.stop}, format);
     }
-    settle(result, {path, {}, options.stop}, format, options.up.value_or(usualUp(format)));
+    settle(result, {path, {}, options.stop}, isWeldedByReader(format), options.up.value_or(usualUp(format)));
     return result;
 }
 
@@ -294,7 +277,7 @@ TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes
     const io::FileBytes file{name, bytes, {}, true};
     refuseStart({name, bytes.substr(0, io::startSize)}, bytes.size(), format);
     ReadResult result = parse(file, format);
-    settle(result, file, format, usualUp(format));
+    settle(result, file, isWeldedByReader(format), usualUp(format));
     return std::move(result.mesh);
 }
 
@@ -316,7 +299,7 @@ DocumentMetadata readMetadata(const std::filesystem::path& path)
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options)
 {
     if ((isExternal(path) || meshFormatOf(path)) && !isWritten(path))
-        throw errorOfEnding(FileErrorKind::NotWritten, path);
+        throw io::errorWithToken(FileErrorKind::NotWritten, {path, {}}, endingOf(path));
     const MeshFormat format = requireFormat(path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z) {
         TriangleMesh turned = mesh;
@@ -389,7 +372,13 @@ FileError tooMany(std::string_view what, std::size_t max, FileError error)
 {
     error.kind = FileErrorKind::TooManyElements;
     error.token = what;
-    error.expected = max;
+    return withCounts(std::move(error), max);
+}
+
+FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t found)
+{
+    error.expected = expected;
+    error.found = found;
     return error;
 }
 } // namespace io

@@ -24,8 +24,6 @@ private:
     int m_descriptor;
 };
 
-/// Its names outlive a power cut, too. A folder that cannot be synced is no error.
-void syncFolder(const std::filesystem::path& folder);
 /// The file's content outlives a power cut. Throws FileError.
 void syncFile(const std::filesystem::path& file);
 

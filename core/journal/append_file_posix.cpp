@@ -15,9 +15,7 @@ namespace
 [[noreturn]] void fail(const std::filesystem::path& path)
 {
     const int systemError = errno;
-    FileError error(kindOfWriteError(systemError), path);
-    error.systemError = systemError;
-    throw error;
+    throw FileError(kindOfWriteError(systemError), path, systemError);
 }
 } // namespace
 
@@ -50,15 +48,6 @@ void AppendFile::sync()
 {
     if (::fdatasync(m_descriptor) != 0)
         fail(m_path);
-}
-
-void syncFolder(const std::filesystem::path& folder)
-{
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    ::fsync(descriptor);
-    ::close(descriptor);
 }
 
 void syncFile(const std::filesystem::path& file)

@@ -4,6 +4,8 @@
 #include "core/journal/journal_base.h"
 #include "core/journal/journal_files.h"
 
+#include "core/util/atomic_file.h"
+
 #include <new>
 
 namespace core

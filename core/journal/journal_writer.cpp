@@ -2,6 +2,7 @@
 
 #include "core/journal/compaction.h"
 #include "core/journal/journal_files.h"
+#include "core/util/atomic_file.h"
 #include "core/util/thread_priority.h"
 
 #include <algorithm>

@@ -30,9 +30,7 @@ Lesson readLesson(const std::filesystem::path& path)
     default:
         break;
     }
-    FileError error(problem ? FileErrorKind::NotReadable : FileErrorKind::NotAFile, path);
-    error.systemError = problem.value();
-    throw error;
+    throw FileError(problem ? FileErrorKind::NotReadable : FileErrorKind::NotAFile, path, problem.value());
 }
 
 TriangleMesh modelIn(const Lesson& lesson, const std::string& file)

@@ -23,7 +23,7 @@ private:
 
     LessonError errorHere(Kind kind, std::string key = {}) const;
     [[noreturn]] void refuse(Kind kind, std::string key = {}) const { throw errorHere(kind, std::move(key)); }
-    [[noreturn]] void refuseRange(const std::string& key, double min, double max) const;
+    [[noreturn]] void refuseBeyond(Kind kind, const std::string& key, double max, double min = 0) const;
 
     Json parse(const std::string& text) const;
     void requireFormat(const Json& root) const;

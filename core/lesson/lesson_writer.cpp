@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cerrno>
 #include <sstream>
 
 namespace core

@@ -46,6 +46,9 @@ private:
 /// throws FileError.
 bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// A folder's names outlive a power cut, too. One that cannot be synced is no error.
+void syncFolder(const std::filesystem::path& folder);
+
 /// Of what the system says when writing fails.
 FileErrorKind kindOfWriteError(int systemError);
 

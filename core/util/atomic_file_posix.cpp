@@ -20,22 +20,21 @@ std::string temporaryName(const std::filesystem::path& target)
     return (target.parent_path() / name).string();
 }
 
-std::string folderOf(const std::filesystem::path& target)
+std::filesystem::path folderOf(const std::filesystem::path& target)
 {
     const std::filesystem::path folder = target.parent_path();
-    return folder.empty() ? "." : folder.string();
-}
-
-/// A new name in it outlives a power cut then.
-void syncFolder(const std::string& path)
-{
-    const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0)
-        return;
-    ::fsync(folder);
-    ::close(folder);
+    return folder.empty() ? "." : folder;
 }
 } // namespace
+
+void syncFolder(const std::filesystem::path& folder)
+{
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
 
 FileErrorKind kindOfWriteError(int systemError)
 {
@@ -61,9 +60,7 @@ void checkWritten(const std::error_code& problem, const std::filesystem::path& p
 {
     if (!problem)
         return;
-    FileError error(kindOfWriteError(problem.value()), path);
-    error.systemError = problem.value();
-    throw error;
+    throw FileError(kindOfWriteError(problem.value()), path, problem.value());
 }
 
 /// An empty folder of that name may be replaced: nothing is lost by it.
@@ -190,8 +187,6 @@ void AtomicFile::commit()
 
 void AtomicFile::fail(int systemError) const
 {
-    FileError error(kindOfWriteError(systemError), m_path);
-    error.systemError = systemError;
-    throw error;
+    throw FileError(kindOfWriteError(systemError), m_path, systemError);
 }
 } // namespace core

@@ -54,10 +54,12 @@ struct FilePlace
 /// What readers and writers of files throw.
 struct FileError : std::runtime_error
 {
-    FileError(FileErrorKind errorKind, std::filesystem::path filePath)
+    /// `systemProblem`: errno, or 0.
+    FileError(FileErrorKind errorKind, std::filesystem::path filePath, int systemProblem = 0)
         : std::runtime_error("file error")
         , kind(errorKind)
         , path(std::move(filePath))
+        , systemError(systemProblem)
     {}
 
     FileErrorKind kind;
@@ -66,6 +68,6 @@ struct FileError : std::runtime_error
     std::string token; ///< at most 40 bytes, printable ASCII
     std::uint64_t expected = 0;
     std::uint64_t found = 0;
-    int systemError = 0; ///< errno, or 0
+    int systemError;
 };
 } // namespace core

@@ -16,23 +16,10 @@ struct Magic
 };
 
 constexpr std::array magics{
-    Magic{"ply\n", "ply"},
-    Magic{"ply\r", "ply"},
-    Magic{"glTF", "glb"},
-    Magic{"PK\3\4", "zip"},
-    Magic{"\x89PNG", "png"},
-    Magic{"\xff\xd8\xff", "jpg"},
-    Magic{"GIF8", "gif"},
-    Magic{"%PDF", "pdf"},
-    Magic{"\x1f\x8b", "gz"},
-    Magic{"\x7f"
-          "ELF",
-          "program"},
-    Magic{"Kaydara FBX", "fbx"},
-    Magic{"<?xml", "xml"},
-    Magic{"BLENDER", "blend"},
-    Magic{"<!DOCTYPE", "html"},
-    Magic{"<html", "html"},
+    Magic{"ply\n", "ply"},     Magic{"ply\r", "ply"},        Magic{"glTF", "glb"},        Magic{"PK\3\4", "zip"},
+    Magic{"\x89PNG", "png"},   Magic{"\xff\xd8\xff", "jpg"}, Magic{"GIF8", "gif"},        Magic{"%PDF", "pdf"},
+    Magic{"\x1f\x8b", "gz"},   Magic{"\177ELF", "program"},  Magic{"Kaydara FBX", "fbx"}, Magic{"<?xml", "xml"},
+    Magic{"BLENDER", "blend"}, Magic{"<!DOCTYPE", "html"},   Magic{"<html", "html"},
 };
 
 bool isText(std::string_view start)

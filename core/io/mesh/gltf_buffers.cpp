@@ -103,10 +103,8 @@ std::string readBeside(const FileBytes& file, const std::filesystem::path& path,
         throw FileError(FileErrorKind::NotAFile, path);
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
-    FileError unreadable(FileErrorKind::NotReadable, path);
-    unreadable.systemError = errno;
     if (!stream)
-        throw unreadable;
+        throw FileError(FileErrorKind::NotReadable, path, errno);
     constexpr std::uint64_t atOnce = 1 << 22;
     std::string bytes;
     while (bytes.size() < size && stream) {
@@ -117,12 +115,8 @@ std::string readBeside(const FileBytes& file, const std::filesystem::path& path,
         stream.read(bytes.data() + before, static_cast<std::streamsize>(bytes.size() - before));
         bytes.resize(before + static_cast<std::size_t>(stream.gcount()));
     }
-    if (bytes.size() < size) {
-        FileError error(FileErrorKind::CutOff, path);
-        error.expected = size;
-        error.found = bytes.size();
-        throw error;
-    }
+    if (bytes.size() < size)
+        throw withCounts({FileErrorKind::CutOff, path}, size, bytes.size());
     return bytes;
 }
 } // namespace
@@ -135,12 +129,8 @@ std::string gltfBuffer(const FileBytes& file, std::string_view uri, std::uint64_
     if (at == std::string_view::npos)
         throw errorWithToken(FileErrorKind::Malformed, file, uri);
     std::string data = fromBase64(file, uri.substr(at + packed.size()));
-    if (data.size() < bytes) {
-        FileError error(FileErrorKind::CutOff, file.path);
-        error.expected = bytes;
-        error.found = data.size();
-        throw error;
-    }
+    if (data.size() < bytes)
+        throw withCounts({FileErrorKind::CutOff, file.path}, bytes, data.size());
     return data;
 }
 } // namespace core::io

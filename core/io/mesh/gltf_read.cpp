@@ -190,12 +190,9 @@ private:
         }
         LargeBuffer<std::uint32_t> corners = m_gltf.wholesOf(*indices, m_file.stop);
         for (const std::uint32_t corner : corners.part(0, corners.size()))
-            if (corner >= vertices) {
-                FileError error(FileErrorKind::IndexOutOfRange, m_file.path);
-                error.token = std::to_string(corner);
-                error.expected = vertices;
-                throw error;
-            }
+            if (corner >= vertices)
+                throw withCounts(errorWithToken(FileErrorKind::IndexOutOfRange, m_file, std::to_string(corner)),
+                                 vertices);
         return corners;
     }
 

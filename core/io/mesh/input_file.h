@@ -21,8 +21,6 @@ public:
     std::size_t read(std::uint64_t offset, std::span<char> into) const;
 
 private:
-    [[noreturn]] void fail(int systemError) const;
-
     const std::filesystem::path& m_path;
     int m_descriptor;
 };

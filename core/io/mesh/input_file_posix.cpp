@@ -11,7 +11,7 @@ InputFile::InputFile(const std::filesystem::path& path)
     , m_descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
 {
     if (m_descriptor < 0)
-        fail(errno);
+        throw FileError(FileErrorKind::NotReadable, m_path, errno);
 }
 
 InputFile::~InputFile()
@@ -28,7 +28,7 @@ std::size_t InputFile::read(std::uint64_t offset, std::span<char> into) const
         if (part < 0 && errno == EINTR)
             continue;
         if (part < 0)
-            fail(errno);
+            throw FileError(FileErrorKind::NotReadable, m_path, errno);
         if (part == 0)
             break;
         got += static_cast<std::size_t>(part);
@@ -36,10 +36,4 @@ std::size_t InputFile::read(std::uint64_t offset, std::span<char> into) const
     return got;
 }
 
-void InputFile::fail(int systemError) const
-{
-    FileError error(FileErrorKind::NotReadable, m_path);
-    error.systemError = systemError;
-    throw error;
-}
 } // namespace core::io

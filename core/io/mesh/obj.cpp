@@ -107,9 +107,7 @@ private:
 
     [[noreturn]] void refuseIndex(std::string_view word) const
     {
-        FileError error = errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word);
-        error.expected = m_mesh.points.size();
-        throw error;
+        throw withCounts(errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word), m_mesh.points.size());
     }
 
     void checkLargestIndex() const

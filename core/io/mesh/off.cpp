@@ -169,11 +169,8 @@ private:
     {
         const std::string_view word = m_text.word();
         const std::int64_t index = m_text.toInteger(word);
-        if (index < 0 || index >= static_cast<std::int64_t>(vertices)) {
-            FileError error = errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word);
-            error.expected = vertices;
-            throw error;
-        }
+        if (index < 0 || index >= static_cast<std::int64_t>(vertices))
+            throw withCounts(errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word), vertices);
         return static_cast<Slot>(index);
     }
 

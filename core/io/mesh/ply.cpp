@@ -41,13 +41,12 @@ Role roleOf(const PlyProperty& property, bool ofVertex)
         Name{"diffuse_green", Role::Green},
         Name{"diffuse_blue", Role::Blue},
     };
-    const bool isList = property.countType.has_value();
     if (!ofVertex)
-        return isList && (property.name == "vertex_indices" || property.name == "vertex_index") ? Role::Corners
-                                                                                                : Role::None;
-    const auto found =
-        std::find_if(vertexNames.begin(), vertexNames.end(), [&](const Name& n) { return n.name == property.name; });
-    return isList || found == vertexNames.end() ? Role::None : found->role;
+        return property.isList() && (property.name == "vertex_indices" || property.name == "vertex_index")
+                   ? Role::Corners
+                   : Role::None;
+    const auto found = std::ranges::find(vertexNames, property.name, &Name::name);
+    return property.isList() || found == vertexNames.end() ? Role::None : found->role;
 }
 
 std::vector<Role> rolesOf(const PlyElement& element, bool ofVertex)
@@ -60,8 +59,7 @@ std::vector<Role> rolesOf(const PlyElement& element, bool ofVertex)
 
 bool has(const std::vector<Role>& roles, std::initializer_list<Role> wanted)
 {
-    return std::all_of(wanted.begin(), wanted.end(),
-                       [&](Role role) { return std::find(roles.begin(), roles.end(), role) != roles.end(); });
+    return std::ranges::all_of(wanted, [&](Role role) { return std::ranges::find(roles, role) != roles.end(); });
 }
 
 /// Takes faces of three corners where they belong; what a face has beyond that is not taken.
@@ -120,10 +118,9 @@ private:
     {
         const std::uint64_t min = element.minSize(m_header.encoding), left = m_source.bytesLeft() + 1;
         if (min != 0 && element.count > left / min) { // one byte more: the last line may have no end
-            FileError error = errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
-            error.expected = element.count > ~std::uint64_t(0) / min ? ~std::uint64_t(0) : element.count * min;
-            error.found = left - 1;
-            throw error;
+            const bool isCountable = element.count <= ~std::uint64_t(0) / min;
+            throw withCounts(errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size()),
+                             isCountable ? element.count * min : ~std::uint64_t(0), left - 1);
         }
     }
 
@@ -151,8 +148,7 @@ private:
             }
         };
         if constexpr (Source::hasRows) {
-            if (std::ranges::none_of(element.properties,
-                                     [](const PlyProperty& property) { return property.countType.has_value(); })) {
+            if (std::ranges::none_of(element.properties, &PlyProperty::isList)) {
                 const std::uint64_t size = element.minSize(m_header.encoding);
                 forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
                     Source rows = m_source;
@@ -216,9 +212,8 @@ private:
     /// is wrong.
     bool readFacesInRows(const PlyElement& element, const std::vector<Role>& roles)
     {
-        const auto lists = std::ranges::count_if(
-            element.properties, [](const PlyProperty& property) { return property.countType.has_value(); });
-        if (lists != 1 || element.count == 0 || m_mesh.points.empty())
+        if (std::ranges::count_if(element.properties, &PlyProperty::isList) != 1 || element.count == 0 ||
+            m_mesh.points.empty())
             return false;
         try {
             Polygons first;

@@ -65,7 +65,7 @@ private:
     {
         constexpr std::array<std::string_view, 3> names{"ascii", "binary_little_endian", "binary_big_endian"};
         const std::string_view word = m_text.word();
-        const auto found = std::find(names.begin(), names.end(), word);
+        const auto found = std::ranges::find(names, word);
         if (found == names.end())
             m_text.fail(FileErrorKind::Malformed, word);
         m_header.encoding = static_cast<PlyEncoding>(found - names.begin());
@@ -105,8 +105,7 @@ private:
 
     PlyType toType(std::string_view word) const
     {
-        const auto found =
-            std::find_if(typeNames.begin(), typeNames.end(), [word](const TypeName& t) { return t.name == word; });
+        const auto found = std::ranges::find(typeNames, word, &TypeName::name);
         if (found == typeNames.end())
             m_text.fail(FileErrorKind::Malformed, word);
         return found->type;
@@ -128,8 +127,7 @@ std::uint64_t PlyElement::minSize(PlyEncoding encoding) const
 
 const PlyElement* PlyHeader::find(std::string_view name) const
 {
-    const auto found =
-        std::find_if(elements.begin(), elements.end(), [name](const PlyElement& e) { return e.name == name; });
+    const auto found = std::ranges::find(elements, name, &PlyElement::name);
     return found == elements.end() ? nullptr : &*found;
 }
 

@@ -26,6 +26,8 @@ struct PlyProperty
     std::string_view name; ///< part of the file
     PlyType type = PlyType::Float;
     std::optional<PlyType> countType; ///< of a list
+
+    bool isList() const { return countType.has_value(); }
 };
 
 struct PlyElement

@@ -5,9 +5,9 @@
 
 #include "core/io/mesh/mean_color.h"
 #include "core/io/mesh/number_parsing.h"
+#include "core/io/mesh/palette.h"
 
 #include <array>
-#include <charconv>
 
 namespace core::io
 {
@@ -28,16 +28,10 @@ double millimetresOf(std::string_view unit, const XmlAttributes& attributes)
 }
 
 /// #rrggbb, or #rrggbbaa.
-std::optional<Rgb> colorOf(std::string_view text)
+std::optional<Rgb> displayColor(std::string_view text)
 {
-    std::uint32_t value = 0;
-    if ((text.size() != 7 && text.size() != 9) || text.front() != '#')
-        return std::nullopt;
-    const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
-    if (error != std::errc() || end != text.data() + 7)
-        return std::nullopt;
-    return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
-               static_cast<std::uint8_t>(value)};
+    const bool isColor = (text.size() == 7 || text.size() == 9) && text.front() == '#';
+    return isColor ? colorOf(text.substr(1, 6)) : std::nullopt;
 }
 
 /// Twelve numbers: the rows of a matrix that points are rows to the left of.
@@ -129,7 +123,7 @@ void ThreeMfPartReader::begin(std::string_view name, const XmlAttributes& attrib
     else if (name == "texture2dgroup")
         m_part.hasTextures = true;
     else if (name == "color" && m_colors->openGroup)
-        m_colors->openGroup->push_back(colorOf(attributes.text("color")));
+        m_colors->openGroup->push_back(displayColor(attributes.text("color")));
 }
 
 void ThreeMfPartReader::beginCore(std::string_view name, const XmlAttributes& attributes)
@@ -147,7 +141,7 @@ void ThreeMfPartReader::beginCore(std::string_view name, const XmlAttributes& at
     else if (name == "basematerials")
         m_colors->openGroup = &m_colors->groups[attributes.whole("id")];
     else if (name == "base" && m_colors->openGroup)
-        m_colors->openGroup->push_back(colorOf(attributes.text("displaycolor")));
+        m_colors->openGroup->push_back(displayColor(attributes.text("displaycolor")));
     else if (name == "model")
         m_part.millimetres = millimetresOf(attributes.text("unit"), attributes);
 }
@@ -171,11 +165,8 @@ void ThreeMfPartReader::addTriangle(const XmlAttributes& attributes)
     const Triangle triangle{attributes.whole("v1"), attributes.whole("v2"), attributes.whole("v3")};
     const std::size_t vertices = m_object->mesh.points.size();
     for (const Slot corner : triangle)
-        if (corner >= vertices) {
-            FileError error = errorWithToken(FileErrorKind::IndexOutOfRange, m_file, std::to_string(corner));
-            error.expected = vertices;
-            throw error;
-        }
+        if (corner >= vertices)
+            throw withCounts(errorWithToken(FileErrorKind::IndexOutOfRange, m_file, std::to_string(corner)), vertices);
     m_object->mesh.triangles.push_back(triangle);
     m_colors->add(triangle, vertices, attributes);
 }

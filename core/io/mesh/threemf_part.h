@@ -53,7 +53,6 @@ private:
     struct Colors;
     void begin(std::string_view name, const XmlAttributes& attributes);
     void beginCore(std::string_view name, const XmlAttributes& attributes);
-    void beginModel(const XmlAttributes& attributes);
     void beginObject(const XmlAttributes& attributes);
     void addTriangle(const XmlAttributes& attributes);
     void end(std::string_view name);

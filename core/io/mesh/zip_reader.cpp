@@ -23,9 +23,7 @@ FileError cutOff(const FileBytes& file)
 
 FileError unpacksTooLarge(const FileBytes& file)
 {
-    FileError error(FileErrorKind::UnpacksTooLarge, file.path);
-    error.expected = limitFor(file.bytes.size());
-    return error;
+    return withCounts({FileErrorKind::UnpacksTooLarge, file.path}, limitFor(file.bytes.size()));
 }
 
 zip* opened(const FileBytes& file)
@@ -71,24 +69,21 @@ bool ZipReader::has(const std::string& part) const
 
 void ZipReader::read(const std::string& part, const Take& take)
 {
-    const auto refuse = [&] {
-        FileError error(FileErrorKind::Malformed, m_file.path);
-        error.token = part;
-        throw error;
-    };
+    FileError malformed(FileErrorKind::Malformed, m_file.path);
+    malformed.token = part;
     const zip_int64_t index = zip_name_locate(m_zip.get(), part.c_str(), ZIP_FL_NOCASE);
     zip_stat_t stat;
     constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
     if (index < 0 || zip_stat_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0, &stat) != 0 ||
         (stat.valid & needed) != needed || (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) ||
         stat.encryption_method != ZIP_EM_NONE)
-        refuse();
+        throw malformed;
     if (stat.size > m_left)
         throw unpacksTooLarge(m_file);
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> packed(
         zip_fopen_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
     if (!packed)
-        refuse();
+        throw malformed;
     std::array<char, 1 << 16> piece;
     for (;;) {
         if (m_file.stop.stop_requested())
