@@ -1,38 +1,9 @@
 #include "vr/gl/gl_program.h"
 
-#include <QDebug>
-#include <QFile>
 #include <QOpenGLExtraFunctions>
 
 namespace vr
 {
-namespace
-{
-QByteArray sourceOf(const char* fileName)
-{
-    QFile file(QStringLiteral(":/shaders/") + QLatin1StringView(fileName));
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void attachCompiled(QOpenGLExtraFunctions* gl, unsigned int program, unsigned int stage, const char* fileName)
-{
-    const QByteArray source = sourceOf(fileName);
-    const char* text = source.constData();
-    const unsigned int shader = gl->glCreateShader(stage);
-    gl->glShaderSource(shader, 1, &text, nullptr);
-    gl->glCompileShader(shader);
-    GLint compiled = GL_FALSE;
-    gl->glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) {
-        QByteArray log(4096, '\0');
-        gl->glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        qWarning() << fileName << log.constData();
-    }
-    gl->glAttachShader(program, shader);
-    gl->glDeleteShader(shader); // as soon as the program goes
-}
-} // namespace
-
 Uniform::Uniform(Program* program, const char* name) : m_program(program), m_name(name)
 {
     program->m_uniforms.push_back(this);
@@ -75,29 +46,25 @@ void Uniform::set(const Eigen::Matrix4f& value) const
 
 bool Program::create(QOpenGLExtraFunctions* gl, const char* vertexFile, const char* fragmentFile)
 {
+    const QString folder = QStringLiteral(":/shaders/");
     m_gl = gl;
-    m_id = gl->glCreateProgram();
-    attachCompiled(gl, m_id, GL_VERTEX_SHADER, vertexFile);
-    attachCompiled(gl, m_id, GL_FRAGMENT_SHADER, fragmentFile);
-    gl->glBindAttribLocation(m_id, 0, "vertexPosition");
-    gl->glLinkProgram(m_id);
-    GLint linked = GL_FALSE;
-    gl->glGetProgramiv(m_id, GL_LINK_STATUS, &linked);
+    m_program = std::make_unique<QOpenGLShaderProgram>();
+    m_program->addShaderFromSourceFile(QOpenGLShader::Vertex, folder + QLatin1StringView(vertexFile));
+    m_program->addShaderFromSourceFile(QOpenGLShader::Fragment, folder + QLatin1StringView(fragmentFile));
+    m_program->bindAttributeLocation("vertexPosition", 0);
+    const bool isLinked = m_program->link();
     for (Uniform* uniform : m_uniforms)
-        uniform->m_location = gl->glGetUniformLocation(m_id, uniform->m_name);
-    return linked != GL_FALSE;
+        uniform->m_location = m_program->uniformLocation(uniform->m_name);
+    return isLinked;
 }
 
 void Program::destroy()
 {
-    if (m_gl)
-        m_gl->glDeleteProgram(m_id);
-    m_gl = nullptr;
-    m_id = 0;
+    m_program.reset();
 }
 
 void Program::use() const
 {
-    m_gl->glUseProgram(m_id);
+    m_program->bind();
 }
 } // namespace vr

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <QOpenGLShaderProgram>
+
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 class QOpenGLExtraFunctions;
@@ -35,8 +38,10 @@ private:
     int m_location = -1;
 };
 
-/// A vertex and a fragment shader of :/shaders. Derive and give the class its uniforms as members: `Uniform color{this,
-/// "color"};` The context that was current at create() must be current at every call.
+/// A QOpenGLShaderProgram of a vertex and a fragment shader of :/shaders, with uniforms of Eigen's types. Derive and
+/// give the class its uniforms as members: `Uniform color{this, "color"};`
+///
+/// Precondition: the context that was current at create(), by Qt too, is current at every call.
 class Program
 {
 public:
@@ -54,7 +59,7 @@ private:
     friend class Uniform;
 
     QOpenGLExtraFunctions* m_gl = nullptr;
-    unsigned int m_id = 0;
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
     std::vector<Uniform*> m_uniforms;
 };
 } // namespace vr
