@@ -7,13 +7,14 @@ namespace
 {
 constexpr Binding grip{Control::Grip, "/input/grip/pose"};
 constexpr Binding aim{Control::Aim, "/input/aim/pose"};
+constexpr Binding trigger{Control::Trigger, "/input/trigger/value"};
 constexpr Binding pulse{Control::Pulse, "/output/haptic"};
 
 /// HTC's and Microsoft's.
 constexpr Binding trackpadWand[]{
     grip,
     aim,
-    {Control::Trigger, "/input/trigger/value"},
+    trigger,
     {Control::Pad, "/input/trackpad"},
     {Control::PadTouch, "/input/trackpad/touch"},
     {Control::PadPress, "/input/trackpad/click"},
@@ -22,31 +23,25 @@ constexpr Binding trackpadWand[]{
     pulse,
 };
 
+constexpr std::array<Binding, controlCount> stickWand(const Binding& side, const Binding& menu)
+{
+    return {{grip,
+             aim,
+             trigger,
+             {Control::Pad, "/input/thumbstick"},
+             {Control::PadTouch, "/input/thumbstick/touch"},
+             {Control::PadPress, "/input/thumbstick/click"},
+             side,
+             menu,
+             pulse}};
+}
+
 /// Squeeze is by force: the grip senses each finger that touches it. The system keeps the menu button, so B is ours.
-constexpr Binding index[]{
-    grip,
-    aim,
-    {Control::Trigger, "/input/trigger/value"},
-    {Control::Pad, "/input/thumbstick"},
-    {Control::PadTouch, "/input/thumbstick/touch"},
-    {Control::PadPress, "/input/thumbstick/click"},
-    {Control::Side, "/input/squeeze/force"},
-    {Control::Menu, "/input/b/click"},
-    pulse,
-};
+constexpr auto index = stickWand({Control::Side, "/input/squeeze/force"}, {Control::Menu, "/input/b/click"});
 
 /// Its menu button is on the left only; Y and B are at the same place in both hands.
-constexpr Binding touch[]{
-    grip,
-    aim,
-    {Control::Trigger, "/input/trigger/value"},
-    {Control::Pad, "/input/thumbstick"},
-    {Control::PadTouch, "/input/thumbstick/touch"},
-    {Control::PadPress, "/input/thumbstick/click"},
-    {Control::Side, "/input/squeeze/value"},
-    {Control::Menu, "/input/y/click", "/input/b/click"},
-    pulse,
-};
+constexpr auto touch =
+    stickWand({Control::Side, "/input/squeeze/value"}, {Control::Menu, "/input/y/click", "/input/b/click"});
 
 constexpr Binding simple[]{
     grip, aim, {Control::Trigger, "/input/select/click"}, {Control::Menu, "/input/menu/click"}, pulse,
