@@ -37,7 +37,7 @@ Q_DECLARE_METATYPE(core::TriangleMesh)
 
 namespace
 {
-constexpr Slot leastFaces = 12, maxFaces = 10'000; ///< a run whose mesh is smaller or larger ends
+constexpr Slot minFaces = 12, maxFaces = 10'000; ///< a run whose mesh is smaller or larger ends
 
 core::TriangleMesh symmetrized(const core::TriangleMesh& shape, Symmetry plane)
 {
@@ -84,7 +84,7 @@ public:
         checkSymmetry();
         const std::uint64_t start = m_sculptor.mesh().stateHash(), end = tally.dabs + dabs;
         const auto faces = [&] { return m_sculptor.mesh().live().faces; };
-        while (tally.dabs < end && faces() >= leastFaces && faces() < maxFaces && m_problem.empty()) {
+        while (tally.dabs < end && faces() >= minFaces && faces() < maxFaces && m_problem.empty()) {
             sculpt(tally);
             if (m_fuzzer.below(8) == 0) {
                 m_sculptor.swap(m_history.back());

@@ -153,12 +153,12 @@ public:
     {
         if (grown)
             m_grown.push_back(*grown);
-        if (m_grown.size() > mostGrown)
+        if (m_grown.size() > maxGrown)
             m_grown.pop_front();
     }
 
 private:
-    static constexpr std::size_t mostGrown = 16;
+    static constexpr std::size_t maxGrown = 16;
 
     std::vector<FuzzStart> m_shapes;
     std::optional<FuzzStart> m_given;

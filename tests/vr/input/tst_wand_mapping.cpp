@@ -252,7 +252,7 @@ public:
     {
         m_frame.time += 0.2 * share() * share();
         for (std::size_t i = 0; i < vr::sideCount; ++i) {
-            reverseOrientation(m_frame.pointsAtPanel[i], 0.02);
+            toggleSometimes(m_frame.pointsAtPanel[i], 0.02);
             change(m_frame.wands[i]);
         }
         return m_frame;
@@ -260,17 +260,17 @@ public:
 
 private:
     double share() { return std::uniform_real_distribution<double>(0, 1)(m_random); }
-    void reverseOrientation(bool& what, double often) { what = share() < often ? !what : what; }
+    void toggleSometimes(bool& what, double often) { what = share() < often ? !what : what; }
 
     void change(WandState& wand)
     {
-        reverseOrientation(wand.isActive, wand.isActive ? 0.003 : 0.3);
-        reverseOrientation(wand.isTracked, wand.isTracked ? 0.01 : 0.3);
-        reverseOrientation(wand.side, 0.03);
-        reverseOrientation(wand.menu, 0.03);
-        reverseOrientation(wand.padTouched, 0.05);
-        reverseOrientation(wand.padPressed, 0.05);
-        reverseOrientation(wand.isStick, 0.001);
+        toggleSometimes(wand.isActive, wand.isActive ? 0.003 : 0.3);
+        toggleSometimes(wand.isTracked, wand.isTracked ? 0.01 : 0.3);
+        toggleSometimes(wand.side, 0.03);
+        toggleSometimes(wand.menu, 0.03);
+        toggleSometimes(wand.padTouched, 0.05);
+        toggleSometimes(wand.padPressed, 0.05);
+        toggleSometimes(wand.isStick, 0.001);
         if (share() < 0.05)
             wand.trigger = share();
         if (share() < 0.3)
