@@ -33,9 +33,8 @@ struct LessonOptions
     std::optional<std::size_t> step; ///< from 0
 };
 
-std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
+void addLessonOptions(QCommandLineParser& parser)
 {
-    QCommandLineParser parser;
     parser.setApplicationDescription(
         LessonCommandMessages::tr("Plays a lesson to its end and says whether each step meets its checkpoint. "
                                   "Status 0: all do; 1: not all. Without a lesson: lists those of the program."));
@@ -59,6 +58,12 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
           QStringLiteral("FOLDER")},
          {QStringLiteral("out"), LessonCommandMessages::tr("Where the model goes that the last step leaves."),
           QStringLiteral("FILE")}});
+}
+
+std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    addLessonOptions(parser);
     if (!CommandLine::parse(parser, QStringLiteral("lesson"), arguments))
         return std::nullopt;
     const QStringList lessons = parser.positionalArguments();
