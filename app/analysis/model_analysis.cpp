@@ -8,14 +8,11 @@ void ModelAnalysis::analyse(const std::shared_ptr<ModelCopy>& copy, const std::s
         [copy, stop] {
             return core::checkMesh(copy->mesh, {stop, {}});
         },
-        [this, stop](const core::MeshReport& report) { onChecked(report, stop); });
-}
-
-void ModelAnalysis::onChecked(const core::MeshReport& report, const std::stop_token& stop)
-{
-    if (stop.stop_requested())
-        return;
-    setFinished();
-    Q_EMIT finished(report);
+        [this, stop](const core::MeshReport& report) {
+            if (stop.stop_requested())
+                return;
+            setFinished();
+            Q_EMIT finished(report);
+        });
 }
 } // namespace app

@@ -21,7 +21,6 @@ Q_SIGNALS:
 
 private:
     void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
-    void onChecked(const core::MeshReport& report, const std::stop_token& stop);
 
     ui::BackgroundThread m_background; ///< last
 };

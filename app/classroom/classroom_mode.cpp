@@ -16,7 +16,6 @@
 #include <QStandardPaths>
 #include <QUuid>
 
-#include <algorithm>
 #include <utility>
 
 namespace app
@@ -70,35 +69,59 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     , m_pinPrompt(new ui::PinPrompt([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
                                     program.window))
     , m_clock({m_classroom.turnMinutes, m_classroom.warningMinutes}, std::move(nowMs))
-    , m_openings(program.document)
     , m_work(program.document, m_bar, {m_classroom.folder, m_paths.outbox})
 {
     program.window->setClassroom(m_classroom);
     program.window->installEventFilter(this);
-    connectAll();
-}
-
-ClassroomMode::~ClassroomMode() = default;
-
-void ClassroomMode::connectAll()
-{
-    Document* document = m_program.document;
+    Document* document = program.document;
+    connect(document, &Document::opened, this, [this] { m_isOpened = true; });
+    const auto onOpened = [this] {
+        m_isOpened = false;
+        if (const auto then = std::exchange(m_then, nullptr))
+            then();
+    };
+    connect(document, &Document::opened, this, onOpened, Qt::QueuedConnection);
+    const auto checkIdle = [this] { // not opened, which the window has said, or cancelled: a class goes on all the same
+        if (!m_isOpened && !m_program.document->job().isBusy() && std::exchange(m_then, nullptr))
+            askForPupil();
+    };
+    connect(&document->job(), &BackgroundJob::idle, this, checkIdle, Qt::QueuedConnection);
     connect(m_bar, &ui::ClassBar::nextRequested, this, &ClassroomMode::next);
     connect(m_bar, &ui::ClassBar::resumeRequested, this, &ClassroomMode::resume);
     connect(m_bar, &ui::ClassBar::leaveRequested, this, &ClassroomMode::leave);
     connect(m_panel, &ui::PupilNamePanel::begun, this, &ClassroomMode::prepareTurn);
     connect(m_program.recoveryStore, &RecoveryStore::offered, this, &ClassroomMode::onRecoveryOffered);
-    connect(document, &Document::stepped, this, &ClassroomMode::onStep);
+    connect(document, &Document::stepped, this, [this] {
+        if (m_stage == Stage::Sculpting)
+            m_work.forgetEnded();
+        show();
+    });
     connect(&document->job(), &BackgroundJob::busy, m_bar, [this] { m_bar->setBusy(true); });
     connect(&document->job(), &BackgroundJob::idle, m_bar, [this] { m_bar->setBusy(false); });
-    connect(&m_openings, &OpeningQueue::failed, this, &ClassroomMode::askForPupil); // a class goes on all the same
     connect(&m_work, &ClassWork::noticed, this, &ClassroomMode::noticed);
     connect(&m_tick, &QTimer::timeout, this, &ClassroomMode::tick);
     document->opener().setDiscardPrompt([this](const std::function<void()>& proceed) {
         saveThen(m_stage == Stage::Sculpting ? m_clock.turn() : ClassTurn{newId(), {}, {}, 0}, proceed);
         return false;
     });
-    m_program.window->setGuard([this] { return canClose(); });
+    program.window->setGuard([this] {
+        if (!m_canLeave)
+            leave();
+        return m_canLeave;
+    });
+}
+
+ClassroomMode::~ClassroomMode() = default;
+
+/// Calls `open`, which has the document open a model, and `then` when that model is there. One after the other.
+void ClassroomMode::openThen(const std::function<void()>& open, const std::function<void()>& then)
+{
+    if (m_then) {
+        m_then = [this, open, then] { openThen(open, then); };
+        return;
+    }
+    m_then = then;
+    open();
 }
 
 void ClassroomMode::begin()
@@ -124,8 +147,8 @@ void ClassroomMode::recoverNext()
     if (m_offer.id == 0)
         return askForPupil();
     const RecoveryOffer offer = m_offer;
-    m_openings.openThen([this, offer] { m_program.document->opener().recover(offer.id, offer.name); },
-                        [this, offer] { saveRecovered(offer); });
+    openThen([this, offer] { m_program.document->opener().recover(offer.id, offer.name); },
+             [this, offer] { saveRecovered(offer); });
 }
 
 /// Of one that was resumed what came before is not known any more.
@@ -149,8 +172,8 @@ void ClassroomMode::askForPupil()
     m_clock.clear();
     m_recordBefore.emplace();
     m_panel->open();
-    m_openings.openThen([this] { m_program.document->opener().openStarter(m_classroom.starters.constFirst()); },
-                        [this] { m_program.window->beginTurn(); });
+    openThen([this] { m_program.document->opener().openStarter(m_classroom.starters.constFirst()); },
+             [this] { m_program.window->beginTurn(); });
     show();
 }
 
@@ -158,12 +181,12 @@ void ClassroomMode::prepareTurn(const QString& pupil, core::Starter starter)
 {
     if (m_stage != Stage::Asking)
         return;
-    m_openings.openThen([this, starter] { m_program.document->opener().openStarter(starter); },
-                        [this, pupil] {
-                            m_program.window->beginTurn();
-                            m_program.document->setName(pupil);
-                            startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, TurnRecord(std::in_place));
-                        });
+    openThen([this, starter] { m_program.document->opener().openStarter(starter); },
+             [this, pupil] {
+                 m_program.window->beginTurn();
+                 m_program.document->setName(pupil);
+                 startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, TurnRecord(std::in_place));
+             });
 }
 
 void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
@@ -198,7 +221,7 @@ void ClassroomMode::resume()
         model.name = ended.turn.pupil;
         return model;
     };
-    m_openings.openThen(
+    openThen(
         [this, ended, make] {
             m_program.document->opener().openMade(
                 {tr("Opening the work of %1").arg(nameOf(ended.turn)), make, {}, false});
@@ -207,13 +230,6 @@ void ClassroomMode::resume()
             m_work.forgetEnded();
             startTurn(ended.turn, ended.record);
         });
-}
-
-void ClassroomMode::onStep()
-{
-    if (m_stage == Stage::Sculpting)
-        m_work.forgetEnded();
-    show();
 }
 
 // --- keeping the work
@@ -251,13 +267,6 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
 }
 
 // --- the way out
-
-bool ClassroomMode::canClose()
-{
-    if (!m_canLeave)
-        leave();
-    return m_canLeave;
-}
 
 void ClassroomMode::leave()
 {

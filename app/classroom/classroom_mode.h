@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/classroom/class_work.h"
-#include "app/classroom/opening_queue.h"
 #include "app/classroom/turn_clock.h"
 #include "app/recovery/recovery_store.h"
 
@@ -74,7 +73,7 @@ protected:
 private:
     enum class Stage { Recovering, Asking, Sculpting, Saving };
 
-    void connectAll();
+    void openThen(const std::function<void()>& open, const std::function<void()>& then);
     void onRecoveryOffered(const RecoveryOffer& offer);
     void recoverNext();
     void saveRecovered(const RecoveryOffer& offer);
@@ -83,11 +82,9 @@ private:
     void startTurn(const ClassTurn& turn, const TurnRecord& before);
     void next();
     void resume();
-    bool canClose();
     void leave();
     void saveThen(const ClassTurn& turn, std::function<void()> then);
     void onSaved(const EndedTurn& ended, const QString& problem, const std::function<void()>& then);
-    void onStep();
     void show();
 
     Program m_program;
@@ -101,9 +98,10 @@ private:
     RecoveryOffer m_offer;
     bool m_hasStartedRecovery = false; ///< for works that an earlier run left
     bool m_canLeave = false;
-    TurnRecord m_recordBefore; ///< of what was done before the document's history begins
-    TurnClock m_clock;         ///< of Sculpting; else nobody's turn
-    OpeningQueue m_openings;
+    TurnRecord m_recordBefore;    ///< of what was done before the document's history begins
+    TurnClock m_clock;            ///< of Sculpting; else nobody's turn
+    std::function<void()> m_then; ///< for the model that is being opened
+    bool m_isOpened = false;      ///< that model is there, and m_then comes next
     ClassWork m_work;
     QTimer m_tick;
 };

@@ -4,9 +4,6 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include <functional>
-#include <optional>
-
 namespace app
 {
 /// What a subcommand answers to its caller (DESIGN, section 4).

@@ -6,8 +6,6 @@
 
 #include "ui/brush/brush_files.h"
 
-#include <QFile>
-
 #include <map>
 
 namespace app

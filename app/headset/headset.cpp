@@ -1,6 +1,6 @@
 #include "app/headset/headset.h"
 
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 
 #include <utility>
 
@@ -22,7 +22,7 @@ void Headset::enter()
     if (isStuck())
         Q_EMIT reported(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding));
     else if (!isActive())
-        m_thread.enter(m_makeClient(m_controller.open(), HeadsetSettings().load()));
+        m_thread.enter(m_makeClient(m_controller.open(), HeadsetSettingsStore().load()));
 }
 
 void Headset::leave()

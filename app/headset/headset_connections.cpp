@@ -2,8 +2,8 @@
 
 #include "app/document/document.h"
 #include "app/headset/avatar.h"
-#include "app/headset/handedness_actions.h"
 #include "app/headset/headset.h"
+#include "app/headset/headset_settings_store.h"
 #include "app/headset/runtime_probe.h"
 #include "app/worker/sculpt_worker.h"
 
@@ -13,6 +13,7 @@
 #include "vr/sculpt/sculpt_client.h"
 
 #include <QAction>
+#include <QMenu>
 
 namespace app
 {
@@ -70,6 +71,33 @@ void connectRefusals(ui::MainWindow& window, Document& document, SculptWorker& w
             window.showNotice(
                 Headset::tr("Somebody is sculpting in the headset: your turn comes when that stroke has ended."));
     });
+}
+
+/// For users who cannot reach the same setting in the headset. They apply from the next visit on.
+void connectHandednessActions(ui::MainWindow& window, Headset* headset)
+{
+    QAction* oneHand = window.action(QStringLiteral("vr.oneHand"));
+    QAction* leftHanded = window.action(QStringLiteral("vr.leftHanded"));
+    const auto show = [=] {
+        const vr::WandSettings hands = HeadsetSettingsStore().load().wands;
+        oneHand->setChecked(hands.preset == vr::ButtonPreset::OneHand);
+        leftHanded->setChecked(hands.sculpting == vr::Side::Left);
+        for (QAction* action : {oneHand, leftHanded})
+            action->setEnabled(!headset->isActive());
+    };
+    const auto store = [=] {
+        vr::HeadsetSettings settings = HeadsetSettingsStore().load();
+        if (oneHand->isChecked() != (settings.wands.preset == vr::ButtonPreset::OneHand))
+            settings.wands.preset = oneHand->isChecked() ? vr::ButtonPreset::OneHand : vr::WandSettings().preset;
+        settings.wands.sculpting = leftHanded->isChecked() ? vr::Side::Left : vr::Side::Right;
+        HeadsetSettingsStore().save(settings);
+    };
+    QObject::connect(oneHand, &QAction::triggered, headset, store);
+    QObject::connect(leftHanded, &QAction::triggered, headset, store);
+    for (QObject* place : oneHand->associatedObjects())
+        if (auto* menu = qobject_cast<QMenu*>(place))
+            QObject::connect(menu, &QMenu::aboutToShow, oneHand, show);
+    show();
 }
 } // namespace
 

@@ -15,12 +15,18 @@ void HeadsetPort::begin()
     m_queryConnection = connect(
         m_worker, &SculptWorker::answeredHeadset, m_worker,
         [self](const auto& hit, const auto& footprint) {
-            self->setQueryResult({hit, footprint});
+            std::optional<vr::SurfaceQueryResult> next = vr::SurfaceQueryResult{hit, footprint};
+            const std::lock_guard lock(self->m_mutex);
+            std::swap(self->m_queryResult, next);
         },
         Qt::DirectConnection);
     m_sampleConnection = connect(
         m_worker, &SculptWorker::sampledHeadset, m_worker,
-        [self](quint64 fusions, core::Shortfall shortfall) { self->addEffect(fusions, shortfall); },
+        [self](quint64 fusions, core::Shortfall shortfall) {
+            const std::lock_guard lock(self->m_mutex);
+            self->m_effect.fusions += static_cast<int>(fusions);
+            self->m_effect.refusals += shortfall != core::Shortfall::None;
+        },
         Qt::DirectConnection);
     m_worker->setInbox(Source::Headset, m_inbox);
 }
@@ -103,13 +109,6 @@ void HeadsetPort::querySurface(const vr::SurfaceQuery& query)
                   isOfRay && !query.wantsFootprint ? std::nullopt : std::optional(query.brush));
 }
 
-void HeadsetPort::setQueryResult(vr::SurfaceQueryResult result)
-{
-    std::optional<vr::SurfaceQueryResult> next = std::move(result);
-    const std::lock_guard lock(m_mutex);
-    std::swap(m_queryResult, next);
-}
-
 std::optional<vr::SurfaceQueryResult> HeadsetPort::takeQueryResult()
 {
     const std::lock_guard lock(m_mutex);
@@ -118,33 +117,28 @@ std::optional<vr::SurfaceQueryResult> HeadsetPort::takeQueryResult()
 
 void HeadsetPort::request(const vr::DocumentRequest& request)
 {
-    bool isNew = false;
-    {
-        const std::lock_guard lock(m_mutex);
-        if (m_hasEnded)
-            return;
+    send([&] {
         m_messages.requests.push_back(request);
         m_requested += holdsStrokes(request);
-        isNew = !std::exchange(m_isNotified, true);
-    }
-    notify(isNew);
+    });
 }
 
 void HeadsetPort::show(const vr::AvatarState& avatar)
 {
+    send([&] { m_messages.avatar = avatar; });
+}
+
+/// `write` puts it into the messages.
+void HeadsetPort::send(const std::function<void()>& write)
+{
     bool isNew = false;
     {
         const std::lock_guard lock(m_mutex);
         if (m_hasEnded)
             return;
-        m_messages.avatar = avatar;
+        write();
         isNew = !std::exchange(m_isNotified, true);
     }
-    notify(isNew);
-}
-
-void HeadsetPort::notify(bool isNew)
-{
     if (isNew)
         Q_EMIT messagesArrived();
 }
@@ -191,13 +185,6 @@ vr::StrokeEffect HeadsetPort::takeEffect()
 {
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_effect, {});
-}
-
-void HeadsetPort::addEffect(quint64 fusions, core::Shortfall shortfall)
-{
-    const std::lock_guard lock(m_mutex);
-    m_effect.fusions += static_cast<int>(fusions);
-    m_effect.refusals += shortfall != core::Shortfall::None;
 }
 
 void HeadsetPort::endOpenStroke()

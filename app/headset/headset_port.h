@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -79,9 +80,7 @@ private:
         bool hasEnded = false;
     };
 
-    void notify(bool isNew);
-    void setQueryResult(vr::SurfaceQueryResult result);
-    void addEffect(quint64 fusions, core::Shortfall shortfall);
+    void send(const std::function<void()>& write);
     void endOpenStroke();
     void postHeld();
     void post(const HeldStroke& stroke);

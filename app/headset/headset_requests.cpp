@@ -2,7 +2,7 @@
 
 #include "app/document/document.h"
 #include "app/headset/headset_files.h"
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 #include "app/headset/partner_view.h"
 
 #include "ui/settings/brush_settings.h"
@@ -99,7 +99,7 @@ void HeadsetRequests::handle(const vr::ChooseBrush& request)
 
 void HeadsetRequests::handle(const vr::HeadsetSettings& settings)
 {
-    HeadsetSettings().save(settings);
+    HeadsetSettingsStore().save(settings);
 }
 
 void HeadsetRequests::handle(vr::LessonRequest request)

@@ -81,17 +81,11 @@ void SimulatorController::onReport(const vr::HeadsetReport& report)
 void SimulatorController::tick()
 {
     m_window->view()->advance(static_cast<double>(m_clock.restart()) / 1000);
-    takePicture();
+    if (const QImage picture = m_simulator->picture(); !picture.isNull()) {
+        ++m_picturesSince;
+        m_window->view()->setPicture(picture);
+    }
     move();
-}
-
-void SimulatorController::takePicture()
-{
-    const QImage picture = m_simulator->picture();
-    if (picture.isNull())
-        return;
-    ++m_picturesSince;
-    m_window->view()->setPicture(picture);
 }
 
 void SimulatorController::queueButtons()

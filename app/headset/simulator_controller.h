@@ -38,7 +38,6 @@ private:
 
     void onReport(const vr::HeadsetReport& report);
     void tick();
-    void takePicture();
     void queueButtons();
     void move();
 

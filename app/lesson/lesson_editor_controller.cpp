@@ -75,32 +75,6 @@ LessonEditorController::LessonEditorController(ui::MainWindow& window, Document&
 {
     m_panel->setDescribe(describe);
     showLessons();
-    connectAll();
-    window.setGuard([this] { return canClose(); });
-}
-
-void LessonEditorController::enableAutosave(const std::filesystem::path& root)
-{
-    m_autosave = std::make_unique<LessonAutosave>(root, [this] { return hasChanges() ? &m_draft : nullptr; });
-    showLessons();
-    if (m_window && !m_autosave->abandoned().isEmpty())
-        m_window->showNotice(
-            tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
-}
-
-/// Those that were not saved first.
-void LessonEditorController::showLessons()
-{
-    QList<ui::LessonCard> cards;
-    for (const QString& file : m_autosave ? m_autosave->abandoned() : QStringList()) {
-        const auto read = tryToReadLesson(file);
-        cards.append({file, tr("Not saved: %1").arg(read.lesson ? inOurLanguage(read.lesson->title) : file), {}, {}});
-    }
-    m_panel->setLessons(cards + titleCards());
-}
-
-void LessonEditorController::connectAll()
-{
     using ui::LessonEditor;
     connect(m_panel, &LessonEditor::startChosen, this, &LessonEditorController::start);
     connect(m_panel, &LessonEditor::lessonChosen, this, &LessonEditorController::read);
@@ -126,6 +100,35 @@ void LessonEditorController::connectAll()
         if (m_window)
             m_window->showNotice(tr("This was taken back: a lesson cannot hold images and models from other files."));
     });
+    window.setGuard([this] {
+        if (!hasChanges())
+            return true;
+        confirmDiscard([this] {
+            leave();
+            m_window->close();
+        });
+        return false;
+    });
+}
+
+void LessonEditorController::enableAutosave(const std::filesystem::path& root)
+{
+    m_autosave = std::make_unique<LessonAutosave>(root, [this] { return hasChanges() ? &m_draft : nullptr; });
+    showLessons();
+    if (m_window && !m_autosave->abandoned().isEmpty())
+        m_window->showNotice(
+            tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
+}
+
+/// Those that were not saved first.
+void LessonEditorController::showLessons()
+{
+    QList<ui::LessonCard> cards;
+    for (const QString& file : m_autosave ? m_autosave->abandoned() : QStringList()) {
+        const auto read = tryToReadLesson(file);
+        cards.append({file, tr("Not saved: %1").arg(read.lesson ? inOurLanguage(read.lesson->title) : file), {}, {}});
+    }
+    m_panel->setLessons(cards + titleCards());
 }
 
 // --- what is worked on
@@ -299,16 +302,5 @@ void LessonEditorController::confirmDiscard(std::function<void()> then)
             then();
     });
     box->open();
-}
-
-bool LessonEditorController::canClose()
-{
-    if (!hasChanges())
-        return true;
-    confirmDiscard([this] {
-        leave();
-        m_window->close();
-    });
-    return false;
 }
 } // namespace app

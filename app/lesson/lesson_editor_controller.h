@@ -34,7 +34,6 @@ public:
     void enableAutosave(const std::filesystem::path& root);
 
 private:
-    void connectAll();
     void start(const std::optional<core::Starter>& starter);
     void startFromModel();
     void read(const QString& pathOrName);
@@ -48,7 +47,6 @@ private:
     void addFacts();
     void leave();
     bool hasChanges() const;
-    bool canClose();
     /// Calls `then` at once, or when the user agrees to discard the changes; not if the user saves instead.
     void confirmDiscard(std::function<void()> then);
 

@@ -126,25 +126,9 @@ QString LessonMessages::files(const core::LessonError& error)
 
 QString LessonMessages::name(core::Fact fact)
 {
-    switch (fact) {
-    case core::Fact::Genus:
-        return tr("holes");
-    case core::Fact::Components:
-        return tr("parts");
-    case core::Fact::Height:
-        return tr("height");
-    case core::Fact::Width:
-        return tr("width");
-    case core::Fact::Depth:
-        return tr("depth");
-    case core::Fact::Volume:
-        return tr("volume");
-    case core::Fact::Faces:
-        return tr("triangles");
-    case core::Fact::PrintReady:
-        break;
-    }
-    return tr("ready to print");
+    const QString names[] = {tr("holes"), tr("parts"),  tr("height"),    tr("width"),
+                             tr("depth"), tr("volume"), tr("triangles"), tr("ready to print")};
+    return names[static_cast<std::size_t>(fact)];
 }
 
 QString LessonMessages::figure(core::Fact fact, double value)

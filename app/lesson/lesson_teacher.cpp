@@ -34,7 +34,10 @@ LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
     connect(m_panel, &LessonPanel::tryRequested, this, &LessonTeacher::tryIt);
     connect(m_panel, &LessonPanel::speedChosen, this, &LessonTeacher::setSpeed);
     connect(window.viewport()->input(), &ui::PointerInput::strokeBegan, this, &LessonTeacher::interrupt);
-    connect(&document.worker().strokes(), &StrokeGate::refused, this, &LessonTeacher::onStrokeRefused);
+    connect(&document.worker().strokes(), &StrokeGate::refused, this, [this] {
+        if (m_timer.isActive()) // two strokes at once: whichever was refused, it is the pupil's turn
+            interrupt();
+    });
 }
 
 void LessonTeacher::setLesson(std::shared_ptr<const core::Lesson> lesson)
@@ -121,13 +124,6 @@ void LessonTeacher::interrupt()
     m_player->pause();
     m_panel->setPlaying(false);
     showGhost({});
-}
-
-/// Two strokes at once, the teacher's and one in the headset: whichever was refused, it is the pupil's turn.
-void LessonTeacher::onStrokeRefused()
-{
-    if (m_timer.isActive())
-        interrupt();
 }
 
 void LessonTeacher::endStroke()

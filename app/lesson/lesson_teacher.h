@@ -53,7 +53,6 @@ public Q_SLOTS:
 private:
     void startStep();
     void setPlaying(bool isPlaying);
-    void onStrokeRefused();
     void endStroke();
     void tick();
     void run(const core::LessonCue& cue);

@@ -11,117 +11,59 @@ namespace
 {
 struct Names
 {
-    QString name, progress;
+    QString name, progress, icon; ///< the icon of those in resources/icons
 };
 
-Names namesOf(const core::Move&)
+QString nameOf(const core::MaskOperation& change)
 {
-    return {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model")};
+    const QString names[] = {
+        CommandNames::tr("Invert Mask", "undo step"),     CommandNames::tr("Clear Mask", "undo step"),
+        CommandNames::tr("Blur Mask", "undo step"),       CommandNames::tr("Sharpen Mask", "undo step"),
+        CommandNames::tr("Grow Mask", "undo step"),       CommandNames::tr("Shrink Mask", "undo step"),
+        CommandNames::tr("Mask Cavities", "undo step"),   CommandNames::tr("Mask by Colour", "undo step"),
+        CommandNames::tr("Mask Whole Parts", "undo step")};
+    return names[static_cast<std::size_t>(change.how)];
 }
 
-Names namesOf(const core::Rotate&)
+Names namesOf(const core::ModelCommand& command)
 {
-    return {CommandNames::tr("Rotate", "undo step"), CommandNames::tr("Rotating the model")};
-}
-
-Names namesOf(const core::Scale&)
-{
-    return {CommandNames::tr("Scale", "undo step"), CommandNames::tr("Scaling the model")};
-}
-
-Names namesOf(const core::Mirror&)
-{
-    return {CommandNames::tr("Mirror", "undo step"), CommandNames::tr("Mirroring the model")};
-}
-
-Names namesOf(const core::Recentre&)
-{
-    return {CommandNames::tr("Recentre", "undo step"), CommandNames::tr("Recentring the model")};
-}
-
-Names namesOf(const core::Insert&)
-{
-    return {CommandNames::tr("Insert", "undo step"), CommandNames::tr("Inserting a model")};
-}
-
-Names namesOf(const core::Fill&)
-{
-    return {CommandNames::tr("Fill", "undo step"), CommandNames::tr("Colouring the model")};
-}
-
-Names namesOf(const core::MaskOperation& change)
-{
-    using How = core::MaskOperation::Kind;
-    const QString progress = CommandNames::tr("Changing the mask");
-    switch (change.how) {
-    case How::Invert:
-        return {CommandNames::tr("Invert Mask", "undo step"), progress};
-    case How::Clear:
-        return {CommandNames::tr("Clear Mask", "undo step"), progress};
-    case How::Blur:
-        return {CommandNames::tr("Blur Mask", "undo step"), progress};
-    case How::Sharpen:
-        return {CommandNames::tr("Sharpen Mask", "undo step"), progress};
-    case How::Grow:
-        return {CommandNames::tr("Grow Mask", "undo step"), progress};
-    case How::Shrink:
-        return {CommandNames::tr("Shrink Mask", "undo step"), progress};
-    case How::Cavity:
-        return {CommandNames::tr("Mask Cavities", "undo step"), progress};
-    case How::Color:
-        return {CommandNames::tr("Mask by Colour", "undo step"), progress};
-    case How::Part:
-        return {CommandNames::tr("Mask Whole Parts", "undo step"), progress};
-    }
-    return {};
-}
-
-Names namesOf(const core::RemeshUniformly&)
-{
-    return {CommandNames::tr("Remesh", "undo step"), CommandNames::tr("Remeshing the model")};
-}
-
-Names namesOf(const core::Symmetrize&)
-{
-    return {CommandNames::tr("Symmetrize", "undo step"), CommandNames::tr("Making the model symmetric")};
-}
-
-Names namesOf(const core::Reset&)
-{
-    return {CommandNames::tr("Reset", "undo step"), CommandNames::tr("Going back to the start")};
-}
-
-Names namesOf(const core::PlaceOnBed&)
-{
-    return {CommandNames::tr("Place on Bed", "undo step"), CommandNames::tr("Placing the model on the bed")};
-}
-
-Names namesOf(const core::FlattenBase&)
-{
-    return {CommandNames::tr("Flatten Base", "undo step"), CommandNames::tr("Flattening the base")};
+    const auto* mask = std::get_if<core::MaskOperation>(&command);
+    const Names names[] = {
+        {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model"), QStringLiteral("move")},
+        {CommandNames::tr("Rotate", "undo step"), CommandNames::tr("Rotating the model"), QStringLiteral("rotate")},
+        {CommandNames::tr("Scale", "undo step"), CommandNames::tr("Scaling the model"), QStringLiteral("scale")},
+        {CommandNames::tr("Mirror", "undo step"), CommandNames::tr("Mirroring the model"), QStringLiteral("mirror")},
+        {CommandNames::tr("Recentre", "undo step"), CommandNames::tr("Recentring the model"),
+         QStringLiteral("recentre")},
+        {CommandNames::tr("Insert", "undo step"), CommandNames::tr("Inserting a model"), QStringLiteral("insert")},
+        {CommandNames::tr("Fill", "undo step"), CommandNames::tr("Colouring the model"), QStringLiteral("fill")},
+        {CommandNames::tr("Remesh", "undo step"), CommandNames::tr("Remeshing the model"), QStringLiteral("remesh")},
+        {CommandNames::tr("Symmetrize", "undo step"), CommandNames::tr("Making the model symmetric"),
+         QStringLiteral("symmetrize")},
+        {CommandNames::tr("Reset", "undo step"), CommandNames::tr("Going back to the start"), QStringLiteral("reset")},
+        {CommandNames::tr("Place on Bed", "undo step"), CommandNames::tr("Placing the model on the bed"),
+         QStringLiteral("place-on-bed")},
+        {CommandNames::tr("Flatten Base", "undo step"), CommandNames::tr("Flattening the base"),
+         QStringLiteral("flatten-base")},
+        {mask ? nameOf(*mask) : QString(), CommandNames::tr("Changing the mask"), QStringLiteral("mask")}};
+    static_assert(std::size(names) == std::variant_size_v<core::ModelCommand>);
+    return names[command.index()];
 }
 } // namespace
 
 QString CommandNames::name(const core::ModelCommand& command)
 {
-    return std::visit([](const auto& each) { return namesOf(each).name; }, command);
+    return namesOf(command).name;
 }
 
 QString CommandNames::icon(const core::ModelCommand& command)
 {
-    static const QString icons[] = {
-        QStringLiteral("move"),   QStringLiteral("rotate"),       QStringLiteral("scale"),
-        QStringLiteral("mirror"), QStringLiteral("recentre"),     QStringLiteral("insert"),
-        QStringLiteral("fill"),   QStringLiteral("remesh"),       QStringLiteral("symmetrize"),
-        QStringLiteral("reset"),  QStringLiteral("place-on-bed"), QStringLiteral("flatten-base"),
-        QStringLiteral("mask")};
-    static_assert(std::size(icons) == std::variant_size_v<core::ModelCommand>);
-    return icons[command.index()];
+    return namesOf(command).icon;
 }
 
 QString CommandNames::progress(const core::ModelCommand& command)
 {
-    return std::visit([](const auto& each) { return namesOf(each).progress; }, command);
+    return namesOf(command).progress;
 }
 
 QString CommandNames::unchanged(const core::ModelCommand& command)

@@ -161,23 +161,8 @@ LoadedModel ModelLoader::starter(core::Starter starter)
 
 QString ModelLoader::name(core::Starter starter)
 {
-    switch (starter) {
-    case core::Starter::Ball:
-        break;
-    case core::Starter::Cube:
-        return tr("Cube");
-    case core::Starter::Torus:
-        return tr("Torus");
-    case core::Starter::Slab:
-        return tr("Slab");
-    case core::Starter::Vase:
-        return tr("Vase");
-    case core::Starter::Head:
-        return tr("Head");
-    case core::Starter::Tablet:
-        return tr("Tablet");
-    }
-    return tr("Ball");
+    const QString names[] = {tr("Ball"), tr("Cube"), tr("Torus"), tr("Slab"), tr("Vase"), tr("Head"), tr("Tablet")};
+    return names[static_cast<std::size_t>(starter)];
 }
 
 bool ModelLoader::holdsColors(const QString& path)

@@ -17,41 +17,12 @@ QString StrokeStep::iconOf(core::Tool tool)
 
 QString StrokeStep::textOf(core::Tool tool)
 {
-    switch (tool) {
-    case core::Tool::Pull:
-        return tr("Pull", "undo step");
-    case core::Tool::Push:
-        return tr("Push", "undo step");
-    case core::Tool::Inflate:
-        return tr("Inflate", "undo step");
-    case core::Tool::Clay:
-        return tr("Clay", "undo step");
-    case core::Tool::Layer:
-        return tr("Layer", "undo step");
-    case core::Tool::Flatten:
-        return tr("Flatten", "undo step");
-    case core::Tool::Scrape:
-        return tr("Scrape", "undo step");
-    case core::Tool::Smooth:
-        return tr("Smooth", "undo step");
-    case core::Tool::Pinch:
-        return tr("Pinch", "undo step");
-    case core::Tool::Crease:
-        return tr("Crease", "undo step");
-    case core::Tool::Grab:
-        return tr("Grab", "undo step");
-    case core::Tool::SnakeHook:
-        return tr("Snake Hook", "undo step");
-    case core::Tool::Twist:
-        return tr("Twist", "undo step");
-    case core::Tool::Stamp:
-        return tr("Stamp", "undo step");
-    case core::Tool::Paint:
-        return tr("Paint", "undo step");
-    case core::Tool::Mask:
-        return tr("Mask", "undo step");
-    }
-    return {};
+    const QString texts[] = {
+        tr("Pull", "undo step"),  tr("Push", "undo step"),    tr("Inflate", "undo step"), tr("Clay", "undo step"),
+        tr("Layer", "undo step"), tr("Flatten", "undo step"), tr("Scrape", "undo step"),  tr("Smooth", "undo step"),
+        tr("Pinch", "undo step"), tr("Crease", "undo step"),  tr("Grab", "undo step"),    tr("Snake Hook", "undo step"),
+        tr("Twist", "undo step"), tr("Stamp", "undo step"),   tr("Paint", "undo step"),   tr("Mask", "undo step")};
+    return texts[static_cast<std::size_t>(tool)];
 }
 
 QString StrokeStep::textOfAdding(bool isModel)

@@ -4,7 +4,7 @@
 #include "tests/vr/simulator/scripted_headset.h"
 
 #include "app/headset/headset.h"
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 #include "core/geometry/rotation.h"
 #include "vr/input/model_placement.h"
 #include "vr/input/wand_mapping.h"
@@ -282,7 +282,7 @@ private:
     static constexpr double reach = 0.1; ///< metres from which a wand points at a panel
 
     int framesEnded() const { return m_headset.report()["frames_ended"].toInt(); }
-    static vr::Side sculpting() { return HeadsetSettings().load().wands.sculpting; }
+    static vr::Side sculpting() { return HeadsetSettingsStore().load().wands.sculpting; }
     static vr::Side other(vr::Side side) { return side == vr::Side::Left ? vr::Side::Right : vr::Side::Left; }
     static QString nameOf(vr::Side side)
     {

@@ -2,7 +2,7 @@
 
 #include "tests/app/headset/headset_hand.h"
 
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
 
@@ -20,7 +20,7 @@ struct HeadsetFixture
         : hand(program, pixels)
     {
         QSettings().clear();
-        HeadsetSettings().save(settings);
+        HeadsetSettingsStore().save(settings);
         core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
         program.window.viewport()->setMaximumSize(viewSize); // each frame of the headset moves a ghost there
         openFile(program, path("clay.glb"), {640, 480});

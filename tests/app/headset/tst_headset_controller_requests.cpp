@@ -1,5 +1,5 @@
 #include "app/headset/headset.h"
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 
 #include "core/io/mesh_io.h"
 #include "tests/support/ask_worker.h"
@@ -430,16 +430,16 @@ void TestHeadsetControllerRequests::look_fromTheWindow()
 void TestHeadsetControllerRequests::settings_areKept()
 {
     Visit visit(at("vase.glb"));
-    QVERIFY(HeadsetSettings().load() == vr::HeadsetSettings());
+    QVERIFY(HeadsetSettingsStore().load() == vr::HeadsetSettings());
     vr::HeadsetSettings settings{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
     settings.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
     visit.request(settings);
-    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettings().load() == settings, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettingsStore().load() == settings, 60'000);
     QSettings().setValue(QStringLiteral("headset/raised"), QStringLiteral("a lot"));
     QSettings().setValue(QStringLiteral("headset/preset"), QStringLiteral("another"));
-    QCOMPARE(HeadsetSettings().load().heightOffset, 0.0);
-    QCOMPARE(HeadsetSettings().load().wands.preset, vr::ButtonPreset::Paper);
-    QCOMPARE(HeadsetSettings().load().wands.sculpting, vr::Side::Left);
+    QCOMPARE(HeadsetSettingsStore().load().heightOffset, 0.0);
+    QCOMPARE(HeadsetSettingsStore().load().wands.preset, vr::ButtonPreset::Paper);
+    QCOMPARE(HeadsetSettingsStore().load().wands.sculpting, vr::Side::Left);
 }
 
 void TestHeadsetControllerRequests::files_comeWithPictures()

@@ -52,7 +52,7 @@ struct AtTools : Alone
         hand.click(tools(), vr::ShowPanel{kind, true});
         hand.press(Side::Left, "menu");
     }
-    vr::HeadsetSettings settings() const { return HeadsetSettings().load(); }
+    vr::HeadsetSettings settings() const { return HeadsetSettingsStore().load(); }
 
     /// What the person sees who turns to that place of the room, and back.
     Look lookAt(const Vec3& place)

@@ -2,7 +2,7 @@
 // headset code.
 #include "app/commands/command_line.h"
 #include "app/headset/headset.h"
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 #include "app/headset/simulator_controller.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
@@ -36,7 +36,7 @@ struct SimulatorFixture
     explicit SimulatorFixture(const vr::HeadsetSettings& settings = {})
     {
         QSettings().clear();
-        HeadsetSettings().save(settings);
+        HeadsetSettingsStore().save(settings);
         core::writeMesh(m_folder.filePath(QStringLiteral("clay.glb")).toStdU16String(), core::icosphere(4, 50));
         new SimulatorController(&program.window, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
         window = program.window.findChild<ui::SimulatorWindow*>();

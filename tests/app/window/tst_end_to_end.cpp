@@ -1,4 +1,4 @@
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 
@@ -155,7 +155,7 @@ void TestEndToEnd::sculptedByKeysAlone()
 /// They are kept; one hand given up is the usual two again.
 void TestEndToEnd::handsOfTheNextVisit_areChosenInTheMenu()
 {
-    const auto hands = [] { return HeadsetSettings().load().wands; };
+    const auto hands = [] { return HeadsetSettingsStore().load().wands; };
     const QStringList ids{QStringLiteral("vr.oneHand"), QStringLiteral("vr.leftHanded")};
     {
         Program program;

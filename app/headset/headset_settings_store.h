@@ -8,7 +8,7 @@ namespace app
 {
 /// Stores the settings of the headset beside the window's preferences (ui::Settings). Missing or invalid values are
 /// replaced by the defaults. Thread: gui.
-class HeadsetSettings
+class HeadsetSettingsStore
 {
 public:
     vr::HeadsetSettings load() const;

@@ -1,4 +1,4 @@
-#include "app/headset/headset_settings.h"
+#include "app/headset/headset_settings_store.h"
 
 #include "ui/settings/stored_values.h"
 #include "vr/panels/panel_content.h"
@@ -30,7 +30,7 @@ QString feelKey(std::size_t sensation)
 }
 } // namespace
 
-vr::HeadsetSettings HeadsetSettings::load() const
+vr::HeadsetSettings HeadsetSettingsStore::load() const
 {
     vr::HeadsetSettings settings;
     settings.wands.preset = stored::choice(m_settings, presetKey, presets, settings.wands.preset);
@@ -46,7 +46,7 @@ vr::HeadsetSettings HeadsetSettings::load() const
     return settings;
 }
 
-void HeadsetSettings::save(const vr::HeadsetSettings& settings)
+void HeadsetSettingsStore::save(const vr::HeadsetSettings& settings)
 {
     m_settings.setValue(presetKey, wordFor(settings.wands.preset, presets));
     m_settings.setValue(sculptingKey, wordFor(settings.wands.sculpting, sides));
