@@ -139,39 +139,11 @@ bool Actions::eventFilter(QObject* watched, QEvent* event)
 
 QString Actions::menuTitle(MenuId menu) const
 {
-    switch (menu) {
-    case MenuId::File:
-        return tr("&File");
-    case MenuId::New:
-        return tr("&New");
-    case MenuId::Files:
-        return tr("Files &Panel");
-    case MenuId::Edit:
-        return tr("&Edit");
-    case MenuId::Sculpt:
-        return tr("&Sculpt");
-    case MenuId::Tool:
-        return tr("Tool&s");
-    case MenuId::Mask:
-        return tr("M&ask");
-    case MenuId::Model:
-        return tr("Mo&del");
-    case MenuId::View:
-        return tr("&View");
-    case MenuId::Turn:
-        return tr("T&urn and Zoom");
-    case MenuId::Material:
-        return tr("Mat&erial");
-    case MenuId::Background:
-        return tr("Ba&ckground");
-    case MenuId::Reference:
-        return tr("Refere&nce Image");
-    case MenuId::Vr:
-        return tr("V&R");
-    case MenuId::Help:
-        return tr("&Help");
-    }
-    return {};
+    const QString titles[] = {
+        tr("&File"),     tr("&New"),        tr("Files &Panel"),     tr("&Edit"), tr("&Sculpt"),
+        tr("Tool&s"),    tr("M&ask"),       tr("Mo&del"),           tr("&View"), tr("T&urn and Zoom"),
+        tr("Mat&erial"), tr("Ba&ckground"), tr("Refere&nce Image"), tr("V&R"),   tr("&Help")};
+    return titles[static_cast<std::size_t>(menu)];
 }
 
 void Actions::fill(QMenu* menu, MenuId which) const

@@ -2,13 +2,13 @@
 
 #include "ui/actions/actions.h"
 #include "ui/actions/command_list.h"
+#include "ui/widgets/panel_layout.h"
 #include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -36,9 +36,7 @@ CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
     for (const ActionInfo& row : actionTable())
         m_list->itemOf(QLatin1StringView(row.id))->setDisabled(!actions.get(QLatin1StringView(row.id))->isEnabled());
 
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap, gap, gap, gap);
-    column->setSpacing(gap);
+    QVBoxLayout* column = panelLayout(this);
     column->addWidget(m_words);
     column->addWidget(m_list);
     auto* modifierHelp = new QLabel(Actions::modifierHelp(actions.keys().preset));

@@ -1,6 +1,7 @@
 #include "ui/brush/brush_bar.h"
 
 #include "ui/util/error_messages.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
 #include <QHBoxLayout>
@@ -71,12 +72,10 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
     , m_box(new NumberBox)
 {
     const QString name = QLatin1StringView(core::info(parameter).key.data(), core::info(parameter).key.size());
-    m_slider->setObjectName(name + QStringLiteral(".slider"));
-    m_slider->setAccessibleName(ErrorMessages::name(parameter));
+    named(m_slider, name + QStringLiteral(".slider"), {}, ErrorMessages::name(parameter));
     m_slider->setRange(0, sliderSteps);
     m_slider->setMinimumWidth(80);
-    m_box->setObjectName(name + QStringLiteral(".box"));
-    m_box->setAccessibleName(ErrorMessages::name(parameter));
+    named(m_box, name + QStringLiteral(".box"), {}, ErrorMessages::name(parameter));
     m_box->setKeyboardTracking(false);
     m_box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     if (core::info(parameter).unit == core::Unit::Millimetres)

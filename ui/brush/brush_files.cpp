@@ -6,7 +6,6 @@
 #include "core/util/file_error.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 #include <QLocale>

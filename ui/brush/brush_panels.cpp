@@ -4,6 +4,7 @@
 #include "ui/brush/falloff_curve.h"
 #include "ui/brush/shape_choosers.h"
 #include "ui/util/error_messages.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 
@@ -70,9 +71,7 @@ public:
     void addChoice(const QString& name, const QString& text, T core::StrokeSettings::*what,
                    const Choices<T>& choices) const
     {
-        auto* box = new QComboBox;
-        box->setObjectName(name);
-        box->setAccessibleName(text);
+        auto* box = named(new QComboBox, name, {}, text);
         for (const auto& [words, value] : choices)
             box->addItem(words, static_cast<int>(value));
         const auto show = [box, brush = m_brush, what] {
@@ -88,8 +87,7 @@ public:
 
     void addCheck(const QString& name, const QString& text, bool core::StrokeSettings::*what) const
     {
-        auto* box = new QCheckBox(text);
-        box->setObjectName(name);
+        auto* box = named(new QCheckBox(text), name);
         const auto show = [box, brush = m_brush, what] { box->setChecked(brush->stroke().*what); };
         QObject::connect(box, &QCheckBox::clicked, m_brush,
                          [brush = m_brush, what](bool checked) { brush->set(what, checked); });
@@ -113,13 +111,8 @@ public:
     {
         const QString tip = BrushPanels::tr(
             "The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.");
-        auto* check = new QCheckBox(BrushPanels::tr("Steady stroke"));
-        check->setObjectName(QStringLiteral("steady"));
-        check->setToolTip(tip);
-        auto* length = new QSpinBox;
-        length->setObjectName(QStringLiteral("stringLength"));
-        length->setAccessibleName(BrushPanels::tr("Length of the string"));
-        length->setToolTip(tip);
+        auto* check = named(new QCheckBox(BrushPanels::tr("Steady stroke")), "steady", tip);
+        auto* length = named(new QSpinBox, "stringLength", tip, BrushPanels::tr("Length of the string"));
         length->setRange(static_cast<int>(minStabilizerLength), static_cast<int>(maxStabilizerLength));
         length->setSuffix(BrushPanels::tr(" px"));
         length->setKeyboardTracking(false);
@@ -146,11 +139,10 @@ public:
 
     void addSectors(const std::function<void()>& entered) const
     {
-        auto* count = new QSpinBox;
-        count->setObjectName(QStringLiteral("radial"));
-        count->setAccessibleName(BrushPanels::tr("Sectors of the radial symmetry"));
-        count->setToolTip(BrushPanels::tr("What you do is done in so many sectors around the upright axis (y), and "
-                                          "mirrored in each if Mirror is on."));
+        auto* count = named(new QSpinBox, "radial",
+                            BrushPanels::tr("What you do is done in so many sectors around the upright axis (y), and "
+                                            "mirrored in each if Mirror is on."),
+                            BrushPanels::tr("Sectors of the radial symmetry"));
         count->setRange(1, core::maxRadial);
         count->setSpecialValueText(BrushPanels::tr("Off"));
         count->setKeyboardTracking(false);

@@ -7,6 +7,8 @@
 #include "ui/settings/settings.h"
 #include "ui/util/color_convert.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/panel_layout.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 
@@ -42,9 +44,7 @@ ColorPanel::ColorPanel(BrushSettings* brush, Settings* settings, const Actions& 
     , m_name(new QLineEdit)
     , m_swatches(new ColorSwatches)
 {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap, gap, gap, gap);
-    column->setSpacing(gap);
+    QVBoxLayout* column = panelLayout(this);
     column->addWidget(m_wheel);
     column->addLayout(buildButtons(actions));
     column->addLayout(buildChannels());
@@ -69,10 +69,9 @@ QLayout* ColorPanel::buildButtons(const Actions& actions)
     m_pair->setAutoRaise(true);
     connect(m_pair, &QToolButton::clicked, swapping, &QAction::trigger);
 
-    m_name->setObjectName(QStringLiteral("colorName"));
-    m_name->setAccessibleName(tr("Colour as #rrggbb"));
-    m_name->setToolTip(
-        tr("The paint colour as in web pages: # and two digits, 0 to f, for each of red, green and blue."));
+    named(m_name, "colorName",
+          tr("The paint colour as in web pages: # and two digits, 0 to f, for each of red, green and blue."),
+          tr("Colour as #rrggbb"));
     m_name->setMaxLength(7);
     connect(m_name, &QLineEdit::editingFinished, this, &ColorPanel::setFromText);
     connect(m_name, &QLineEdit::returnPressed, this, &ColorPanel::entered);
@@ -224,10 +223,8 @@ void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Setti
                    const std::function<void(const QString&)>& notice)
 {
     auto* panel = new ColorPanel(brush, settings, actions);
-    auto* dock = new QDockWidget(ColorPanel::tr("Colour"));
-    dock->setObjectName(QStringLiteral("colorPanel"));
-    dock->setWidget(panel);
-    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
+    auto* dock =
+        addSideDock(context.window, context.toggles, QStringLiteral("colorPanel"), ColorPanel::tr("Colour"), panel);
 
     Viewport* viewport = context.viewport;
     QAction* picking = actions.get(QStringLiteral("color.pick"));

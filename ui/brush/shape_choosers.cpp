@@ -3,6 +3,7 @@
 #include "ui/brush/brush_files.h"
 #include "ui/brush/brush_shapes.h"
 #include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/named.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -74,10 +75,7 @@ void addFiles(QComboBox* box, const QStringList& files, const QString& chosen,
 
 QComboBox* chooser(const QString& name, const QString& text, const QString& tip)
 {
-    auto* box = new QComboBox;
-    box->setObjectName(name);
-    box->setAccessibleName(text);
-    box->setToolTip(tip);
+    auto* box = named(new QComboBox, name, tip, text);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
     return box;

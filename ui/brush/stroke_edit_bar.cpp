@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_bar.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
 #include <QAction>
@@ -69,9 +70,7 @@ void StrokeEditBar::keyPressEvent(QKeyEvent* event)
 
 void StrokeEditBar::addTools(const QList<ToolOption>& tools)
 {
-    m_tools->setObjectName(QStringLiteral("strokeTool"));
-    m_tools->setAccessibleName(tr("Tool of the last stroke"));
-    m_tools->setToolTip(tr("Does the stroke again with another tool."));
+    named(m_tools, "strokeTool", tr("Does the stroke again with another tool."), tr("Tool of the last stroke"));
     for (const auto& [tool, action] : tools)
         m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));

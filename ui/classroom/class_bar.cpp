@@ -1,9 +1,10 @@
 #include "ui/classroom/class_bar.h"
 
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
@@ -38,14 +39,16 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     m_undelivered = addLabel("classWaiting");
     m_clock = addLabel("classClock");
     m_time = addLabel("classTime");
-    m_resume = addButton("classResume", {},
-                         tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. "
-                            "Possible until somebody sculpts."));
+    m_resume = addButton(
+        this, named(new QPushButton, "classResume",
+                    tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. "
+                       "Possible until somebody sculpts.")));
     m_resumeCell = actions().constLast();
-    m_next = addButton("classNext", tr("&Next Pupil"),
-                       tr("Keeps the work in the class's folder, and begins the next turn with fresh clay."));
-    m_leave =
-        addButton("classLeave", tr("&Leave…"), tr("Asks for the teacher's PIN, keeps the work, and ends the class."));
+    m_next =
+        addButton(this, named(new QPushButton(tr("&Next Pupil")), "classNext",
+                              tr("Keeps the work in the class's folder, and begins the next turn with fresh clay.")));
+    m_leave = addButton(this, named(new QPushButton(tr("&Leave…")), "classLeave",
+                                    tr("Asks for the teacher's PIN, keeps the work, and ends the class.")));
     connect(m_resume, &QPushButton::clicked, this, &ClassBar::resumeRequested);
     connect(m_next, &QPushButton::clicked, this, &ClassBar::nextRequested);
     connect(m_leave, &QPushButton::clicked, this, &ClassBar::leaveRequested);
@@ -60,26 +63,11 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
 
 QLabel* ClassBar::addLabel(const char* name)
 {
-    auto* label = new QLabel;
-    label->setObjectName(QLatin1StringView(name));
+    auto* label = named(new QLabel, name);
     label->setTextFormat(Qt::PlainText);
     label->setContentsMargins(gap, 0, gap, 0);
     addWidget(label);
     return label;
-}
-
-QPushButton* ClassBar::addButton(const char* name, const QString& text, const QString& tip)
-{
-    auto* button = new QPushButton(text);
-    button->setObjectName(QLatin1StringView(name));
-    button->setToolTip(tip);
-    button->setAutoDefault(true);
-    auto* cell = new QWidget;
-    auto* row = new QHBoxLayout(cell);
-    row->setContentsMargins(0, gap / 2, gap, gap / 2);
-    row->addWidget(button);
-    addWidget(cell);
-    return button;
 }
 
 void ClassBar::setPupil(const std::optional<QString>& pupil)

@@ -53,7 +53,6 @@ Q_SIGNALS:
 
 private:
     QLabel* addLabel(const char* name);
-    QPushButton* addButton(const char* name, const QString& text, const QString& tip);
     void enable();
 
     QLabel *m_pupil, *m_clock, *m_time, *m_undelivered;

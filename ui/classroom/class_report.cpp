@@ -34,15 +34,9 @@ ReportVerdict verdictOf(const ReportRow& row)
 
 QString verdictText(ReportVerdict verdict)
 {
-    switch (verdict) {
-    case ReportVerdict::Ready:
-        return ReportText::tr("Print-ready");
-    case ReportVerdict::NotReady:
-        return ReportText::tr("Not print-ready");
-    case ReportVerdict::Unreadable:
-        return ReportText::tr("Cannot be read");
-    }
-    return {};
+    const QString texts[] = {ReportText::tr("Print-ready"), ReportText::tr("Not print-ready"),
+                             ReportText::tr("Cannot be read")};
+    return texts[static_cast<std::size_t>(verdict)];
 }
 
 QString remarkOf(const ReportRow& row)

@@ -5,6 +5,7 @@
 #include "ui/settings/stored_values.h"
 #include "ui/widgets/dialog_helpers.h"
 #include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/named.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -85,13 +86,6 @@ public:
     }
 
 private:
-    template <class T> T* named(T* part, const char* name, const QString& tip)
-    {
-        part->setObjectName(QLatin1StringView(name));
-        part->setToolTip(tip);
-        return part;
-    }
-
     QString folder() const { return QDir::cleanPath(QDir::fromNativeSeparators(m_folder->text().trimmed())); }
     QCheckBox* box(const QString& id) const { return findChild<QCheckBox*>(QStringLiteral("class.") + id); }
 
@@ -166,10 +160,9 @@ private:
             if (row.menu != menu)
                 continue;
             const QAction* action = actions.get(QLatin1StringView(row.id));
-            auto* box = new QCheckBox(action->iconText());
-            box->setObjectName(QStringLiteral("class.") + action->objectName());
+            auto* box = named(new QCheckBox(action->iconText()), QStringLiteral("class.") + action->objectName(),
+                              action->statusTip());
             box->setIcon(action->icon());
-            box->setToolTip(action->statusTip());
             box->setChecked(true);
             grid->addWidget(box, count / columns, count % columns);
             ++count;

@@ -2,6 +2,7 @@
 
 #include "ui/classroom/classroom.h"
 #include "ui/widgets/dialog_helpers.h"
+#include "ui/widgets/named.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -35,8 +36,7 @@ public:
     {
         QVBoxLayout* column = beginDialog(this, "pinDialog", tr("Teacher's PIN"));
         column->addWidget(dialogText(why, pinTextWidth));
-        m_pin->setObjectName(QStringLiteral("pin"));
-        m_pin->setAccessibleName(tr("Teacher's PIN"));
+        named(m_pin, "pin", {}, tr("Teacher's PIN"));
         m_pin->setPlaceholderText(tr("Teacher's PIN"));
         m_pin->setEchoMode(QLineEdit::Password);
         m_pin->setMaxLength(maxPinLength);

@@ -2,7 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/classroom/classroom.h"
-#include "ui/settings/stored_values.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
 #include <QAction>
@@ -45,13 +45,11 @@ QWidget* PupilNamePanel::card(const QList<core::Starter>& starters, const Action
     QFont font = title->font();
     font.setPointSizeF(font.pointSizeF() * titleScale);
     title->setFont(font);
-    m_name->setObjectName(QStringLiteral("pupilName"));
-    m_name->setAccessibleName(tr("Name"));
+    named(m_name, "pupilName", {}, tr("Name"));
     m_name->setPlaceholderText(tr("Name or nickname"));
     m_name->setMaxLength(maxNameLength);
     m_name->setMinimumWidth(nameWidth);
-    m_begin->setObjectName(QStringLiteral("beginTurn"));
-    m_begin->setToolTip(tr("Begins the turn. (Return)"));
+    named(m_begin, "beginTurn", tr("Begins the turn. (Return)"));
     m_begin->setDefault(true);
     connect(m_name, &QLineEdit::textChanged, m_begin,
             [this](const QString& text) { m_begin->setEnabled(!text.trimmed().isEmpty()); });
@@ -77,8 +75,7 @@ QLayout* PupilNamePanel::tiles(const QList<core::Starter>& starters, const Actio
     row->setSpacing(gap);
     for (const core::Starter starter : starters) {
         const QAction* action = actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)));
-        auto* tile = new QToolButton;
-        tile->setObjectName(QStringLiteral("turn.") + action->objectName());
+        auto* tile = named(new QToolButton, QStringLiteral("turn.") + action->objectName());
         tile->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         tile->setIcon(action->icon());
         tile->setIconSize(starterSize);

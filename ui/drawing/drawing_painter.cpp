@@ -9,7 +9,6 @@
 #include <QPainterPath>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace ui
@@ -25,15 +24,8 @@ struct LayoutText
 public:
     static QString name(DrawnSide side)
     {
-        switch (side) {
-        case DrawnSide::Front:
-            return tr("Front");
-        case DrawnSide::Right:
-            return tr("Right");
-        case DrawnSide::Top:
-            return tr("Top");
-        }
-        return {};
+        const QString names[] = {tr("Front"), tr("Right"), tr("Top")};
+        return names[static_cast<std::size_t>(side)];
     }
 };
 

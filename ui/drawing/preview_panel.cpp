@@ -4,6 +4,7 @@
 #include "ui/drawing/drawing_sheet.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/panel_button.h"
 #include "ui/widgets/spacing.h"
 
@@ -70,11 +71,8 @@ PreviewPanel::PreviewPanel(Settings* settings, QAction* exporting, QWidget* pare
 
 QWidget* PreviewPanel::content(QAction* exporting)
 {
-    m_canvas = new DrawingCanvas;
-    m_canvas->setObjectName(QStringLiteral("preview.canvas"));
-    m_canvas->setAccessibleName(tr("Drawing of the model"));
-    m_note = new QLabel;
-    m_note->setObjectName(QStringLiteral("preview.note"));
+    m_canvas = named(new DrawingCanvas, "preview.canvas", {}, tr("Drawing of the model"));
+    m_note = named(new QLabel, "preview.note");
     m_note->setWordWrap(true);
     m_note->hide();
     auto* over = new QVBoxLayout(m_canvas);
@@ -121,10 +119,7 @@ QBoxLayout* PreviewPanel::controls(QAction* exporting)
 QComboBox* PreviewPanel::choiceBox(const QString& name, const QString& text, const QString& tip,
                                    const QStringList& words, int index)
 {
-    auto* box = new QComboBox;
-    box->setObjectName(name);
-    box->setAccessibleName(text);
-    box->setToolTip(QStringLiteral("%1\n%2").arg(text, tip));
+    auto* box = named(new QComboBox, name, QStringLiteral("%1\n%2").arg(text, tip), text);
     box->addItems(words);
     box->setCurrentIndex(index);
     connect(box, &QComboBox::currentIndexChanged, this, &PreviewPanel::choose);

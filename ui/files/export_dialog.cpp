@@ -3,6 +3,7 @@
 #include "ui/files/slicer.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/dialog_helpers.h"
+#include "ui/widgets/named.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -74,9 +75,7 @@ private:
 
     void addPreset(QVBoxLayout* column, const Preset& preset, const char* ending)
     {
-        auto* button = new QRadioButton(tr(preset.title));
-        button->setObjectName(QLatin1StringView(ending));
-        button->setToolTip(tr(preset.words));
+        auto* button = named(new QRadioButton(tr(preset.title)), ending, tr(preset.words));
         button->setAccessibleDescription(tr(preset.words));
         m_presets->addButton(button, static_cast<int>(m_presets->buttons().size()));
         QLabel* words = dialogText(tr(preset.words), textWidth);
@@ -90,14 +89,10 @@ private:
 
     void addBudget(QVBoxLayout* column, const ModelInfo& modelInfo)
     {
-        m_limits = new QCheckBox(tr("At &most so many triangles:"));
-        m_limits->setObjectName(QStringLiteral("limits"));
-        m_limits->setToolTip(tr("Takes away triangles where the shape and the colours lose least by it. The model in "
-                                "the window keeps its own."));
-        m_max = new QSpinBox;
-        m_max->setObjectName(QStringLiteral("most"));
-        m_max->setAccessibleName(tr("Most triangles"));
-        m_max->setToolTip(tr("The file has at most so many triangles."));
+        m_limits = named(new QCheckBox(tr("At &most so many triangles:")), "limits",
+                         tr("Takes away triangles where the shape and the colours lose least by it. The model in "
+                            "the window keeps its own."));
+        m_max = named(new QSpinBox, "most", tr("The file has at most so many triangles."), tr("Most triangles"));
         m_max->setRange(minExportTriangles, maxExportTriangles);
         m_max->setGroupSeparatorShown(true);
         m_max->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -116,10 +111,9 @@ private:
     /// Seen where there is a slicer.
     void addSlicerCheck(QVBoxLayout* column)
     {
-        m_slices = new QCheckBox(tr("&Try whether PrusaSlicer slices it"));
-        m_slices->setObjectName(QStringLiteral("slices"));
-        m_slices->setToolTip(tr("Slices the file with PrusaSlicer's own settings, and tells layers and time or its "
-                                "complaint; Esc stops it."));
+        m_slices = named(new QCheckBox(tr("&Try whether PrusaSlicer slices it")), "slices",
+                         tr("Slices the file with PrusaSlicer's own settings, and tells layers and time or its "
+                            "complaint; Esc stops it."));
         column->addWidget(m_slices);
         m_slices->setVisible(!installedSlicer().isEmpty());
     }

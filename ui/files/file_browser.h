@@ -71,12 +71,8 @@ private:
     void buildActions();
     QAction* on(const char* id, const std::function<void()>& what);
     void showMenu(QPoint at);
-    void rename();
     void renameTo(const QString& path, const QString& name);
-    void reveal();
 
-    void askForFolder();
-    void goUp();
     void setControls(const FileBrowserSettings& options);
     void choose();
     void list();

@@ -1,6 +1,7 @@
 #include "ui/files/file_item_delegate.h"
 
 #include "ui/files/file_list_model.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -97,9 +98,8 @@ void FileItemDelegate::paintPicture(QPainter* painter, const QRect& area, const 
 
 QWidget* FileItemDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const
 {
-    auto* editor = new QLineEdit(index.data(Qt::EditRole).toString(), parent);
-    editor->setObjectName(QStringLiteral("files.rename"));
-    editor->setAccessibleName(tr("New name"));
+    auto* editor =
+        named(new QLineEdit(index.data(Qt::EditRole).toString(), parent), "files.rename", {}, tr("New name"));
     editor->setAlignment(Qt::AlignCenter);
     return editor;
 }

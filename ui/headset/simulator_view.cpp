@@ -235,17 +235,12 @@ void SimulatorView::changeHand()
     Q_EMIT handChanged();
 }
 
-void SimulatorView::releaseAll()
+/// Releases all buttons when the focus leaves.
+void SimulatorView::focusOutEvent(QFocusEvent* event)
 {
     m_walking.clear();
     m_controls.releaseAll();
     Q_EMIT buttonsChanged();
-}
-
-/// Releases all buttons when the focus leaves.
-void SimulatorView::focusOutEvent(QFocusEvent* event)
-{
-    releaseAll();
     QWidget::focusOutEvent(event);
 }
 } // namespace ui

@@ -60,7 +60,6 @@ private:
     void pressTrigger(bool isDown, Qt::KeyboardModifiers modifiers);
     void slide(const QPointF& by);
     void changeHand();
-    void releaseAll();
 
     SimulatorControls m_controls;
     QImage m_picture;

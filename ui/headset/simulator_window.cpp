@@ -10,41 +10,13 @@
 #include <QScreen>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui
 {
 namespace
 {
 constexpr int legendWidth = 330, edge = 8;
-
-struct Control
-{
-    const char* hand; ///< a key, or what the mouse does
-    const char* effect;
-};
-
-// clang-format off
-constexpr Control controls[] = {
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Mouse"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "moves the wand")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Wheel"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "farther and nearer")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Shift and wheel"),
-     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "turns the wand about itself")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Left button, Space"),
-     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "trigger; with Shift half as strong")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Tab"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "the other wand")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Arrows"),
-     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "press the pad at that side")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Ctrl and mouse"),
-     QT_TRANSLATE_NOOP("ui::SimulatorWindow", "the thumb slides on the pad")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "M"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "menu button")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "G"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "squeezes the wand")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "B"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "squeezes both wands")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Right button"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "looks about")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "W A S D"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "walk")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "E, Q"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "up and down")},
-    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Esc"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "leaves VR")},
-};
-// clang-format on
 
 QLabel* wrapped(const QString& text)
 {
@@ -91,12 +63,27 @@ QWidget* SimulatorWindow::legend()
     m_hand->setObjectName(QStringLiteral("simulatedHand"));
     grid->addWidget(m_hand, 0, 0, 1, 2);
     grid->setRowMinimumHeight(1, gap);
+    const std::pair<QString, QString> controls[] = {
+        {tr("Mouse"), tr("moves the wand")},
+        {tr("Wheel"), tr("farther and nearer")},
+        {tr("Shift and wheel"), tr("turns the wand about itself")},
+        {tr("Left button, Space"), tr("trigger; with Shift half as strong")},
+        {tr("Tab"), tr("the other wand")},
+        {tr("Arrows"), tr("press the pad at that side")},
+        {tr("Ctrl and mouse"), tr("the thumb slides on the pad")},
+        {tr("M"), tr("menu button")},
+        {tr("G"), tr("squeezes the wand")},
+        {tr("B"), tr("squeezes both wands")},
+        {tr("Right button"), tr("looks about")},
+        {tr("W A S D"), tr("walk")},
+        {tr("E, Q"), tr("up and down")},
+        {tr("Esc"), tr("leaves VR")}};
     int row = 2;
-    for (const Control& control : controls) {
-        QLabel* hand = wrapped(tr(control.hand));
+    for (const auto& [control, effect] : controls) {
+        QLabel* hand = wrapped(control);
         hand->setFont(bold(hand->font()));
         grid->addWidget(hand, row, 0);
-        grid->addWidget(wrapped(tr(control.effect)), row++, 1);
+        grid->addWidget(wrapped(effect), row++, 1);
     }
     grid->setRowStretch(row, 1);
     return legend;

@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/help/help_text.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCoreApplication>
@@ -75,17 +76,14 @@ GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
     m_words->setToolTip(tr("Leaves only the pages that have these words; Return goes to the next place."));
     m_words->setClearButtonEnabled(true);
     m_words->installEventFilter(this);
-    m_contents->setObjectName(QStringLiteral("guideContents"));
-    m_contents->setAccessibleName(tr("Contents"));
-    m_contents->setToolTip(tr("The pages of the guide."));
+    named(m_contents, "guideContents", tr("The pages of the guide."), tr("Contents"));
     m_contents->setSpacing(gap / 4);
     m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_nothing->setObjectName(QStringLiteral("guideNothing"));
     m_nothing->setWordWrap(true);
     m_nothing->setText(tr("No page has all of these words."));
     m_nothing->hide();
-    m_text->setObjectName(QStringLiteral("guideText"));
-    m_text->setAccessibleName(tr("Page of the guide"));
+    named(m_text, "guideText", {}, tr("Page of the guide"));
     m_text->setSearchPaths({QStringLiteral(":/help")});
     m_text->setOpenLinks(false);
     m_text->document()->setDocumentMargin(3 * gap);

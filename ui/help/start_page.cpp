@@ -3,6 +3,7 @@
 #include "ui/actions/actions.h"
 #include "ui/lesson/lesson_panel.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -86,8 +87,7 @@ QLayout* StartPage::head()
     QFont font = title->font();
     font.setPointSizeF(font.pointSizeF() * 1.6);
     title->setFont(font);
-    auto* closing = new QToolButton;
-    closing->setObjectName(QStringLiteral("startClose"));
+    auto* closing = named(new QToolButton, "startClose");
     closing->setIcon(themedIcon(QStringLiteral("panel-close")));
     closing->setAutoRaise(true);
     closing->setFocusPolicy(Qt::StrongFocus);
@@ -122,9 +122,7 @@ QLayout* StartPage::starters()
 
 QLayout* StartPage::recent()
 {
-    m_recent->setObjectName(QStringLiteral("startRecent"));
-    m_recent->setAccessibleName(tr("Recent files"));
-    m_recent->setToolTip(tr("Opens a model that was open before."));
+    named(m_recent, "startRecent", tr("Opens a model that was open before."), tr("Recent files"));
     m_recent->setFixedWidth(recentWidth);
     m_recent->setFixedHeight(pictureSize.height() + 3 * gap);
     m_recent->setSpacing(gap / 4);
@@ -135,9 +133,8 @@ QLayout* StartPage::recent()
         Q_EMIT fileChosen(path);
     };
     connect(m_recent, &QListWidget::itemActivated, this, choose);
-    auto* opening = new QPushButton(m_actions.get(QStringLiteral("file.open"))->text());
-    opening->setObjectName(QStringLiteral("startOpen"));
-    opening->setToolTip(m_actions.get(QStringLiteral("file.open"))->toolTip());
+    auto* opening = named(new QPushButton(m_actions.get(QStringLiteral("file.open"))->text()), "startOpen",
+                          m_actions.get(QStringLiteral("file.open"))->toolTip());
     connect(opening, &QPushButton::clicked, this, [this] {
         close();
         m_actions.get(QStringLiteral("file.open"))->trigger();
@@ -168,17 +165,15 @@ void StartPage::setLessons(const QList<LessonCard>& lessons)
 
 QLayout* StartPage::foot()
 {
-    auto* atStart = new QCheckBox(tr("&Show this page at start"));
-    atStart->setObjectName(QStringLiteral("startAlways"));
-    atStart->setToolTip(tr("Else Fettle begins with the ball of clay; Help › Start Page brings this page back."));
+    auto* atStart = named(new QCheckBox(tr("&Show this page at start")), "startAlways",
+                          tr("Else Fettle begins with the ball of clay; Help › Start Page brings this page back."));
     const auto applySettings = [this, atStart] { atStart->setChecked(m_settings->get(&Setting::showsStartPage)); };
     applySettings();
     m_settings->onReset(applySettings);
     connect(atStart, &QCheckBox::clicked, this,
             [this](bool shows) { m_settings->set(&Setting::showsStartPage, shows); });
-    auto* guide = new QPushButton(m_actions.get(QStringLiteral("help.guide"))->text());
-    guide->setObjectName(QStringLiteral("startGuide"));
-    guide->setToolTip(m_actions.get(QStringLiteral("help.guide"))->toolTip());
+    auto* guide = named(new QPushButton(m_actions.get(QStringLiteral("help.guide"))->text()), "startGuide",
+                        m_actions.get(QStringLiteral("help.guide"))->toolTip());
     connect(guide, &QPushButton::clicked, this, &StartPage::guideRequested);
     auto* row = new QHBoxLayout;
     row->addWidget(atStart, 1);

@@ -2,18 +2,18 @@
 
 #include "ui/history/timeline.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/panel_layout.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
 #include <QAbstractTableModel>
-#include <QDockWidget>
 #include <QFont>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QMainWindow>
 #include <QMenu>
 #include <QSpinBox>
 #include <QTreeView>
@@ -109,9 +109,8 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     , m_memory(new QLabel)
     , m_cap(new QSpinBox)
 {
-    m_list->setObjectName(QStringLiteral("historyList"));
-    m_list->setAccessibleName(tr("History"));
-    m_list->setToolTip(tr("Every step since the model was opened. A click or Return goes there."));
+    named(m_list, "historyList", tr("Every step since the model was opened. A click or Return goes there."),
+          tr("History"));
     m_list->setModel(m_model.get());
     m_list->setHeaderHidden(true);
     m_list->setRootIsDecorated(false);
@@ -130,10 +129,9 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     connect(m_timeline, &Timeline::stateRequested, this, &HistoryPanel::stateRequested);
 
     m_memory->setObjectName(QStringLiteral("historyMemory"));
-    m_cap->setObjectName(QStringLiteral("historyCap"));
-    m_cap->setAccessibleName(tr("Memory for the history"));
-    m_cap->setToolTip(
-        tr("So much memory the history may take; older steps then go to disk, and if that is full they expire."));
+    named(m_cap, "historyCap",
+          tr("So much memory the history may take; older steps then go to disk, and if that is full they expire."),
+          tr("Memory for the history"));
     m_cap->setRange(minHistoryMegabytes, maxHistoryMegabytes);
     m_cap->setSuffix(tr(" MB"));
     m_cap->setKeyboardTracking(false);
@@ -151,9 +149,7 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     foot->addWidget(m_memory);
     foot->addWidget(m_cap);
     foot->addStretch();
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap, gap, gap, gap);
-    column->setSpacing(gap);
+    QVBoxLayout* column = panelLayout(this);
     column->addWidget(m_list, 1);
     column->addWidget(m_timeline);
     column->addLayout(foot);
@@ -190,10 +186,7 @@ void HistoryPanel::showEvent(QShowEvent* event)
 HistoryPanel* addHistoryPanel(QMainWindow* window, Settings* settings, QMenu* toggles)
 {
     auto* panel = new HistoryPanel(settings);
-    auto* dock = new QDockWidget(HistoryPanel::tr("History"));
-    dock->setObjectName(QStringLiteral("historyPanel"));
-    dock->setWidget(panel);
-    addSideDock(window, toggles, dock, QStringLiteral("brushPanel"));
+    addSideDock(window, toggles, QStringLiteral("historyPanel"), HistoryPanel::tr("History"), panel);
     return panel;
 }
 } // namespace ui

@@ -7,7 +7,6 @@
 #include <QDialog>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSpinBox>
 #include <QVBoxLayout>
 

@@ -1,6 +1,7 @@
 #include "ui/history/timeline.h"
 
 #include "ui/history/history_panel.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -28,10 +29,10 @@ Timeline::Timeline(QWidget* parent)
     , m_text(new QLabel)
     , m_play(new QToolButton)
 {
-    m_slider->setObjectName(QStringLiteral("timeline"));
-    m_slider->setAccessibleName(tr("Timeline"));
-    m_slider->setToolTip(tr("Drag to see the model as it was after each step; Left and Right go by one. Sculpting "
-                            "there drops the later steps."));
+    named(m_slider, "timeline",
+          tr("Drag to see the model as it was after each step; Left and Right go by one. Sculpting "
+             "there drops the later steps."),
+          tr("Timeline"));
     m_slider->setPageStep(statesPerPage);
     m_text->setObjectName(QStringLiteral("timelineText"));
     m_text->setTextFormat(Qt::PlainText);

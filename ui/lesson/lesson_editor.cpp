@@ -2,19 +2,17 @@
 
 #include "ui/actions/actions.h"
 #include "ui/lesson/lesson_panel.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/themed_icon.h"
 
-#include <QAction>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
-#include <QMainWindow>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -73,8 +71,7 @@ QStringList languagesOf(const core::Lesson& lesson)
 
 QToolButton* button(const char* name, const char* icon, const QString& tip)
 {
-    auto* button = new QToolButton;
-    button->setObjectName(QLatin1StringView(name));
+    auto* button = named(new QToolButton, name);
     button->setIcon(themedIcon(QLatin1StringView(icon)));
     button->setFocusPolicy(Qt::StrongFocus);
     button->setToolTip(tip);
@@ -101,30 +98,23 @@ void LessonEditor::addStarts(const Actions& actions)
     QVBoxLayout* rows = panelLayout(page);
     rows->addWidget(
         head(tr("A lesson records what you sculpt, step by step, here or in the headset. It begins with:")));
-    m_start = new QComboBox;
-    m_start->setObjectName(QStringLiteral("lessonStart"));
-    m_start->setAccessibleName(tr("Begins with"));
+    m_start = named(new QComboBox, "lessonStart", {}, tr("Begins with"));
     m_start->addItem(tr("The model as it is now"), -1);
     for (const core::Starter starter : core::starters)
         m_start->addItem(
             Actions::plain(actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)))->text()),
             static_cast<int>(starter));
-    auto* record = new QPushButton(tr("Record"));
-    record->setObjectName(QStringLiteral("lessonBegin"));
-    record->setToolTip(tr("Begins a lesson of one step. The strokes before it cannot be undone any more."));
+    auto* record = named(new QPushButton(tr("Record")), "lessonBegin",
+                         tr("Begins a lesson of one step. The strokes before it cannot be undone any more."));
     rows->addWidget(m_start);
     rows->addWidget(record);
     rows->addSpacing(2 * gap);
     rows->addWidget(head(tr("Or change a lesson that is there:")));
-    m_library = new QComboBox;
-    m_library->setObjectName(QStringLiteral("lessonShelf"));
-    m_library->setAccessibleName(tr("Lessons of the program"));
-    auto* change = new QPushButton(tr("Edit"));
-    change->setObjectName(QStringLiteral("lessonEdit"));
-    change->setToolTip(tr("Opens it here; it is saved under a name of your own."));
-    auto* file = new QPushButton(tr("Open a Lesson…"));
-    file->setObjectName(QStringLiteral("lessonEditFile"));
-    file->setToolTip(tr("Opens a lesson from a zip or a folder, to change it."));
+    m_library = named(new QComboBox, "lessonShelf", {}, tr("Lessons of the program"));
+    auto* change =
+        named(new QPushButton(tr("Edit")), "lessonEdit", tr("Opens it here; it is saved under a name of your own."));
+    auto* file = named(new QPushButton(tr("Open a Lesson…")), "lessonEditFile",
+                       tr("Opens a lesson from a zip or a folder, to change it."));
     rows->addWidget(m_library);
     rows->addWidget(change);
     rows->addWidget(file);
@@ -156,18 +146,12 @@ void LessonEditor::addEditor()
 
 void LessonEditor::addHead(QVBoxLayout* rows)
 {
-    m_language = new QComboBox;
-    m_language->setObjectName(QStringLiteral("lessonLanguage"));
-    m_language->setAccessibleName(tr("Language of the texts"));
-    m_language->setToolTip(tr("Texts are written in this language. Where one is missing, pupils read another one."));
-    m_title = new QLineEdit;
-    m_title->setObjectName(QStringLiteral("lessonName"));
-    m_title->setAccessibleName(tr("Title of the lesson"));
-    m_title->setToolTip(tr("What the lesson is called."));
-    m_summary = new QLineEdit;
-    m_summary->setObjectName(QStringLiteral("lessonSummary"));
-    m_summary->setAccessibleName(tr("In one sentence"));
-    m_summary->setToolTip(tr("What the lesson is about, in one sentence."));
+    m_language = named(new QComboBox, "lessonLanguage",
+                       tr("Texts are written in this language. Where one is missing, pupils read another one."),
+                       tr("Language of the texts"));
+    m_title = named(new QLineEdit, "lessonName", tr("What the lesson is called."), tr("Title of the lesson"));
+    m_summary =
+        named(new QLineEdit, "lessonSummary", tr("What the lesson is about, in one sentence."), tr("In one sentence"));
     auto* row = new QHBoxLayout;
     row->addWidget(m_title, 1);
     row->addWidget(m_language);
@@ -182,15 +166,12 @@ void LessonEditor::addHead(QVBoxLayout* rows)
 
 void LessonEditor::addSteps(QVBoxLayout* rows)
 {
-    m_steps = new QListWidget;
-    m_steps->setObjectName(QStringLiteral("lessonSteps"));
-    m_steps->setAccessibleName(tr("Steps"));
+    m_steps = named(new QListWidget, "lessonSteps", {}, tr("Steps"));
     m_steps->setTextElideMode(Qt::ElideRight);
     m_steps->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_steps->setFixedHeight(stepsShown * (m_steps->fontMetrics().height() + gap));
-    auto* add = new QPushButton(tr("New Step"));
-    add->setObjectName(QStringLiteral("lessonNewStep"));
-    add->setToolTip(tr("From here on strokes belong to a new step, the last one."));
+    auto* add = named(new QPushButton(tr("New Step")), "lessonNewStep",
+                      tr("From here on strokes belong to a new step, the last one."));
     m_up = button("lessonUp", "sort-up", tr("Moves the step up"));
     m_down = button("lessonDown", "sort-down", tr("Moves the step down"));
     m_remove = button("lessonRemove", "trash", tr("Removes the step with its strokes"));
@@ -211,15 +192,12 @@ void LessonEditor::addFoot(QVBoxLayout* rows)
 {
     m_state = head({});
     m_state->setObjectName(QStringLiteral("lessonState"));
-    m_record = new QPushButton;
-    m_record->setObjectName(QStringLiteral("lessonRecord"));
-    m_record->setToolTip(tr("Plays the lesson to its end and records from there, or stops that."));
-    auto* save = new QPushButton(tr("Save…"));
-    save->setObjectName(QStringLiteral("lessonSave"));
-    save->setToolTip(tr("Plays the lesson to its end, judges each step, and writes it as one file or a folder."));
-    auto* close = new QPushButton(tr("Close"));
-    close->setObjectName(QStringLiteral("lessonClose"));
-    close->setToolTip(tr("Ends the work on this lesson. The model stays as it is."));
+    m_record = named(new QPushButton, "lessonRecord",
+                     tr("Plays the lesson to its end and records from there, or stops that."));
+    auto* save = named(new QPushButton(tr("Save…")), "lessonSave",
+                       tr("Plays the lesson to its end, judges each step, and writes it as one file or a folder."));
+    auto* close = named(new QPushButton(tr("Close")), "lessonClose",
+                        tr("Ends the work on this lesson. The model stays as it is."));
     rows->addWidget(m_state);
     auto* row = new QHBoxLayout;
     row->addWidget(m_record, 1);
@@ -362,16 +340,10 @@ void LessonEditor::setRecording(bool isRecording)
     m_state->setText(isRecording ? tr("● Recording into step %1").arg(m_draft->steps()) : tr("○ Not recording"));
 }
 
-void addLessonEditor(const LessonEditorContext& context, const Actions& actions)
+void addLessonEditor(QMainWindow* window, QMenu* toggles, const Actions& actions)
 {
-    auto* dock = new QDockWidget(LessonEditor::tr("Lesson Editor"));
-    dock->setObjectName(QStringLiteral("lessonEditor"));
-    dock->setWidget(new LessonEditor(actions));
-    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
-    dock->hide();
-    QObject::connect(actions.get(QStringLiteral("lesson.record")), &QAction::triggered, dock, [dock] {
-        dock->show();
-        dock->raise();
-    });
+    showBy(actions.get(QStringLiteral("lesson.record")),
+           addSideDock(window, toggles, QStringLiteral("lessonEditor"), LessonEditor::tr("Lesson Editor"),
+                       new LessonEditor(actions)));
 }
 } // namespace ui

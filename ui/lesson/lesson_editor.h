@@ -84,11 +84,6 @@ private:
     QPushButton* m_record = nullptr;
 };
 
-struct LessonEditorContext
-{
-    QMainWindow* window;
-    QMenu* toggles;
-};
 /// As a dock behind the brush's, with its entry among the toggles; lesson.record raises it.
-void addLessonEditor(const LessonEditorContext& context, const Actions& actions);
+void addLessonEditor(QMainWindow* window, QMenu* toggles, const Actions& actions);
 } // namespace ui

@@ -1,17 +1,15 @@
 #include "ui/lesson/lesson_panel.h"
 
 #include "ui/actions/actions.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
 #include "ui/widgets/side_dock.h"
 
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QMainWindow>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -29,8 +27,7 @@ constexpr int pictureSide = 80, cardSide = 72, progressHeight = 8; ///< pixels
 
 QLabel* label(const char* name)
 {
-    auto* label = new QLabel;
-    label->setObjectName(QLatin1StringView(name));
+    auto* label = named(new QLabel, name);
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
     return label;
@@ -120,20 +117,16 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(progressHeight);
     m_progress->setAccessibleName(tr("How far the teacher is"));
-    m_play = new QPushButton(tr("Show Me"));
-    m_play->setObjectName(QStringLiteral("lessonPlay"));
-    m_one = new QPushButton(tr("One Stroke"));
-    m_one->setObjectName(QStringLiteral("lessonOne"));
-    m_one->setToolTip(tr("Shows the teacher's next stroke alone."));
+    m_play = named(new QPushButton(tr("Show Me")), "lessonPlay");
+    m_one = named(new QPushButton(tr("One Stroke")), "lessonOne", tr("Shows the teacher's next stroke alone."));
     m_speed = new QComboBox;
     m_speed->setAccessibleName(tr("Speed"));
     m_speed->setToolTip(tr("How fast the teacher works."));
     for (const double speed : speeds)
         m_speed->addItem(tr("%1 ×", "speed").arg(QLocale().toString(speed)));
     m_speed->setCurrentIndex(defaultSpeed);
-    m_try = new QPushButton(tr("Try It"));
-    m_try->setObjectName(QStringLiteral("lessonTry"));
-    m_try->setToolTip(tr("Takes the step's strokes back: now it is your turn."));
+    m_try =
+        named(new QPushButton(tr("Try It")), "lessonTry", tr("Takes the step's strokes back: now it is your turn."));
     m_marks = label("lessonMarks");
     m_difference = new QCheckBox(tr("Show the difference"));
     m_difference->setToolTip(tr("Colours the model by how far it is from the teacher's."));
@@ -158,8 +151,7 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
 void LessonPanel::addNavigation(QVBoxLayout* page)
 {
     m_back = new QPushButton(tr("Back"));
-    m_next = new QPushButton(tr("Next"));
-    m_next->setObjectName(QStringLiteral("lessonNext"));
+    m_next = named(new QPushButton(tr("Next")), "lessonNext");
     auto* leave = new QPushButton(tr("Leave"));
     leave->setToolTip(tr("Ends the lesson. The model stays as it is."));
     auto* row = new QHBoxLayout;
@@ -249,17 +241,9 @@ bool LessonPanel::wantsDifference() const
     return m_difference->isChecked() && m_difference->isVisibleTo(this);
 }
 
-void addLessonPanel(const LessonPanelContext& context, const Actions& actions)
+void addLessonPanel(QMainWindow* window, QMenu* toggles, const Actions& actions)
 {
-    auto* panel = new LessonPanel;
-    auto* dock = new QDockWidget(LessonPanel::tr("Lessons"));
-    dock->setObjectName(QStringLiteral("lessonPanel"));
-    dock->setWidget(panel);
-    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
-    dock->hide();
-    QObject::connect(actions.get(QStringLiteral("help.lessons")), &QAction::triggered, dock, [dock] {
-        dock->show();
-        dock->raise();
-    });
+    showBy(actions.get(QStringLiteral("help.lessons")),
+           addSideDock(window, toggles, QStringLiteral("lessonPanel"), LessonPanel::tr("Lessons"), new LessonPanel));
 }
 } // namespace ui

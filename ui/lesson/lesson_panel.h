@@ -110,11 +110,6 @@ private:
     bool m_isPlaying = false;
 };
 
-struct LessonPanelContext
-{
-    QMainWindow* window;
-    QMenu* toggles;
-};
 /// As a dock behind the brush's, with its entry among the toggles; help.lessons raises it.
-void addLessonPanel(const LessonPanelContext& context, const Actions& actions);
+void addLessonPanel(QMainWindow* window, QMenu* toggles, const Actions& actions);
 } // namespace ui

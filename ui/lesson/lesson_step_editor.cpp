@@ -1,6 +1,7 @@
 #include "ui/lesson/lesson_step_editor.h"
 
 #include "ui/actions/actions.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -67,14 +68,9 @@ void LessonStepEditor::addText()
 {
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
-    m_title = new QLineEdit;
-    m_title->setObjectName(QStringLiteral("lessonStepTitle"));
-    m_title->setAccessibleName(tr("Title of the step"));
-    m_title->setToolTip(tr("What the step is called."));
-    m_text = new QPlainTextEdit;
-    m_text->setObjectName(QStringLiteral("lessonStepText"));
-    m_text->setAccessibleName(tr("Text of the step"));
-    m_text->setToolTip(tr("What the pupil reads beside the model."));
+    m_title = named(new QLineEdit, "lessonStepTitle", tr("What the step is called."), tr("Title of the step"));
+    m_text = named(new QPlainTextEdit, "lessonStepText", tr("What the pupil reads beside the model."),
+                   tr("Text of the step"));
     m_text->setTabChangesFocus(true);
     rows->addWidget(m_title);
     rows->addWidget(m_text, 1);
@@ -90,13 +86,10 @@ void LessonStepEditor::addStrokes()
 {
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
-    m_strokes = new QListWidget;
-    m_strokes->setObjectName(QStringLiteral("lessonStrokes"));
-    m_strokes->setAccessibleName(tr("Strokes of the step"));
+    m_strokes = named(new QListWidget, "lessonStrokes", {}, tr("Strokes of the step"));
     m_strokes->setIconSize(QSize(iconSide, iconSide));
-    m_cut = new QPushButton(tr("Cut Stroke"));
-    m_cut->setObjectName(QStringLiteral("lessonCut"));
-    m_cut->setToolTip(
+    m_cut = named(
+        new QPushButton(tr("Cut Stroke")), "lessonCut",
         tr("Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved."));
     rows->addWidget(m_strokes, 1);
     rows->addWidget(m_cut);
@@ -115,8 +108,7 @@ void LessonStepEditor::addTools(const Actions& actions)
     for (const std::string_view name : core::toolNames()) {
         const core::Tool tool = *core::named<core::Tool>(name);
         const QString id = QStringLiteral("tool.") + QString::fromUtf8(name);
-        auto* box = new QCheckBox(Actions::plain(actions.get(id)->text()));
-        box->setObjectName(QStringLiteral("lesson.") + id);
+        auto* box = named(new QCheckBox(Actions::plain(actions.get(id)->text())), QStringLiteral("lesson.") + id);
         const int place = static_cast<int>(m_tools.size());
         m_tools.emplace(tool, box);
         grid->addWidget(box, place / columns, place % columns);
@@ -164,21 +156,19 @@ void LessonStepEditor::addCheckpoint()
     addFact(grid, Fact::Volume, tr("Volume, mm³"));
     addFact(grid, Fact::Faces, tr("Triangles"));
     m_tolerance = spin(0, maxTolerance, 1);
-    m_tolerance->setObjectName(QStringLiteral("lessonTolerance"));
-    m_tolerance->setToolTip(tr("So near the pupil's shape is to come to the one that the teacher's strokes leave."));
+    named(m_tolerance, "lessonTolerance",
+          tr("So near the pupil's shape is to come to the one that the teacher's strokes leave."));
     auto* shape = new QLabel(tr("Near the teacher's, mm"));
     shape->setBuddy(m_tolerance);
     const int row = grid->rowCount();
     grid->addWidget(shape, row, 0, 1, 2);
     grid->addWidget(m_tolerance, row, 2);
     rows->addLayout(grid);
-    m_printReady = new QCheckBox(tr("Ready to print"));
-    m_printReady->setObjectName(QStringLiteral("lessonPrintReady"));
-    auto* factsButton = new QPushButton(tr("Take from the Model"));
-    factsButton->setObjectName(QStringLiteral("lessonFacts"));
-    factsButton->setToolTip(
-        tr("Asks for the holes and parts that the model in the window has, for its height at least, and "
-           "that it can be printed."));
+    m_printReady = named(new QCheckBox(tr("Ready to print")), "lessonPrintReady");
+    auto* factsButton =
+        named(new QPushButton(tr("Take from the Model")), "lessonFacts",
+              tr("Asks for the holes and parts that the model in the window has, for its height at least, and "
+                 "that it can be printed."));
     rows->addWidget(m_printReady);
     rows->addWidget(factsButton);
     rows->addStretch();

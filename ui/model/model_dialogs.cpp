@@ -1,6 +1,7 @@
 #include "ui/model/model_dialogs.h"
 
 #include "ui/widgets/dialog_helpers.h"
+#include "ui/widgets/named.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -58,8 +59,7 @@ public:
 
     QDoubleSpinBox* addNumber(const char* name, const QString& label, const Number& number)
     {
-        auto* box = new QDoubleSpinBox;
-        box->setObjectName(QLatin1StringView(name));
+        auto* box = named(new QDoubleSpinBox, name);
         box->setDecimals(number.decimals);
         box->setRange(number.min, number.max);
         box->setValue(number.value);
@@ -94,8 +94,7 @@ public:
     /// The first is chosen.
     QComboBox* addList(const char* name, const QString& label, const QStringList& choices)
     {
-        auto* box = new QComboBox;
-        box->setObjectName(QLatin1StringView(name));
+        auto* box = named(new QComboBox, name);
         box->addItems(choices);
         m_form->addRow(label, box);
         return box;

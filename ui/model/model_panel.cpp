@@ -5,13 +5,11 @@
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
-#include <QDockWidget>
 #include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QMainWindow>
 #include <QMenu>
 
 #include <algorithm>
@@ -155,10 +153,7 @@ void ModelPanel::hideEvent(QHideEvent* event)
 ModelPanel* addModelPanel(QMainWindow* window, QMenu* toggles)
 {
     auto* panel = new ModelPanel;
-    auto* dock = new QDockWidget(ModelPanel::tr("Model", "panel"));
-    dock->setObjectName(QStringLiteral("modelPanel"));
-    dock->setWidget(panel);
-    addSideDock(window, toggles, dock, QStringLiteral("brushPanel"));
+    addSideDock(window, toggles, QStringLiteral("modelPanel"), ModelPanel::tr("Model", "panel"), panel);
     return panel;
 }
 } // namespace ui

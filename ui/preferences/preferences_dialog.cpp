@@ -3,6 +3,8 @@
 #include "ui/preferences/pressure_curve.h"
 #include "ui/preferences/pressure_test.h"
 #include "ui/preferences/shortcuts_page.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/panel_layout.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
@@ -51,9 +53,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, const Actions& acti
     pages->addTab(keysPage(actions), tr("&Keys"));
     pages->addTab(filesPage(), tr("&Files"));
 
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap, gap, gap, gap);
-    column->setSpacing(gap);
+    QVBoxLayout* column = panelLayout(this);
     column->addWidget(pages);
     column->addWidget(buttonRow());
     resize(minimumSizeHint().expandedTo(defaultSize));
@@ -64,8 +64,7 @@ QWidget* PreferencesDialog::buttonRow()
 {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton* reset = buttons->addButton(tr("&Reset to Defaults"), QDialogButtonBox::ResetRole);
-    reset->setObjectName(QStringLiteral("reset"));
-    reset->setToolTip(tr("Sets everything in the program to what it was at first, after a question."));
+    named(reset, "reset", tr("Sets everything in the program to what it was at first, after a question."));
     reset->setAutoDefault(false);
     connect(reset, &QPushButton::clicked, this, &PreferencesDialog::askToReset);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -174,10 +173,7 @@ void PreferencesDialog::addPen(QFormLayout* form)
 /// part(preferences): which of them the box is about.
 template <class Part> void PreferencesDialog::addCheck(QFormLayout* form, const ControlText& words, Part part)
 {
-    auto* box = new QCheckBox(words.label);
-    box->setObjectName(QLatin1StringView(words.name));
-    box->setAccessibleName(QString(words.label).remove(QLatin1Char('&')));
-    box->setToolTip(words.tip);
+    auto* box = named(new QCheckBox(words.label), words.name, words.tip, QString(words.label).remove(QLatin1Char('&')));
     connect(box, &QCheckBox::clicked, this, [this, part](bool checked) {
         Preferences to = m_now;
         *part(to) = checked;
@@ -191,10 +187,7 @@ template <class T, std::size_t count>
 void PreferencesDialog::addChoice(QFormLayout* form, const ControlText& words,
                                   const std::array<Named<T>, count>& choices, T Preferences::*what)
 {
-    auto* box = new QComboBox;
-    box->setObjectName(QLatin1StringView(words.name));
-    box->setAccessibleName(QString(words.label).remove(QLatin1Char('&')));
-    box->setToolTip(words.tip);
+    auto* box = named(new QComboBox, words.name, words.tip, QString(words.label).remove(QLatin1Char('&')));
     for (const Named<T>& choice : choices)
         box->addItem(PreferencesDialog::words(choice.value), static_cast<int>(choice.value));
     connect(box, &QComboBox::activated, this, [this, box, what] {
@@ -208,15 +201,8 @@ void PreferencesDialog::addChoice(QFormLayout* form, const ControlText& words,
 
 QString PreferencesDialog::words(ThemeChoice theme)
 {
-    switch (theme) {
-    case ThemeChoice::System:
-        return tr("As the system");
-    case ThemeChoice::Light:
-        return tr("Light");
-    case ThemeChoice::Dark:
-        return tr("Dark");
-    }
-    return {};
+    const QString names[] = {tr("As the system"), tr("Light"), tr("Dark")};
+    return names[static_cast<std::size_t>(theme)];
 }
 
 QString PreferencesDialog::words(TextSize size)
@@ -227,17 +213,9 @@ QString PreferencesDialog::words(TextSize size)
 /// Each language under its own name, so that it is found by whoever reads no other.
 QString PreferencesDialog::words(Language language)
 {
-    switch (language) {
-    case Language::System:
-        return tr("As the system");
-    case Language::English:
-        return QStringLiteral("English");
-    case Language::German:
-        return QStringLiteral("Deutsch");
-    case Language::Chinese:
-        return QStringLiteral("简体中文");
-    }
-    return {};
+    const QString names[] = {tr("As the system"), QStringLiteral("English"), QStringLiteral("Deutsch"),
+                             QStringLiteral("简体中文")};
+    return names[static_cast<std::size_t>(language)];
 }
 
 void PreferencesDialog::setPreferences(const Preferences& preferences)

@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/actions/command_list.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/shortcut_edit.h"
 #include "ui/widgets/spacing.h"
 
@@ -21,23 +22,14 @@ constexpr int keyWidth = 120;
 
 QString presetName(ShortcutPreset preset)
 {
-    switch (preset) {
-    case ShortcutPreset::Fettle:
-        return ShortcutsPage::tr("Fettle");
-    case ShortcutPreset::Blender:
-        return ShortcutsPage::tr("As in Blender");
-    case ShortcutPreset::ZBrush:
-        return ShortcutsPage::tr("As in ZBrush");
-    }
-    return {};
+    const QString names[] = {ShortcutsPage::tr("Fettle"), ShortcutsPage::tr("As in Blender"),
+                             ShortcutsPage::tr("As in ZBrush")};
+    return names[static_cast<std::size_t>(preset)];
 }
 
 QPushButton* button(const char* name, const QString& text, const QString& tip)
 {
-    auto* made = new QPushButton(text);
-    made->setObjectName(QLatin1StringView(name));
-    made->setAccessibleName(Actions::plain(text));
-    made->setToolTip(tip);
+    auto* made = named(new QPushButton(text), name, tip, Actions::plain(text));
     made->setAutoDefault(false);
     return made;
 }
@@ -59,9 +51,8 @@ ShortcutsPage::ShortcutsPage(const Actions& actions, QWidget* parent)
     m_words->setToolTip(tr("Shows only the commands that have these words or this key."));
     m_words->setClearButtonEnabled(true);
     m_modifierHelp->setWordWrap(true);
-    m_list->setObjectName(QStringLiteral("keyList"));
-    m_list->setAccessibleName(tr("Commands and Keys"));
-    m_list->setToolTip(tr("Every command with its keys; the marked one's are changed below."));
+    named(m_list, "keyList", tr("Every command with its keys; the marked one's are changed below."),
+          tr("Commands and Keys"));
     m_list->setColumnHidden(CommandList::Tip, true);
     m_list->header()->setSectionResizeMode(CommandList::Name, QHeaderView::ResizeToContents);
 
@@ -83,9 +74,7 @@ ShortcutsPage::ShortcutsPage(const Actions& actions, QWidget* parent)
 
 QLayout* ShortcutsPage::presetRow()
 {
-    m_preset->setObjectName(QStringLiteral("keyPreset"));
-    m_preset->setAccessibleName(tr("Preset"));
-    m_preset->setToolTip(tr("Chooses the keys to begin with; what you changed yourself stays."));
+    named(m_preset, "keyPreset", tr("Chooses the keys to begin with; what you changed yourself stays."), tr("Preset"));
     for (const Named<ShortcutPreset>& row : shortcutPresets)
         m_preset->addItem(presetName(row.value), static_cast<int>(row.value));
     connect(m_preset, &QComboBox::activated, this, [this] {
@@ -111,9 +100,8 @@ QLayout* ShortcutsPage::editRow()
     const QString names[] = {tr("First key"), tr("Second key")};
     for (std::size_t place = 0; place < m_edits.size(); ++place) {
         auto* edit = m_edits[place] = new ShortcutEdit;
-        edit->setObjectName(QStringLiteral("key%1").arg(place + 1));
-        edit->setAccessibleName(names[place]);
-        edit->setToolTip(tr("Press the key that the command is to have; Backspace takes it away."));
+        named(edit, QStringLiteral("key%1").arg(place + 1),
+              tr("Press the key that the command is to have; Backspace takes it away."), names[place]);
         edit->setFixedWidth(keyWidth);
         connect(edit, &ShortcutEdit::entered, this, [this, place](const QKeySequence& key) { enter(place, key); });
         row->addWidget(edit);

@@ -4,7 +4,9 @@
 #include "ui/print/printers_dialog.h"
 #include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/panel_button.h"
+#include "ui/widgets/panel_layout.h"
 #include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
@@ -21,7 +23,6 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -43,8 +44,7 @@ QString iconOf(PrintVerdict verdict)
 
 QDoubleSpinBox* numberBox(const char* name, double min, double max, int decimals, const QString& unit)
 {
-    auto* box = new QDoubleSpinBox;
-    box->setObjectName(QLatin1StringView(name));
+    auto* box = named(new QDoubleSpinBox, name);
     box->setRange(min, max);
     box->setDecimals(decimals);
     box->setSingleStep(decimals > 0 ? 0.1 : 5);
@@ -56,9 +56,7 @@ QDoubleSpinBox* numberBox(const char* name, double min, double max, int decimals
 
 PrintPanel::PrintPanel(Settings* settings, QWidget* parent) : QWidget(parent), m_settings(settings)
 {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap, gap, gap, gap);
-    column->setSpacing(gap);
+    panelLayout(this);
     addHead();
     addOptions();
     addList();
@@ -70,8 +68,7 @@ PrintPanel::PrintPanel(Settings* settings, QWidget* parent) : QWidget(parent), m
 void PrintPanel::addHead()
 {
     m_icon = new QLabel;
-    m_word = new QLabel;
-    m_word->setObjectName(QStringLiteral("print.verdict"));
+    m_word = named(new QLabel, "print.verdict");
     m_word->setWordWrap(true);
     m_button = panelButton(QStringLiteral("print.check"), QStringLiteral("print-check"), {}, {});
     connect(m_button, &QToolButton::clicked, this, [this] {
@@ -80,8 +77,7 @@ void PrintPanel::addHead()
         else
             Q_EMIT checkRequested();
     });
-    m_progress = new QProgressBar;
-    m_progress->setObjectName(QStringLiteral("print.progress"));
+    m_progress = named(new QProgressBar, "print.progress");
     m_progress->setRange(0, 100);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(gap / 2);
@@ -99,28 +95,32 @@ void PrintPanel::addOptions()
 {
     m_form = new QFormLayout;
     m_form->setSpacing(gap);
-    m_printer = new QComboBox;
-    m_printer->setObjectName(QStringLiteral("print.printer"));
+    m_printer = named(new QComboBox, "print.printer");
     m_printer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_printer->setMinimumContentsLength(12);
     auto* edit = panelButton(QStringLiteral("print.printers"), QStringLiteral("preferences"), tr("Printers…"),
                              tr("Changes the list of printers."));
-    connect(edit, &QToolButton::clicked, this, &PrintPanel::editPrinters);
+    connect(edit, &QToolButton::clicked, this, [this] {
+        auto* dialog = new PrintersDialog(m_printers, window());
+        connect(dialog, &PrintersDialog::chosen, this, [this](const QList<PrinterPreset>& printers) {
+            m_settings->set(&Setting::printers, printers);
+            applySettings();
+        });
+        dialog->open();
+    });
     auto* row = new QHBoxLayout;
     row->setSpacing(gap / 2);
     row->addWidget(m_printer, 1);
     row->addWidget(edit);
     m_wall = numberBox("print.wall", minWall, core::PrintLimits::maxWall, 2, tr(" mm"));
     m_overhang = numberBox("print.overhang", minOverhang, maxOverhang, 0, tr("°"));
-    m_picture = new QComboBox;
-    m_picture->setObjectName(QStringLiteral("print.picture"));
+    m_picture = named(new QComboBox, "print.picture");
     m_picture->addItems({tr("None"), tr("Thickness"), tr("Overhang")});
-    m_legend = new PrintLegend;
-    m_legend->setObjectName(QStringLiteral("print.legend"));
-    const auto add = [this](const QString& name, auto* what, QWidget* named, const QString& tip) {
+    m_legend = named(new PrintLegend, "print.legend");
+    const auto add = [this](const QString& name, auto* what, QWidget* control, const QString& tip) {
         m_form->addRow(name, what);
-        named->setAccessibleName(name);
-        named->setToolTip(QStringLiteral("%1\n%2").arg(name, tip));
+        control->setAccessibleName(name);
+        control->setToolTip(QStringLiteral("%1\n%2").arg(name, tip));
     };
     add(tr("Printer"), row, m_printer, tr("Whose bed the model is compared with."));
     add(tr("Least wall"), m_wall, m_wall, tr("Thinner walls are found: two lines of the nozzle, as a rule."));
@@ -137,10 +137,8 @@ void PrintPanel::addOptions()
 
 void PrintPanel::addList()
 {
-    m_list = new QListWidget;
-    m_list->setObjectName(QStringLiteral("print.findings"));
-    m_list->setAccessibleName(tr("Findings"));
-    m_list->setToolTip(tr("What was found. A click or Return on a place shows it on the model."));
+    m_list = named(new QListWidget, "print.findings",
+                   tr("What was found. A click or Return on a place shows it on the model."), tr("Findings"));
     m_list->setWordWrap(true);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -179,16 +177,6 @@ void PrintPanel::applyOptions()
     if (const auto shown = picture())
         m_legend->setScale({*shown, *shown == core::PrintPicture::Thickness ? m_wall->value() : m_overhang->value()});
     Q_EMIT optionsChanged();
-}
-
-void PrintPanel::editPrinters()
-{
-    auto* dialog = new PrintersDialog(m_printers, window());
-    connect(dialog, &PrintersDialog::chosen, this, [this](const QList<PrinterPreset>& printers) {
-        m_settings->set(&Setting::printers, printers);
-        applySettings();
-    });
-    dialog->open();
 }
 
 core::PrintLimits PrintPanel::limits() const
@@ -321,11 +309,8 @@ void PrintPanel::hideEvent(QHideEvent* event)
 void addPrintPanel(const PrintPanelContext& context, Settings* settings, const Actions& actions)
 {
     auto* panel = new PrintPanel(settings);
-    auto* dock = new QDockWidget(PrintPanel::tr("Print Check"));
-    dock->setObjectName(QStringLiteral("printPanel"));
-    dock->setWidget(panel);
-    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
-    dock->hide();
+    auto* dock = addSideDock(context.window, context.toggles, QStringLiteral("printPanel"),
+                             PrintPanel::tr("Print Check"), panel);
     Viewport* viewport = context.viewport;
     QObject::connect(panel, &PrintPanel::placeChosen, viewport, [viewport](const core::PrintPlace& found) {
         viewport->navigation()->flyTo(found.point, found.normal, std::sqrt(found.area));
@@ -334,10 +319,8 @@ void addPrintPanel(const PrintPanelContext& context, Settings* settings, const A
         if (!isWatched)
             viewport->navigation()->clearMark();
     });
-    QObject::connect(actions.get(QStringLiteral("model.printCheck")), &QAction::triggered, dock, [dock, panel] {
-        dock->show();
-        dock->raise();
-        panel->focusFindings();
-    });
+    const QAction* check = actions.get(QStringLiteral("model.printCheck"));
+    showBy(check, dock);
+    QObject::connect(check, &QAction::triggered, panel, &PrintPanel::focusFindings);
 }
 } // namespace ui

@@ -63,8 +63,6 @@ private:
     void addHead();
     void addOptions();
     void addList();
-    void fillPrinters();
-    void editPrinters();
     void applyOptions();
     void applySettings();
     void show(State state);

@@ -1,5 +1,6 @@
 #include "ui/print/printers_dialog.h"
 
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
 #include <QDialogButtonBox>
@@ -24,8 +25,7 @@ PrintersDialog::PrintersDialog(const QList<PrinterPreset>& printers, QWidget* pa
     setObjectName(QStringLiteral("printersDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Printers"));
-    m_table->setObjectName(QStringLiteral("printers"));
-    m_table->setAccessibleName(tr("Printers"));
+    named(m_table, "printers", {}, tr("Printers"));
     m_table->setHorizontalHeaderLabels({tr("Name"), tr("Width"), tr("Depth"), tr("Height")});
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->verticalHeader()->hide();

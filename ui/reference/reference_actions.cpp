@@ -71,10 +71,8 @@ void addReferences(const ReferenceContext& context, Settings* settings, const Ac
     QObject::connect(images, &ReferenceImages::changed, viewport, [=] { viewport->setReferences(images->shown()); });
     QObject::connect(images, &ReferenceImages::refused, viewport, notice);
 
-    auto* dock = new QDockWidget(ReferencePanel::tr("Image"));
-    dock->setObjectName(QStringLiteral("referencePanel"));
-    dock->setWidget(new ReferencePanel(images, viewport, actions));
-    addSideDock(context.window, context.toggles, dock, QStringLiteral("brushPanel"));
+    auto* dock = addSideDock(context.window, context.toggles, QStringLiteral("referencePanel"),
+                             ReferencePanel::tr("Image"), new ReferencePanel(images, viewport, actions));
     dock->hide();
     QObject::connect(images, &ReferenceImages::chosen, dock, [=](OrbitCamera::Side side) {
         turnTo(side, viewport);

@@ -3,6 +3,7 @@
 #include "ui/actions/actions.h"
 #include "ui/reference/reference_images.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -55,9 +56,8 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     , m_sides(new QComboBox)
     , m_inFront(new QCheckBox(tr("In front of the model")))
 {
-    m_sides->setObjectName(QStringLiteral("reference.side"));
-    m_sides->setAccessibleName(tr("Side"));
-    m_sides->setToolTip(tr("The side to which the image is pinned; choosing another one turns the view to it."));
+    named(m_sides, "reference.side",
+          tr("The side to which the image is pinned; choosing another one turns the view to it."), tr("Side"));
     m_sides->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_sides->setMinimumWidth(minWidth);
     connect(m_sides, &QComboBox::activated, this,
@@ -71,8 +71,8 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     m_y = lengthBox(QStringLiteral("reference.y"), tr("Upwards"),
                     tr("How far the image's middle is above the origin in this view."), -maxReferenceOffset,
                     maxReferenceOffset);
-    m_inFront->setObjectName(QStringLiteral("reference.inFront"));
-    m_inFront->setToolTip(tr("Draws the image over the model instead of behind it, so that both can be compared."));
+    named(m_inFront, "reference.inFront",
+          tr("Draws the image over the model instead of behind it, so that both can be compared."));
     connect(m_inFront, &QCheckBox::toggled, this, &ReferencePanel::place);
 
     auto* form = new QFormLayout(this);
@@ -95,12 +95,10 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
 /// The picture, and beside it its name and what can be done with it.
 QLayout* ReferencePanel::buildHead(const Actions& actions)
 {
-    m_thumbnail = new QLabel;
-    m_thumbnail->setObjectName(QStringLiteral("reference.thumbnail"));
+    m_thumbnail = named(new QLabel, "reference.thumbnail");
     m_thumbnail->setFixedSize(thumbnailSize, thumbnailSize);
     m_thumbnail->setAlignment(Qt::AlignCenter);
-    m_name = new QLabel;
-    m_name->setObjectName(QStringLiteral("reference.name"));
+    m_name = named(new QLabel, "reference.name");
     m_name->setTextFormat(Qt::PlainText);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(gap / 2);
@@ -126,8 +124,7 @@ QLayout* ReferencePanel::buildHead(const Actions& actions)
 QLayout* ReferencePanel::buildOpacity()
 {
     m_opacity = new QSlider(Qt::Horizontal);
-    m_percent = new QSpinBox;
-    m_percent->setObjectName(QStringLiteral("reference.opacity"));
+    m_percent = named(new QSpinBox, "reference.opacity");
     m_percent->setKeyboardTracking(false);
     m_percent->setSuffix(tr(" %"));
     m_opacity->setRange(percentOf(minReferenceOpacity), 100);
@@ -148,10 +145,7 @@ QLayout* ReferencePanel::buildOpacity()
 QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name, const QString& tip, double min,
                                           double max)
 {
-    auto* box = new QDoubleSpinBox;
-    box->setObjectName(id);
-    box->setAccessibleName(name);
-    box->setToolTip(tip);
+    auto* box = named(new QDoubleSpinBox, id, tip, name);
     box->setDecimals(2);
     box->setRange(min, max);
     box->setSuffix(tr(" mm"));

@@ -45,21 +45,11 @@ core::Shading shadingOf(Material material)
 
 Backdrop backdropOf(Background background, bool darkTheme)
 {
-    switch (background) {
-    case Background::Theme:
-        return backdropOf(darkTheme ? Background::Dark : Background::Light, darkTheme);
-    case Background::Light:
-        return {{222, 225, 229}, {176, 182, 189}};
-    case Background::Dark:
-        return {{70, 74, 80}, {34, 36, 40}};
-    case Background::Sky:
-        return {{118, 160, 202}, {222, 230, 236}};
-    case Background::White:
-        return {Qt::white, Qt::white, 0};
-    case Background::Black:
-        return {Qt::black, Qt::black, 0};
-    }
-    return {};
+    const Backdrop light{{222, 225, 229}, {176, 182, 189}}, dark{{70, 74, 80}, {34, 36, 40}};
+    const Backdrop backdrops[] = {
+        darkTheme ? dark : light, light, dark, {{118, 160, 202}, {222, 230, 236}}, {Qt::white, Qt::white, 0},
+        {Qt::black, Qt::black, 0}};
+    return backdrops[static_cast<std::size_t>(background)];
 }
 
 bool isDark(const Backdrop& backdrop)

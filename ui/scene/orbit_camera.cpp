@@ -65,20 +65,9 @@ void OrbitCamera::orbit(const Pixel& delta)
 void OrbitCamera::turnTo(Side side)
 {
     constexpr double quarter = std::numbers::pi / 2;
-    switch (side) {
-    case Side::Front:
-        return turn(0, 0);
-    case Side::Back:
-        return turn(2 * quarter, 0);
-    case Side::Right:
-        return turn(quarter, 0);
-    case Side::Left:
-        return turn(-quarter, 0);
-    case Side::Top:
-        return turn(0, quarter);
-    case Side::Bottom:
-        return turn(0, -quarter);
-    }
+    constexpr double turns[][2] = {{0, 0}, {2 * quarter, 0}, {quarter, 0}, {-quarter, 0}, {0, quarter}, {0, -quarter}};
+    const auto& [yaw, pitch] = turns[static_cast<std::size_t>(side)];
+    turn(yaw, pitch);
 }
 
 /// The target goes round the pivot as if both were tied to the camera.

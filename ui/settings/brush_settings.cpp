@@ -30,6 +30,15 @@ int legalFalloff(double value)
     const int n = static_cast<int>(std::lround(value));
     return core::isFalloff(n) ? n : (n < 2 ? 0 : 3);
 }
+
+/// Null: Falloff, which is no double.
+double core::StrokeSettings::*numberOf(core::Parameter parameter)
+{
+    using Settings = core::StrokeSettings;
+    constexpr double Settings::*numbers[] = {&Settings::radius, &Settings::strength, nullptr, &Settings::detail,
+                                             &Settings::spacing};
+    return numbers[static_cast<std::size_t>(parameter)];
+}
 } // namespace
 
 BrushSettings::BrushSettings(QObject* parent)
@@ -64,42 +73,17 @@ void BrushSettings::reset()
 
 double BrushSettings::value(core::Parameter parameter) const
 {
-    switch (parameter) {
-    case core::Parameter::Radius:
-        return m_stroke.radius;
-    case core::Parameter::Strength:
-        return m_stroke.strength;
-    case core::Parameter::Falloff:
-        return m_stroke.falloff;
-    case core::Parameter::Detail:
-        return m_stroke.detail;
-    case core::Parameter::Spacing:
-        return m_stroke.spacing;
-    }
-    return 0;
+    return parameter == core::Parameter::Falloff ? m_stroke.falloff : m_stroke.*numberOf(parameter);
 }
 
 void BrushSettings::setValue(core::Parameter parameter, double value)
 {
     const double before = this->value(parameter);
     const double legal = std::clamp(value, minOf(parameter), maxOf(parameter));
-    switch (parameter) {
-    case core::Parameter::Radius:
-        m_stroke.radius = legal;
-        break;
-    case core::Parameter::Strength:
-        m_stroke.strength = legal;
-        break;
-    case core::Parameter::Falloff:
+    if (parameter == core::Parameter::Falloff)
         m_stroke.falloff = legalFalloff(legal);
-        break;
-    case core::Parameter::Detail:
-        m_stroke.detail = legal;
-        break;
-    case core::Parameter::Spacing:
-        m_stroke.spacing = legal;
-        break;
-    }
+    else
+        m_stroke.*numberOf(parameter) = legal;
     if (parameter == core::Parameter::Detail) // finer edges under a small brush may be finer than the lattice
         m_stroke.radius = std::clamp(m_stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (this->value(parameter) != before)

@@ -1,7 +1,5 @@
 #include "ui/settings/printer_presets.h"
 
-#include <cmath>
-
 namespace ui
 {
 namespace

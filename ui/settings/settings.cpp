@@ -2,8 +2,6 @@
 
 #include <QDir>
 
-#include <algorithm>
-
 namespace ui
 {
 namespace

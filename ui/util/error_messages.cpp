@@ -12,7 +12,7 @@
 #include <QLocale>
 #include <QStringList>
 
-#include <cstring>
+#include <cmath>
 
 namespace ui
 {
@@ -123,28 +123,17 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
 
 QString ErrorMessages::shortfall(core::Shortfall shortfall)
 {
-    switch (shortfall) {
-    case core::Shortfall::None:
-        return {};
-    case core::Shortfall::Blocked:
-        return tr("Nothing happened here: the surface would have met itself.");
-    case core::Shortfall::Contact:
-        return tr("The brush stopped where surfaces met that may not join.");
-    case core::Shortfall::Wall:
-        return tr("The brush stopped at the wall of the working volume.");
-    case core::Shortfall::Capped:
-        return tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on.");
-    case core::Shortfall::Inside:
-        return tr("Nothing was added, because it would lie inside the model.");
-    case core::Shortfall::TooClose:
-        return tr("Nothing was added, because it would be too close to the surface.");
-    case core::Shortfall::NoRoom:
-        return tr("Nothing was added, because it would reach beyond the working volume.");
-    case core::Shortfall::Unfit:
-        return tr(
-            "Nothing was added, because the brush's shape is not sound at that size on the program's working grid.");
-    }
-    return {};
+    const QString sentences[] = {
+        QString(),
+        tr("Nothing happened here: the surface would have met itself."),
+        tr("The brush stopped where surfaces met that may not join."),
+        tr("The brush stopped at the wall of the working volume."),
+        tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on."),
+        tr("Nothing was added, because it would lie inside the model."),
+        tr("Nothing was added, because it would be too close to the surface."),
+        tr("Nothing was added, because it would reach beyond the working volume."),
+        tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid.")};
+    return sentences[static_cast<std::size_t>(shortfall)];
 }
 
 QString ErrorMessages::asymmetric()
@@ -187,19 +176,8 @@ QString ErrorMessages::missingReference(const QString& path)
 
 QString ErrorMessages::name(core::Parameter parameter)
 {
-    switch (parameter) {
-    case core::Parameter::Radius:
-        return tr("Radius");
-    case core::Parameter::Strength:
-        return tr("Strength");
-    case core::Parameter::Falloff:
-        return tr("Falloff");
-    case core::Parameter::Detail:
-        return tr("Detail");
-    case core::Parameter::Spacing:
-        return tr("Spacing");
-    }
-    return {};
+    const QString names[] = {tr("Radius"), tr("Strength"), tr("Falloff"), tr("Detail"), tr("Spacing")};
+    return names[static_cast<std::size_t>(parameter)];
 }
 
 QString ErrorMessages::range(core::Parameter parameter, double min, double max)

@@ -52,25 +52,15 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
 
 QString RepairMessages::progress(const QString& file, core::RepairStep step)
 {
-    switch (step) {
-    case core::RepairStep::CleanUp:
-        return tr("Mending %1: points and faces").arg(file);
-    case core::RepairStep::Stitch:
-        return tr("Mending %1: cracks").arg(file);
-    case core::RepairStep::Orient:
-        return tr("Mending %1: directions of the faces").arg(file);
-    case core::RepairStep::Fill:
-        return tr("Mending %1: holes").arg(file);
-    case core::RepairStep::Resolve:
-        return tr("Mending %1: intersections").arg(file);
-    case core::RepairStep::Remesh:
-        return tr("Mending %1: a new surface").arg(file);
-    case core::RepairStep::Check:
-        return tr("Mending %1: the check").arg(file);
-    case core::RepairStep::Measure:
-        return tr("Mending %1: measuring what moved").arg(file);
-    }
-    return {};
+    const QString sentences[] = {tr("Mending %1: points and faces"),
+                                 tr("Mending %1: cracks"),
+                                 tr("Mending %1: directions of the faces"),
+                                 tr("Mending %1: holes"),
+                                 tr("Mending %1: intersections"),
+                                 tr("Mending %1: a new surface"),
+                                 tr("Mending %1: the check"),
+                                 tr("Mending %1: measuring what moved")};
+    return sentences[static_cast<std::size_t>(step)].arg(file);
 }
 
 QString RepairMessages::distance(const core::RepairReport& report)

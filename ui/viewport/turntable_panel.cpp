@@ -1,6 +1,7 @@
 #include "ui/viewport/turntable_panel.h"
 
 #include "ui/viewport/turntable.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
@@ -22,20 +23,17 @@ struct TurntablePanel
 
 QCheckBox* makeSwitch(Turntable* turntable)
 {
-    auto* box = new QCheckBox(TurntablePanel::tr("The model turns"));
-    box->setObjectName(QStringLiteral("turns"));
-    box->setToolTip(
-        TurntablePanel::tr("Turns the model under the hand: a hand that rests makes a groove all around (T)."));
+    auto* box =
+        named(new QCheckBox(TurntablePanel::tr("The model turns")), "turns",
+              TurntablePanel::tr("Turns the model under the hand: a hand that rests makes a groove all around (T)."));
     QObject::connect(box, &QCheckBox::clicked, turntable, &Turntable::setOn);
     return box;
 }
 
 QComboBox* makeDirection(Turntable* turntable)
 {
-    auto* box = new QComboBox;
-    box->setObjectName(QStringLiteral("turnDirection"));
-    box->setAccessibleName(TurntablePanel::tr("Direction"));
-    box->setToolTip(TurntablePanel::tr("Which way the model turns, seen from above."));
+    auto* box = named(new QComboBox, "turnDirection", TurntablePanel::tr("Which way the model turns, seen from above."),
+                      TurntablePanel::tr("Direction"));
     box->addItem(TurntablePanel::tr("Anticlockwise"));
     box->addItem(TurntablePanel::tr("Clockwise"));
     QObject::connect(box, &QComboBox::activated, turntable,
@@ -45,10 +43,9 @@ QComboBox* makeDirection(Turntable* turntable)
 
 QDoubleSpinBox* makeSpeed(Turntable* turntable)
 {
-    auto* box = new QDoubleSpinBox;
-    box->setObjectName(QStringLiteral("turnSpeed"));
-    box->setAccessibleName(TurntablePanel::tr("Speed"));
-    box->setToolTip(TurntablePanel::tr("How many degrees the model turns in a second; 360 are one turn."));
+    auto* box = named(new QDoubleSpinBox, "turnSpeed",
+                      TurntablePanel::tr("How many degrees the model turns in a second; 360 are one turn."),
+                      TurntablePanel::tr("Speed"));
     box->setDecimals(0);
     box->setRange(minTurn, maxTurn);
     box->setSingleStep(10);
@@ -61,8 +58,7 @@ QDoubleSpinBox* makeSpeed(Turntable* turntable)
 
 QDockWidget* makeTurntablePanel(Turntable* turntable)
 {
-    auto* dock = new QDockWidget(TurntablePanel::tr("Turntable"));
-    dock->setObjectName(QStringLiteral("turntablePanel"));
+    auto* dock = named(new QDockWidget(TurntablePanel::tr("Turntable")), "turntablePanel");
     auto* content = new QWidget;
     content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     dock->setWidget(content);

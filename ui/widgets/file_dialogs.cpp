@@ -1,6 +1,7 @@
 #include "ui/widgets/file_dialogs.h"
 
 #include "ui/util/format_filters.h"
+#include "ui/widgets/named.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -36,8 +37,7 @@ void show(QFileDialog* dialog, const PathCallback& callback)
 void askForTarget(QWidget* parent, const QString& title, const QString& name, const QString& folder,
                   const QString& modelName, const QStringList& endings, const PathCallback& callback)
 {
-    auto* dialog = new QFileDialog(parent, title, folder);
-    dialog->setObjectName(name);
+    auto* dialog = named(new QFileDialog(parent, title, folder), name);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     QStringList filters;
     for (const QString& ending : endings)
@@ -56,8 +56,7 @@ void askForTarget(QWidget* parent, const QString& title, const QString& name, co
 void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder,
                  const QStringList& endings, const PathCallback& callback)
 {
-    auto* dialog = new QFileDialog(parent, title, folder);
-    dialog->setObjectName(name);
+    auto* dialog = named(new QFileDialog(parent, title, folder), name);
     dialog->setFileMode(QFileDialog::ExistingFile);
     QStringList patterns;
     for (const QString& ending : endings)
@@ -72,8 +71,7 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathCallb
     const QString title = use == ModelUse::Insert  ? FileDialogs::tr("Insert a Model")
                           : use == ModelUse::Brush ? FileDialogs::tr("Choose the Brush's Shape")
                                                    : FileDialogs::tr("Open a Model");
-    auto* dialog = new QFileDialog(parent, title, folder);
-    dialog->setObjectName(QStringLiteral("openDialog"));
+    auto* dialog = named(new QFileDialog(parent, title, folder), "openDialog");
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setOption(QFileDialog::HideNameFilterDetails); // there are too many to be read
     const QString patterns = QStringLiteral("*.") + modelEndings().join(QStringLiteral(" *."));
@@ -103,8 +101,7 @@ void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endi
 
 void askForLesson(QWidget* parent, PathCallback callback)
 {
-    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Open a Lesson"));
-    dialog->setObjectName(QStringLiteral("lessonDialog"));
+    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Open a Lesson")), "lessonDialog");
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(FileDialogs::tr("Lessons (%1)").arg(QStringLiteral("*.zip lesson.json")));
     show(dialog, callback);
@@ -114,8 +111,7 @@ void askForLessonTarget(QWidget* parent, const QString& title, PathCallback call
 {
     const QString zip = QStringLiteral("zip"), file = FileDialogs::tr("One file (%1)").arg(QStringLiteral("*.zip")),
                   folder = FileDialogs::tr("A folder (*)");
-    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Save the Lesson"));
-    dialog->setObjectName(QStringLiteral("lessonTargetDialog"));
+    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Save the Lesson")), "lessonTargetDialog");
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({file, folder});
     dialog->setDefaultSuffix(zip);
@@ -137,8 +133,7 @@ void askForPicture(QWidget* parent, const QString& folder, PathCallback callback
 
 void askForFolder(QWidget* parent, const QString& folder, PathCallback callback)
 {
-    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Choose a Folder"), folder);
-    dialog->setObjectName(QStringLiteral("folderDialog"));
+    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Choose a Folder"), folder), "folderDialog");
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     show(dialog, callback);

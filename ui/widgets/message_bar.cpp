@@ -1,5 +1,6 @@
 #include "ui/widgets/message_bar.h"
 
+#include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
 #include <QAction>
@@ -16,6 +17,17 @@ namespace
 constexpr int maxNameWidth = 240;
 } // namespace
 
+QPushButton* addButton(QToolBar* bar, QPushButton* button)
+{
+    button->setAutoDefault(true);
+    auto* cell = new QWidget;
+    auto* row = new QHBoxLayout(cell);
+    row->setContentsMargins(0, gap / 2, gap, gap / 2);
+    row->addWidget(button);
+    bar->addWidget(cell);
+    return button;
+}
+
 MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* window) : QToolBar(title, window)
 {
     setObjectName(QLatin1StringView(name));
@@ -28,29 +40,16 @@ MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* wind
 
 void MessageBar::setMessage(const char* name, const QString& sentence, const QString& tip)
 {
-    auto* words = new QLabel(sentence);
-    words->setObjectName(QLatin1StringView(name));
+    auto* words = named(new QLabel(sentence), name, tip);
     words->setTextFormat(Qt::PlainText);
-    words->setToolTip(tip);
     words->setContentsMargins(gap, 0, gap, 0);
     words->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(words);
 }
 
-/// Return presses it, as Space does.
 QPushButton* MessageBar::addButton(const char* name, const QString& text, const QString& tip)
 {
-    auto* button = new QPushButton(text);
-    button->setObjectName(QLatin1StringView(name));
-    button->setAccessibleName(QString(text).remove(QLatin1Char('&')));
-    button->setToolTip(tip);
-    button->setAutoDefault(true);
-    auto* cell = new QWidget;
-    auto* row = new QHBoxLayout(cell);
-    row->setContentsMargins(0, gap / 2, gap, gap / 2);
-    row->addWidget(button);
-    addWidget(cell);
-    return button;
+    return ui::addButton(this, named(new QPushButton(text), name, tip, QString(text).remove(QLatin1Char('&'))));
 }
 
 QString MessageBar::shortened(const QString& fileName) const

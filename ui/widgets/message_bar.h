@@ -8,6 +8,9 @@ class QPushButton;
 
 namespace ui
 {
+/// Gives it room in the bar. Return presses it, as Space does.
+QPushButton* addButton(QToolBar* bar, QPushButton* button);
+
 /// A sentence and a few buttons under the window's tool bar, while work goes on: a question that waits. It stays until
 /// somebody chooses, or whoever made it takes it away. Gui thread.
 class MessageBar : public QToolBar

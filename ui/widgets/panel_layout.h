@@ -7,7 +7,7 @@
 
 namespace ui
 {
-// What the lessons' panels have in common. Gui thread.
+// What panels have in common. Gui thread.
 
 /// All that stands in it, one below the other.
 inline QVBoxLayout* panelLayout(QWidget* page)

@@ -1,5 +1,6 @@
 #include "ui/widgets/side_dock.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
@@ -14,5 +15,24 @@ void addSideDock(QMainWindow* window, QMenu* toggles, QDockWidget* dock, const Q
         window->tabifyDockWidget(first, dock);
         first->raise();
     }
+}
+
+QDockWidget* addSideDock(QMainWindow* window, QMenu* toggles, const QString& name, const QString& title,
+                         QWidget* content)
+{
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addSideDock(window, toggles, dock, QStringLiteral("brushPanel"));
+    return dock;
+}
+
+void showBy(const QAction* action, QDockWidget* dock)
+{
+    dock->hide();
+    QObject::connect(action, &QAction::triggered, dock, [dock] {
+        dock->show();
+        dock->raise();
+    });
 }
 } // namespace ui

@@ -1,6 +1,34 @@
-#include "ui/window/main_window_state.h"
+#include "ui/window/main_window.h"
 
+#include "ui/actions/actions.h"
+#include "ui/brush/brush_actions.h"
+#include "ui/brush/brush_bar.h"
+#include "ui/brush/brush_panels.h"
 #include "ui/brush/brush_shapes.h"
+#include "ui/brush/color_panel.h"
+#include "ui/classroom/classroom.h"
+#include "ui/classroom/classroom_lock.h"
+#include "ui/drawing/preview_panel.h"
+#include "ui/files/file_browser.h"
+#include "ui/headset/partner_bar.h"
+#include "ui/help/help_actions.h"
+#include "ui/help/start_page.h"
+#include "ui/history/history_panel.h"
+#include "ui/lesson/lesson_editor.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/model/model_actions.h"
+#include "ui/model/model_panel.h"
+#include "ui/preferences/preferences_actions.h"
+#include "ui/print/print_panel.h"
+#include "ui/reference/reference_actions.h"
+#include "ui/scene/scene.h"
+#include "ui/settings/settings.h"
+#include "ui/util/error_messages.h"
+#include "ui/viewport/appearance_actions.h"
+#include "ui/viewport/input_actions.h"
+#include "ui/viewport/view_actions.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/notification_banner.h"
 #include "ui/window/info_bar.h"
 #include "ui/window/window_geometry.h"
@@ -9,14 +37,211 @@
 #include <QCloseEvent>
 #include <QDir>
 #include <QFileInfo>
+#include <QHash>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
+#include <QStatusBar>
 #include <QTabWidget>
+#include <QToolBar>
 
+#include <optional>
 #include <utility>
 
 namespace ui
 {
+/// The state that each turn of a class begins with.
+struct TurnDefaults
+{
+    QHash<QString, bool> switches;
+    QList<core::Rgb> swatches;
+    QByteArray bars;
+    core::SavedView view;
+};
+
+/// What the window is made of. Gui thread.
+struct MainWindow::State
+{
+    explicit State(MainWindow* window) : brush(window), actions(window), files(&settings, window), q(window) {}
+
+    Settings settings;
+    BrushSettings brush;
+    Actions actions;
+    ModelFiles files;
+    MainWindow* q;
+    std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
+    Viewport* viewport = nullptr;
+    BrushShapes* shapes = nullptr;
+    NotificationBanner* banner = nullptr;
+    InfoBar* infoBar = nullptr;
+    HistoryPanel* history = nullptr;
+    ModelPanel* modelPanel = nullptr;
+    ProgressBar* progressBar = nullptr;
+    QLabel* headsetText = nullptr;
+    HeadsetActions* headset = nullptr;
+    QPointer<QMessageBox> problem;
+    std::function<bool()> guard, canClose, isSettled;
+    bool closesLater = false;
+    ModelInfo model;
+    std::optional<Classroom> classroom;
+    TurnDefaults turnDefaults; ///< of the class
+
+    void buildView();
+    void buildBars();
+    void addPalette(const QString& title, const QString& name, Bar which);
+    void buildPanels(QMenu* toggles);
+    void buildStatusBar();
+    template <class What> void on(const char* id, What what);
+    void connectActions();
+    void connectFiles();
+    void connectTools();
+    void setBusy(bool isBusy);
+    void showName();
+    void restore();
+    void save();
+};
+
+// --- what it is made of, and which part hears which
+
+/// The viewport, or a sentence in its place.
+void MainWindow::State::buildView()
+{
+    const QString unable = graphicsProblem();
+    viewport = new Viewport(&brush);
+    if (unable.isEmpty()) {
+        q->setCentralWidget(viewport);
+    } else {
+        spareViewport.reset(viewport);
+        auto* sentence = named(new QLabel(unable), "graphicsProblem");
+        sentence->setAlignment(Qt::AlignCenter);
+        sentence->setWordWrap(true);
+        q->setCentralWidget(sentence);
+    }
+    banner = new NotificationBanner(q->centralWidget());
+    if (q->centralWidget() == viewport)
+        banner->stayAbove(viewport->scaleBar());
+}
+
+void MainWindow::State::buildBars()
+{
+    for (const MenuId id :
+         {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
+        QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
+        if (id == MenuId::Sculpt) {
+            for (const MenuId sub : {MenuId::Tool, MenuId::Mask})
+                actions.fill(menu->addMenu(actions.menuTitle(sub)), sub);
+        }
+        actions.fill(menu, id);
+        if (id == MenuId::File)
+            files.addMenus(menu, actions);
+        if (id != MenuId::View)
+            continue;
+        actions.fill(menu->addMenu(actions.menuTitle(MenuId::Turn)), MenuId::Turn);
+        addAppearanceActions(actions, viewport, &settings, menu);
+        buildPanels(menu->addMenu(tr("&Panels")));
+    }
+
+    auto* bar = q->addToolBar(tr("Tool Bar"));
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setIconSize(QSize(22, 22));
+    actions.fill(bar, Bar::Top);
+    bar->addSeparator();
+    auto* brushBar = new BrushBar(&brush);
+    bar->addWidget(brushBar);
+    connect(brushBar, &BrushBar::entered, viewport, qOverload<>(&Viewport::setFocus));
+
+    addPalette(tr("Tool Palette"), QStringLiteral("toolPalette"), Bar::Tools);
+    q->addToolBarBreak(Qt::LeftToolBarArea); // all in one column would not fit a small screen
+    addPalette(tr("Tool Options"), QStringLiteral("toolOptions"), Bar::Options);
+}
+
+void MainWindow::State::addPalette(const QString& title, const QString& name, Bar which)
+{
+    auto* palette = named(new QToolBar(title), name);
+    palette->setIconSize(QSize(26, 26));
+    actions.fill(palette, which);
+    q->addToolBar(Qt::LeftToolBarArea, palette);
+}
+
+void MainWindow::State::buildPanels(QMenu* toggles)
+{
+    shapes = new BrushShapes(&brush, &settings, q);
+    connect(shapes, &BrushShapes::refused, q, &MainWindow::showNotice);
+    addBrushPanels({q, toggles, [this] { viewport->setFocus(); }}, &brush, shapes);
+    connectInputActions({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings,
+                        actions);
+    addColorPanel({q, toggles, viewport}, &brush, &settings, actions,
+                  [this](const QString& word) { q->showNotice(word); });
+    history = addHistoryPanel(q, &settings, toggles);
+    modelPanel = addModelPanel(q, toggles);
+    addPrintPanel({q, toggles, viewport}, &settings, actions);
+    addLessonPanel(q, toggles, actions);
+    addLessonEditor(q, toggles, actions);
+    addFileBrowser({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    addReferences({q, toggles, viewport, &files}, &settings, actions,
+                  [this](const QString& word) { q->showNotice(word); });
+    addPreview(
+        q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
+}
+
+void MainWindow::State::buildStatusBar()
+{
+    progressBar = new ProgressBar(actions.get(QStringLiteral("edit.stop")));
+    connect(progressBar, &ProgressBar::activeChanged, q, [this](bool isBusy) { setBusy(isBusy); });
+    infoBar = new InfoBar(&brush);
+    headsetText = named(new QLabel, "headsetText");
+    headsetText->setTextFormat(Qt::PlainText);
+    headsetText->setContentsMargins(8, 0, 8, 0);
+    headsetText->hide();
+    q->statusBar()->addPermanentWidget(headsetText);
+    q->statusBar()->addPermanentWidget(progressBar);
+    q->statusBar()->addPermanentWidget(infoBar);
+}
+
+template <class What> void MainWindow::State::on(const char* id, What what)
+{
+    connect(actions.get(QLatin1StringView(id)), &QAction::triggered, q, what);
+}
+
+void MainWindow::State::connectActions()
+{
+    connectFiles();
+    connectModel(
+        actions, q, [this]() -> const ModelInfo& { return model; }, &brush,
+        [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
+    connectTools();
+    headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
+    connectView(actions, viewport);
+    connectPreferences({q, &actions, &settings, &brush, viewport});
+    StartPage* start = connectHelp(actions, &settings, q);
+    connect(start, &StartPage::fileChosen, &files, &ModelFiles::openRequested);
+    connect(&files, &ModelFiles::openRequested, start, &StartPage::close);
+    for (const char* id : {"edit.undo", "edit.redo"})
+        actions.get(QLatin1StringView(id))->setEnabled(false);
+}
+
+void MainWindow::State::connectFiles()
+{
+    on("file.exportFor", [this] { files.exportFor(model); });
+    on("edit.classroom", [this] {
+        askForClassroom(q, actions, settings.lastFolder(),
+                        [this](const ClassroomDraft& draft) { Q_EMIT q->classroomDrafted(draft); });
+    });
+    on("file.quit", [this] { q->close(); });
+    connect(&files, &ModelFiles::noticed, q, &MainWindow::showNotice);
+}
+
+void MainWindow::State::connectTools()
+{
+    connectBrush(actions, &brush);
+    connect(shapes, &BrushShapes::ownModelRequested, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
+    connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
+        q->showNotice(ErrorMessages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
+    });
+}
+
 void MainWindow::State::setBusy(bool isBusy)
 {
     for (const ActionInfo& row : actionTable())
@@ -48,6 +273,8 @@ void MainWindow::State::save()
     if (model.size.maxCoeff() > 0)
         settings.set(&Setting::radiusShare, brush.radiusShare());
 }
+
+// --- the window
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make_unique<State>(this))
 {
@@ -233,5 +460,33 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     m_state->save();
     event->accept();
+}
+
+// --- in a class
+
+void MainWindow::setClassroom(const Classroom& classroom)
+{
+    m_state->classroom = classroom;
+    m_state->files.refuseDrops();
+    m_state->shapes->setMayLoad(false);
+    m_state->brush.offerTools(classroom.tools);
+    lockWindow(this, m_state->actions, classroom);
+    m_state->turnDefaults = {switchesOf(m_state->actions), findChild<ColorPanel*>()->swatches(), saveState(),
+                             m_state->viewport->camera().saved()};
+}
+
+/// The settings first: they bring panels and switches of their own, of which a class has less.
+void MainWindow::beginTurn()
+{
+    const TurnDefaults& turnDefaults = m_state->turnDefaults;
+    m_state->viewport->input()->finish();
+    m_state->settings.reset();
+    restoreState(turnDefaults.bars);
+    m_state->brush.reset();
+    m_state->brush.setRadiusShare(m_state->settings.get(&Setting::radiusShare));
+    findChild<ColorPanel*>()->reset(turnDefaults.swatches);
+    setSwitches(m_state->actions, turnDefaults.switches);
+    m_state->viewport->navigation()->setView(turnDefaults.view);
+    m_state->viewport->navigation()->frame();
 }
 } // namespace ui
