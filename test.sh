@@ -34,8 +34,9 @@ fettle_unlock
 status=0
 ctest --test-dir "$fettle_root/build/$preset" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" ${soak[@]+"${soak[@]}"} "$@" || status=$?
 log=$fettle_root/build/$preset/Testing/Temporary/LastTest.log
+[ -f "$log" ] || exit $status # nothing was to run, as with -N
 echo "Skipped, and why:"
 grep "^SKIP" "$log" || echo "nothing"
 echo "The slowest, in seconds:"
-awk '/^[0-9]+\/[0-9]+ Testing: / {name = $3} /^Test time =/ {printf "%7.1f  %s\n", $4, name}' "$log" | sort -rn | sed -n 1,20p || true
+awk '/^[0-9]+\/[0-9]+ Testing: / {name = $3} /^Test time =/ {printf "%7.1f  %s\n", $4, name}' "$log" | sort -rn | sed -n 1,20p
 exit $status

@@ -73,7 +73,7 @@ void connectRefusals(ui::MainWindow& window, Document& document, SculptWorker& w
     });
 }
 
-/// For users who cannot reach the same setting in the headset. They apply from the next visit on.
+/// Connects the actions for users who cannot reach the same setting in the headset. They apply from the next visit on.
 void connectHandednessActions(ui::MainWindow& window, Headset* headset)
 {
     QAction* oneHand = window.action(QStringLiteral("vr.oneHand"));

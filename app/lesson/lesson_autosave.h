@@ -28,7 +28,7 @@ public:
 
     /// The files that earlier runs left, the latest first.
     QStringList abandoned() const;
-    /// Removes the placeholder texts that the file needed.
+    /// Removes the ellipsis that stands in the file for each title and text not yet written.
     static core::Lesson withoutStandIns(core::Lesson lesson);
     /// Continues that file: from now on it holds the unsaved lesson.
     void adopt(const QString& file);

@@ -120,7 +120,7 @@ void LessonEditorController::enableAutosave(const std::filesystem::path& root)
             tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
 }
 
-/// Those that were not saved first.
+/// Lists the lessons, those that were not saved first.
 void LessonEditorController::showLessons()
 {
     QList<ui::LessonCard> cards;

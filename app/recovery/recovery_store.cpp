@@ -59,7 +59,7 @@ QString text(const std::filesystem::path& path)
     return QDir::toNativeSeparators(QString::fromStdU16String(path.u16string()));
 }
 
-/// Of a change that was made, whole or not.
+/// Returns whether the folder has a record of a change, whole or not.
 bool holdsChanges(const core::JournalFolder& folder)
 {
     const core::JournalFiles files = core::filesIn(folder.path());
@@ -249,7 +249,7 @@ void RecoveryStore::findAbandoned()
                      });
 }
 
-/// What was saved, or never changed, is removed; what is damaged beyond that is kept elsewhere.
+/// Removes the journals of documents that were saved or never changed, and sets damaged ones aside.
 RecoveryStore::ScanResult RecoveryStore::scan(const std::filesystem::path& root)
 {
     ScanResult found;
@@ -273,7 +273,7 @@ RecoveryStore::ScanResult RecoveryStore::scan(const std::filesystem::path& root)
     return found;
 }
 
-/// Beside the root: nothing there is looked at again.
+/// Returns the folder of damaged journals: it is beside the root, where no scan looks.
 std::filesystem::path RecoveryStore::damagedRoot(const std::filesystem::path& root)
 {
     std::filesystem::path damaged = root;

@@ -11,10 +11,10 @@ struct Turn
 {
     double cosine = 1, sine = 0;
 
-    /// By up to a quarter turn, in radians. Taylor series, so that it has the same bits on every machine.
+    /// Makes a turn by at most a quarter, in radians. A Taylor series gives it the same bits on every machine.
     static Turn by(double angle);
-    /// By k of n equal parts of a whole turn, 0 <= k < n. Quarter turns are exact, others have the same bits on every
-    /// machine.
+    /// Makes a turn by k of n equal parts of a whole one, 0 <= k < n. Quarter turns are exact, others have the same
+    /// bits on every machine.
     static Turn part(int k, int n);
 
     bool isNone() const { return cosine == 1; }

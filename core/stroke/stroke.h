@@ -115,7 +115,7 @@ struct Dab
 };
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };
-/// As in `replay --stats`.
+/// The names of outcomes in the statistics of `replay --stats`.
 template <>
 inline constexpr std::array<std::string_view, 6> valueNames<DabOutcome>{"committed", "careful", "ended_early",
                                                                         "empty",     "added",   "refused"};

@@ -103,7 +103,7 @@ template <> inline constexpr std::array<std::string_view, 2> valueNames<Topology
 template <> inline constexpr std::array<std::string_view, 3> valueNames<Placement>{"point", "nearest", "ray"};
 template <> inline constexpr std::array<std::string_view, 4> valueNames<Symmetry>{"none", "x", "y", "z"};
 
-/// In palette order.
+/// Returns the names of the tools in the order of the palette.
 constexpr std::span<const std::string_view> toolNames()
 {
     return valueNames<Tool>;

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Fuzzes the reader of a format for as long as FETTLE_EFFORT says. What it finds stays in the build folder, and is where the next run begins.
+# Fuzzes the reader of a format for as long as FETTLE_EFFORT says. Its findings stay in the build folder, where the next
+# run begins.
 #   run_fuzzer.sh FUZZERS_DIR FORMAT
 set -euo pipefail
 case ${FETTLE_EFFORT:-small} in

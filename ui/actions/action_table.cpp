@@ -211,8 +211,8 @@ public:
         {MenuId::Sculpt, "color.swap", QT_TR_NOOP("S&wap Colours"),
          QT_TR_NOOP("Paints with the other colour, and keeps this one for the next swap."), "Shift+C", "swap"},
 
-        {MenuId::Model, "model.move", QT_TR_NOOP("&Move…"), QT_TR_NOOP("Moves the whole model by so many millimetres."),
-         "", "move"},
+        {MenuId::Model, "model.move", QT_TR_NOOP("&Move…"),
+         QT_TR_NOOP("Moves the whole model by so many millimetres."), "", "move"},
         {MenuId::Model, "model.rotate", QT_TR_NOOP("&Rotate…"),
          QT_TR_NOOP("Turns the whole model about an axis through the origin."), "", "rotate"},
         {MenuId::Model, "model.scale", QT_TR_NOOP("&Scale…"), QT_TR_NOOP("Makes the whole model larger or smaller."),

@@ -234,7 +234,7 @@ void FileBrowser::goTo(const QString& folder)
     list();
 }
 
-/// Not the folder.
+/// Sets the controls to the options, except the folder.
 void FileBrowser::setControls(const FileBrowserSettings& options)
 {
     const QSignalBlocker quiet(m_size);
@@ -244,7 +244,7 @@ void FileBrowser::setControls(const FileBrowserSettings& options)
     choose();
 }
 
-/// What the controls say.
+/// Takes the options from the controls.
 void FileBrowser::choose()
 {
     m_options.order = static_cast<FileOrder>(m_order->currentIndex());
@@ -321,7 +321,7 @@ void FileBrowser::change(const FileJob& job, const std::function<void(const File
     });
 }
 
-/// What is in sight first, then what nothing is known of.
+/// Requests the thumbnails in sight first, then those of files not yet read.
 void FileBrowser::requestThumbnails()
 {
     m_thumbnailTimer.stop();
@@ -353,7 +353,7 @@ void FileBrowser::setThumbnail(const FileEntry& file, const Thumbnail& thumbnail
     showState();
 }
 
-/// How many there are and how far the pictures are; in an empty grid the reason.
+/// Shows the number of models and of pictures made so far, or why the grid is empty.
 void FileBrowser::showState()
 {
     int models = 0, unknown = 0;
@@ -414,7 +414,7 @@ void FileBrowser::focusGrid()
     m_grid->setFocus();
 }
 
-/// Files that others wrote meanwhile are of another date: the watcher tells of names only.
+/// Reads the folder's dates again when the window comes to the front: the watcher reports changed names only.
 bool FileBrowser::event(QEvent* event)
 {
     if (event->type() == QEvent::WindowActivate)

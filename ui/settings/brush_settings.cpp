@@ -31,7 +31,7 @@ int legalFalloff(double value)
     return core::isFalloff(n) ? n : (n < 2 ? 0 : 3);
 }
 
-/// Null: Falloff, which is no double.
+/// Returns the member that holds the parameter; null for Falloff, which is no double.
 double core::StrokeSettings::*numberOf(core::Parameter parameter)
 {
     using Settings = core::StrokeSettings;

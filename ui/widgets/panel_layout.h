@@ -7,9 +7,7 @@
 
 namespace ui
 {
-// What panels have in common. Gui thread.
-
-/// All that stands in it, one below the other.
+/// Returns a new layout of the page that stacks its widgets. Thread: gui.
 inline QVBoxLayout* panelLayout(QWidget* page)
 {
     auto* rows = new QVBoxLayout(page);
@@ -18,7 +16,7 @@ inline QVBoxLayout* panelLayout(QWidget* page)
     return rows;
 }
 
-/// To be scrolled up and down where there is little room.
+/// Returns a scroll area around the page, for windows with little room.
 inline QScrollArea* scrollablePanel(QWidget* page)
 {
     auto* area = new QScrollArea;

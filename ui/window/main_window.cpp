@@ -61,7 +61,7 @@ struct TurnDefaults
     core::SavedView view;
 };
 
-/// What the window is made of. Gui thread.
+/// The widgets and settings of the window. Thread: gui.
 struct MainWindow::State
 {
     explicit State(MainWindow* window) : brush(window), actions(window), files(&settings, window), q(window) {}
@@ -105,7 +105,7 @@ struct MainWindow::State
 
 // --- what it is made of, and which part hears which
 
-/// The viewport, or a sentence in its place.
+/// Builds the viewport, or a label that says why there is none.
 void MainWindow::State::buildView()
 {
     const QString unable = graphicsProblem();
@@ -475,7 +475,7 @@ void MainWindow::setClassroom(const Classroom& classroom)
                              m_state->viewport->camera().saved()};
 }
 
-/// The settings first: they bring panels and switches of their own, of which a class has less.
+/// Resets the settings before bars and switches: settings bring panels and switches back, of which a class has fewer.
 void MainWindow::beginTurn()
 {
     const TurnDefaults& turnDefaults = m_state->turnDefaults;

@@ -121,7 +121,7 @@ bool PatchCopy::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& 
     return true;
 }
 
-/// Whether each face in the turned balls is the image of a face of the patch.
+/// Returns whether each face in the turned balls is the image of a face of the patch.
 bool PatchCopy::isAllMatched(const VerifiedMesh& surface, const Turn& turn) const
 {
     const Mesh& mesh = surface.mesh();
