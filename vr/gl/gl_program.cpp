@@ -49,10 +49,14 @@ bool Program::create(QOpenGLExtraFunctions* gl, const char* vertexFile, const ch
     const QString folder = QStringLiteral(":/shaders/");
     m_gl = gl;
     m_program = std::make_unique<QOpenGLShaderProgram>();
-    m_program->addShaderFromSourceFile(QOpenGLShader::Vertex, folder + QLatin1StringView(vertexFile));
-    m_program->addShaderFromSourceFile(QOpenGLShader::Fragment, folder + QLatin1StringView(fragmentFile));
+    const auto add = [&](QOpenGLShader::ShaderType stage, const char* file) {
+        return m_program->addShaderFromSourceFile(stage, folder + QLatin1StringView(file));
+    };
+    // Qt leaves out a shader that does not compile, and a program of the other one alone may link.
+    const bool hasVertex = add(QOpenGLShader::Vertex, vertexFile);
+    const bool hasFragment = add(QOpenGLShader::Fragment, fragmentFile);
     m_program->bindAttributeLocation("vertexPosition", 0);
-    const bool isLinked = m_program->link();
+    const bool isLinked = hasVertex && hasFragment && m_program->link();
     for (Uniform* uniform : m_uniforms)
         uniform->m_location = m_program->uniformLocation(uniform->m_name);
     return isLinked;
@@ -61,6 +65,7 @@ bool Program::create(QOpenGLExtraFunctions* gl, const char* vertexFile, const ch
 void Program::destroy()
 {
     m_program.reset();
+    m_gl = nullptr;
 }
 
 void Program::use() const
