@@ -1,6 +1,8 @@
 // The stroke file's commands for the whole model: which keys each has, and its words.
 #include "core/io/stroke/stroke_json_reader.h"
 
+#include <cassert>
+
 namespace core
 {
 namespace
@@ -86,7 +88,9 @@ void StrokeJsonReader::requireNoneOf(KeySet keys)
 /// The keys of a command may come in any order, and before "command": only now is it known which belong to it.
 void StrokeJsonReader::endCommand()
 {
-    const CommandRow& row = *std::ranges::find(commandTable, m_command.name, &CommandRow::name);
+    const auto found = std::ranges::find(commandTable, m_command.name, &CommandRow::name);
+    assert(found != std::end(commandTable)); // commandWord() has refused other names
+    const CommandRow& row = *found;
     const bool wantsCentre = row.name == "insert" && m_command.where == Insert::Place::Centre;
     const bool wantsColor = row.name == "mask" && m_command.how == MaskOperation::Kind::Color;
     const KeySet wanted = (wantsCentre ? bit(CentreKey) : 0) | (wantsColor ? bit(ColorKey) : 0);

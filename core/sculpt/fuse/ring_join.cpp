@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 namespace core
 {
@@ -47,7 +46,15 @@ void alignEvenly(const Mesh& mesh, const Ring& a, Ring& b)
         }
         return sum;
     };
-    const std::size_t best = std::ranges::min(std::views::iota(std::size_t(0), b.size()), {}, cost);
+    std::size_t best = 0;
+    double minCost = cost(0);
+    for (std::size_t start = 1; start < b.size(); ++start) {
+        const double here = cost(start);
+        if (here < minCost) {
+            minCost = here;
+            best = start;
+        }
+    }
     std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(best));
 }
 
