@@ -128,6 +128,7 @@ QString LessonMessages::name(core::Fact fact)
 {
     const QString names[] = {tr("holes"), tr("parts"),  tr("height"),    tr("width"),
                              tr("depth"), tr("volume"), tr("triangles"), tr("ready to print")};
+    static_assert(std::size(names) == static_cast<std::size_t>(core::Fact::PrintReady) + 1);
     return names[static_cast<std::size_t>(fact)];
 }
 

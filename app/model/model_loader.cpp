@@ -162,6 +162,7 @@ LoadedModel ModelLoader::starter(core::Starter starter)
 QString ModelLoader::name(core::Starter starter)
 {
     const QString names[] = {tr("Ball"), tr("Cube"), tr("Torus"), tr("Slab"), tr("Vase"), tr("Head"), tr("Tablet")};
+    static_assert(std::size(names) == static_cast<std::size_t>(core::Starter::Tablet) + 1);
     return names[static_cast<std::size_t>(starter)];
 }
 

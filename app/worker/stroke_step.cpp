@@ -22,6 +22,7 @@ QString StrokeStep::textOf(core::Tool tool)
         tr("Layer", "undo step"), tr("Flatten", "undo step"), tr("Scrape", "undo step"),  tr("Smooth", "undo step"),
         tr("Pinch", "undo step"), tr("Crease", "undo step"),  tr("Grab", "undo step"),    tr("Snake Hook", "undo step"),
         tr("Twist", "undo step"), tr("Stamp", "undo step"),   tr("Paint", "undo step"),   tr("Mask", "undo step")};
+    static_assert(std::size(texts) == core::toolNames().size());
     return texts[static_cast<std::size_t>(tool)];
 }
 

@@ -36,6 +36,7 @@ QString verdictText(ReportVerdict verdict)
 {
     const QString texts[] = {ReportText::tr("Print-ready"), ReportText::tr("Not print-ready"),
                              ReportText::tr("Cannot be read")};
+    static_assert(std::size(texts) == static_cast<std::size_t>(ReportVerdict::Unreadable) + 1);
     return texts[static_cast<std::size_t>(verdict)];
 }
 

@@ -25,6 +25,7 @@ public:
     static QString name(DrawnSide side)
     {
         const QString names[] = {tr("Front"), tr("Right"), tr("Top")};
+        static_assert(std::size(names) == core::drawnSides.size());
         return names[static_cast<std::size_t>(side)];
     }
 };

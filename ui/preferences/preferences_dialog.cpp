@@ -202,6 +202,7 @@ void PreferencesDialog::addChoice(QFormLayout* form, const ControlText& words,
 QString PreferencesDialog::words(ThemeChoice theme)
 {
     const QString names[] = {tr("As the system"), tr("Light"), tr("Dark")};
+    static_assert(std::size(names) == static_cast<std::size_t>(ThemeChoice::Dark) + 1);
     return names[static_cast<std::size_t>(theme)];
 }
 
@@ -215,6 +216,7 @@ QString PreferencesDialog::words(Language language)
 {
     const QString names[] = {tr("As the system"), QStringLiteral("English"), QStringLiteral("Deutsch"),
                              QStringLiteral("简体中文")};
+    static_assert(std::size(names) == static_cast<std::size_t>(Language::Chinese) + 1);
     return names[static_cast<std::size_t>(language)];
 }
 

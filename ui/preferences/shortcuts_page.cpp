@@ -24,6 +24,7 @@ QString presetName(ShortcutPreset preset)
 {
     const QString names[] = {ShortcutsPage::tr("Fettle"), ShortcutsPage::tr("As in Blender"),
                              ShortcutsPage::tr("As in ZBrush")};
+    static_assert(std::size(names) == static_cast<std::size_t>(ShortcutPreset::ZBrush) + 1);
     return names[static_cast<std::size_t>(preset)];
 }
 

@@ -49,6 +49,7 @@ Backdrop backdropOf(Background background, bool darkTheme)
     const Backdrop backdrops[] = {
         darkTheme ? dark : light, light, dark, {{118, 160, 202}, {222, 230, 236}}, {Qt::white, Qt::white, 0},
         {Qt::black, Qt::black, 0}};
+    static_assert(std::size(backdrops) == static_cast<std::size_t>(Background::Black) + 1);
     return backdrops[static_cast<std::size_t>(background)];
 }
 

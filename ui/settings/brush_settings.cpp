@@ -37,6 +37,7 @@ double core::StrokeSettings::*numberOf(core::Parameter parameter)
     using Settings = core::StrokeSettings;
     constexpr double Settings::*numbers[] = {&Settings::radius, &Settings::strength, nullptr, &Settings::detail,
                                              &Settings::spacing};
+    static_assert(std::size(numbers) == static_cast<std::size_t>(core::Parameter::Spacing) + 1);
     return numbers[static_cast<std::size_t>(parameter)];
 }
 } // namespace

@@ -133,6 +133,7 @@ QString ErrorMessages::shortfall(core::Shortfall shortfall)
         tr("Nothing was added, because it would be too close to the surface."),
         tr("Nothing was added, because it would reach beyond the working volume."),
         tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid.")};
+    static_assert(std::size(sentences) == static_cast<std::size_t>(core::Shortfall::Unfit) + 1);
     return sentences[static_cast<std::size_t>(shortfall)];
 }
 
@@ -177,6 +178,7 @@ QString ErrorMessages::missingReference(const QString& path)
 QString ErrorMessages::name(core::Parameter parameter)
 {
     const QString names[] = {tr("Radius"), tr("Strength"), tr("Falloff"), tr("Detail"), tr("Spacing")};
+    static_assert(std::size(names) == static_cast<std::size_t>(core::Parameter::Spacing) + 1);
     return names[static_cast<std::size_t>(parameter)];
 }
 

@@ -60,6 +60,7 @@ QString RepairMessages::progress(const QString& file, core::RepairStep step)
                                  tr("Mending %1: a new surface"),
                                  tr("Mending %1: the check"),
                                  tr("Mending %1: measuring what moved")};
+    static_assert(std::size(sentences) == static_cast<std::size_t>(core::RepairStep::Measure) + 1);
     return sentences[static_cast<std::size_t>(step)].arg(file);
 }
 
