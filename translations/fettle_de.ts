@@ -3003,12 +3003,20 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Kanten</translation>
     </message>
     <message>
-        <source>By the brush</source>
-        <translation>Nach dem Pinsel</translation>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
     </message>
     <message>
-        <source>As long everywhere</source>
-        <translation>Überall gleich lang</translation>
+        <source>Refine and coarsen</source>
+        <translation>Verfeinern und vergröbern</translation>
+    </message>
+    <message>
+        <source>Keep as they are</source>
+        <translation>Lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Surfaces that meet join</source>
@@ -7190,8 +7198,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Netz</translation>
     </message>
     <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
         <source>Adaptive</source>
         <translation>Angepasst</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Lassen</translation>
     </message>
     <message>
         <source>Uniform</source>

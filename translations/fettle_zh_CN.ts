@@ -2997,12 +2997,20 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>边长</translation>
     </message>
     <message>
-        <source>By the brush</source>
-        <translation>随笔刷</translation>
+        <source>Refine</source>
+        <translation>细化</translation>
     </message>
     <message>
-        <source>As long everywhere</source>
-        <translation>处处相同</translation>
+        <source>Refine and coarsen</source>
+        <translation>细化并粗化</translation>
+    </message>
+    <message>
+        <source>Keep as they are</source>
+        <translation>保持原样</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>均匀</translation>
     </message>
     <message>
         <source>Surfaces that meet join</source>
@@ -7170,8 +7178,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>拓扑</translation>
     </message>
     <message>
+        <source>Refine</source>
+        <translation>细化</translation>
+    </message>
+    <message>
         <source>Adaptive</source>
         <translation>自适应</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
     </message>
     <message>
         <source>Uniform</source>

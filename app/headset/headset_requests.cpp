@@ -90,7 +90,7 @@ void HeadsetRequests::handle(const vr::ChooseBrush& request)
         Q_EMIT brushRefused();
     }
     brush.set(&StrokeSettings::brush, request.brush.brush);
-    brush.set(&StrokeSettings::topology, request.brush.topology);
+    brush.setUniform(request.brush.topology == core::Topology::Uniform);
     brush.set(&StrokeSettings::symmetry, request.brush.symmetry);
     brush.set(&StrokeSettings::radial, request.brush.radial);
     brush.set(&StrokeSettings::color, request.brush.color);

@@ -30,6 +30,7 @@ struct DabRequest
 {
     const StrokeSettings& settings;
     LayerHeights& heights;
+    RestLengths& rest;
     const std::function<void()>& afterSubstep; ///< may be empty
     SculptorTotals& totals;
     WorkBudget work = {};
@@ -44,6 +45,8 @@ struct DabContext
     const Mesh& mesh() const { return surface.mesh(); }
     /// Returns an editor whose operations are not verified one by one.
     MeshEditor editor() { return MeshEditor(surface.mesh(), {}, mirror); }
+    /// Returns the stroke's rest lengths if it keeps detail, else null.
+    RestLengths* rest() const { return keepsDetail(settings.topology) ? &request.rest : nullptr; }
     /// Returns the vertices of the region, and their images.
     Slot touchedVertices() const;
     /// Lets the region meet other surfaces, and be joined to them: it is no longer kept as fine as it was grabbed.

@@ -28,7 +28,7 @@ bool keepsShape(Tool tool)
 
 FusionInput fusionInput(const DabContext& context, const StepPlan& plan)
 {
-    return {pushes(context.settings), context.bounds, plan.part()};
+    return {pushes(context.settings), context.bounds, plan.part(), context.rest()};
 }
 } // namespace
 
@@ -55,15 +55,20 @@ bool DabSteps::canFacesFuse(const DabContext& context)
 RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEditor edit)
 {
     RemeshCounts counts;
-    if (!context.grab.state.isOn) {
+    RestLengths* rest = context.rest();
+    if (rest)
+        rest->measure(context.region, context.mesh());
+    if (!context.grab.state.isOn && context.settings.topology != Topology::Keep) {
         const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
-        counts = refine(edit, context.region, context.candidates, context.ball, context.bounds);
+        counts = refine(edit, context.region, context.candidates, context.ball, context.bounds, rest);
     }
     if (context.settings.brush == BrushShape::Ray && counts.splits > 0) {
         const PhaseTimer timer(context.report.selectMs);
         selectRefined(context, context.region);
         if (context.mirror)
             keepHalf(context.region, *context.mirror);
+        if (rest)
+            rest->measure(context.region, context.mesh());
     }
     const PhaseTimer timer(context.report.deformMs, context.report.fuseMs);
     context.report.asked = this->plan(context);
@@ -112,11 +117,13 @@ bool DabSteps::displace(DabContext& context, double part)
 
 RemeshCounts DabSteps::optimise(DabContext& context, MeshEditor edit)
 {
-    const EdgeBounds& bounds = context.bounds;
+    EdgeBounds bounds = context.bounds;
+    if (context.settings.topology == Topology::Keep)
+        bounds.detail = std::numeric_limits<double>::max();
     if (!keepsShape(context.settings.tool))
-        return core::optimise(edit, context.region, bounds);
+        return core::optimise(edit, context.region, bounds, context.rest());
     const auto place = [&](Slot v) { return relaxedAlongSharp(context.mesh(), bounds, v); };
-    return optimiseKeepingShape(edit, context.region, bounds, place);
+    return optimiseKeepingShape(edit, context.region, bounds, place, context.rest());
 }
 
 bool DabSteps::displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts)
@@ -126,6 +133,8 @@ bool DabSteps::displaceAndOptimise(DabContext& context, double part, RemeshCount
         if (!displace(context, part))
             return false;
     }
+    if (context.settings.topology == Topology::Keep)
+        return true;
     const PhaseTimer timer(context.report.optimiseMs);
     counts += optimise(context, context.editor());
     return true;

@@ -42,12 +42,13 @@ public:
     std::optional<StrokeAnchor> anchor;
     SectorGrabs grabs{surface};
     LayerHeights heights;
+    RestLengths rest;
     std::optional<EdgeBounds> lastBounds; ///< edge lengths of the last dab, if it remeshes
 
 private:
     void warmUp();
     DabReport sculpt(const Dab& dab);
-    DabReport rest(DabRequest& request, const Dab& dab);
+    DabReport selectOnly(DabRequest& request, const Dab& dab);
 
     Region m_footprintRegion; ///< of its own: a footprint may be asked for in the middle of a dab
 };
@@ -59,6 +60,7 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
     anchor.emplace(settings);
     grabs.beginStroke();
     heights.clear();
+    rest.clear();
 }
 
 /// Returns a dab's centre as the stroke places it (StrokeSettings::place); nothing where a ray misses.
@@ -95,9 +97,9 @@ DabReport Sculptor::Engine::sculpt(const Dab& dab)
     DabReport report;
     if (!(dab.strength > 0))
         return report;
-    DabRequest request = {settings, heights, betweenSubsteps, totals};
+    DabRequest request = {settings, heights, rest, betweenSubsteps, totals};
     if (isAtRest(settings, dab))
-        return rest(request, dab);
+        return selectOnly(request, dab);
     const double verifiedBefore = surface.verifyMs();
     surface.forgetDirtyFaces();
     {
@@ -113,7 +115,7 @@ DabReport Sculptor::Engine::sculpt(const Dab& dab)
 }
 
 /// Selects, and moves nothing: a drag tool has not moved since the dab before.
-DabReport Sculptor::Engine::rest(DabRequest& request, const Dab& dab)
+DabReport Sculptor::Engine::selectOnly(DabRequest& request, const Dab& dab)
 {
     DabContext context(surface, request, dab, grabs.first().own);
     if (!context.grab.state.isOn)
@@ -166,7 +168,7 @@ void Sculptor::Engine::warmUp()
     dab.position = mesh.point(v).cast<double>();
     dab.radius = mesh.uniformDetail() / edgeBounds(1, settings.detail).detail;
     dab.strength = 1;
-    DabRequest request = {settings, heights, betweenSubsteps, totals};
+    DabRequest request = {settings, heights, rest, betweenSubsteps, totals};
     DabContext context(surface, request, dab, grabs.first().own);
     pipeline.warmUp(context);
 }

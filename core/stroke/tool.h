@@ -76,11 +76,18 @@ enum class BrushShape {
     Ray     ///< within the radius of the point that a ray hits, by geodesic distance along the surface
 };
 
-/// What decides how fine the mesh under the brush is.
+/// How fine the mesh under the brush becomes.
 enum class Topology {
-    Adaptive, ///< the brush's radius
-    Uniform   ///< one length for the whole model
+    Refine,   ///< as fine as the brush; what is finer already stays so
+    Adaptive, ///< as fine as the brush, neither finer nor coarser (paper, section 3.2.2)
+    Keep,     ///< as it is, except where a motion would not be valid without remeshing
+    Uniform   ///< of one edge length, the same for the whole model
 };
+/// Leaves detail that is finer than the brush as it is.
+constexpr bool keepsDetail(Topology topology)
+{
+    return topology == Topology::Refine || topology == Topology::Keep;
+}
 
 /// Where a dab's centre comes from.
 enum class Placement {
@@ -99,7 +106,8 @@ inline constexpr std::array<std::string_view, 16> valueNames<Tool>{
     "pull",  "push",   "inflate", "clay",  "layer", "flatten", "scrape", "smooth",
     "pinch", "crease", "grab",    "snake", "twist", "stamp",   "paint",  "mask"};
 template <> inline constexpr std::array<std::string_view, 2> valueNames<BrushShape>{"sphere", "ray"};
-template <> inline constexpr std::array<std::string_view, 2> valueNames<Topology>{"adaptive", "uniform"};
+template <>
+inline constexpr std::array<std::string_view, 4> valueNames<Topology>{"refine", "adaptive", "keep", "uniform"};
 template <> inline constexpr std::array<std::string_view, 3> valueNames<Placement>{"point", "nearest", "ray"};
 template <> inline constexpr std::array<std::string_view, 4> valueNames<Symmetry>{"none", "x", "y", "z"};
 

@@ -64,7 +64,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.tool = static_cast<core::Tool>(below(core::toolNames().size()));
     s.inverted = below(3) == 0;
     s.brush = below(3) == 0 ? core::BrushShape::Ray : core::BrushShape::Sphere;
-    s.topology = below(4) == 0 ? core::Topology::Uniform : core::Topology::Adaptive;
+    s.topology = static_cast<core::Topology>(below(4));
     s.add = below(2) == 0;
     s.fusion = below(3) != 0;
     s.symmetry = below(3) == 0 ? planes[below(3)] : core::Symmetry::None;

@@ -47,10 +47,13 @@ void connectBrush(const Actions& actions, BrushSettings* brush)
     }
     connectChoice(action("brush.ray"), brush, &core::StrokeSettings::brush, core::BrushShape::Ray,
                   core::BrushShape::Sphere);
-    connectChoice(action("topology.uniform"), brush, &core::StrokeSettings::topology, core::Topology::Uniform,
-                  core::Topology::Adaptive);
     connectChoice(action("topology.fusion"), brush, &core::StrokeSettings::fusion, true, false);
 
+    QAction* uniform = action("topology.uniform");
+    const auto showUniform = [=] { uniform->setChecked(brush->stroke().topology == core::Topology::Uniform); };
+    QObject::connect(uniform, &QAction::triggered, brush, &BrushSettings::setUniform);
+    QObject::connect(brush, &BrushSettings::changed, uniform, showUniform);
+    showUniform();
     QAction* symmetric = action("symmetry.on");
     const auto showSymmetry = [=] { symmetric->setChecked(brush->stroke().symmetry != core::Symmetry::None); };
     QObject::connect(symmetric, &QAction::triggered, brush, &BrushSettings::setSymmetric);

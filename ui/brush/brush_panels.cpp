@@ -194,8 +194,10 @@ QDockWidget* topologyPanel(BrushSettings* brush, const std::function<void()>& en
 {
     const Panel panel(brush, QStringLiteral("topologyPanel"), BrushPanels::tr("Topology"));
     panel.addChoice(QStringLiteral("topology"), BrushPanels::tr("Edges"), &core::StrokeSettings::topology,
-                    Choices<core::Topology>{{BrushPanels::tr("By the brush"), core::Topology::Adaptive},
-                                            {BrushPanels::tr("As long everywhere"), core::Topology::Uniform}});
+                    Choices<core::Topology>{{BrushPanels::tr("Refine"), core::Topology::Refine},
+                                            {BrushPanels::tr("Refine and coarsen"), core::Topology::Adaptive},
+                                            {BrushPanels::tr("Keep as they are"), core::Topology::Keep},
+                                            {BrushPanels::tr("Uniform"), core::Topology::Uniform}});
     panel.addNumber(core::Parameter::Detail, entered);
     panel.addCheck(QStringLiteral("fusion"), BrushPanels::tr("Surfaces that meet join"), &core::StrokeSettings::fusion);
     return panel.dock;

@@ -19,6 +19,7 @@ core::StrokeSettings firstStroke()
 {
     core::StrokeSettings stroke;
     stroke.place = core::Placement::Ray;
+    stroke.topology = core::Topology::Refine;
     stroke.spacing = defaultSpacing;
     stroke.color = firstPaint;
     return stroke;
@@ -65,6 +66,7 @@ void BrushSettings::reset()
     const BrushSettings first;
     m_plane = first.m_plane;
     m_sectors = first.m_sectors;
+    m_topology = first.m_topology;
     m_isInverted = first.m_isInverted;
     m_isSteady = first.m_isSteady;
     m_stabilizerLength = first.m_stabilizerLength;
@@ -114,6 +116,8 @@ void BrushSettings::apply(const core::StrokeSettings& stroke)
         m_plane = stroke.symmetry;
     if (stroke.radial > 1)
         m_sectors = stroke.radial;
+    if (stroke.topology != core::Topology::Uniform)
+        m_topology = stroke.topology;
     Q_EMIT changed();
 }
 

@@ -40,6 +40,8 @@ public:
             m_plane = m_stroke.symmetry;
         if (m_stroke.radial > 1)
             m_sectors = m_stroke.radial;
+        if (m_stroke.topology != core::Topology::Uniform)
+            m_topology = m_stroke.topology;
         Q_EMIT changed();
     }
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
@@ -53,6 +55,11 @@ public:
     }
     /// In as many sectors as were chosen last; six at first.
     void setRadial(bool radial) { set(&core::StrokeSettings::radial, radial ? m_sectors : 1); }
+    /// Else of the topology that was chosen last; at first one that keeps detail.
+    void setUniform(bool uniform)
+    {
+        set(&core::StrokeSettings::topology, uniform ? core::Topology::Uniform : m_topology);
+    }
     /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
@@ -98,7 +105,8 @@ private:
     double m_stabilizerLength = defaultStabilizerLength;
     core::Symmetry m_plane = core::Symmetry::X;
     int m_sectors = 6;
-    double m_minDetail = 0; ///< of the model's lattice
+    core::Topology m_topology = core::Topology::Refine; ///< when it is not uniform
+    double m_minDetail = 0;                             ///< of the model's lattice
     double m_maxRadius;
     double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
 };

@@ -124,7 +124,9 @@ PanelLayout ToolPanel::layout() const
                       {{tr("Sphere"), QStringLiteral("sphere"), BrushShape::Sphere, brush == BrushShape::Sphere},
                        {tr("Ray"), QStringLiteral("ray"), BrushShape::Ray, brush == BrushShape::Ray}});
     builder.addChoice(tr("Topology"), toolNameWidth,
-                      {{tr("Adaptive"), QStringLiteral("adaptive"), Topology::Adaptive, topology == Topology::Adaptive},
+                      {{tr("Refine"), QStringLiteral("refine"), Topology::Refine, topology == Topology::Refine},
+                       {tr("Adaptive"), QStringLiteral("adaptive"), Topology::Adaptive, topology == Topology::Adaptive},
+                       {tr("Keep"), QStringLiteral("keep"), Topology::Keep, topology == Topology::Keep},
                        {tr("Uniform"), QStringLiteral("uniform"), Topology::Uniform, topology == Topology::Uniform}});
     addSymmetry(builder);
     addMask(builder);

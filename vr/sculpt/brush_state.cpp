@@ -47,7 +47,19 @@ double radiusOn(const BrushState& brush, const ModelPlacement& placement)
     const core::ParameterInfo& range = core::info(core::Parameter::Radius);
     return std::clamp(placement.lengthToModel(brush.radius), range.min, range.max);
 }
+
+void chooseTopology(BrushState& brush, core::Topology topology)
+{
+    brush.stroke.topology = topology;
+    if (topology != core::Topology::Uniform)
+        brush.topology = topology;
+}
 } // namespace
+
+core::Topology firstTopology(ButtonPreset preset)
+{
+    return preset == ButtonPreset::Paper ? core::Topology::Adaptive : core::Topology::Refine;
+}
 
 BrushState changed(BrushState brush, const WandAction& action)
 {
@@ -60,7 +72,7 @@ BrushState changed(BrushState brush, const WandAction& action)
             stroke.brush = stroke.brush == BrushShape::Sphere ? BrushShape::Ray : BrushShape::Sphere;
         },
         [&](ToggleTopology) {
-            stroke.topology = stroke.topology == Topology::Adaptive ? Topology::Uniform : Topology::Adaptive;
+            stroke.topology = stroke.topology == Topology::Uniform ? brush.topology : Topology::Uniform;
         },
         [&](ToggleSymmetry) { stroke.symmetry = stroke.symmetry == Symmetry::None ? brush.plane : Symmetry::None; },
         [&](const ScaleRadius& scale) { brush.radius = std::clamp(brush.radius * scale.factor, minRadius, maxRadius); },
@@ -77,7 +89,12 @@ BrushState changed(BrushState brush, const PanelAction& action)
     const core::Overloaded change{
         [&](core::Tool tool) { stroke.tool = tool; },
         [&](core::BrushShape shape) { stroke.brush = shape; },
-        [&](core::Topology topology) { stroke.topology = topology; },
+        [&](core::Topology topology) { chooseTopology(brush, topology); },
+        [&](ButtonPreset preset) {
+            brush.topology = firstTopology(preset);
+            if (stroke.topology != core::Topology::Uniform)
+                stroke.topology = brush.topology;
+        },
         [&](const ChooseSymmetry& symmetry) { stroke.symmetry = symmetry.isOn ? brush.plane : core::Symmetry::None; },
         [&](const ChooseRadial& chosen) { stroke.radial = chosen.count; },
         [&](const ChooseColor& chosen) { stroke.color = chosen.color; },

@@ -19,8 +19,14 @@ struct BrushState
     core::StrokeSettings stroke; ///< what people choose of it; its radius, spacing, place and add are none of that
     bool isInverse = false;      ///< strokes do the opposite, where the tool has one
     core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is on; the paper's is the xz plane
-    double radius = defaultRadius;            ///< metres in the room
+    core::Topology topology =
+        core::Topology::Adaptive;  ///< of the headset when it is not uniform; at first the preset's
+    double radius = defaultRadius; ///< metres in the room
 };
+
+/// Returns the topology, other than uniform, with which a preset begins: the paper's adapts to the brush, the others'
+/// keep detail.
+core::Topology firstTopology(ButtonPreset preset);
 
 /// Returns the brush after an action of a wand. The last tool is followed by the first; channels and the radius stop at
 /// the ends of their ranges. An action that does not concern the brush changes nothing.

@@ -111,7 +111,7 @@ SculptClient::SculptClient(std::shared_ptr<DocumentPort> port, const HeadsetSett
     : m_port(std::move(port))
     , m_settings(settings)
     , m_mapping(settings.wands)
-    , m_brush(m_port.get())
+    , m_brush(m_port.get(), settings.wands.preset)
     , m_haptics(settings.hapticLevels)
 {}
 

@@ -25,6 +25,8 @@ void WandBrush::take(const DocumentUpdate& update, const ModelPlacement& placeme
         return;
     m_seenChange = update.brushChange;
     m_state.stroke = update.brush;
+    if (update.brush.topology != core::Topology::Uniform)
+        m_state.stroke.topology = m_state.topology;
 }
 
 void WandBrush::change(const BrushState& state)

@@ -53,6 +53,12 @@ double FusionInput::reach() const
     return thicknessPerDetail * bounds.detail;
 }
 
+double FusionInput::detail(Slot p, Slot q) const
+{
+    const double finest = rest ? 2 * std::min(rest->of(p), rest->of(q)) : bounds.detail; // as d_detail is 2 d
+    return std::min(finest, bounds.detail);
+}
+
 bool FusionCandidates::mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
 {
     std::vector<Vec3> normals(faces.size()); // exact, and so is their sum: the order of the faces does not matter
@@ -185,7 +191,13 @@ bool FusionCandidates::willMeet(Slot i, Slot j, const Region& region, const Moti
     const Vec3 otherMotion = isImage ? m_mirror->imageOf(motion(v)) : motion(other);
     const Vec3 axis = unit(meetOutside ? n - m : m - n);
     const double gap = between.dot(axis), closing = (motion(v) - otherMotion).dot(axis);
-    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * input.bounds.detail);
+    if (!(closing > 0))
+        return false;
+    const double detail = input.detail(v, other);
+    if (detail == input.bounds.detail)
+        return closingShare * gap <= closing || gap <= contactPerDetail * detail;
+    const double aside2 = between.squaredNorm() - gap * gap, thickness = thicknessPerDetail * detail;
+    return closingShare * gap <= closing && aside2 < thickness * thickness; // folds of detail may be near each other
 }
 
 /// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a

@@ -2,6 +2,7 @@
 
 #include "core/sculpt/deform/motion_limits.h"
 #include "core/sculpt/edit/mirror_map.h"
+#include "core/sculpt/remesh/rest_lengths.h"
 #include "core/sculpt/verify/verified_mesh.h"
 
 namespace core
@@ -11,8 +12,11 @@ struct FusionInput
 {
     bool pushes = false; ///< a wall whose two sides meet gets a hole
     EdgeBounds bounds;
-    double part = 1;      ///< share of the plan that one sub-step does
-    double reach() const; ///< d_thickness, in mm: surfaces farther apart do not join
+    double part = 1;                   ///< share of the plan that one sub-step does
+    const RestLengths* rest = nullptr; ///< of a stroke that keeps detail
+    double reach() const;              ///< d_thickness, in mm: surfaces farther apart do not join
+    /// Returns d_detail at p and q, in mm: less than the brush's where the surface was finer before the stroke.
+    double detail(Slot p, Slot q) const;
 };
 
 /// Two vertices that are about to meet.

@@ -44,7 +44,7 @@ std::vector<RemeshEdge> EdgeCollapse::collapse(std::vector<RemeshEdge> edges)
     SlotSet& around = region.scratch();
     around.clear();
     for (const RemeshEdge& e : edges) {
-        if (!m_mesh.isEdge(e.edge) || !m_pass.isTooShort(m_pass.length2(e.edge)) || !m_mesh.mayGo(e.edge))
+        if (!m_mesh.isEdge(e.edge) || !m_pass.isTooShort(e.edge, m_pass.length2(e.edge)) || !m_mesh.mayGo(e.edge))
             continue;
         const Slot h = m_pass.edit().collapsing(e.edge), gone = m_mesh.from(h), stays = m_mesh.to(h);
         const std::optional<Merged> merged = mergedEnds(h);

@@ -6,8 +6,9 @@ namespace core
 {
 namespace
 {
-/// A flip is a change of triangulation, not of shape: only across edges flatter than about 25 degrees.
-constexpr double flatCosine = 0.9;
+/// A flip is a change of triangulation, not of shape: only across edges flatter than about 25 degrees, and than about 6
+/// where the surface is to keep its detail.
+constexpr double flatCosine = 0.9, flatDetailCosine = 0.995;
 constexpr int flipPasses = 4;
 } // namespace
 
@@ -16,8 +17,9 @@ bool EdgeFlip::shouldFlip(Slot e) const
 {
     const Slot h = 2 * e;
     const auto point = [&mesh = m_mesh](Slot v) -> Vec3 { return mesh.point(v).cast<double>(); };
-    const Vec3 a = point(m_mesh.from(h)), b = point(m_mesh.to(h));
-    const Vec3 c = point(m_mesh.to(m_mesh.next(h))), d = point(m_mesh.to(m_mesh.next(h ^ 1)));
+    const Slot va = m_mesh.from(h), vb = m_mesh.to(h);
+    const Slot vc = m_mesh.to(m_mesh.next(h)), vd = m_mesh.to(m_mesh.next(h ^ 1));
+    const Vec3 a = point(va), b = point(vb), c = point(vc), d = point(vd);
     const double dot0 = (a - c).dot(b - c), dot1 = (a - d).dot(b - d);
     if (dot0 >= 0 && dot1 >= 0)
         return false; // neither angle is obtuse
@@ -26,11 +28,12 @@ bool EdgeFlip::shouldFlip(Slot e) const
     if (area0 == 0 || area1 == 0)
         return false;
     const double cotangents = dot0 / area0 + dot1 / area1;
-    if (cotangents > -1e-3 || !m_mesh.mayGo(e) || n0.dot(n1) < flatCosine * area0 * area1)
+    const double flat = m_pass.isDetail(va) && m_pass.isDetail(vb) ? flatDetailCosine : flatCosine;
+    if (cotangents > -1e-3 || !m_mesh.mayGo(e) || n0.dot(n1) < flat * area0 * area1)
         return false;
     const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
-    const double min = flatCosine * area0, length2 = (c - d).squaredNorm();
-    return m0.dot(n0) > min * m0.norm() && m1.dot(n0) > min * m1.norm() && !m_pass.isTooShort(length2) &&
+    const double min = flat * area0, length2 = (c - d).squaredNorm();
+    return m0.dot(n0) > min * m0.norm() && m1.dot(n0) > min * m1.norm() && !m_pass.isTooShort(vc, vd, length2) &&
            !m_pass.isTooLong(length2) && m_mesh.isFlipOk(e);
 }
 

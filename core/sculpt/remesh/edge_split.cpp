@@ -118,6 +118,7 @@ Slot EdgeSplit::split(const RemeshEdge& e)
     if (m == noSlot)
         return noSlot;
     ++m_pass.counts.splits;
+    m_pass.noteNew(m);
     m_pass.changed().add(m);
     m_mesh.forEachOutgoing(m, [&](Slot h) { m_pass.changed().add(m_mesh.to(h)); });
     return m;
@@ -127,7 +128,7 @@ std::vector<RemeshEdge> EdgeSplit::splitLongEdges()
 {
     Region& region = m_pass.region();
     std::vector<RemeshEdge> edges =
-        m_pass.edges([&](double l2, Slot) { return m_pass.isTooLong(l2) || m_pass.isTooShort(l2); });
+        m_pass.edges([&](double l2, Slot e) { return m_pass.isTooLong(l2) || m_pass.isTooShort(e, l2); });
     const auto tooShort =
         std::ranges::partition(edges, [&](const RemeshEdge& e) { return m_pass.isTooLong(e.length2); });
     std::vector<RemeshEdge> shortEdges(tooShort.begin(), tooShort.end());

@@ -47,7 +47,7 @@ RemeshCounts optimise(RemeshPass& pass, bool keepsShape, const std::function<Vec
     EdgeFlip(pass).flipEdges();
     pass.changed().sort();
     for (Slot v : pass.changed().slots()) {
-        if (pass.mesh().isVertex(v) && pass.region().contains(v))
+        if (pass.mesh().isVertex(v) && pass.region().contains(v) && !pass.isDetail(v))
             moveVertex(pass, v, place(v));
     }
     return pass.counts;
@@ -96,23 +96,23 @@ RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)
 }
 
 RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> candidates, const Sphere& ball,
-                    const EdgeBounds& bounds)
+                    const EdgeBounds& bounds, RestLengths* rest)
 {
-    RemeshPass pass(edit, region, bounds);
+    RemeshPass pass(edit, region, bounds, rest);
     EdgeSplit(pass).refine(candidates, ball);
     return pass.counts;
 }
 
-RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
+RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds, RestLengths* rest)
 {
-    RemeshPass pass(edit, region, bounds);
+    RemeshPass pass(edit, region, bounds, rest);
     return optimise(pass, false, [&](Slot v) { return relaxedPlace(edit.mesh(), bounds, v); });
 }
 
 RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBounds& bounds,
-                                  const std::function<Vec3(Slot)>& place)
+                                  const std::function<Vec3(Slot)>& place, RestLengths* rest)
 {
-    RemeshPass pass(edit, region, bounds);
+    RemeshPass pass(edit, region, bounds, rest);
     return optimise(pass, true, place);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/sculpt/edit/mesh_editor.h"
+#include "core/sculpt/remesh/rest_lengths.h"
 #include "core/sculpt/select/region.h"
 
 #include <span>
@@ -24,20 +25,22 @@ struct RemeshCounts
 /// Refines a mesh that is coarser than the brush: splits the longest edge of each face that meets the ball, until none
 /// there is longer than d_detail. New vertices within the ball join the region. `candidates`: at least the faces that
 /// meet the ball. With a mirror, faces that reach across its plane are first split there; then only those of the half
-/// are looked at.
+/// are looked at. `rest`: null, or of a stroke that keeps detail.
 RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> candidates, const Sphere& ball,
-                    const EdgeBounds& bounds);
+                    const EdgeBounds& bounds, RestLengths* rest = nullptr);
 
 /// Makes the edges with both ends in the region quasi-uniform (paper, section 3.2): splits those longer than d_detail,
 /// until none is (except for refused splits, and the cap), collapses those shorter than d, flips those whose opposite
 /// angles exceed 180 degrees together, and relaxes vertices around the changes along the surface. Each operation is
 /// legal by itself: closed and manifold, no face turned over or made degenerate. It does not ask whether distant
-/// faces meet. Cost: O(region).
-RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds);
+/// faces meet. With `rest`, of a stroke that keeps detail, an edge that was shorter than 4 d collapses only when it is
+/// shorter than a quarter of what it was, and vertices whose edges were shorter than d_detail are not relaxed. Cost:
+/// O(region).
+RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds, RestLengths* rest = nullptr);
 /// As optimise(), for a surface that is to keep its shape: creases and corners outlive collapses, and a thin wall keeps
 /// both sides of its rim, whose edges may then stay shorter than d. Relaxes vertices to `place(v)`.
 RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBounds& bounds,
-                                  const std::function<Vec3(Slot)>& place);
+                                  const std::function<Vec3(Slot)>& place, RestLengths* rest = nullptr);
 
 /// Moves the region's vertices, in the order in which they joined, to `place(v)` where their faces stay sound by that:
 /// as optimise() relaxes those around its changes. O(region).

@@ -11,6 +11,8 @@ namespace
 constexpr std::uint64_t opsPerVertex = 64, minOps = 4096, maxOps = 1 << 19;
 /// A step may turn a face by at most about 78 degrees (cos > 0.2: notes of El Topo's legality tests, Brochu 2009).
 constexpr double minTurnCosine = 0.2;
+/// An edge of detail collapses when it is shorter than this part of what it was before the stroke.
+constexpr double squeezedShare = 0.25;
 
 /// Twice a triangle's area, and the squared sine of its smallest angle: the one between the two longest sides.
 struct Shape
@@ -41,16 +43,24 @@ bool isLonger(const RemeshEdge& a, const RemeshEdge& b)
     return std::tie(b.length2, a.v0, a.v1) < std::tie(a.length2, b.v0, b.v1);
 }
 
-RemeshPass::RemeshPass(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
+RemeshPass::RemeshPass(MeshEditor& edit, Region& region, const EdgeBounds& bounds, RestLengths* rest)
     : m_edit(edit)
     , m_mesh(edit.mesh())
     , m_region(region)
+    , m_rest(rest)
     , m_detail2(bounds.detail * bounds.detail)
     , m_minimum2(bounds.minimum * bounds.minimum)
     , m_opsLeft(std::min(maxOps, minOps + opsPerVertex * region.size()))
     , m_changed(region.remeshed())
 {
     m_changed.clear();
+}
+
+/// Returns the squared length below which an edge of detail collapses.
+double RemeshPass::squeezed2(Slot a, Slot b) const
+{
+    const double squeezed = squeezedShare * std::min(m_rest->of(a), m_rest->of(b));
+    return squeezed * squeezed;
 }
 
 bool RemeshPass::mayGoOn()
@@ -77,7 +87,7 @@ void RemeshPass::addShortEdges(const SlotSet& around, std::vector<RemeshEdge>& e
         m_mesh.forEachOutgoing(v, [&](Slot h) {
             const Slot other = m_mesh.to(h);
             const bool isSeen = other < v && around.contains(other);
-            if (!isSeen && m_region.contains(other) && isTooShort(length2(h / 2)))
+            if (!isSeen && m_region.contains(other) && isTooShort(v, other, length2(h / 2)))
                 edges.push_back(edgeAt(h / 2));
         });
     }
