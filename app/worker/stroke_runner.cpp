@@ -21,6 +21,13 @@ bool isFree(const core::StrokeSettings& brush)
     return brush.brush == core::BrushShape::Sphere && brush.place == core::Placement::Point;
 }
 
+void StrokeRunner::setSculptor(core::Sculptor* sculptor)
+{
+    m_sculptor = sculptor;
+    if (sculptor)
+        sculptor->setAfterDab([this](const core::DabReport& dab) { note(dab); });
+}
+
 void StrokeRunner::begin(const BeginStroke& stroke)
 {
     m_report = {};
@@ -82,24 +89,25 @@ std::optional<StrokeRunner::Effect> StrokeRunner::add(const core::StrokeSample& 
     if (isOver(sample))
         return std::nullopt;
     const quint64 before = topologyChanges();
-    const core::Shortfall shortfall = apply(sample);
-    return Effect{topologyChanges() - before, shortfall};
+    apply(sample);
+    return Effect{topologyChanges() - before, m_shortfall};
 }
 
-core::Shortfall StrokeRunner::apply(const core::StrokeSample& sample)
+void StrokeRunner::apply(const core::StrokeSample& sample)
 {
     m_samples.push_back(sample);
-    core::Shortfall shortfall = core::Shortfall::None;
-    const std::vector<core::DabReport> dabs = m_sculptor->addSample(sample);
-    m_report.dabs += dabs.size();
-    for (const core::DabReport& dab : dabs) {
-        shortfall = std::max(shortfall, core::shortfallOf(dab));
-        m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
-        m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
-        m_report.sequential = m_report.sequential || dab.sequential;
-    }
-    m_report.shortfall = std::max(m_report.shortfall, shortfall);
-    return shortfall;
+    m_shortfall = core::Shortfall::None;
+    m_sculptor->addSample(sample);
+}
+
+void StrokeRunner::note(const core::DabReport& dab)
+{
+    ++m_report.dabs;
+    m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
+    m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
+    m_report.sequential = m_report.sequential || dab.sequential;
+    m_shortfall = std::max(m_shortfall, core::shortfallOf(dab));
+    m_report.shortfall = std::max(m_report.shortfall, m_shortfall);
 }
 
 StrokeReport StrokeRunner::end()

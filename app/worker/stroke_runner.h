@@ -19,8 +19,8 @@ public:
         core::Shortfall shortfall = core::Shortfall::None;
     };
 
-    /// The sculptor must outlive the next call. Without one, strokes do nothing.
-    void setSculptor(core::Sculptor* sculptor) { m_sculptor = sculptor; }
+    /// The sculptor must outlive the next call; its hook after dabs is this object's. Without one, strokes do nothing.
+    void setSculptor(core::Sculptor* sculptor);
 
     void begin(const BeginStroke& stroke);
     /// Nothing if the stroke has nothing more to do.
@@ -40,13 +40,15 @@ private:
     bool touches(const core::StrokeSample& sample) const;
     void decide(const core::StrokeSample& first);
     bool isOver(const core::StrokeSample& sample);
-    core::Shortfall apply(const core::StrokeSample& sample);
+    void apply(const core::StrokeSample& sample);
+    void note(const core::DabReport& dab);
     quint64 topologyChanges() const;
 
     core::Sculptor* m_sculptor = nullptr;
     BeginStroke m_stroke; ///< in work
     Course m_course = Course::Open;
     std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for its record
+    core::Shortfall m_shortfall{};             ///< of the last sample's dabs
     StrokeReport m_report;
     quint64 m_fusionsBefore = 0; ///< the stroke
 };

@@ -7,6 +7,17 @@ namespace core
 /// Returns the point of a triangle nearest to p (Ericson 2005, section 5.1.5).
 Vec3 nearestInTriangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
 
+/// Returns the weights of a triangle's corners at a point of it: the areas of the triangles that the point makes with
+/// the opposite sides, as shares of their sum.
+inline std::array<double, 3> cornerWeights(const Vec3& p, const std::array<Vec3, 3>& triangle)
+{
+    const auto& [a, b, c] = triangle;
+    const double atA = (b - p).cross(c - p).norm(), atB = (c - p).cross(a - p).norm(),
+                 atC = (a - p).cross(b - p).norm();
+    const double area = atA + atB + atC;
+    return {atA / area, atB / area, atC / area};
+}
+
 /// Möller and Trumbore 1997, front faces only. Returns the multiple of the direction, negative for a miss.
 inline double hitTriangle(const Ray& ray, const std::array<Vec3, 3>& triangle)
 {

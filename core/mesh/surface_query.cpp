@@ -34,18 +34,14 @@ bool meetsBox(const Ray& ray, const Box& box)
     return enter <= leave;
 }
 
-/// By the areas of the triangles that the point and each side make.
 Rgb colorAt(const Mesh& mesh, Slot f, const Corners& t, const Vec3& position)
 {
-    Vec3 sum = Vec3::Zero();
-    double area = 0;
+    const std::array<double, 3> weights = cornerWeights(position, t);
+    Vec3 mean = Vec3::Constant(0.5);
     for (std::size_t i = 0; i < 3; ++i) {
-        const double share = (t[(i + 1) % 3] - position).cross(t[(i + 2) % 3] - position).norm();
         const Rgb color = mesh.color(mesh.corners(f)[i]);
-        sum += share * Vec3(color.r, color.g, color.b);
-        area += share;
+        mean += weights[i] * Vec3(color.r, color.g, color.b);
     }
-    const Vec3 mean = (sum / area).array() + 0.5;
     return {static_cast<std::uint8_t>(mean.x()), static_cast<std::uint8_t>(mean.y()),
             static_cast<std::uint8_t>(mean.z())};
 }

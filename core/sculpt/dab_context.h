@@ -2,9 +2,9 @@
 
 #include "core/sculpt/edit/mesh_editor.h"
 #include "core/sculpt/grab.h"
-#include "core/sculpt/layer_heights.h"
 #include "core/sculpt/remesh/remesh.h"
 #include "core/sculpt/sculptor_totals.h"
+#include "core/sculpt/stroke_displacements.h"
 #include "core/sculpt/verify/verified_mesh.h"
 
 #include <functional>
@@ -29,7 +29,7 @@ private:
 struct DabRequest
 {
     const StrokeSettings& settings;
-    LayerHeights& heights;
+    StrokeDisplacements& displacements;
     RestLengths& rest;
     const std::function<void()>& afterSubstep; ///< may be empty
     SculptorTotals& totals;

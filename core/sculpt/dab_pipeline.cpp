@@ -214,8 +214,9 @@ void DabPipeline::finish(DabContext& context)
     if (report.asked > 0)
         report.reached = m_foldSmoothing.shareLeft(context.region, report.reached / report.asked) * report.asked;
     report.touchedVertices = context.touchedVertices();
-    if (context.settings.tool == Tool::Layer && report.asked > 0)
-        context.request.heights.note(context.region, report.reached / report.asked, context.mirror);
+    if (StrokeDisplacements::areUsedBy(context.settings) && report.asked > 0)
+        context.request.displacements.note(context.region, context.mesh(), report.reached / report.asked,
+                                           context.mirror);
     if (!keepsSelection(context.settings.tool) || context.region.empty())
         return;
     grab.keep(context.mesh(), context.mirror != nullptr);

@@ -89,7 +89,7 @@ double DabSteps::plan(DabContext& context)
 {
     const StrokeSettings& settings = context.settings;
     if (settings.tool == Tool::Layer)
-        context.request.heights.recall(context.region, context.mesh());
+        context.request.displacements.recall(context.region, context.mesh());
     if (!context.mirror)
         return planDeformation(context.region, context.mesh(), settings, context.dab);
     selectBothSides(context, m_whole);

@@ -126,7 +126,7 @@ DabReport RadialDabs::applyInOrbit(Orbit& orbit)
     report.sequential =
         others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
     for (std::size_t i = 0; i < others.size(); ++i) {
-        if (match && copyPatch(orbit, i, once, report))
+        if (match && copyPatch(orbit, i, orbit.turnTo(others[i]), once, report))
             continue;
         match = match && !keeps;
         if (keeps && !orbit.grabs.isSeparate(others[i]))
@@ -154,9 +154,9 @@ bool RadialDabs::canCopyPatch(const Orbit& orbit, const std::vector<std::size_t>
     return m_patchCopy.match(m_surface, turns);
 }
 
-/// Does in another sector what the orbit's first dab did. `other`: an index of what canCopyPatch() has found. False if
-/// the result would not be sound: then nothing has changed.
-bool RadialDabs::copyPatch(Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report)
+/// Does in another sector, the image of the orbit's first by `turn`, what the first dab did. `other`: an index of what
+/// canCopyPatch() has found. False if the result would not be sound: then nothing has changed.
+bool RadialDabs::copyPatch(Orbit& orbit, std::size_t other, const Turn& turn, const DabReport& once, DabReport& report)
 {
     {
         const PhaseTimer timer(report.deformMs, m_surface.verifyMs());
@@ -164,12 +164,11 @@ bool RadialDabs::copyPatch(Orbit& orbit, std::size_t other, const DabReport& onc
             return false;
     }
     orbit.grabs.dropRemoved();
-    LayerHeights& heights = orbit.request.heights;
-    if (orbit.request.settings.tool == Tool::Layer) {
-        for (Slot v : m_patchCopy.vertices()) {
-            if (const Slot image = m_patchCopy.imageOf(v); image != noSlot)
-                heights.set(image, heights.of(v));
-        }
+    StrokeDisplacements& displacements = orbit.request.displacements;
+    for (Slot v : m_patchCopy.vertices()) {
+        const std::optional<Vec3> displacement = displacements.of(v);
+        if (const Slot image = m_patchCopy.imageOf(v); displacement && image != noSlot)
+            displacements.set(image, turn * *displacement);
     }
     DabReport copy = once;
     copy.selectMs = copy.optimiseMs = copy.deformMs = copy.fuseMs = 0;

@@ -21,7 +21,7 @@ private:
     DabReport applyInOrbit(Orbit& orbit);
     DabReport applyInSector(Orbit& orbit, std::size_t sector);
     bool canCopyPatch(const Orbit& orbit, const std::vector<std::size_t>& others);
-    bool copyPatch(Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report);
+    bool copyPatch(Orbit& orbit, std::size_t other, const Turn& turn, const DabReport& once, DabReport& report);
     static void separate(Orbit& orbit, std::size_t from, const GrabSnapshot& snapshot);
 
     VerifiedMesh& m_surface;

@@ -12,6 +12,10 @@ namespace core
 {
 namespace
 {
+/// A centre this near to its ray, in radii, is on it.
+constexpr double centerTolerance = 0.02;
+constexpr int maxCenterSearches = 12;
+
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 {
     return isDragTool(settings.tool) && (settings.tool == Tool::Twist ? dab.turn == 0 : dab.motion.isZero());
@@ -26,7 +30,9 @@ public:
 
     void beginStroke(const StrokeSettings& strokeSettings);
     std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
+    std::optional<Vec3> centerOnRay(const Ray& ray) const;
     DabReport apply(Dab dab);
+    std::vector<DabReport> applyDue();
     Footprint footprint(const StrokeSettings& strokeSettings, const Vec3& center);
 
     VerifiedMesh surface;
@@ -41,7 +47,7 @@ public:
     std::optional<StrokePath> path;
     std::optional<StrokeAnchor> anchor;
     SectorGrabs grabs{surface};
-    LayerHeights heights;
+    StrokeDisplacements displacements;
     RestLengths rest;
     std::optional<EdgeBounds> lastBounds; ///< edge lengths of the last dab, if it remeshes
 
@@ -59,27 +65,51 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
     path.emplace(settings);
     anchor.emplace(settings);
     grabs.beginStroke();
-    heights.clear();
+    displacements.clear();
     rest.clear();
 }
 
-/// Returns a dab's centre as the stroke places it (StrokeSettings::place); nothing where a ray misses.
+/// Returns a dab's centre as the stroke places it (StrokeSettings::place); nothing where a ray misses. On the surface
+/// it is where the stroke found it, before it raised it: else a stroke would climb onto its own ridge, most of all
+/// where the surface turns away.
 std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
 {
     if (anchor->isSet())
         return anchor->placeOf(position, direction);
-    std::optional<SurfaceHit> hit;
     switch (settings.brush == BrushShape::Ray ? Placement::Ray : settings.place) {
     case Placement::Point:
         return position;
     case Placement::Nearest:
-        hit = nearestPoint(surface.mesh(), surface.octree(), position);
-        break;
+        if (const std::optional<SurfaceHit> hit = nearestPoint(surface.mesh(), surface.octree(), position))
+            return displacements.atRest(*hit, surface.mesh());
+        return std::nullopt;
     case Placement::Ray:
-        hit = firstHit(surface.mesh(), surface.octree(), {position, direction});
-        break;
+        return centerOnRay({position, direction});
     }
-    return hit ? std::optional(hit->position) : std::nullopt;
+    return std::nullopt;
+}
+
+/// Returns where the ray met the surface before the stroke. Searches with a ray that is moved as far as the stroke has
+/// moved what it met.
+std::optional<Vec3> Sculptor::Engine::centerOnRay(const Ray& ray) const
+{
+    const Vec3 way = ray.direction.normalized();
+    std::optional<Vec3> center;
+    double least = std::numeric_limits<double>::infinity();
+    Vec3 moved = Vec3::Zero();
+    for (int i = 0; i < maxCenterSearches && least > centerTolerance * settings.radius; ++i) {
+        const auto hit = firstHit(surface.mesh(), surface.octree(), {ray.origin + moved, ray.direction});
+        if (!hit)
+            break;
+        const Vec3 atRest = displacements.atRest(*hit, surface.mesh());
+        const double beside = (atRest - ray.origin).cross(way).norm();
+        if (beside < least) {
+            least = beside;
+            center = atRest;
+        }
+        moved = hit->position - atRest;
+    }
+    return center;
 }
 
 DabReport Sculptor::Engine::apply(Dab dab)
@@ -90,6 +120,19 @@ DabReport Sculptor::Engine::apply(Dab dab)
     return report;
 }
 
+/// Applies the dabs that are due on the path. Returns their reports.
+std::vector<DabReport> Sculptor::Engine::applyDue()
+{
+    std::vector<DabReport> reports;
+    const auto center = [this](const Vec3& position, const Vec3& direction) { return centerOf(position, direction); };
+    while (const auto due = path->next(center)) {
+        reports.push_back(due->hasCenter ? apply(due->dab) : DabReport());
+        if (afterDab)
+            afterDab(reports.back());
+    }
+    return reports;
+}
+
 /// Routes the dab. A pipeline adds solids, paints, or deforms, by what is under the brush.
 DabReport Sculptor::Engine::sculpt(const Dab& dab)
 {
@@ -97,7 +140,7 @@ DabReport Sculptor::Engine::sculpt(const Dab& dab)
     DabReport report;
     if (!(dab.strength > 0))
         return report;
-    DabRequest request = {settings, heights, rest, betweenSubsteps, totals};
+    DabRequest request = {settings, displacements, rest, betweenSubsteps, totals};
     if (isAtRest(settings, dab))
         return selectOnly(request, dab);
     const double verifiedBefore = surface.verifyMs();
@@ -168,7 +211,7 @@ void Sculptor::Engine::warmUp()
     dab.position = mesh.point(v).cast<double>();
     dab.radius = mesh.uniformDetail() / edgeBounds(1, settings.detail).detail;
     dab.strength = 1;
-    DabRequest request = {settings, heights, rest, betweenSubsteps, totals};
+    DabRequest request = {settings, displacements, rest, betweenSubsteps, totals};
     DabContext context(surface, request, dab, grabs.first().own);
     pipeline.warmUp(context);
 }
@@ -200,27 +243,19 @@ void Sculptor::beginStroke(const StrokeSettings& settings)
 
 std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
 {
-    std::vector<DabReport> reports;
-    Engine& engine = *m_engine;
-    const auto report = [&](const DabReport& dab) {
-        reports.push_back(dab);
-        if (engine.afterDab)
-            engine.afterDab(dab);
-    };
-    if (isUsable(engine.settings, sample))
-        engine.path->add(sample);
-    else
-        report({});
-    const auto centerOf = [&](const Vec3& position, const Vec3& direction) {
-        return engine.centerOf(position, direction);
-    };
-    while (const auto due = engine.path->next(centerOf))
-        report(due->hasCenter ? engine.apply(due->dab) : DabReport());
-    return reports;
+    if (!isUsable(m_engine->settings, sample)) {
+        if (m_engine->afterDab)
+            m_engine->afterDab({});
+        return {DabReport()};
+    }
+    m_engine->path->add(sample);
+    return m_engine->applyDue();
 }
 
 MeshDelta Sculptor::endStroke()
 {
+    m_engine->path->finish();
+    m_engine->applyDue();
     m_engine->path.reset();
     m_engine->anchor.reset();
     return m_mesh->endStroke();

@@ -34,10 +34,12 @@ public:
 
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
-    /// Places the dabs of the path up to this sample, and applies them. Returns their reports. A sample that is not
-    /// usable (isUsable) counts as one empty dab, and is no part of the path.
+    /// Places the dabs of the path up to this sample, and applies them. Returns their reports. Those that wait for
+    /// another sample (StrokePath::next) come with it, or with endStroke(). A sample that is not usable (isUsable)
+    /// counts as one empty dab, and is no part of the path.
     std::vector<DabReport> addSample(const StrokeSample& sample);
-    /// Closes the stroke. The delta is already applied; it is empty if nothing changed.
+    /// Applies the dabs that still wait, whose reports only the hook after dabs gets, and closes the stroke. The delta
+    /// is already applied; it is empty if nothing changed.
     MeshDelta endStroke();
 
     /// Applies a delta backwards, or forwards again: swaps its images with the mesh's. Cost: the delta's elements.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace core
 {
@@ -19,52 +20,51 @@ Vec3 acrossUp(const Vec3& way, const Vec3& up)
     return across.squaredNorm() > minAcross2 * way.squaredNorm() ? Vec3(across.normalized())
                                                                  : Vec3(up.unitOrthogonal());
 }
-
-/// Between two samples; everything but rotation and up is linear. Those are the later one's: samples are dense.
-StrokeSample interpolate(const StrokeSample& a, const StrokeSample& b, double t)
-{
-    const auto mix = [t](double x, double y) { return x + t * (y - x); };
-    StrokeSample s = b;
-    s.time = mix(a.time, b.time);
-    s.position = a.position + t * (b.position - a.position);
-    s.direction = a.direction + t * (b.direction - a.direction);
-    s.pressure = mix(a.pressure, b.pressure);
-    if (a.radius && b.radius)
-        s.radius = mix(*a.radius, *b.radius);
-    if (a.strength && b.strength)
-        s.strength = mix(*a.strength, *b.strength);
-    return s;
-}
 } // namespace
 
 void StrokePath::add(const StrokeSample& sample)
 {
-    m_target = sample;
+    (m_target ? m_after : m_target) = sample;
     m_dabsLeft.reset();
 }
 
 std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
 {
-    if (!m_target)
-        return std::nullopt;
-    const Due end = due(*m_target, centerOf);
-    const bool everySample = m_settings.spacing == 0;
-    if (everySample || !m_center || !end.hasCenter) {
-        const bool isTooNear =
-            !everySample && m_stamped && end.hasCenter && (end.dab.position - *m_stamped).norm() < stepOf(end.dab);
-        const bool dabDue = everySample || (end.hasCenter && !isTooNear);
-        if (m_settings.tool == Tool::Stamp && dabDue)
-            m_stamped = end.dab.position;
-        const Due arrived = arriveAtTarget(end);
-        return dabDue ? std::optional(arrived) : std::nullopt;
+    while (m_target) {
+        const Due end = due(*m_target, centerOf);
+        const bool everySample = m_settings.spacing == 0;
+        if (everySample || !m_center || !end.hasCenter) {
+            const bool isTooNear =
+                !everySample && m_stamped && end.hasCenter && (end.dab.position - *m_stamped).norm() < stepOf(end.dab);
+            const bool dabDue = everySample || (end.hasCenter && !isTooNear);
+            if (m_settings.tool == Tool::Stamp && dabDue)
+                m_stamped = end.dab.position;
+            arriveAtTarget(end);
+            if (dabDue)
+                return end;
+        } else if (m_settings.tool == Tool::Stamp) {
+            if (const std::optional<Due> stamp = nextStamp(end, centerOf))
+                return stamp;
+        } else if (isWaiting()) {
+            return std::nullopt;
+        } else if (const std::optional<Due> dab = nextOnCurve(end, centerOf)) {
+            return dab;
+        }
     }
-    if (m_settings.tool == Tool::Stamp)
-        return nextStamp(end, centerOf);
+    return std::nullopt;
+}
+
+/// Returns the next dab on the way to the target, if there is another: else it arrives there.
+std::optional<StrokePath::Due> StrokePath::nextOnCurve(const Due& end, const CenterOf& centerOf)
+{
     const double step = stepOf(end.dab);
     const double segment = (end.dab.position - *m_center).norm();
-    if (!m_dabsLeft)
+    if (!m_dabsLeft) {
         m_dabsLeft =
             static_cast<int>(std::min(maxLengthRatio * (m_travelled + segment) / step, double(maxDabsPerSample)));
+        m_curve = curveTo(end, centerOf);
+        m_at = 0;
+    }
     if (m_travelled + segment < step || m_dabsLeft == 0) {
         const double travelled = m_travelled + segment;
         arriveAtTarget(end);
@@ -72,13 +72,23 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
         return std::nullopt;
     }
     --*m_dabsLeft;
-    const double t = segment > 0 ? (step - m_travelled) / segment : 1;
-    const Vec3 between = *m_center + t * (end.dab.position - *m_center);
-    m_at = interpolate(m_at, *m_target, t);
-    const Due result = due(m_at, centerOf);
+    const double part = segment > 0 ? (step - m_travelled) / segment : 1;
+    const Vec3 between = *m_center + part * (end.dab.position - *m_center);
+    m_at += part * (1 - m_at);
+    const Due result = due(m_curve.at(m_at), centerOf);
     m_center = result.hasCenter ? result.dab.position : between;
     m_travelled = 0;
     return result;
+}
+
+SampleCurve StrokePath::curveTo(const Due& end, const CenterOf& centerOf) const
+{
+    const PlacedSample target = {*m_target, end.dab.position};
+    if (m_before || !m_after)
+        return {*m_from, target, m_before ? &*m_before : nullptr, nullptr};
+    const Due next = due(*m_after, centerOf);
+    const PlacedSample after = {*m_after, next.dab.position};
+    return {*m_from, target, nullptr, next.hasCenter ? &after : nullptr};
 }
 
 /// Between dabs.
@@ -104,19 +114,20 @@ std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end, const Cente
     const double along = from.dot(way), length2 = way.squaredNorm(), inside = step * step - from.squaredNorm();
     const double t = inside > 0 ? (std::sqrt(along * along + length2 * inside) - along) / length2 : 0;
     const Vec3 between = *m_center + t * way;
-    m_at = interpolate(m_at, *m_target, std::min(t, 1.0));
-    const Due result = due(m_at, centerOf);
+    m_from = {SampleCurve(*m_from, {*m_target, end.dab.position}, nullptr, nullptr).at(std::min(t, 1.0)), between};
+    const Due result = due(m_from->sample, centerOf);
     m_stamped = m_center = result.hasCenter ? result.dab.position : between;
     return result;
 }
 
-StrokePath::Due StrokePath::arriveAtTarget(const Due& due)
+void StrokePath::arriveAtTarget(const Due& due)
 {
-    m_at = *m_target;
-    m_target.reset();
+    m_before = due.hasCenter ? m_from : std::nullopt;
     m_center = due.hasCenter ? std::optional(due.dab.position) : std::nullopt;
+    m_from = due.hasCenter ? std::optional(PlacedSample{*m_target, due.dab.position}) : std::nullopt;
+    m_target = std::exchange(m_after, std::nullopt);
+    m_dabsLeft.reset();
     m_travelled = 0;
-    return due;
 }
 
 StrokePath::Due StrokePath::due(const StrokeSample& sample, const CenterOf& centerOf) const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/stroke/stroke.h"
+#include "core/stroke/sample_curve.h"
 
 #include <functional>
 #include <optional>
@@ -8,7 +8,7 @@
 namespace core
 {
 /// Turns the samples of a stroke into dabs: one a sample with spacing 0, else evenly along the path of dab centres,
-/// which runs straight between samples.
+/// which is curved (SampleCurve); that of Stamp is straight.
 class StrokePath
 {
 public:
@@ -31,22 +31,33 @@ public:
     explicit StrokePath(const StrokeSettings& settings) : m_settings(settings) {}
 
     void add(const StrokeSample& sample);
-    /// The next dab that is due, or nothing until the next sample. Ask again after each dab: it may have moved the
-    /// surface.
+    /// No sample follows.
+    void finish() { m_isFinished = true; }
+    /// The next dab that is due, or nothing until the next sample. Ask again after each dab, as it may have moved the
+    /// surface, and after finish(): dabs between the first two samples of a path wait for the third, which says how it
+    /// is curved.
     std::optional<Due> next(const CenterOf& centerOf);
 
 private:
+    bool isWaiting() const { return !m_before && !m_after && !m_isFinished; }
     Due due(const StrokeSample& sample, const CenterOf& centerOf) const;
-    Due arriveAtTarget(const Due& due);
+    void arriveAtTarget(const Due& due);
+    std::optional<Due> nextOnCurve(const Due& end, const CenterOf& centerOf);
+    SampleCurve curveTo(const Due& end, const CenterOf& centerOf) const;
     double stepOf(const Dab& dab) const;
     std::optional<Due> nextStamp(const Due& end, const CenterOf& centerOf);
 
     StrokeSettings m_settings;
-    std::optional<StrokeSample> m_target; ///< the newest sample, until the path has reached it
-    StrokeSample m_at;                    ///< where the path has been followed to
-    std::optional<Vec3> m_center;         ///< the dab centre there; nothing before the path has met the surface
-    double m_travelled = 0;               ///< since the last dab
-    std::optional<Vec3> m_stamped;        ///< of Stamp: where the last dab stood
-    std::optional<int> m_dabsLeft;        ///< until the target is reached
+    std::optional<StrokeSample> m_target; ///< the sample that the path runs to, until it has reached it
+    std::optional<StrokeSample> m_after;  ///< the sample after that, where it waited for it
+    std::optional<PlacedSample> m_from;   ///< the sample that the path comes from; nothing where it begins
+    std::optional<PlacedSample> m_before; ///< the sample before that
+    SampleCurve m_curve;                  ///< to the target
+    double m_at = 0;                      ///< how far it was followed, 0 to 1
+    std::optional<Vec3> m_center;         ///< of the last dab, or where the path has passed without one
+    bool m_isFinished = false;
+    double m_travelled = 0;        ///< since the last dab
+    std::optional<Vec3> m_stamped; ///< of Stamp: where the last dab stood
+    std::optional<int> m_dabsLeft; ///< until the target is reached
 };
 } // namespace core

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using core::StrokePath;
 using core::StrokeSample;
 using core::StrokeSettings;
@@ -20,16 +22,29 @@ StrokeSample at(const Vec3& position)
     return sample;
 }
 
-std::vector<core::Dab> dabsOf(StrokePath& path, const StrokeSample& sample,
-                              const StrokePath::CenterOf& centerOf = whereItIs)
+std::vector<core::Dab> dabsDue(StrokePath& path, const StrokePath::CenterOf& centerOf = whereItIs)
 {
     std::vector<core::Dab> dabs;
-    path.add(sample);
     while (const auto due = path.next(centerOf)) {
         if (due->hasCenter)
             dabs.push_back(due->dab);
     }
     return dabs;
+}
+
+std::vector<core::Dab> dabsOf(StrokePath& path, const StrokeSample& sample,
+                              const StrokePath::CenterOf& centerOf = whereItIs)
+{
+    path.add(sample);
+    return dabsDue(path, centerOf);
+}
+
+std::vector<core::Dab> dabsOfLast(StrokePath& path, const StrokeSample& sample,
+                                  const StrokePath::CenterOf& centerOf = whereItIs)
+{
+    path.add(sample);
+    path.finish();
+    return dabsDue(path, centerOf);
 }
 
 StrokeSettings spaced(double spacing, double radius = 1)
@@ -50,6 +65,9 @@ private Q_SLOTS:
     void firstSample_isADab();
     void straightLine_hasEvenDabsWhereverSamplesFall();
     void corner_isMeasuredAlongThePath();
+    void circleOfTwelveSamples_isACircle();
+    void unevenSamples_doNotSwingOut();
+    void twoSamples_areStraight();
     void pressureAndRadius_areInterpolated();
     void rotation_turnsBack();
     void up_isTheHands();
@@ -88,6 +106,9 @@ void TestStrokePath::straightLine_hasEvenDabsWhereverSamplesFall()
             for (const core::Dab& dab : dabsOf(path, at({x, 0, 0})))
                 dabs.push_back(dab);
         }
+        path.finish();
+        for (const core::Dab& dab : dabsDue(path))
+            dabs.push_back(dab);
         QVERIFY(dabs.size() >= 29);
         for (std::size_t i = 0; i < dabs.size(); ++i)
             QVERIFY((dabs[i].position - Vec3(0.5 * static_cast<double>(i), 0, 0)).norm() < 1e-9);
@@ -98,12 +119,52 @@ void TestStrokePath::corner_isMeasuredAlongThePath()
 {
     StrokePath path(spaced(1));
     dabsOf(path, at({0, 0, 0}));
-    auto dabs = dabsOf(path, at({2.4, 0, 0}));
-    QCOMPARE(dabs.size(), std::size_t(2)); // at 1 and 2; 0.4 remain
-    dabs = dabsOf(path, at({2.4, 3, 0}));
-    QCOMPARE(dabs.size(), std::size_t(3));
-    QVERIFY((dabs[0].position - Vec3(2.4, 0.6, 0)).norm() < 1e-12);
-    QVERIFY((dabs[2].position - Vec3(2.4, 2.6, 0)).norm() < 1e-12);
+    QVERIFY(dabsOf(path, at({2.4, 0, 0})).empty());
+    const auto dabs = dabsOf(path, at({2.4, 3, 0}));
+    QCOMPARE(dabs.size(), std::size_t(5)); // at 1 and 2, then 0.4 remain
+    QVERIFY((dabs[1].position - Vec3(2, 0, 0)).norm() < 1e-12);
+    QVERIFY((dabs[2].position - Vec3(2.4, 0.6, 0)).norm() < 1e-12);
+    QVERIFY((dabs[4].position - Vec3(2.4, 2.6, 0)).norm() < 1e-12);
+}
+
+/// Within 2 % of its radius, from the first sample on.
+void TestStrokePath::circleOfTwelveSamples_isACircle()
+{
+    StrokePath path(spaced(0.05));
+    std::vector<core::Dab> dabs;
+    for (int i = 0; i <= 12; ++i) {
+        const double angle = i * M_PI / 6;
+        for (const core::Dab& dab : dabsOf(path, at({10 * std::cos(angle), 10 * std::sin(angle), 0})))
+            dabs.push_back(dab);
+    }
+    QVERIFY(dabs.size() > 1200);
+    for (const core::Dab& dab : dabs)
+        QVERIFY2(std::abs(dab.position.norm() - 10) < 0.2, qPrintable(QString::number(dab.position.norm())));
+}
+
+void TestStrokePath::unevenSamples_doNotSwingOut()
+{
+    StrokePath path(spaced(0.05));
+    std::vector<core::Dab> dabs;
+    for (const double x : {0.0, 0.01, 5.0, 5.1, 9.0}) {
+        for (const core::Dab& dab : dabsOf(path, at({x, 0.02 * x * x, 0})))
+            dabs.push_back(dab);
+    }
+    for (const core::Dab& dab : dabs)
+        QVERIFY(std::abs(dab.position.y() - 0.02 * dab.position.x() * dab.position.x()) < 0.15);
+}
+
+/// The path waits for a third sample only until it is finished.
+void TestStrokePath::twoSamples_areStraight()
+{
+    StrokePath path(spaced(0.5));
+    QCOMPARE(dabsOf(path, at({0, 0, 0})).size(), std::size_t(1));
+    QVERIFY(dabsOf(path, at({2, 2, 0})).empty());
+    path.finish();
+    const auto dabs = dabsDue(path);
+    QCOMPARE(dabs.size(), std::size_t(5));
+    for (const core::Dab& dab : dabs)
+        QVERIFY(std::abs(dab.position.x() - dab.position.y()) < 1e-12);
 }
 
 void TestStrokePath::pressureAndRadius_areInterpolated()
@@ -113,7 +174,7 @@ void TestStrokePath::pressureAndRadius_areInterpolated()
     a.pressure = 0;
     b.strength = a.strength = 2;
     dabsOf(path, a);
-    const auto dabs = dabsOf(path, b);
+    const auto dabs = dabsOfLast(path, b);
     QCOMPARE(dabs.size(), std::size_t(4));
     for (std::size_t i = 0; i < 4; ++i)
         QVERIFY(std::abs(dabs[i].strength - 0.5 * static_cast<double>(i + 1)) < 1e-12);
@@ -175,8 +236,8 @@ void TestStrokePath::miss_isEmptyAndStartsAnew()
     StrokePath path(spaced(1));
     QCOMPARE(dabsOf(path, at({-5, 0, 0}), onlyRight).size(), std::size_t(0));
     QCOMPARE(dabsOf(path, at({0, 0, 0}), onlyRight).size(), std::size_t(1)); // meets the surface
-    QCOMPARE(dabsOf(path, at({2.5, 0, 0}), onlyRight).size(), std::size_t(2));
-    QCOMPARE(dabsOf(path, at({-2, 0, 0}), onlyRight).size(), std::size_t(0));
+    QCOMPARE(dabsOf(path, at({2.5, 0, 0}), onlyRight).size(), std::size_t(0));
+    QCOMPARE(dabsOf(path, at({-2, 0, 0}), onlyRight).size(), std::size_t(2));
     QCOMPARE(dabsOf(path, at({3, 0, 0}), onlyRight).size(), std::size_t(1)); // not drawn across the gap
 }
 
@@ -192,7 +253,7 @@ void TestStrokePath::longJump_ends()
 {
     StrokePath path(spaced(0.05, 0.01));
     dabsOf(path, at({0, 0, 0}));
-    QCOMPARE(dabsOf(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::maxDabsPerSample)); // 10 km
+    QCOMPARE(dabsOfLast(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::maxDabsPerSample)); // 10 km
     const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // goes on where the sample was
     QVERIFY(dabs.size() > 10 && dabs.size() < 30);
     QVERIFY(dabs.front().position.x() >= 1e7 - 1e-3);
@@ -213,6 +274,7 @@ void TestStrokePath::surfaceThatRises_ends()
         return dabs;
     };
     QCOMPARE(dabsTo({0, 0, 0}), 1);
+    path.finish();
     const int dabs = dabsTo({10, 0, 0}); // 112 would do when the sample comes, for the first dab has raised its end
     QVERIFY(dabs >= 100 && dabs <= StrokePath::maxLengthRatio * 112);
 }

@@ -1,0 +1,53 @@
+#include "core/stroke/sample_curve.h"
+
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+/// Cosine of the largest angle by which a curve turns at a sample; beyond it there is a corner.
+constexpr double cornerCosine = 0.5;
+/// A parabola through samples whose distances differ by more than this factor would swing out.
+constexpr double maxRatio = 8;
+
+/// Bend of the parabola through p0, p1, p2 from p1 to p2, where p0 is at t = -ratio.
+Vec3 bend(const Vec3& p0, const Vec3& p1, const Vec3& p2, double ratio)
+{
+    return ((p1 - p0) / ratio - (p2 - p1)) / (1 + ratio);
+}
+} // namespace
+
+SampleCurve::SampleCurve(const PlacedSample& from, const PlacedSample& to, const PlacedSample* before,
+                         const PlacedSample* after)
+    : m_from(from.sample)
+    , m_to(to.sample)
+{
+    const PlacedSample* const beside = before ? before : after;
+    if (!beside)
+        return;
+    const PlacedSample &near = before ? from : to, &far = before ? to : from; // the bend is the same in both directions
+    const Vec3 first = near.center - beside->center, second = far.center - near.center;
+    const double length = second.norm(), ratio = length > 0 ? first.norm() / length : 0;
+    if (!(ratio * maxRatio > 1 && ratio < maxRatio && first.dot(second) > cornerCosine * first.norm() * length))
+        return;
+    m_bend = bend(beside->sample.position, near.sample.position, far.sample.position, ratio);
+    m_directionBend = bend(beside->sample.direction, near.sample.direction, far.sample.direction, ratio);
+}
+
+StrokeSample SampleCurve::at(double t) const
+{
+    const auto mix = [t](double x, double y) { return x + t * (y - x); };
+    const StrokeSample &a = m_from, &b = m_to;
+    StrokeSample s = b;
+    s.time = mix(a.time, b.time);
+    s.position = a.position + t * (b.position - a.position) + t * (1 - t) * m_bend;
+    s.direction = a.direction + t * (b.direction - a.direction) + t * (1 - t) * m_directionBend;
+    s.pressure = mix(a.pressure, b.pressure);
+    if (a.radius && b.radius)
+        s.radius = mix(*a.radius, *b.radius);
+    if (a.strength && b.strength)
+        s.strength = mix(*a.strength, *b.strength);
+    return s;
+}
+} // namespace core

@@ -1,0 +1,161 @@
+// Where the dabs of a stroke stand that is drawn by rays, as with a mouse.
+#include "tests/support/clay.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/test_main.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <map>
+
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSample;
+using core::StrokeSettings;
+using core::Tool;
+using core::Vec3;
+
+namespace
+{
+using clay::ballRadius;
+
+const Vec3 eye(0, 0, 4 * ballRadius);
+
+/// A sample through a point of the plane z = 0, seen from the eye.
+StrokeSample through(double x, double y)
+{
+    StrokeSample sample;
+    sample.position = eye;
+    sample.direction = Vec3(x, y, 0) - eye;
+    return sample;
+}
+
+/// Samples on an arc of 120 degrees in the left half of the view.
+std::vector<StrokeSample> arc(double radius, int samples)
+{
+    std::vector<StrokeSample> path;
+    for (int i = 0; i < samples; ++i) {
+        const double angle = (120 + 120.0 * i / (samples - 1)) * M_PI / 180;
+        path.push_back(through(radius * std::cos(angle), radius * std::sin(angle)));
+    }
+    return path;
+}
+
+StrokeSettings brush(Tool tool)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.place = core::Placement::Ray;
+    settings.radius = 0.2 * ballRadius;
+    settings.spacing = 0.25;
+    settings.topology = core::Topology::Refine;
+    return settings;
+}
+
+std::unique_ptr<Sculptor> draw(const StrokeSettings& settings, const std::vector<StrokeSample>& path)
+{
+    auto sculptor = clay::ball();
+    sculptor->beginStroke(settings);
+    for (const StrokeSample& sample : path)
+        sculptor->addSample(sample);
+    sculptor->endStroke();
+    return sculptor;
+}
+
+template <class Visit> void forEachPoint(const Sculptor& sculptor, Visit visit)
+{
+    for (Slot v = 0; v < sculptor.mesh().slots().vertices; ++v) {
+        if (sculptor.mesh().isVertex(v))
+            visit(Vec3(sculptor.mesh().point(v).cast<double>()));
+    }
+}
+
+/// Returns the ridge's height around each fifth degree about the z axis, from 150 to 210: without its ends.
+std::vector<double> heights(const Sculptor& sculptor)
+{
+    std::map<int, double> highest;
+    forEachPoint(sculptor, [&](const Vec3& p) {
+        const int sector = static_cast<int>(std::lround((std::atan2(p.y(), p.x()) * 180 / M_PI + 360) / 5)) % 72;
+        for (const int near : {sector - 1, sector, sector + 1})
+            highest[near] = std::max(highest[near], p.norm() - ballRadius);
+    });
+    std::vector<double> heights;
+    for (int sector = 30; sector <= 42; ++sector)
+        heights.push_back(highest[sector]);
+    return heights;
+}
+} // namespace
+
+class TestStrokeOnSurface : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void ridge_isAsHighEverywhere_data();
+    void ridge_isAsHighEverywhere();
+    void twelveSamplesOfACircle_makeACircle();
+};
+
+/// From the middle of the view to its outline, where the stroke stands in front of what it raises.
+void TestStrokeOnSurface::ridge_isAsHighEverywhere_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("strength");
+    for (const Tool tool : {Tool::Pull, Tool::Inflate, Tool::Clay}) {
+        for (const double radius : {0.3, 0.6, 0.8, 0.9, 0.95, 1.0}) {
+            for (const double strength : {0.5, 1.0, 2.0})
+                QTest::addRow("%s, %g, strength %g", std::string(name(tool)).c_str(), radius, strength)
+                    << tool << radius * ballRadius << strength;
+        }
+    }
+}
+
+void TestStrokeOnSurface::ridge_isAsHighEverywhere()
+{
+    QFETCH(Tool, tool);
+    QFETCH(double, radius);
+    QFETCH(double, strength);
+    StrokeSettings settings = brush(tool);
+    settings.strength = strength;
+    const auto sculptor = draw(settings, arc(radius, 60));
+    std::vector<double> ridge = heights(*sculptor);
+    std::ranges::sort(ridge);
+    const double middle = ridge[ridge.size() / 2];
+    QVERIFY(middle > 0.1 * settings.radius * strength);
+    QVERIFY2(ridge.front() > 0.85 * middle && ridge.back() < 1.15 * middle,
+             qPrintable(QStringLiteral("%1 to %2").arg(ridge.front()).arg(ridge.back())));
+    QVERIFY(mesh_asserts::badFaces(sculptor->mesh()).empty());
+}
+
+/// The ridge deviates from the circle by less than 2 % of its radius.
+void TestStrokeOnSurface::twelveSamplesOfACircle_makeACircle()
+{
+    constexpr double radius = 0.5 * ballRadius;
+    std::vector<StrokeSample> path;
+    for (int i = 0; i <= 12; ++i)
+        path.push_back(through(radius * std::cos(i * M_PI / 6), radius * std::sin(i * M_PI / 6)));
+    StrokeSettings settings = brush(Tool::Pull);
+    settings.radius = 0.06 * ballRadius;
+    const auto sculptor = draw(settings, path);
+    const double onBall = clay::ball()->hit({eye, path[0].direction})->position.head<2>().norm();
+    std::map<int, std::pair<double, double>>
+        ridge; // by sector of 6 degrees: sums of heights, and of distances from the axis
+    forEachPoint(*sculptor, [&](const Vec3& p) {
+        const double height = p.norm() - ballRadius;
+        if (p.z() < 0 || height < 0.01 * settings.radius)
+            return;
+        auto& [heights, distances] = ridge[static_cast<int>(std::floor(std::atan2(p.y(), p.x()) * 30 / M_PI))];
+        heights += height;
+        distances += height * p.head<2>().norm() * ballRadius / p.norm();
+    });
+    QCOMPARE(ridge.size(), std::size_t(60));
+    for (const auto& [sector, sums] : ridge) {
+        const double distance = sums.second / sums.first;
+        QVERIFY2(std::abs(distance / onBall - 1) < 0.02,
+                 qPrintable(QStringLiteral("%1 of %2").arg(distance).arg(onBall)));
+    }
+}
+
+FETTLE_TEST(TestStrokeOnSurface)
+#include "tst_stroke_on_surface.moc"
