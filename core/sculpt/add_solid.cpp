@@ -15,12 +15,11 @@ namespace
 {
 /// Edges of 0.13 to 0.16 radii, between d and d_detail of a brush of the sphere's radius.
 constexpr int sphereSubdivisions = 3;
-/// d_thickness in terms of d_detail: the least distance from every triangle.
-constexpr double clearPerDetail = 0.735;
 
+/// Returns the least distance of a new solid from every triangle: d_thickness of a brush of the solid's radius.
 double clearanceOf(const Sphere& ball)
 {
-    return clearPerDetail * edgeBounds(ball.radius, 1).detail;
+    return edgeBounds(ball.radius, 1).thickness();
 }
 
 /// Decides by ray parity, as the paper does, and by distance: a large triangle may be near though no vertex is.

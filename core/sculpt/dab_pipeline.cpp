@@ -1,4 +1,4 @@
-// A dab at one place (paper, section 3; DESIGN, section 3):
+// The steps of a dab at one place (paper, section 3; core/README.md, "A dab"):
 //   select     the vertices under the brush                                     3.1   dab_selection, select/
 //   or add     a solid, where no surface is                                     3.5.1 add_solid
 //   or paint                                                                    3.5.3 attribute_brush
@@ -10,8 +10,10 @@
 //   commit     what changed is verified exactly, then octree and draw ranges follow   verify/
 //   join       what the next sub-step would bring into contact                  3.4   dab_steps, fuse/
 //   separate   thin necks, and specks                                           3.4   dab_steps, fuse/
-// A sub-step that does not verify is rolled back, made easier and tried again; failing that, fallback_step does what
-// can be done.
+// A sub-step that does not verify is rolled back and retried as prepareRetry() lists; at last fallback_step limits its
+// motion vertex by vertex.
+// The paper's local smoothing (3.4) is fold_smoothing: it runs before a retry, and not at a join. The mesh around a
+// join becomes quasi-uniform again (3.4) when the next sub-step, or the next dab there, optimises it.
 
 #include "core/sculpt/dab_pipeline.h"
 
@@ -119,8 +121,8 @@ void DabPipeline::deform(DabContext& context)
     }
 }
 
-/// Does the next sub-step directly, unless motion limits are in force. One that failed is made easier, to be tried
-/// again, or else is done by the fallback step.
+/// Does the next sub-step directly, unless motion limits are in force. One that failed is retried, or is left to the
+/// fallback step.
 DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
 {
     const bool isLimited = context.limits.inUse();
@@ -130,7 +132,7 @@ DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
         if (result != Step::Failed)
             return result;
         context.limits = std::move(limits);
-        if (!isLimited && ease(context, plan))
+        if (!isLimited && prepareRetry(context, plan))
             return Step::Retry;
     }
     const bool hasMoved = m_fallback.apply(context, plan);
@@ -165,10 +167,16 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
     return Step::Direct;
 }
 
-/// Makes a sub-step that failed easier: joins what was about to meet; failing that, in turns, smooths what has folded
-/// up, or makes the motion smoother where faces turned over and halves the sub-step. False if it is to be left to the
-/// fallback step.
-bool DabPipeline::ease(DabContext& context, StepPlan& plan)
+/// Prepares the retry of a direct sub-step that failed, by the first of these that applies:
+///   1. The first transaction refines and moves at once. If it failed, the mesh is refined alone and the list goes on;
+///      returns false if that does not verify.
+///   2. A transaction of several sub-steps is halved.
+///   3. Surfaces that are about to meet are joined, where fusion may.
+///   4. Odd retries smooth the surface around the bad faces (FoldSmoothing); the first takes no motion back. If that
+///      moves nothing, they smooth the plan there.
+///   5. Even retries smooth the plan around the bad faces, and halve the sub-step, down to an eighth.
+/// Returns false if the fallback step is to do the sub-step: after 6 retries of it by 4 and 5, or 12 in the dab.
+bool DabPipeline::prepareRetry(DabContext& context, StepPlan& plan)
 {
     if (!plan.isCut() && !refineAndPlanAlone(context, plan)) {
         context.allowFusion();

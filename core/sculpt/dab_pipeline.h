@@ -6,17 +6,20 @@
 
 namespace core
 {
-/// One dab at one place, in the order of the paper's section 3: select, optimise the mesh, deform it in sub-steps,
-/// fuse. Each sub-step is a transaction: what does not verify is rolled back, and tried again in an easier way.
+/// Applies a dab at one place (paper, section 3). Selects the region and refines its mesh once. Then each sub-step
+/// displaces the vertices, optimises the mesh, verifies the change and fuses surfaces. The paper optimises before it
+/// deforms; here a sub-step optimises what its own motion has stretched. Each sub-step is a transaction: one that does
+/// not verify is rolled back, and retried in an easier way.
 class DabPipeline
 {
 public:
-    /// Precondition of the following: a stroke is open.
+    /// Applies the dab of the context. Precondition: a stroke is open.
     void apply(DabContext& context);
-    /// Does the same from the second step on. Precondition: the region is selected.
+    /// Applies the dab to a region that is selected already. Preconditions: a stroke is open, the region is selected.
     void applyToRegion(DabContext& context);
 
-    /// Does a dab in memory that was never touched, and rolls it back: so that the first real one costs what all do.
+    /// Runs a dab and rolls it back: memory is then allocated, so the first real dab takes no longer than later ones.
+    /// Precondition: no stroke is open.
     void warmUp(DabContext& context);
 
 private:
@@ -28,7 +31,7 @@ private:
     void deform(DabContext& context);
     Step step(DabContext& context, StepPlan& plan);
     Step directStep(DabContext& context, StepPlan& plan);
-    bool ease(DabContext& context, StepPlan& plan);
+    bool prepareRetry(DabContext& context, StepPlan& plan);
     bool refineAndPlanAlone(DabContext& context, StepPlan& plan);
 
     DabSteps m_steps;

@@ -8,8 +8,6 @@ namespace core
 {
 namespace
 {
-/// d_move in terms of d: the paper asks for less than d/2 (section 3.3).
-constexpr double movePerMinimum = 0.45;
 /// A guard, not a tuning knob: sub-steps of a plan. A dab that would need more ends early.
 constexpr double maxSteps = 4096;
 /// Vertices that a core takes at a time.
@@ -44,14 +42,14 @@ double transactionsFor(const DabContext& context)
     const Tool tool = context.settings.tool;
     if (tool == Tool::Stamp)
         return 1;
-    const double longest = keepsSelection(tool) ? context.bounds.detail : movePerMinimum * context.bounds.minimum;
+    const double longest = keepsSelection(tool) ? context.bounds.detail : context.bounds.move();
     return std::max(1.0, std::ceil(longestBetweenNeighbours(context.region, context.mesh()) / longest));
 }
 } // namespace
 
 void StepPlan::cut(const DabContext& context)
 {
-    m_steps = std::max(1.0, std::ceil(context.report.asked / (movePerMinimum * context.bounds.minimum)));
+    m_steps = std::max(1.0, std::ceil(context.report.asked / context.bounds.move()));
     m_ticksLeft = ticksPerStep * static_cast<unsigned>(std::min(m_steps, maxSteps));
     m_maxTicks = ticksPerStep;
     if (m_steps > 1 && !context.canFuse)

@@ -144,7 +144,7 @@ struct DabReport
     /// included, or the sectors meet, as over the axis; so they were done one after the other.
     bool sequential = false;
 
-    /// Whether a hand takes what was reached for all that was asked (DESIGN, section 6).
+    /// Whether the dab reached at least 95 % of the displacement asked, a difference that a hand does not notice.
     bool isWhole() const { return reached >= 0.95 * asked; }
     /// For a dab done as several: costs add up; of two that did something the worse outcome and the smaller share
     /// reached count.

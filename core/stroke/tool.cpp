@@ -12,7 +12,6 @@ namespace core
 namespace
 {
 constexpr double detailPerRadiusSquared = 0.05; ///< paper, section 3.2.2
-constexpr double minimumPerDetail = 0.5;        ///< square root of the paper's 0.25
 
 double power(double x, int n)
 {
@@ -88,7 +87,7 @@ EdgeBounds edgeBounds(double radius, double detail)
 
 EdgeBounds edgeBounds(double detailLength)
 {
-    return {detailLength, minimumPerDetail * detailLength};
+    return {detailLength, EdgeBounds::minimumPerDetail * detailLength};
 }
 
 double radiusFor(double detailLength, double detail)

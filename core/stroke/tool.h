@@ -159,15 +159,31 @@ constexpr bool isFalloff(int n)
 /// b(x) = (n-1) x^n - n x^(n-1) + 1 (paper, section 3.3): 1 at x = 0, 0 at x = 1, flat at both ends. n = 0: always 1.
 double falloff(double x, int n);
 
-/// The paper's relation between the brush and the mesh: d_detail^2 = 0.05 r^2, d^2 = 0.25 d_detail^2 (section 3.2.2).
+/// The lengths, in mm, that bound the edges under a brush and the motion of their vertices (paper, sections 3.2, 3.3).
 struct EdgeBounds
 {
     double detail;  ///< d_detail: no edge under the brush is longer
     double minimum; ///< d: edges under the brush tend not to be shorter
+
+    /// Returns d_move, the longest sub-step of a vertex: 0.45 d. The paper (3.3) asks for less than half the distance
+    /// between two neighbours, and measures that distance by d.
+    double move() const { return movePerMinimum * minimum; }
+    /// Returns d_thickness, the distance below which non-adjacent vertices that face each other may join: 0.735
+    /// d_detail. The least with 4 d_move^2 <= d_thickness^2 - d_detail^2 / 3 (paper, 3.3) is 0.732 d_detail.
+    double thickness() const { return thicknessPerDetail * detail; }
+
+    static constexpr double minimumPerDetail = 0.5; ///< d in terms of d_detail: the root of the paper's 0.25 (3.2.2)
+    static constexpr double movePerMinimum = 0.45, thicknessPerDetail = 0.735;
+
+private:
+    static constexpr double movePerDetail = movePerMinimum * minimumPerDetail;
+    static_assert(4 * movePerDetail * movePerDetail <= thicknessPerDetail * thicknessPerDetail - 1.0 / 3);
 };
+/// Returns the bounds for a brush: d_detail^2 = 0.05 r^2 for `detail` 1, d^2 = 0.25 d_detail^2 (paper, section 3.2.2).
+/// `radius`: r, in mm. `detail`: factor of d_detail.
 EdgeBounds edgeBounds(double radius, double detail);
-/// For a given d_detail.
+/// Returns the bounds for a given d_detail.
 EdgeBounds edgeBounds(double detailLength);
-/// The brush whose d_detail is that long.
+/// Returns the radius of the brush whose d_detail is that long.
 double radiusFor(double detailLength, double detail);
 } // namespace core

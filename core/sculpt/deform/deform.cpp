@@ -12,14 +12,14 @@ namespace core
 {
 namespace
 {
-/// At strength 1 the peak of Pull and Push is this part of the radius (paper, section 3.3), and so are the steps of
-/// Clay and Layer.
+/// The peak of Pull and Push at strength 1, in radii, and the step of Clay and Layer. Our choice: the paper (section
+/// 3.3) has eps = +-1 and leaves the length open.
 constexpr double peakPerRadius = 0.1;
-/// Of Inflate, in terms of that: what moves along normals that run together soon folds up.
+/// The share of that peak for Inflate: vertices that move along converging normals soon fold the surface up.
 constexpr double swellPerPeak = 0.6;
-/// At strength 1 a dab draws what is around a line this share nearer to it, and never all the way.
+/// The share of a vertex's distance from the line by which Pinch and Crease move it at strength 1, and the largest one.
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, maxPinched = 0.5;
-/// At strength 1 a dab of Crease cuts so deep, in radii.
+/// The depth that a dab of Crease cuts at strength 1, in radii.
 constexpr double creaseDepth = 0.05;
 constexpr std::size_t plannedPerChunk = 256;
 
@@ -30,19 +30,20 @@ Vec3 unitNormal(const Mesh& mesh, Slot v)
     return length > 0 ? Vec3(normal / length) : Vec3::Zero();
 }
 
-/// The displacement of a vertex whose weight is that.
+/// A deformation field: returns the displacement, in mm, of a vertex that has this weight.
 using Field = std::function<Vec3(Slot v, double weight)>;
 
-/// What fields are made of.
-struct Dabbed
+/// The input of a field.
+struct FieldInput
 {
     const Region& region;
     const Mesh& mesh;
     const StrokeSettings& settings;
     const Dab& dab;
 
+    /// Returns the peak of the dab, in mm.
     double peak() const { return peakPerRadius * dab.radius * dab.strength; }
-    /// Of a field that takes vertices to a place: all the way at most.
+    /// Returns the share of its way that a vertex moves towards the target of a field, at most 1.
     double share() const { return std::min(dab.strength, 1.0); }
     double sign() const { return settings.inverted ? -1 : 1; }
     Vec3 point(Slot v) const { return mesh.point(v).cast<double>(); }
@@ -56,16 +57,16 @@ struct Plane
     double height(const Vec3& p) const { return (p - center).dot(normal); }
 };
 
-Plane meanPlane(const Dabbed& d)
+Plane meanPlane(const FieldInput& d)
 {
     Vec3 center = Vec3::Zero();
     d.region.forEach([&](Slot v) { center += d.point(v); });
     return {center / d.region.size(), meanNormal(d.region, d.mesh)};
 }
 
-/// From the line through the dab's centre along its way, in the surface's mean plane; a dab that has not come from
-/// anywhere has a point for a line.
-std::function<Vec3(Slot)> acrossLine(const Dabbed& d, const Vec3& normal)
+/// Returns a function that gives a vertex's offset from the line through the dab's centre along its motion, within the
+/// surface's mean plane. A dab without motion has its centre for a line. Refers to `d`.
+std::function<Vec3(Slot)> acrossLine(const FieldInput& d, const Vec3& normal)
 {
     Vec3 way = d.dab.motion - d.dab.motion.dot(normal) * normal;
     const double length = way.norm();
@@ -76,22 +77,24 @@ std::function<Vec3(Slot)> acrossLine(const Dabbed& d, const Vec3& normal)
     };
 }
 
-Field along(const Dabbed& d, double length)
+/// D(r_i) = eps b(r_i/R) N_i (paper, section 3.3). `length`: eps, in mm; negative for Push. w is b(r_i/R), times the
+/// alpha.
+Field pull(const FieldInput& d, double length)
 {
     return [&d, length](Slot v, double w) -> Vec3 { return length * w * unitNormal(d.mesh, v); };
 }
 
-/// Fuller than Pull, and gentler: +-0.06 R s w (2 - w) n_i, so that all that is under the brush swells.
-Field inflate(const Dabbed& d)
+/// Inflates: +-0.06 R s w (2 - w) n_i. Its profile is fuller than Pull's, and its peak lower.
+Field inflate(const FieldInput& d)
 {
     return [&d, length = d.sign() * swellPerPeak * d.peak()](Slot v, double w) -> Vec3 {
         return length * w * (2 - w) * unitNormal(d.mesh, v);
     };
 }
 
-/// Towards the mean plane raised by a peak (SculptGL's and Blender's clay), by two peaks at most; what stands above it
-/// stays. Inverted it digs.
-Field clay(const Dabbed& d)
+/// Moves vertices towards the mean plane raised by one peak, as the clay brushes of SculptGL and Blender do, by two
+/// peaks at most. Vertices above that plane stay. Inverted it digs.
+Field clay(const FieldInput& d)
 {
     const Plane plane = meanPlane(d);
     return [&d, plane, up = d.sign(), h = d.peak()](Slot v, double w) -> Vec3 {
@@ -99,38 +102,38 @@ Field clay(const Dabbed& d)
     };
 }
 
-/// As high over the surface of the stroke's beginning as the largest sum of weights, up to a peak: n_i h min(1, sum w).
-Field layer(const Dabbed& d)
+/// Raises a layer: n_i h min(1, sum w) over the surface at the beginning of the stroke, with the peak for h.
+Field layer(const FieldInput& d)
 {
     return [&d, up = d.sign(), h = d.peak()](Slot v, double w) -> Vec3 {
         return up * std::clamp(h - d.region.carried(v), 0.0, w * h) * unitNormal(d.mesh, v);
     };
 }
 
-/// -s w ((p_i - P_center) . N_avg) N_avg
-Field flatten(const Dabbed& d)
+/// Flattens onto the plane of P_center and N_avg (paper, section 3.3): -s w ((p_i - P_center) . N_avg) N_avg.
+Field flatten(const FieldInput& d)
 {
     return [&d, plane = meanPlane(d), s = d.share()](Slot v, double w) -> Vec3 {
         return -s * w * Vec3(plane.height(d.point(v)) * plane.normal);
     };
 }
 
-/// Flatten of what stands above the plane alone; inverted, of what lies below.
-Field scrape(const Dabbed& d)
+/// Flattens only vertices above the mean plane; inverted, only those below it.
+Field scrape(const FieldInput& d)
 {
     return [&d, plane = meanPlane(d), up = d.sign(), s = d.share()](Slot v, double w) -> Vec3 {
         return -s * w * up * std::max(up * plane.height(d.point(v)), 0.0) * plane.normal;
     };
 }
 
-/// s w (mean of the neighbours - p_i)
-Field smooth(const Dabbed& d)
+/// Smooths by the Laplacian of uniform weights (paper, section 3.3): s w (mean of the neighbours - p_i).
+Field smooth(const FieldInput& d)
 {
     return [&d, s = d.share()](Slot v, double w) -> Vec3 { return s * w * (neighbourMean(d.mesh, v) - d.point(v)); };
 }
 
-/// Along the surface towards the line. Inverted, away from it.
-Field pinch(const Dabbed& d)
+/// Moves vertices along the mean plane towards the line; inverted, away from it.
+Field pinch(const FieldInput& d)
 {
     const double share = d.sign() * std::min(pinchShare * d.dab.strength, maxPinched);
     return [across = acrossLine(d, meanNormal(d.region, d.mesh)), share](Slot v, double w) -> Vec3 {
@@ -140,7 +143,7 @@ Field pinch(const Dabbed& d)
 
 /// Pinches, and cuts in with a V for a profile: (1 - x)^4 of the distance x from the line, in radii. Inverted it raises
 /// a ridge.
-Field crease(const Dabbed& d)
+Field crease(const FieldInput& d)
 {
     const Vec3 normal = meanNormal(d.region, d.mesh);
     const double share = std::min(creasePinchShare * d.dab.strength, maxPinched);
@@ -152,15 +155,15 @@ Field crease(const Dabbed& d)
     };
 }
 
-/// With the hand.
-Field follow(const Dabbed& d)
+/// Moves vertices with the hand: s w times the dab's motion.
+Field follow(const FieldInput& d)
 {
     return [way = Vec3(d.share() * d.dab.motion)](Slot, double w) -> Vec3 { return w * way; };
 }
 
-/// About the axis through where it took hold, by the turn's share; tan(a/2) = a/2 will do, and is the same on every
-/// machine.
-Field twist(const Dabbed& d)
+/// Turns vertices about the axis through the dab's centre, by the angle s w turn. The quaternion takes a/2 for
+/// tan(a/2), which differs little for the turn of one dab and gives the same bits on every machine.
+Field twist(const FieldInput& d)
 {
     return [&d, half = 0.5 * d.share() * d.dab.turn](Slot v, double w) -> Vec3 {
         const Vec3 turned = half * w * d.dab.axis, r = d.point(v) - d.dab.position;
@@ -177,20 +180,21 @@ double longestEdge(const Mesh& mesh, Slot v)
     return std::sqrt(longest2);
 }
 
-/// See stamp_shape.h.
-Field stamp(const Dabbed& d)
+/// Moves vertices to the surface of the stamp (StampShape). Smooths its outline over a square as wide as the longest
+/// edge at a vertex.
+Field stamp(const FieldInput& d)
 {
     return [&d, stamp = StampShape(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](
                Slot v, double) -> Vec3 { return stamp.field(d.point(v), 0.5 * longestEdge(d.mesh, v)); };
 }
 
-Field fieldOf(const Dabbed& d)
+Field fieldOf(const FieldInput& d)
 {
     switch (d.settings.tool) {
     case Tool::Pull:
-        return along(d, d.peak());
+        return pull(d, d.peak());
     case Tool::Push:
-        return along(d, -d.peak());
+        return pull(d, -d.peak());
     case Tool::Inflate:
         return inflate(d);
     case Tool::Clay:
@@ -238,8 +242,8 @@ Vec3 meanNormal(const Region& region, const Mesh& mesh)
 
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
 {
-    const Dabbed dabbed = {region, mesh, settings, dab};
-    const Field field = fieldOf(dabbed);
+    const FieldInput input = {region, mesh, settings, dab};
+    const Field field = fieldOf(input);
     const DabWeights weights(region, mesh, settings, dab);
     const std::vector<Slot>& slots = region.slots();
     std::vector<double> longest2(1 + chunksOf(slots.size(), plannedPerChunk), 0.0);

@@ -4,20 +4,21 @@
 
 namespace core
 {
-/// The dab's share of a vertex at that distance: 1 in the middle, 0 at the rim; n of b(x) is the stroke's falloff
-/// (paper, section 3.3).
+/// Returns the weight b(x) of a vertex at this distance from the dab's centre, in mm: 1 at the centre, 0 at the rim
+/// (paper, section 3.3). x is the distance in radii, n the stroke's falloff.
 double weightAt(double distance, const StrokeSettings& settings, const Dab& dab);
 
-/// Unit length, or zero: of the region's vertices, each counted once.
+/// Returns the normalised sum of the unit normals of the region's vertices, N_avg of the paper (section 3.3); zero if
+/// they cancel out.
 Vec3 meanNormal(const Region& region, const Mesh& mesh);
 
-/// Plans where the dab moves each vertex of the region, by its tool's field: fields stand in deform.cpp, a line each.
-/// r_i is the region's distance; what the mask holds back is left out. Returns the longest displacement planned.
+/// Plans the displacement of each vertex of the region by the tool's field (deform.cpp has one function a field). r_i
+/// is the region's distance. The mask scales displacements down. Returns the longest displacement planned, in mm.
 /// Precondition: not paintsAttribute(tool).
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 
-/// Turns the plans of the region's vertices at and around the given ones towards their neighbours' mean, lengths kept:
-/// on a rough surface normals differ so much that neighbours would pass each other, faces turn over. `vertices`: may be
-/// gone.
+/// Turns the plans of the region's vertices at and around the given ones towards their neighbours' mean, and keeps
+/// their lengths. On a rough surface normals differ so much that neighbours would pass each other and faces turn over.
+/// `vertices`: some may be removed.
 void smoothPlan(Region& region, const Mesh& mesh, std::span<const Slot> vertices);
 } // namespace core

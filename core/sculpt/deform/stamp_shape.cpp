@@ -29,24 +29,24 @@ StampShape::StampShape(const DabFrame& frame, const StrokeSettings& settings, co
 
 Vec3 StampShape::field(const Vec3& p, double reach) const
 {
-    const auto wayAt = [&](double right, double up) {
-        return way(p + reach * (right * m_frame.right + up * m_frame.up));
+    const auto depthNear = [&](double right, double up) {
+        return depthAt(p + reach * (right * m_frame.right + up * m_frame.up));
     };
-    const double middle = wayAt(0, 0);
+    const double middle = depthNear(0, 0);
     int inside = 0;
     double sum = 0;
     for (const double right : {-0.75, 0.75})
         for (const double up : {-0.75, 0.75})
-            inside += wayAt(right, up) != 0 ? 1 : 0;
+            inside += depthNear(right, up) != 0 ? 1 : 0;
     if (inside == (middle != 0 ? 4 : 0))
         return m_share * middle * m_frame.normal;
     for (const double right : {-0.75, -0.25, 0.25, 0.75})
         for (const double up : {-0.75, -0.25, 0.25, 0.75})
-            sum += wayAt(right, up);
+            sum += depthNear(right, up);
     return m_share * (sum / 16) * m_frame.normal;
 }
 
-double StampShape::way(const Vec3& p) const
+double StampShape::depthAt(const Vec3& p) const
 {
     const Vec3 r = (p - m_center) / m_radius;
     const Vec3 at(r.dot(m_frame.right), r.dot(m_frame.normal), -r.dot(m_frame.up));

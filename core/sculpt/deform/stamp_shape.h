@@ -4,18 +4,19 @@
 
 namespace core
 {
-/// The brush's model, or a ball, on the surface: its middle at the dab's centre, its y along the surface's normal, its
-/// bounding radius the brush's. What of the surface lies inside of it sinks to its lower side along the normal, or
-/// inverted rises to its upper one.
+/// The brush's model, or a ball, on the surface: its middle is the dab's centre, its y axis the surface's normal, its
+/// bounding radius the brush's. The part of the surface inside of it sinks to its lower side along the normal, or
+/// inverted rises to its upper side.
 class StampShape
 {
 public:
     StampShape(const DabFrame& frame, const StrokeSettings& settings, const Dab& dab);
 
-    /// How far p is to go along the normal; 0 outside.
-    double way(const Vec3& p) const;
-    /// The mean of that over the square of half side `reach` around p, as a vector and as far as the strength goes: all
-    /// the way at most. So an outline is as smooth as a mesh whose edges are that long can show it.
+    /// Returns the signed distance along the frame's normal from p to the side of the stamp that the surface takes, in
+    /// mm: negative where the surface sinks, 0 outside the stamp.
+    double depthAt(const Vec3& p) const;
+    /// Returns the displacement of p, in mm: the mean of depthAt() over the square of half side `reach` around p, times
+    /// the strength, at most 1. The mean makes the outline as smooth as edges of that length can show it.
     Vec3 field(const Vec3& p, double reach) const;
 
 private:

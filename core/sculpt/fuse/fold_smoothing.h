@@ -6,17 +6,18 @@
 
 namespace core
 {
-/// Local smoothing where the surface has folded up so far that its faces meet (paper, section 3.4), and what that takes
-/// back of a dab's motion.
+/// Smooths the surface locally where it has folded up so far that its faces meet, and keeps account of the motion of
+/// the dab that this takes back. The paper (section 3.4) smooths where a join makes triangles meet. Here such a join is
+/// left undone, and smoothing prepares the retry of a sub-step that did not verify (DabPipeline::prepareRetry).
 class FoldSmoothing
 {
 public:
-    /// Forgets the motion that was taken back: a new dab begins.
+    /// Forgets the motion that was taken back. To be called when a dab begins.
     void clear();
 
     /// Moves the region's vertices at and around the given ones half way to the mean of their neighbours, as a
-    /// transaction of its own. `vertices`: may be gone. `mayTakeBack`: else only across their plans and onwards. False
-    /// if nothing was moved.
+    /// transaction of its own. `vertices`: some may be removed. `mayTakeBack`: vertices may move against their plans,
+    /// else only across and along them. Returns whether anything was moved.
     bool smooth(VerifiedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices,
                 bool mayTakeBack);
 
@@ -26,6 +27,6 @@ public:
 
 private:
     SparseIndex m_vertices;          ///< smoothed in this dab
-    std::vector<double> m_takenBack; ///< how far against their plan, by position among them
+    std::vector<double> m_takenBack; ///< mm against their plan, by position in m_vertices
 };
 } // namespace core

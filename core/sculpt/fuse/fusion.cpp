@@ -15,9 +15,9 @@ namespace core
 {
 namespace
 {
-/// No dab begins two tubes nearer to each other than this, in terms of d_detail: the first one's seam is to get there.
-constexpr double tubeDistance = 4;
-/// Rounds of joining in a sub-step: a guard, the last ones join nothing.
+/// The least distance between two tunnels that a dab starts, in terms of d_detail: the first one is to widen that far.
+constexpr double minTunnelDistance = 4;
+/// Rounds of joining in a sub-step: a guard, since the last round joins nothing.
 constexpr int maxRounds = 64;
 
 /// Returns those of the vertices that are still there, and the new ones.
@@ -34,7 +34,7 @@ void TopologyFusion::beginDab(MirrorMap* mirror, double detailShare)
     m_surgery.beginDab(mirror);
     m_candidates.setMirror(mirror);
     m_separation.beginDab(detailShare);
-    m_tubes.clear();
+    m_tunnels.clear();
 }
 
 bool TopologyFusion::predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds)
@@ -43,8 +43,8 @@ bool TopologyFusion::predictContact(const VerifiedMesh& surface, const Region& r
     return !m_candidates.pairs().empty();
 }
 
-/// In rounds: a seam grows stitch by stitch over all of a contact before another tube is begun, else a hole stays
-/// between.
+/// Joins in rounds: a tunnel widens over all of a contact before another one starts, since a hole would stay between
+/// two.
 std::uint64_t TopologyFusion::join(VerifiedMesh& surface, Region& region, MotionLimits& limits,
                                    const FusionInput& input)
 {
@@ -53,7 +53,7 @@ std::uint64_t TopologyFusion::join(VerifiedMesh& surface, Region& region, Motion
         if (limits.inUse())
             limits.extend(region, surface.mesh()); // copies joined the region in the round before
         m_candidates.find(surface, region, limits, input);
-        m_candidates.keepToSeams(surface.mesh());
+        m_candidates.dropTunnelsBesideJoins(surface.mesh());
         m_candidates.sort();
         const std::uint64_t joined = joinPairs(surface, region, input.bounds);
         if (joined == 0)
@@ -69,18 +69,18 @@ std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, c
     std::uint64_t joined = 0;
     m_done.clear();
     for (const FusionPair& pair : m_candidates.pairs()) {
-        if (pair.isolated && joined > 0)
+        if (pair.startsTunnel && joined > 0)
             break;
         if (!mayJoin(mesh, pair))
             continue;
         const Vec3 middle = 0.5 * (mesh.point(pair.p).cast<double>() + mesh.point(pair.q).cast<double>());
-        if (pair.isolated && isBesideTube(middle, bounds.detail))
+        if (pair.startsTunnel && isBesideTunnel(middle, bounds.detail))
             continue;
         if (!joinPair(surface, region, pair, bounds))
             continue;
         ++joined;
-        if (pair.isolated)
-            m_tubes.push_back(middle);
+        if (pair.startsTunnel)
+            m_tunnels.push_back(middle);
     }
     return joined;
 }
@@ -92,7 +92,8 @@ bool TopologyFusion::mayJoin(const Mesh& mesh, const FusionPair& pair) const
     return isThere && mayGo(pair.p) && mayGo(pair.q);
 }
 
-/// Joins evenly, or else by what lies nearest. What is around is done with for this pass.
+/// Joins the pair with even steps, or else by nearest vertices. The vertices around the join take part in no other one
+/// of this round.
 bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const FusionPair& pair, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
@@ -107,7 +108,7 @@ bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const Fusio
             hasFailed = true;
             continue;
         }
-        if (!created->empty()) // umbrellas came apart: some may be specks
+        if (!created->empty()) // a vertex of several umbrellas was split: one part may be a speck
             m_separation.removeSpecks(surface, region, cornersLeft(mesh, around, *created), bounds);
         for (Slot v : around)
             m_done.add(v);
@@ -142,11 +143,11 @@ std::optional<Surgery> TopologyFusion::joining(const VerifiedMesh& surface, cons
     return m_surgery.withItsImage(surface, half);
 }
 
-bool TopologyFusion::isBesideTube(const Vec3& middle, double detail) const
+bool TopologyFusion::isBesideTunnel(const Vec3& middle, double detail) const
 {
-    const double beside = tubeDistance * detail;
-    return std::ranges::any_of(m_tubes,
-                               [&](const Vec3& tube) { return (tube - middle).squaredNorm() < beside * beside; });
+    const double beside = minTunnelDistance * detail;
+    return std::ranges::any_of(m_tunnels,
+                               [&](const Vec3& tunnel) { return (tunnel - middle).squaredNorm() < beside * beside; });
 }
 
 bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,

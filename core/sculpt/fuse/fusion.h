@@ -6,21 +6,23 @@
 
 namespace core
 {
-/// Topology fusion (paper, section 3.4): joins what is about to meet, and separates what has grown too thin. Every
-/// operation is verified by itself; what is not sound is left undone. Owns scratch memory.
+/// Topology fusion (paper, section 3.4): joins surfaces that are about to meet, and separates necks that are too thin.
+/// Each operation is verified by itself; one that is not sound is left undone. Owns scratch memory.
 class TopologyFusion
 {
 public:
-    /// Forgets what could not be joined: a new dab tries again. `mirror`: null, or on; then what follows is done to the
-    /// half, together with its image, and the regions are of the half. `detailShare`: see Separation::beginDab().
+    /// Begins a dab: forgets the tunnels and the failures of the one before. `mirror`: null, or on; then the regions
+    /// are of the half, and each operation is done to the half and its image. `detailShare`: see
+    /// Separation::beginDab().
     void beginDab(MirrorMap* mirror, double detailShare);
 
-    /// Whether the whole plan brings surfaces that are near each other into contact: seldom, even where some face each
-    /// other. A guess, as what is far now may come near: no reason not to verify.
+    /// Whether the whole plan would bring surfaces into contact that are near each other now. A guess, since surfaces
+    /// that are far apart now may come near: the change has to be verified all the same.
     bool predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds);
 
-    /// Joins what the motion of the region is about to bring into contact: surfaces that meet from outside become one,
-    /// a wall that is pushed through gets a hole. Returns how many joins there were.
+    /// Joins surfaces that the motion of the region is about to bring into contact: those that meet from outside become
+    /// one, a wall that is pushed through gets a hole. The mesh around a join is not quasi-uniform until it is
+    /// optimised again. Returns how many joins there were.
     std::uint64_t join(VerifiedMesh& surface, Region& region, MotionLimits& limits, const FusionInput& input);
 
     /// Whether surfaces that join() may not join are about to meet at one of these vertices: without fusion any, with
@@ -40,12 +42,12 @@ private:
     bool mayJoin(const Mesh& mesh, const FusionPair& pair) const;
     bool joinPair(VerifiedMesh& surface, Region& region, const FusionPair& pair, const EdgeBounds& bounds);
     std::optional<Surgery> joining(const VerifiedMesh& surface, const FusionPair& pair, Stepping stepping) const;
-    bool isBesideTube(const Vec3& middle, double detail) const;
+    bool isBesideTunnel(const Vec3& middle, double detail) const;
 
     FusionSurgery m_surgery;
     FusionCandidates m_candidates;
     Separation m_separation{m_surgery};
-    std::vector<Vec3> m_tubes; ///< where this dab began new ones
-    SlotSet m_done;            ///< vertices around what was joined in this pass
+    std::vector<Vec3> m_tunnels; ///< where this dab started tunnels; mm
+    SlotSet m_done;              ///< vertices around the joins of this round
 };
 } // namespace core

@@ -1,9 +1,8 @@
-// Vertices that the motion is about to bring into contact:
+// Finds the vertices that the motion is about to bring into contact (paper, section 3.4):
 //   gather     the vertices within d_thickness of the region
-//   turned     those that do not look the way that the region does on the whole: of each pair one is among them
-//   pairs      no neighbours, face each other, approach each other, and would meet in a sub-step
-// Two filters, as in Ginier's FreeStyle implementations: surfaces that meet from outside join whatever the tool; the
-// two sides of a wall do only when they are pushed.
+//   turned     the vertices whose normals lie outside a cone around the region's mean normal: each pair has one of them
+//   pairs      vertices that are no neighbours, face each other, approach each other, and would meet in a sub-step
+// Surfaces that meet from outside join with any tool. The two sides of a wall join only if the tool pushes.
 
 #include "core/sculpt/fuse/fusion_candidates.h"
 
@@ -19,17 +18,14 @@ namespace core
 {
 namespace
 {
-/// d_thickness in terms of d_detail: edge meets edge at most this far from vertices (notes on the paper's bound,
-/// section 3.4).
-constexpr double thicknessPerDetail = 0.735;
-/// Normals of surfaces that face each other: at more than 135 degrees.
+/// Surfaces face each other if their normals are more than 135 degrees apart.
 constexpr double facingCosine = -0.7071;
-/// If all normals lie within this cone around one direction no two of them are more than 135 degrees apart.
+/// If all normals lie within this cone around one direction, no two of them are more than 135 degrees apart.
 constexpr double coneCosine = 0.3827;   // cos 67.5 degrees
 constexpr double safeConeCosine = 0.39; // a little narrower: rounding does not matter then
-/// A pair joins when the next sub-step would close this part of the gap or more, ...
+/// A pair meets if the next sub-step closes this share of its gap or more.
 constexpr double closingShare = 1 / 1.5;
-/// ... or when the gap is below this part of d_detail and closing.
+/// A pair meets if its gap is closing and smaller than this, in terms of d_detail.
 constexpr double contactPerDetail = 0.05;
 /// Faces that a core takes at a time.
 constexpr std::size_t facesPerChunk = 1024;
@@ -47,11 +43,6 @@ Vec3 unit(const Vec3& v)
     return length > 0 ? Vec3(v / length) : Vec3::Zero();
 }
 } // namespace
-
-double FusionInput::reach() const
-{
-    return thicknessPerDetail * bounds.detail;
-}
 
 double FusionInput::detail(Slot p, Slot q) const
 {
@@ -80,13 +71,13 @@ bool FusionCandidates::mayFace(const Mesh& mesh, const Region& region, std::span
 void FusionCandidates::find(const VerifiedMesh& surface, const Region& region, const MotionLimits& limits,
                             const FusionInput& input)
 {
-    gather(surface, region, input.reach());
+    gather(surface, region, input.bounds.thickness());
     findTurned(surface.mesh(), region);
     findPairs(surface.mesh(), region, limits, input);
 }
 
-/// Gathers the vertices of all faces that come within reach of the region's box.
-void FusionCandidates::gather(const VerifiedMesh& surface, const Region& region, double reach)
+/// Gathers the vertices of the region, and those within its box grown by d_thickness.
+void FusionCandidates::gather(const VerifiedMesh& surface, const Region& region, double thickness)
 {
     const Mesh& mesh = surface.mesh();
     const Lattice& lattice = mesh.lattice();
@@ -97,7 +88,7 @@ void FusionCandidates::gather(const VerifiedMesh& surface, const Region& region,
     m_normals.clear();
     if (box.empty())
         return;
-    const int margin = static_cast<int>(std::min(reach / lattice.unit() + 1, double(Lattice::limit)));
+    const int margin = static_cast<int>(std::min(thickness / lattice.unit() + 1, double(Lattice::limit)));
     box.min.array() -= margin;
     box.max.array() += margin;
     surface.octree().query(box, [&](Slot f) {
@@ -114,7 +105,8 @@ void FusionCandidates::gather(const VerifiedMesh& surface, const Region& region,
     m_normals.resize(m_points.size());
 }
 
-/// Vertices whose normals lie within one cone do not face each other: one of each pair has another normal.
+/// Finds the vertices whose normals lie outside a cone around the region's mean normal. Vertices within it do not face
+/// each other, so each pair has a vertex outside.
 void FusionCandidates::findTurned(const Mesh& mesh, const Region& region)
 {
     Vec3 sum = Vec3::Zero();
@@ -140,12 +132,12 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
     m_pairs.clear();
     if (m_turned.empty())
         return;
-    const double reach = input.reach(), reach2 = reach * reach;
-    const ProximityGrid grid(m_points, reach);
+    const double thickness = input.bounds.thickness(), thickness2 = thickness * thickness;
+    const ProximityGrid grid(m_points, thickness);
     for (Slot turned : m_turned) {
         grid.forEachNear(m_points[turned], [&](Slot near) {
             const double distance2 = (m_points[near] - m_points[turned]).squaredNorm();
-            if (distance2 >= reach2 || near == turned ||
+            if (distance2 >= thickness2 || near == turned ||
                 (m_isTurned[near] && near < turned)) // the last: met from the other side
                 return;
             const Slot lower = std::min(near, turned), upper = std::max(near, turned);
@@ -161,7 +153,8 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
     }
 }
 
-/// In a mirror a vertex of the half may join another of it, or its own image.
+/// Whether the mirror lets the two join: both are in the half, or one is the other's image. Precondition: v is in the
+/// half.
 bool FusionCandidates::mayPair(Slot v, Slot other) const
 {
     return !m_mirror || m_mirror->isInHalf(other) || m_mirror->imageOf(v) == other;
@@ -173,7 +166,11 @@ bool FusionCandidates::areFacing(const Mesh& mesh, Slot i, Slot j) const
            mesh.findHalfedge(m_vertices.slots()[i], m_vertices.slots()[j]) == noSlot;
 }
 
-/// Precondition: areFacing(). The region contains the first of the two.
+/// Whether the next sub-step would bring the two into contact. The paper (section 3.4) joins two vertices if the
+/// distance of their final positions is below d_thickness. Here their present distance is below it, and the next
+/// sub-step has to close most of the gap along the mean axis of their normals, or some of a gap that is nearly closed:
+/// vertices that slide past each other, or move apart, do not join. Preconditions: areFacing(), and the region contains
+/// the first of the two.
 bool FusionCandidates::willMeet(Slot i, Slot j, const Region& region, const MotionLimits& limits,
                                 const FusionInput& input) const
 {
@@ -196,13 +193,13 @@ bool FusionCandidates::willMeet(Slot i, Slot j, const Region& region, const Moti
     const double detail = input.detail(v, other);
     if (detail == input.bounds.detail)
         return closingShare * gap <= closing || gap <= contactPerDetail * detail;
-    const double aside2 = between.squaredNorm() - gap * gap, thickness = thicknessPerDetail * detail;
+    const double aside2 = between.squaredNorm() - gap * gap, thickness = EdgeBounds::thicknessPerDetail * detail;
     return closingShare * gap <= closing && aside2 < thickness * thickness; // folds of detail may be near each other
 }
 
-/// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a
-/// new tube beside that would leave a hole in between.
-void FusionCandidates::keepToSeams(const Mesh& mesh)
+/// A patch meets its own image everywhere at once. Where joins have connected the two at the plane, further joins widen
+/// that tunnel; a new tunnel beside it would leave a hole between the two.
+void FusionCandidates::dropTunnelsBesideJoins(const Mesh& mesh)
 {
     if (!m_mirror)
         return;
@@ -229,14 +226,14 @@ void FusionCandidates::keepToSeams(const Mesh& mesh)
         });
     }
     std::erase_if(m_pairs, [&](const FusionPair& pair) {
-        return pair.isolated && meetsImage(pair) && (grown.contains(pair.p) || grown.contains(pair.q));
+        return pair.startsTunnel && meetsImage(pair) && (grown.contains(pair.p) || grown.contains(pair.q));
     });
 }
 
 void FusionCandidates::sort()
 {
     std::ranges::sort(m_pairs, [](const FusionPair& a, const FusionPair& b) {
-        return std::tie(a.isolated, a.distance2, a.p, a.q) < std::tie(b.isolated, b.distance2, b.p, b.q);
+        return std::tie(a.startsTunnel, a.distance2, a.p, a.q) < std::tie(b.startsTunnel, b.distance2, b.p, b.q);
     });
 }
 } // namespace core

@@ -14,7 +14,6 @@ struct FusionInput
     EdgeBounds bounds;
     double part = 1;                   ///< share of the plan that one sub-step does
     const RestLengths* rest = nullptr; ///< of a stroke that keeps detail
-    double reach() const;              ///< d_thickness, in mm: surfaces farther apart do not join
     /// Returns d_detail at p and q, in mm: less than the brush's where the surface was finer before the stroke.
     double detail(Slot p, Slot q) const;
 };
@@ -22,34 +21,34 @@ struct FusionInput
 /// Two vertices that are about to meet.
 struct FusionPair
 {
-    bool isolated; ///< no vertex lies in both 1-rings: the join is a new tube, not the next stitch of a seam
-    double distance2;
-    Slot p, q;   ///< p < q
-    bool inside; ///< the two sides of a wall
+    bool startsTunnel; ///< no vertex lies in both 1-rings: their join makes a new tunnel; otherwise it widens one
+    double distance2;  ///< mm2
+    Slot p, q;         ///< p < q
+    bool inside;       ///< the two sides of a wall
 };
 
 /// Finds the vertices that a motion is about to bring into contact (paper, section 3.4). Owns scratch memory.
 class FusionCandidates
 {
 public:
-    /// Whether two of the faces may face each other: else there is nothing to find. Cheap, and never wrong when it says
-    /// no. `faces`: all around the region.
+    /// Whether two of the faces may face each other. Otherwise there is nothing to find. False is certain, true is a
+    /// guess. `faces`: all around the region. Cost: O(faces).
     static bool mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces);
 
     /// `mirror`: null, or on; then the region is of the half.
     void setMirror(MirrorMap* mirror) { m_mirror = mirror; }
     /// Finds the pairs that the motion of the region within its limits brings together.
     void find(const VerifiedMesh& surface, const Region& region, const MotionLimits& limits, const FusionInput& input);
-    /// With a mirror: drops pairs that would begin a new tube between a patch and its image, where the two have met
-    /// already.
-    void keepToSeams(const Mesh& mesh);
-    /// Sorts the pairs: the next stitches of seams first, then the nearest.
+    /// With a mirror: drops pairs that would start a tunnel between a patch and its image, where a join has connected
+    /// the two already.
+    void dropTunnelsBesideJoins(const Mesh& mesh);
+    /// Sorts the pairs: those that widen a tunnel first, then by distance.
     void sort();
 
     const std::vector<FusionPair>& pairs() const { return m_pairs; }
 
 private:
-    void gather(const VerifiedMesh& surface, const Region& region, double reach);
+    void gather(const VerifiedMesh& surface, const Region& region, double thickness);
     void findTurned(const Mesh& mesh, const Region& region);
     void findPairs(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input);
     bool mayPair(Slot v, Slot other) const;
@@ -58,9 +57,9 @@ private:
 
     MirrorMap* m_mirror = nullptr;
     SlotSet m_vertices;           ///< near the region
-    std::vector<Vec3> m_points;   ///< by position among them
+    std::vector<Vec3> m_points;   ///< by position in m_vertices
     std::vector<Vec3> m_normals;  ///< by position; unit length, or zero
-    std::vector<Slot> m_turned;   ///< positions of those that may face another
+    std::vector<Slot> m_turned;   ///< positions of vertices whose normals lie outside the cone of findTurned()
     std::vector<char> m_isTurned; ///< by position
     std::vector<FusionPair> m_pairs;
 };

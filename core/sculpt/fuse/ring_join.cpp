@@ -1,10 +1,9 @@
-// Joining two stars (paper, section 3.4; the cases of common ring vertices and of several umbrellas as in Ginier's
-// FreeStyle implementations and El Topo's merging, Brochu and Bridson 2009):
+// Joins two stars (paper, section 3.4, Figure 13; the case of common ring vertices is ours):
 //   1. rings:      of p counter-clockwise, of q clockwise, seen from outside: they then run the same way
-//   2. arcs:       between successive common vertices, or both rings whole, started where they lie nearest
-//   3. strip:        each pair of arcs becomes a strip of triangles, evenly by Bresenham's error diffusion or by what
-//   lies nearest
-//   4. umbrellas:  a vertex that is left with several gets a copy for each further one
+//   2. arcs:       between successive common vertices; or both rings whole, from where they are nearest
+//   3. strip:      each pair of arcs is connected by triangles, evenly by Bresenham's error diffusion or by nearest
+//                  vertices
+//   4. umbrellas:  a vertex that is left with several gets a copy for each further one (Brochu and Bridson 2009)
 
 #include "core/sculpt/fuse/ring_join.h"
 
@@ -15,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// The way that a copy of a vertex goes to the middle of its own umbrella.
+/// The share of the way to the middle of its own umbrella by which a copy of a vertex moves.
 constexpr double apart = 0.25;
 
 Ring ringOf(const Mesh& mesh, Slot v)
@@ -143,7 +142,7 @@ std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q, Stepping step
     else if (!stripArcs(mesh, stepping, a, b, surgery.faces))
         return std::nullopt;
     if (surgery.faces.empty())
-        return std::nullopt; // the two stars were all there was
+        return std::nullopt; // the component has no other faces
     splitUmbrellas(mesh, surgery, apart);
     return ifOk(mesh, std::move(surgery));
 }

@@ -5,7 +5,9 @@
 //                (3.2.2, Figures 6 and 7)
 //   3. flip:     edges whose two opposite angles exceed 180 degrees together      (Delaunay's criterion)
 //   4. relax:    vertices around the changes, towards their neighbours' mean, along the surface
-// No step after the splits makes an edge longer than d_detail, the last two none shorter than d.
+// The paper splits again after the collapses, since they may lengthen edges. Here no second round is needed: no step
+// after the splits makes an edge longer than d_detail, and a collapse that would is refused (RemeshPass::staysSound).
+// The last two steps make no edge shorter than d.
 // Keys of each order are total (length, then slots), so that results depend only on the mesh.
 
 #include "core/sculpt/remesh/remesh.h"
