@@ -6,7 +6,7 @@
 
 namespace app
 {
-/// What a subcommand answers to its caller (DESIGN, section 4).
+/// The exit status of a subcommand (README.md, "Two commands").
 enum ExitStatus { Done = 0, AnswerIsNo = 1, BadInput = 2 };
 
 /// Ends a subcommand: one sentence for stderr.

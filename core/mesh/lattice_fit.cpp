@@ -1,4 +1,4 @@
-// A surface onto its lattice (DESIGN section 3, "The lattice"):
+// Moves a surface onto its lattice (core/README.md, "The lattice"):
 //   1. snap     each vertex to the nearest lattice point
 //   2. check    degenerate faces and faces that meet, exactly
 //   3. resnap   a corner of each unsound face to the next lattice point nearby, and check again, a few times

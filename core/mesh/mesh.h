@@ -164,7 +164,7 @@ public:
     /// which the delta's stroke ended (to undo) or began (to redo).
     void swap(MeshDelta& delta);
 
-    /// Digest of the live surface, independent of slots and order (DESIGN: `mesh_hash`). O(1): kept up by the journal.
+    /// Digest of the live surface, independent of slots and order (mesh_hash.h). O(1): kept up by the journal.
     std::uint64_t meshHash() const { return m_meshHash; }
     /// Digest of slots, links, free slots and frame too. O(mesh).
     std::uint64_t stateHash() const;

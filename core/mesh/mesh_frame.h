@@ -11,7 +11,7 @@ inline constexpr double detailPerMeanEdge = 4.0 / 3;
 struct MeshFrame
 {
     Lattice lattice = Lattice();
-    double uniformDetail = 0; ///< d_detail of the uniform topology (DESIGN section 3), document's unit
+    double uniformDetail = 0; ///< d_detail of Topology::Uniform, in the document's unit
 
     friend bool operator==(const MeshFrame&, const MeshFrame&) = default;
 };

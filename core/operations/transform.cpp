@@ -1,4 +1,4 @@
-// The whole model elsewhere (DESIGN section 3, "The lattice"):
+// Transforms the whole model (core/README.md, "The lattice"):
 //   1. place     every vertex exactly, in double
 //   2. lattice   the present one if it suits the new box, else another
 //   3. fit       snap, check the whole exactly, retry neighbouring lattice points          lattice_fit

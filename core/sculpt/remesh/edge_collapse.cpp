@@ -11,11 +11,12 @@ namespace
 /// The smallest angle that a collapse may make, unless there was a smaller one before: 5 degrees; more would block
 /// collapses that repair what surrounds them.
 constexpr double collapsedAngleSine = 0.0872;
-/// Where the shape is kept: a place this near to the planes around it, in d, lies on them; one this near will do if
-/// there is none, and so will one whose squared distance is little larger than the least.
+/// Limits on the distance of a merged vertex from the planes around the edge (planeError()), in d, where the shape is
+/// kept. Up to onPlanes a place counts as on the planes. A place may be used if its squared distance is at most
+/// littleLarger times the least one, plus the square of nearPlanes.
 constexpr double onPlanes = 0.02, nearPlanes = 0.03, littleLarger = 1.5;
-/// There a collapse may narrow an angle below collapsedAngleSine, in squared sines, to this: slivers around the tip of
-/// a cone must narrow a hair to become fewer, and would lose the tip else.
+/// The share of its squared sine that an angle below collapsedAngleSine keeps in a collapse where the shape is kept.
+/// Slivers around the tip of a cone have to narrow a little to become fewer; otherwise the tip would be lost.
 constexpr double keptOfSliver2 = 0.5;
 } // namespace
 

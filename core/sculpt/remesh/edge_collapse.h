@@ -13,14 +13,16 @@ public:
     /// `keepsShape`: see optimiseKeepingShape().
     EdgeCollapse(RemeshPass& pass, bool keepsShape);
 
-    /// Collapses the edges, the shortest first, and those that become short by that. Notes those that must not be.
+    /// Collapses the edges, the shortest first, and the edges that become short by that. Adds the edges that no legal
+    /// collapse removes to RemeshCounts::blocked.
     void collapseShortEdges(std::vector<RemeshEdge> edges);
 
 private:
+    /// The vertex that an edge collapses to.
     struct Merged
     {
         Vec3f point;
-        Vec3 plan;
+        Vec3 plan;        ///< mm
         double error = 0; ///< planeError(), in squares of d; of keepShape() only
     };
     using Choices = std::array<Merged, 3>;

@@ -44,7 +44,8 @@ void EdgeFlip::flipEdges()
         edges = flip(std::move(edges));
 }
 
-/// Returns those that should be flipped next: only around a flip can an edge have changed its mind.
+/// Flips those of the edges that still should be. Returns those that should be flipped next: only edges around a flip
+/// can meet the criterion now that did not before.
 std::vector<RemeshEdge> EdgeFlip::flip(std::vector<RemeshEdge> edges)
 {
     std::ranges::sort(

@@ -9,7 +9,8 @@ namespace
 {
 /// Operations of one remeshing, by the region's vertices and in all: guards against endless work, not a tuning knob.
 constexpr std::uint64_t opsPerVertex = 64, minOps = 4096, maxOps = 1 << 19;
-/// A step may turn a face by at most about 78 degrees (cos > 0.2: notes of El Topo's legality tests, Brochu 2009).
+/// A step may turn a face by at most about 78 degrees (cosine 0.2, after the legality tests of El Topo: Brochu and
+/// Bridson 2009).
 constexpr double minTurnCosine = 0.2;
 /// An edge of detail collapses when it is shorter than this part of what it was before the stroke.
 constexpr double squeezedShare = 0.25;

@@ -105,7 +105,8 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
 
 namespace
 {
-/// Returns the candidate triangle that holds the ball's centre.
+/// Returns the candidate triangle nearest to the centre, of several the one with the lowest slot; noSlot if there is
+/// none.
 Slot faceUnder(const Vec3& center, const std::vector<Slot>& candidates, const Mesh& mesh)
 {
     Slot face = noSlot;

@@ -61,8 +61,8 @@ std::vector<LatticeBox> DirtyNeighbourhood::boxesOfChange(const Mesh& mesh, cons
         m_moved.add(place.vertex);
     const auto extend = [&](LatticeBox& box, const Triangle& corners) {
         for (Slot v : corners) {
-            const Slot place = m_moved.find(v);
-            box.extend(place == noSlot ? mesh.latticePoint(v) : mesh.lattice().toLattice(touched.before[place].point));
+            const Slot moved = m_moved.find(v);
+            box.extend(moved == noSlot ? mesh.latticePoint(v) : mesh.lattice().toLattice(touched.before[moved].point));
         }
     };
     std::vector<LatticeBox> boxes(dirtyBoxes().begin(), dirtyBoxes().end());
@@ -73,14 +73,14 @@ std::vector<LatticeBox> DirtyNeighbourhood::boxesOfChange(const Mesh& mesh, cons
     return boxes;
 }
 
-void DirtyNeighbourhood::index()
+void DirtyNeighbourhood::buildIndex()
 {
-    m_places.clear();
+    m_index.clear();
     for (Slot f : m_faces.slots())
-        m_places.add(f);
+        m_index.add(f);
 }
 
-/// Reads shapes and boxes of faces. `first`: the place of the first of them.
+/// Reads shapes and boxes of faces. `first`: the index of the first of them.
 void DirtyNeighbourhood::read(const Mesh& mesh, std::span<const Slot> faces, std::size_t first)
 {
     if (first + faces.size() > m_shapes.size()) {
@@ -97,15 +97,15 @@ void DirtyNeighbourhood::read(const Mesh& mesh, std::span<const Slot> faces, std
     });
 }
 
-bool DirtyNeighbourhood::isDegenerate(Slot place) const
+bool DirtyNeighbourhood::isDegenerate(Slot index) const
 {
-    const auto& p = m_shapes[place].points;
+    const auto& p = m_shapes[index].points;
     return LatticePredicates::collinear(p[0], p[1], p[2]);
 }
 
-Vec3 DirtyNeighbourhood::normal(Slot place) const
+Vec3 DirtyNeighbourhood::normal(Slot index) const
 {
-    const auto& p = m_shapes[place].points;
+    const auto& p = m_shapes[index].points;
     const Vec3 ab = (p[1] - p[0]).cast<double>(), ac = (p[2] - p[0]).cast<double>();
     return ab.cross(ac);
 }

@@ -6,36 +6,37 @@
 
 namespace core
 {
-/// The faces that a change has touched, the dirty ones, and every face that these may meet. Faces are known by their
-/// place: relinked ones come first, then the other dirty ones, then the rest. Not thread-safe: owns scratch memory.
+/// The faces that a change has touched, the dirty ones, and every face that these may meet. Functions name a face by
+/// its index in faces(): relinked faces come first, then the other dirty ones, then the rest. Not thread-safe: owns
+/// scratch memory.
 class DirtyNeighbourhood
 {
 public:
-    /// Collects the dirty faces alone: relinked, or with a corner that moved, and alive. `touched`: from the mesh's
-    /// journal.
+    /// Collects the dirty faces alone: live faces that were relinked or have a corner that moved. `touched`: from the
+    /// mesh's journal.
     void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
     /// Adds every other face that meets a box of the change. Precondition: collectDirty(), of the same change.
     void gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
-    /// Prepares place(). Cost: the faces.
-    void index();
+    /// Prepares indexOf(). Cost: O(faces).
+    void buildIndex();
     /// Reads a face again whose corners have moved.
-    void reread(const Mesh& mesh, Slot place) { read(mesh, std::span(&faces()[place], 1), place); }
+    void reread(const Mesh& mesh, Slot index) { read(mesh, std::span(&faces()[index], 1), index); }
 
     const std::vector<Slot>& faces() const { return m_faces.slots(); }
     bool contains(Slot f) const { return m_faces.contains(f); }
     Slot size() const { return static_cast<Slot>(m_faces.size()); }
     Slot dirtyCount() const { return m_dirtyCount; }
     Slot relinkedCount() const { return m_relinkedCount; }
-    /// The place of a face, or noSlot. Precondition: index().
-    Slot place(Slot f) const { return m_places.find(f); }
+    /// Returns the index of a face in faces(), or noSlot. Precondition: buildIndex().
+    Slot indexOf(Slot f) const { return m_index.find(f); }
 
-    // --- by place ----------------------------------------------------------------------------------------------------
-    const PatchFace& shape(Slot place) const { return m_shapes[place]; }
+    // --- by index in faces() -----------------------------------------------------------------------------------------
+    const PatchFace& shape(Slot index) const { return m_shapes[index]; }
     std::span<const PatchFace> shapes() const { return std::span(m_shapes).first(m_faces.size()); }
     std::span<const LatticeBox> boxes() const { return std::span(m_boxes).first(m_faces.size()); }
-    bool isDegenerate(Slot place) const;
-    /// Twice the area long. Exact.
-    Vec3 normal(Slot place) const;
+    bool isDegenerate(Slot index) const;
+    /// Returns the normal of a face, twice its area long, in squared units of the lattice. Exact.
+    Vec3 normal(Slot index) const;
 
 private:
     std::span<const LatticeBox> dirtyBoxes() const { return std::span(m_boxes).first(m_dirtyCount); }
@@ -43,8 +44,8 @@ private:
     void read(const Mesh& mesh, std::span<const Slot> faces, std::size_t first);
 
     SlotSet m_faces;
-    SparseIndex m_places;
-    std::vector<PatchFace> m_shapes; ///< in the order of m_faces; more may follow, of no use
+    SparseIndex m_index;
+    std::vector<PatchFace> m_shapes; ///< in the order of m_faces; later elements are unused
     std::vector<LatticeBox> m_boxes; ///< likewise
     Slot m_relinkedCount = 0;
     Slot m_dirtyCount = 0;

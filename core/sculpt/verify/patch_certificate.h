@@ -6,15 +6,16 @@ namespace core
 {
 /// A direction with small integer components: its dot product with a face's normal is exact in 64 bits.
 using IntegerDirection = Eigen::Matrix<std::int64_t, 3, 1>;
-/// The integer direction nearest to v, components up to 1023; zero for a zero vector.
+/// Returns the integer direction nearest to v, with components up to 1023; zero for a zero vector.
 IntegerDirection integerDirection(const Vec3& v);
 
-/// A corner of a patch's face, with its lattice point at hand.
+/// A face of a patch: its corners, and their lattice points.
 struct PatchFace
 {
     Triangle corners;
-    std::array<LatticePoint, 3> points;
+    std::array<LatticePoint, 3> points; ///< by corner
 };
+/// A half-edge on the boundary of a patch: its ends, and their lattice points.
 struct BoundaryEdge
 {
     Slot from, to;
@@ -28,10 +29,11 @@ struct BoundaryEdge
 /// Cost: O(faces + b log b) for a boundary of b edges that is not too jagged.
 bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary,
                   const IntegerDirection& direction);
-/// Its two halves.
+/// The two conditions of certifyPatch().
 bool arePositive(std::span<const PatchFace> faces, const IntegerDirection& direction);
 bool isSimpleLoop(std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction);
 
-/// The same for the faces around one vertex: each strictly positive against the sum of their normals, once around.
+/// Certifies the same of the faces around one vertex: each is strictly positive against the sum of their normals, and
+/// they go around once. False says nothing. Exact.
 bool certifyStar(const Mesh& mesh, Slot v);
 } // namespace core

@@ -43,7 +43,7 @@ void PatchComponents::add(const Mesh& mesh, const DirtyNeighbourhood& neighbourh
             m_patch.push_back(neighbourhood.shape(at));
         Slot h = mesh.faceHalfedge(neighbourhood.faces()[at]);
         for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-            const Slot next = neighbourhood.place(mesh.face(h ^ 1));
+            const Slot next = neighbourhood.indexOf(mesh.face(h ^ 1));
             if (next == noSlot) {
                 component.isClosed = false;
                 if (isDirty)

@@ -4,8 +4,9 @@
 
 namespace core
 {
-/// The faces of a neighbourhood by the patches that edges connect. A patch with dirty faces gets a certificate if it
-/// can: then no two of its faces meet where they may not. Faces are named by their place. Owns scratch memory.
+/// The faces of a neighbourhood, divided into patches that edges connect. A patch with dirty faces gets a certificate
+/// if it can: then no two of its faces meet where they may not. Functions name a face by its index in the
+/// neighbourhood. Owns scratch memory.
 class PatchComponents
 {
 public:
@@ -13,7 +14,7 @@ public:
     void find(const Mesh& mesh, const DirtyNeighbourhood& neighbourhood);
 
     Slot size() const { return static_cast<Slot>(m_components.size()); }
-    Slot of(Slot place) const { return m_component[place]; }
+    Slot of(Slot index) const { return m_component[index]; }
     /// Whether no edge of the patch leads out of the neighbourhood.
     bool isClosed(Slot component) const { return m_components[component].isClosed; }
     bool isCertified(Slot component) const { return m_components[component].isCertified; }
@@ -32,12 +33,12 @@ private:
     };
     void add(const Mesh& mesh, const DirtyNeighbourhood& neighbourhood, Slot seed);
 
-    std::vector<Slot> m_component; ///< by place
+    std::vector<Slot> m_component; ///< by index in the neighbourhood
     std::vector<Component> m_components;
     Slot m_dirtyComponents = 0;           ///< the first ones, which hold dirty faces
     std::vector<PatchFace> m_patch;       ///< faces of the component that is being added
     std::vector<BoundaryEdge> m_boundary; ///< likewise
-    std::vector<Slot> m_front;            ///< places whose neighbours are still to be visited
+    std::vector<Slot> m_front;            ///< indices of faces whose neighbours are still to be visited
 };
 
 /// Returns a half-edge with its ends' lattice points.

@@ -1,13 +1,13 @@
-// The exact local check of a change (DESIGN section 3, step 5):
+// The exact local check of a change (core/README.md, "A dab"):
 //   1. dirty faces:  those the journal says were relinked, and those around a vertex that moved dirty_neighbourhood
 //   2. linked:       each rightly
 //   3. partners:     every face that meets a box of the dirty ones, where they are and where they were: one box, or one
 //                    for each part of the change that nothing connects, as on both sides of a mirror
 //                    dirty_neighbourhood
-//   4. tier a:       one certificate for all of these, or for each patch around dirty faces           patch_components
-//      tier b:       certificates for the stars of the vertices of a patch that has none              patch_certificate
+//   4. Patch:        one certificate for all of these, or for each patch around dirty faces           patch_components
+//      Stars:        certificates for the stars of the vertices of a patch that has none              patch_certificate
 //                    and exact tests of its disjoint pairs
-//      tier c:       exact tests of neighbouring pairs too, where a star has no certificate
+//      Pairs:        exact tests of neighbouring pairs too, where a star has no certificate
 //   5. nesting:      a shell wholly inside a box must still face the right way at its depth
 
 #include "core/sculpt/verify/verifier.h"
@@ -83,7 +83,7 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
     findMislinked(mesh);
     if (m_result.ok() && certifyAll(mesh))
         return m_result;
-    m_neighbourhood.index();
+    m_neighbourhood.buildIndex();
     findDegenerate();
     if (m_result.ok()) {
         m_components.find(mesh, m_neighbourhood);
@@ -100,32 +100,32 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
 /// The neighbourhood of the larger change holds everything that the smaller one can meet.
 std::vector<Slot> Verifier::recheck(const Mesh& mesh, std::span<const Slot> vertices)
 {
-    SparseIndex near; // by place: the faces at the vertices, then those that meet the box of these
+    SparseIndex near; // indices in the neighbourhood: the faces at the vertices, then those that meet the box of these
     std::vector<Slot> bad;
     LatticeBox box;
     for (Slot v : vertices) {
         mesh.forEachOutgoing(v, [&](Slot h) {
-            const Slot place = m_neighbourhood.place(mesh.face(h));
-            if (place == noSlot || near.contains(place))
+            const Slot index = m_neighbourhood.indexOf(mesh.face(h));
+            if (index == noSlot || near.contains(index))
                 return;
-            near.add(place);
-            m_neighbourhood.reread(mesh, place);
-            box.extend(m_neighbourhood.boxes()[place]);
-            if (m_neighbourhood.isDegenerate(place))
-                bad.push_back(m_neighbourhood.faces()[place]);
+            near.add(index);
+            m_neighbourhood.reread(mesh, index);
+            box.extend(m_neighbourhood.boxes()[index]);
+            if (m_neighbourhood.isDegenerate(index))
+                bad.push_back(m_neighbourhood.faces()[index]);
         });
     }
     if (!bad.empty())
         return bad;
     const Slot changed = static_cast<Slot>(near.size());
     const std::span<const LatticeBox> allBoxes = m_neighbourhood.boxes();
-    for (Slot place = 0; place < m_neighbourhood.size(); ++place) {
-        if (box.meets(allBoxes[place]))
-            near.add(place);
+    for (Slot index = 0; index < m_neighbourhood.size(); ++index) {
+        if (box.meets(allBoxes[index]))
+            near.add(index);
     }
     std::vector<LatticeBox> boxes;
-    for (Slot place : near.slots())
-        boxes.push_back(allBoxes[place]);
+    for (Slot index : near.slots())
+        boxes.push_back(allBoxes[index]);
     m_stars.clear();
     const auto meet = [&](Slot i, Slot j) { return meetBadly(near.slots()[i], near.slots()[j]); };
     for (const auto& [i, j] : BoxPairs(boxes, changed).those(meet)) {
@@ -136,8 +136,8 @@ std::vector<Slot> Verifier::recheck(const Mesh& mesh, std::span<const Slot> vert
     return bad;
 }
 
-/// Most changes leave all that is near them one sheet that a single direction sees from above. (Then none of the faces
-/// is degenerate, and they are one component with an edge: a second one would have a loop of its own.)
+/// Whether one certificate holds for all gathered faces, as after most changes. (Then none of the faces is degenerate,
+/// and they are one component with an edge: a second one would have a boundary of its own.)
 bool Verifier::certifyAll(const Mesh& mesh)
 {
     if (m_neighbourhood.dirtyCount() == 0)
@@ -234,9 +234,9 @@ bool Verifier::isNestedWell(const Mesh& mesh, const FaceOctree& octree, Slot com
     octree.query(probe.column(), [&](Slot f) {
         if (!mesh.isFace(f))
             return;
-        const Slot place = m_neighbourhood.place(f);
-        const bool isOwn = place != noSlot && m_components.of(place) == component;
-        if (place < m_neighbourhood.dirtyCount() || isOwn)
+        const Slot index = m_neighbourhood.indexOf(f);
+        const bool isOwn = index != noSlot && m_components.of(index) == component;
+        if (index < m_neighbourhood.dirtyCount() || isOwn)
             return;
         const Triangle& t = mesh.corners(f);
         probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});

@@ -20,8 +20,8 @@ struct VerifyResult
     bool ok() const { return badFaces.empty(); }
 };
 
-/// The exact local check (DESIGN section 3, step 5). If the mesh was sound before the change, then it is sound after it
-/// if and only if this finds no bad face. Not thread-safe: owns scratch memory.
+/// The exact local check of a change (core/README.md, "A dab"). If the mesh was sound before the change, then it is
+/// sound after it if and only if this finds no bad face. Not thread-safe: owns scratch memory.
 class Verifier
 {
 public:
@@ -59,7 +59,7 @@ private:
     bool meetBadly(Slot i, Slot j) const;
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
     bool isNestedWell(const Mesh& mesh, const FaceOctree& octree, Slot component) const;
-    void addBad(Slot place) { m_result.badFaces.push_back(m_neighbourhood.faces()[place]); }
+    void addBad(Slot index) { m_result.badFaces.push_back(m_neighbourhood.faces()[index]); }
 
     VerifyResult m_result;
     DirtyNeighbourhood m_neighbourhood;
