@@ -16,18 +16,18 @@ public:
     explicit RuntimeProbe(QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// One probe at a time; others are ignored, except for a message if it takes long.
+    /// Starts a probe. While one runs, another call starts none, and only repeats the message if it takes long.
     void start();
 
 Q_SIGNALS:
-    /// Emitted once, or twice if it takes long: a message first, then the result.
+    /// Emitted with the result; before it with a message, if the probe takes long.
     void finished(const QString& sentence);
 
 private:
     void reportTimeout();
 
-    std::shared_ptr<QString> m_result; ///< the thread's until it has ended
+    std::shared_ptr<QString> m_result; ///< owned by the thread until it has ended
     QTimer m_timer;
-    vr::RuntimeThread m_thread; ///< last
+    vr::RuntimeThread m_thread; ///< last: its work uses the others
 };
 } // namespace app

@@ -32,51 +32,55 @@ namespace app
 struct LoadedModel
 {
     std::shared_ptr<core::Sculptor> sculptor;    ///< null: refused
-    std::shared_ptr<const core::Snapshot> start; ///< of its mesh; null: refused
-    QString problem;                             ///< then: one sentence with file, place or counts, and reason
-    bool isRepairable = false;                   ///< then: loadRepaired() may help
-    QStringList repairs;                         ///< what was done to it; empty: nothing
-    bool isUnsaved = false;                      ///< it is in no file as it is
-    QString notice; ///< what the person should know of a model that was taken; may be empty
-    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< of a model whose file has none
+    std::shared_ptr<const core::Snapshot> start; ///< snapshot of its mesh; null: refused
+    QString problem;                             ///< if refused: one sentence with file, place or counts, and reason
+    bool isRepairable = false;                   ///< if refused: loadRepaired() may help
+    QStringList repairs;                         ///< sentences about repairs that were done; empty: none
+    bool isUnsaved = false;                      ///< no file holds the model as it is
+    QString notice;                              ///< if not refused: a remark for the user; may be empty
+    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< the likelier unit, if the file has none
     QString name;
-    QString path;                           ///< empty: from no file
-    core::DocumentMetadata metadata;        ///< that the file keeps beside it
-    std::shared_ptr<core::Journal> journal; ///< that was begun for it; may be null
-    /// Of a model out of such a journal: its history; the mesh is the sculptor's.
+    QString path;                           ///< empty: the model is from no file
+    core::DocumentMetadata metadata;        ///< metadata of the file
+    std::shared_ptr<core::Journal> journal; ///< journal begun for the model; may be null
+    /// History of a model that was recovered from a journal; its mesh has moved to the sculptor. Null for others.
     std::shared_ptr<core::RecoveredDocument> recovered;
-    quint64 offer = 0; ///< that it was
+    quint64 offer = 0; ///< id of the RecoveryOffer that the model was; 0: none
 };
 
-/// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.
+/// Reads models from files, checks them and writes them, with sentences for the user. Never throws. Thread: any. Cost:
+/// a few passes over the model.
 class ModelLoader
 {
     Q_DECLARE_TR_FUNCTIONS(app::ModelLoader)
 
 public:
-    /// Called at the beginning of each stage with its name.
+    /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
 
-    /// Reads, checks and builds for the window: the model's centre is put at the origin.
-    /// If it is cancelled, returns neither a model nor a problem.
+    /// Reads, checks and builds a model for the window, and moves its centre to the origin. If it is cancelled, returns
+    /// neither a model nor a problem.
     static LoadedModel load(const QString& path, const OnStage& onStage = {}, const core::JobControl& control = {});
-    /// As load(), but repairs a model that is not sound; it has no path then.
+    /// As load(), except that it repairs a model that is not sound. A repaired model has no path.
     static LoadedModel loadRepaired(const QString& path, const core::RepairOptions& options,
                                     const OnStage& onStage = {}, const core::JobControl& control = {});
-    /// The same for scripts: the model stays where it is, or is refused.
+    /// As load(), for scripts: the model stays where it is, and is refused if it is too far from the origin for that.
     static LoadedModel loadInPlace(const QString& path);
-    /// The paper's sphere, 2562 vertices.
+    /// Returns the paper's sphere of 2562 vertices. Units: mm.
     static LoadedModel sphere(double radius);
+    /// Returns a starter model.
     static LoadedModel starter(core::Starter starter);
-    /// Empty, or what is wrong; then no file has changed. `backupCount`: that many backups stay
-    /// (core/util/numbered_backup.h).
+    /// Writes a model to a file. Returns an empty string, or a sentence that says what is wrong; no file has changed
+    /// then. `backupCount`: number of backups to keep (core/util/numbered_backup.h).
     static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                         int backupCount = 0);
 
-    /// Whether a file of that name would.
+    /// Whether the format of a file of this name has colours.
     static bool holdsColors(const QString& path);
+    /// Whether the format of a file of this name has a unit of length.
     static bool holdsUnit(const QString& path);
-    /// Of a model that was inserted: empty, or why it may have been meant larger.
+    /// Returns a sentence about a model that was inserted, if it is so small that its unit may be larger than the
+    /// millimetre; otherwise an empty string. `volume`: mm3.
     static QString insertedUnitNotice(const ui::InsertRequest& insertion, double volume);
 
 private:
@@ -89,5 +93,6 @@ private:
                       const core::JobControl& control);
 };
 
+/// Converts a path from Qt.
 std::filesystem::path toPath(const QString& path);
 } // namespace app

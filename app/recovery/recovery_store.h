@@ -15,65 +15,72 @@ namespace app
 {
 struct LoadedModel;
 
-/// A document that was not saved when the program ended, and may be had again.
+/// A document that was not saved when the program ended, and can be recovered.
 struct RecoveryOffer
 {
     quint64 id = 0; ///< 0: none
     QString name;
     QDateTime changed;
-    int steps = 0; ///< that are done
+    int steps = 0; ///< number of steps that are done
 };
 
-/// The journals of this program, and those that programs before left. Gui thread, but where it says otherwise. Its
-/// destructor removes the journals of its documents: the program has ended as the user wished. If it ends by exit()
-/// instead, because the display is gone, they stay, and stderr says so. One at a time.
+/// The journals of this program, and those that earlier runs left. The destructor removes the journals of this
+/// program's documents, since the program then ends as the user wished. If it ends by exit() instead, because the
+/// display is gone, they stay, and stderr says so. One object at a time. Thread: gui, except where a function says
+/// otherwise.
 ///
-/// Where nothing can be recorded, this is said once, and tried again from time to time: retryDue(), findSpace(),
-/// spaceFound(), beginDeferred().
+/// A failure to record is reported once, by noticed(), and recording is retried from time to time: retryDue(),
+/// findSpace(), spaceFound(), beginDeferred().
 class RecoveryStore : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Under the user's state folder.
+    /// Returns the folder for journals, in the user's state folder.
     static std::filesystem::path defaultRoot();
 
     explicit RecoveryStore(std::filesystem::path root = defaultRoot(), core::JournalLimits limits = {});
     ~RecoveryStore() override;
 
-    /// The interval before it retries what failed; longer after each further failure.
+    /// Sets the interval before the first retry of a failure; each further failure doubles it, up to 5 minutes.
     void setRetryInterval(std::chrono::milliseconds interval);
 
-    /// Of a model that is about to be opened. Null if that is impossible. Any thread.
+    /// Begins the journal of a model that is about to be opened. Returns null if that is impossible. Thread: any. Cost:
+    /// writing the model.
     std::shared_ptr<core::Journal> begin(const LoadedModel& model);
-    /// What it holds is of no use any more, and nobody writes to it. Null is none. Any thread.
+    /// Removes a journal whose content is of no use any more, in the background. May be null. Precondition: nobody
+    /// writes to it. Thread: any.
     void discard(std::shared_ptr<core::Journal> journal);
 
-    /// The one of the document that is open. Null: nothing is recorded.
+    /// Sets the journal of the document that is open. Null: nothing is recorded.
     void setPresent(std::shared_ptr<core::Journal> journal);
-    /// For the present of a model with so many faces; spaceFound(), or retryDue() after a while.
+    /// Looks for disk space for the journal of a model with so many faces. Emits spaceFound(), or retryDue() after a
+    /// while.
     void findSpace(quint64 faces);
-    /// In the place of the one that is present, which goes once this has begun.
+    /// Begins a journal in place of the present one, which is removed once the new one has begun. `present`: number of
+    /// steps that are done.
     std::shared_ptr<core::Journal> beginDeferred(const std::shared_ptr<core::JournalFolder>& folder, quint32 present);
 
-    /// Looks for what was left; offered() comes when something is found.
+    /// Looks for journals that earlier runs left, in the background. Emits offered(), and noticed() for damaged ones.
     void findAbandoned();
-    /// A model with its history. Any thread; takes reading and applying all. Without a sculptor if that is impossible,
-    /// or it was stopped.
+    /// Returns a model with its history; without a sculptor if that is impossible, or if it was stopped. Thread: any.
+    /// Cost: reading and applying the whole journal.
     LoadedModel recover(quint64 offer, const core::JobControl& control);
-    /// The document is open again; the offer is gone. Null if its journal is damaged: then that one is moved away once
-    /// there is another.
+    /// Resumes the journal of a recovered document that is open again, and withdraws the offer. Returns null if the
+    /// journal is damaged: it is then set aside once another one has begun.
     std::shared_ptr<core::Journal> resume(quint64 offer, const core::RecoveredDocument& document);
-    /// It is not wanted: it is removed, and never offered again.
+    /// Removes the journal of an offer that the user does not want.
     void discard(quint64 offer);
 
 Q_SIGNALS:
-    /// The latest that there is; id 0: none, any more.
+    /// Emitted with the latest document that can be recovered; id 0: there is none, or none any more.
     void offered(const app::RecoveryOffer& offer);
-    /// Changes are not recorded any more, or again; late; or what was left is damaged.
+    /// Emitted with a sentence for the user: changes are not recorded any more, are recorded again, or are recorded
+    /// late; or a journal that an earlier run left is damaged.
     void noticed(const QString& sentence);
-    /// Should nothing be recorded of the document, that may be possible now.
+    /// Emitted when it is time to retry, if nothing is recorded of the document.
     void retryDue();
+    /// Emitted with a folder on a disk that has the space which findSpace() looked for.
     void spaceFound(const std::shared_ptr<core::JournalFolder>& folder);
 
 private:
@@ -103,17 +110,18 @@ private:
     static RecoveryStore* s_present;
     const std::filesystem::path m_root;
     const core::JournalLimits m_limits;
-    std::mutex m_mutex; ///< guards the next two
+    std::mutex m_mutex; ///< guards m_open and m_abandoned
     std::vector<std::shared_ptr<core::Journal>> m_open;
     std::vector<AbandonedJournal> m_abandoned;
     std::shared_ptr<core::Journal> m_journal; ///< the present one
-    /// Broken ones, which hold what it does not before it has begun.
+    /// Broken journals before m_journal: until that has begun, they alone hold the document.
     std::vector<std::shared_ptr<core::Journal>> m_superseded;
-    std::vector<std::shared_ptr<core::JournalFolder>> m_damaged; ///< the same of those that were recovered in part
+    /// Damaged journals that were recovered in part. They are set aside once m_journal has begun.
+    std::vector<std::shared_ptr<core::JournalFolder>> m_damaged;
     std::chrono::milliseconds m_retryInterval, m_nextRetryInterval;
     QTimer m_retryTimer;
     bool m_isFailing = false, m_hasBeenLate = false;
     ui::ThreadMailbox m_mailbox;
-    ui::BackgroundThread m_background; ///< last
+    ui::BackgroundThread m_background; ///< last: its jobs use the others
 };
 } // namespace app

@@ -31,50 +31,53 @@ public:
     explicit SculptWorker(QObject* parent = nullptr);
     ~SculptWorker() override;
 
-    /// Ends the thread after the job at hand; the others are dropped.
+    /// Ends the thread after the present job, and drops the others.
     void stop();
 
-    /// What viewer `source` draws from. It gets the whole mesh first, then what changes.
+    /// Sets the inbox from which viewer `source` draws. It gets the whole mesh first, then the changes. Null: none.
     void setInbox(Source source, std::shared_ptr<PatchInbox> inbox);
-    /// Where strokes come in.
+    /// Returns the gate through which strokes come in.
     StrokeGate& strokes() { return m_gate; }
-    /// Viewers see nothing of what follows until the next replaceLastStroke() is done.
+    /// Withholds later changes from the viewers until the next replaceLastStroke() is done.
     void hidePatches();
-    /// Precondition: strokes() is held. None of its samples is dropped, and it is reported as any stroke.
+    /// Replaces the last stroke, without dropping samples. Emits strokeFinished(). Precondition: strokes() is held.
     void replaceLastStroke(const StrokeReplacement& replacement);
 
-    /// The newest question of a source is answered once, by its answered signal; those that it overtook are not. See
-    /// Question.
+    /// Asks a Question for a viewer. Only its newest question is answered, once, by answeredDesktop() or
+    /// answeredHeadset().
     void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
-    /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before.
-    /// `journal` hears of each stroke, and no signal tells of one that is not recorded; null: none is.
+    /// Puts another model in place of the present one, and into every inbox. Ends an open stroke first. `journal`
+    /// records each stroke, and signals wait until the change before them is recorded; null: nothing is recorded.
     void setModel(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal = {});
-    /// Another journal hears of what follows.
+    /// Records later changes in another journal.
     void setJournal(std::shared_ptr<core::Journal> journal);
-    /// Runs a job on the mesh thread between strokes and samples; viewers get what it changed. Not run without a model.
+    /// Runs a job on the mesh thread, between strokes and samples. Viewers get its changes. Without a model the job is
+    /// dropped.
     void post(std::function<void(core::Sculptor&)> job);
-    /// confirmed(), once what was posted before is done and would survive the program.
+    /// Emits confirmed() once everything posted before is done, and is recorded so that it would survive the program.
     void confirm();
 
     WorkerStats stats() const;
 
 Q_SIGNALS:
+    /// Emitted when the model of setModel() is in place.
     void modelSet(const app::MeshFacts& facts);
+    /// Emitted when a stroke is finished and recorded.
     void strokeFinished(const app::StrokeReport& report);
-    /// To confirm().
+    /// Answers confirm().
     void confirmed();
-    /// To ask(Source::Desktop, ...). `footprint`: of the brush, if one was asked about and the ray hits. `epoch`: of
-    /// the last patch that viewers were given before.
+    /// Answers ask(Source::Desktop, ...). `footprint`: the brush's, if the question has a brush that follows the
+    /// surface and the ray hits; else null. `epoch`: of the last patch that viewers got before the answer.
     void answeredDesktop(const std::optional<core::SurfaceHit>& hit,
                          const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
-    /// To ask(Source::Headset, ...); on the mesh thread, so that nobody waits for a window: connect it directly.
+    /// Answers ask(Source::Headset, ...). Thread: mesh, so that no window delays it; connect it directly.
     void answeredHeadset(const std::optional<core::SurfaceHit>& hit,
                          const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
-    /// What a sample of the headset's did: surfaces joined or parted, and the one shortfall of its dabs that is most
-    /// worth telling; on the mesh thread, as the answers.
+    /// Emitted after each sample of the headset. `fusions`: number of surfaces joined or parted. `shortfall`: the most
+    /// important one of its dabs. Thread: mesh; connect it directly.
     void sampledHeadset(quint64 fusions, core::Shortfall shortfall);
-    /// Exact, some time after the last change.
+    /// Emitted with exact facts some time after the last change.
     void factsChanged(const app::MeshFacts& facts);
 
 private:
@@ -89,7 +92,7 @@ private:
     void replaceJournal(std::shared_ptr<core::Journal> journal);
     void notify(std::function<void()> notification);
     void betweenSubsteps();
-    bool flushPatch(); ///< whether there was anything
+    bool flushPatch(); ///< returns whether there was a patch
 
     ui::ThreadMailbox m_mailbox;
     JobQueue m_queue;

@@ -10,34 +10,35 @@ namespace ui
 {
 using Keys = QList<QKeySequence>;
 
-inline constexpr qsizetype maxKeys = 2; ///< a command
+inline constexpr qsizetype maxKeys = 2; ///< of one action
 
-/// Why a key can be no command's.
+/// The reason why no action can have a key.
 enum class ShortcutProblem {
     None,
-    Modifier, ///< alone it does nothing but change what mouse and other keys do
-    Widgets,  ///< moves and types in panels and dialogs
-    Menus,    ///< Alt with a letter: opens a menu, or reaches a control
+    Modifier, ///< it is no single key, or only changes the meaning of the mouse and of other keys
+    Widgets,  ///< it moves or types in panels and dialogs
+    Menus,    ///< Alt with a letter opens a menu, or reaches a control
 };
-/// What the preset gives a command is no problem to it.
+/// Returns the reason why the action `id` cannot have this key. A key that Fettle's own preset gives it has none.
 ShortcutProblem problemOf(const QKeySequence& key, const QString& id = {});
 
-/// Escape is part of too many things to be another key.
+/// Whether the key of the action cannot be changed. It is Escape, which many other things use too.
 bool isFixed(const QString& id);
 
-/// The preset's keys of the action; none if there is no such action.
+/// Returns the preset's keys of the action; none if there is no such action.
 Keys presetKeys(ShortcutPreset preset, const QString& id);
 
-/// Which keys each action of the table has: never one key for two. What is unknown, cannot be read or cannot be in a
-/// choice is as if it were not there. Keys that a person chose go before the preset's, and among equals the table's
-/// order decides.
+/// The keys of each action of the table. No key belongs to two actions. Settings that are unknown, cannot be read or
+/// are not allowed are ignored. Keys that the user chose go before the preset's; among equals the table's order
+/// decides.
 class ShortcutMap
 {
 public:
     explicit ShortcutMap(const ShortcutSettings& shortcuts = {});
 
+    /// Returns the keys of the action; none if it has none.
     Keys keys(const QString& id) const { return m_keys.value(id); }
-    /// The id of the action; empty if there is none.
+    /// Returns the id of the action that has the key; empty if there is none.
     QString owner(const QKeySequence& key) const { return m_owners.value(key); }
 
 private:
@@ -47,6 +48,6 @@ private:
     QHash<QKeySequence, QString> m_owners;
 };
 
-/// The choice with these keys for the action, which are kept only if they are not the preset's.
+/// Returns the settings with these keys for the action. Keys that are the preset's are not stored.
 ShortcutSettings withKeys(ShortcutSettings shortcuts, const QString& id, const Keys& keys);
 } // namespace ui

@@ -86,7 +86,7 @@ void FileBrowser::buildGrid()
     m_grid = named(new FileGrid, "files.grid", {}, tr("Models in this folder"));
     m_grid->setModel(m_sorter);
     m_grid->setCells(new FileItemDelegate(m_files, m_sorter, m_grid));
-    m_grid->setPicture(m_options.picture);
+    m_grid->setPicture(m_options.pictureSize);
     m_empty = named(new QLabel, "files.empty");
     m_empty->setWordWrap(true);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -148,7 +148,7 @@ QLayout* FileBrowser::buildFoot()
     });
     m_size =
         named(new QSlider(Qt::Horizontal), "files.size", tr("How large the pictures are."), tr("Size of the pictures"));
-    m_size->setRange(minPicture, maxPicture);
+    m_size->setRange(minPictureSize, maxPictureSize);
     m_size->setSingleStep(gap);
     m_size->setPageStep(4 * gap);
     m_size->setMaximumWidth(80);
@@ -240,7 +240,7 @@ void FileBrowser::setControls(const FileBrowserSettings& options)
     const QSignalBlocker quiet(m_size);
     m_order->setCurrentIndex(static_cast<int>(options.order));
     m_direction->setChecked(options.descending);
-    m_size->setValue(options.picture);
+    m_size->setValue(options.pictureSize);
     choose();
 }
 
@@ -251,9 +251,9 @@ void FileBrowser::choose()
     m_options.descending = m_direction->isChecked();
     m_direction->setIcon(themedIcon(m_options.descending ? QStringLiteral("sort-down") : QStringLiteral("sort-up")));
     m_sorter->order(m_options.order, m_options.descending);
-    if (m_options.picture != m_size->value())
+    if (m_options.pictureSize != m_size->value())
         m_grid->setPicture(m_size->value());
-    m_options.picture = m_size->value();
+    m_options.pictureSize = m_size->value();
     m_settings->set(m_options);
     m_thumbnailTimer.start();
 }

@@ -16,15 +16,16 @@ class FileGrid : public QListView
 public:
     explicit FileGrid(QWidget* parent = nullptr);
 
-    /// Not owned.
+    /// Sets the delegate that paints the cells. It is not owned.
     void setCells(FileItemDelegate* delegate);
-    /// In logical pixels.
+    /// Sets the width and height of the pictures, in logical pixels.
     void setPicture(int size);
+    /// Returns the rows of which at least a part is visible.
     QModelIndexList visibleRows() const;
     QSize sizeHint() const override;
 
 Q_SIGNALS:
-    /// Other rows may be in sight.
+    /// Emitted when other rows may be visible.
     void moved();
 
 protected:

@@ -35,7 +35,7 @@ FileItemDelegate::FileItemDelegate(const FileListModel* files, const FileSorter*
     : QStyledItemDelegate(parent)
     , m_files(files)
     , m_sorter(sorter)
-    , m_picture(defaultPicture)
+    , m_picture(defaultPictureSize)
 {}
 
 QSize FileItemDelegate::cell(const QFontMetrics& metrics) const

@@ -21,29 +21,29 @@ struct ModelThumbnail;
 
 namespace ui
 {
-/// A copy.
+/// Returns a copy of the picture.
 QImage toImage(const core::ModelThumbnail& picture);
 
-/// Makes pictures of model files on one thread of its own, which yields to all others; what was drawn before, under
-/// whatever name, comes from a cache. Gui thread; all returns at once.
+/// Makes pictures of model files on a thread of its own, with the lowest priority. A picture that was drawn before
+/// comes from a cache, whatever the file's name. Thread: gui; all functions return at once, except the destructor.
 class ThumbnailMaker : public QObject
 {
     Q_OBJECT
 
 public:
     explicit ThumbnailMaker(const QString& cacheFolder = ThumbnailCache::defaultFolder(), QObject* parent = nullptr);
-    /// Takes at most some 100 ms.
+    /// Waits for the thread, at most some 100 ms.
     ~ThumbnailMaker() override;
 
-    /// These, in this order, and nothing that was wanted before: a picture that is being made for another file is given
-    /// up (within some 100 ms).
+    /// Requests pictures of these files, in this order, instead of those requested before. A picture that is being made
+    /// of another file is given up within some 100 ms.
     void request(QList<FileEntry> files);
 
-    /// So many were in no cache. Any thread.
+    /// Returns the number of pictures that were drawn, since the cache did not have them. Thread: any.
     int drawn() const { return m_drawn; }
 
 Q_SIGNALS:
-    /// Once for each that is wanted. A file that cannot be read, or is gone meanwhile, comes with the reason.
+    /// Emitted once for each requested file. If the file cannot be read, or is gone, the thumbnail has the reason.
     void made(const ui::FileEntry& file, const ui::Thumbnail& thumbnail);
 
 private:
@@ -53,7 +53,7 @@ private:
     QByteArray keyOf(const FileEntry& file, const std::stop_token& stop);
 
     ThreadMailbox m_mail;
-    std::mutex m_mutex; ///< of the next five
+    std::mutex m_mutex; ///< guards the next five
     std::condition_variable m_wake;
     QList<FileEntry> m_requested;
     FileEntry m_present; ///< being made
@@ -61,7 +61,7 @@ private:
     bool m_isEnding = false;
 
     std::atomic<int> m_drawn = 0;
-    ThumbnailCache m_cache;              ///< of the thread, as the next
+    ThumbnailCache m_cache;              ///< used by the thread alone, as the next
     QHash<FileEntry, QByteArray> m_keys; ///< of files that were read
 
     std::thread m_thread; ///< last: it uses the others

@@ -6,6 +6,7 @@
 
 namespace ui
 {
-/// Of the cursor's ring, which says what the next stroke does: a colour a tool, and one for all that is inverted.
+/// Returns the colour of the cursor's ring, which shows what the next stroke does: one for each tool, and one for all
+/// inverted tools.
 QColor cursorColor(const core::StrokeSettings& stroke);
 } // namespace ui

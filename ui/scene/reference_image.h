@@ -12,7 +12,8 @@
 
 namespace ui
 {
-/// An image as it is drawn: RGBA8888 premultiplied, each level half as large as the one before, down to one pixel.
+/// An image to draw, with its mipmaps: RGBA8888 premultiplied, each level half as large as the one before, down to one
+/// pixel.
 struct ReferencePicture
 {
     std::vector<QImage> levels;
@@ -21,30 +22,32 @@ struct ReferencePicture
 };
 using SharedReferencePicture = std::shared_ptr<const ReferencePicture>;
 
-inline constexpr int maxReferencePixels = 4096; ///< of the longer side; larger images are made smaller
+inline constexpr int maxReferencePixels = 4096; ///< of the longer side; larger images are scaled down
 
-/// Null where the file is no image that Qt reads. Takes up to seconds, and 85 MB for the largest; any thread.
+/// Reads an image file. Returns null if Qt cannot read it. Thread: any. Cost: up to seconds, and 85 MB for the largest.
 SharedReferencePicture readReference(const QString& path);
 
-/// Whether the file's name ends like that of an image.
+/// Whether the file's name has the ending of an image format that Qt reads.
 bool isNamedLikePicture(const QString& path);
 
-/// The side that the camera is nearest to, and whether it looks from there but for a few degrees.
+/// Returns the side from which the camera looks most nearly.
 OrbitCamera::Side nearestSide(const OrbitCamera& camera);
+/// Whether the camera looks from that side, within 5 degrees.
 bool looksFrom(const OrbitCamera& camera, OrbitCamera::Side side);
 
-/// In the middle of the box, so large that all of the box lies before it. An empty box is taken as 100 mm about the
-/// origin.
+/// Returns the placement of a picture of this size in the middle of the box, just large enough to cover it. An empty
+/// box counts as a cube of 100 mm around the origin.
 ReferencePlacement fitted(QSize picture, OrbitCamera::Side side, const core::Box& box);
 
+/// The reference image of a side.
 struct Reference
 {
-    SharedReferencePicture picture; ///< null: none is shown
+    SharedReferencePicture picture; ///< null: the side has none
     ReferencePlacement placement;
 };
 using References = std::array<Reference, viewSides.size()>; ///< by Side
 
-/// A rectangle in the scene.
+/// A reference image as a rectangle in the scene.
 struct PlacedReference
 {
     SharedReferencePicture picture;
@@ -53,8 +56,8 @@ struct PlacedReference
     bool inFront = false;
 };
 
-/// What the camera sees of them: the one of the side that it looks from; its picture is null where there is none. In
-/// perspective it is as large as if it stood in the middle of the box, where the model's outline is; it hides nothing
-/// that stands before or behind that.
+/// Returns the reference image of the side that the camera looks from; its picture is null if there is none. It stands
+/// in the middle of the box, so in perspective its scale is that of the model's outline. It hides nothing that stands
+/// before or behind it.
 PlacedReference seenReference(const References& references, const OrbitCamera& camera, const core::Box& box);
 } // namespace ui

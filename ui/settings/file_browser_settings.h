@@ -13,15 +13,15 @@ inline constexpr std::array<Named<FileOrder>, 4> fileOrders{{{FileOrder::Name, "
                                                              {FileOrder::Date, "date"},
                                                              {FileOrder::Vertices, "vertices"}}};
 
-/// Of a picture in the files panel, in logical pixels.
-inline constexpr int minPicture = 64, maxPicture = 256, defaultPicture = 96;
+/// Width and height of a picture in the files panel, in logical pixels.
+inline constexpr int minPictureSize = 64, maxPictureSize = 256, defaultPictureSize = 96;
 
-/// What the files panel shows, and how.
+/// The folder that the files panel shows, and its view.
 struct FileBrowserSettings
 {
     QString folder; ///< absolute
     FileOrder order = FileOrder::Name;
     bool descending = false;
-    int picture = defaultPicture;
+    int pictureSize = defaultPictureSize; ///< logical pixels
 };
 } // namespace ui

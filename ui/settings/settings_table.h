@@ -168,7 +168,7 @@ inline constexpr auto rows<FileBrowserSettings> = std::tuple{
     row(&FileBrowserSettings::folder, "files/folder"),
     row(&FileBrowserSettings::order, "files/order", fileOrders),
     row(&FileBrowserSettings::descending, "files/descending"),
-    row(&FileBrowserSettings::picture, "files/picture", {minPicture, maxPicture}),
+    row(&FileBrowserSettings::pictureSize, "files/picture", {minPictureSize, maxPictureSize}),
 };
 
 template <>

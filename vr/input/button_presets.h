@@ -7,46 +7,46 @@
 
 namespace vr
 {
-/// Paper: as in section 4.1 of Zhu & Yang 2024, but that save and restore are held. Studio: as other programs of the
-/// field have it. OneHand: the sculpting hand does all, and no panel goes with a hand; a second wand may lie on a
-/// table.
+/// A choice of functions for the buttons of the wands. Paper: section 4.1 of Zhu and Yang 2024, except that the button
+/// has to be held to save or restore. Studio: usual in other sculpting programs. OneHand: one wand has all functions,
+/// and no panel is attached to a hand; a second wand may lie on a table.
 enum class ButtonPreset { Paper, Studio, OneHand };
 
-/// In the paper the right hand sculpts.
+/// The role of a hand. In the paper the right hand sculpts.
 enum class HandRole { Sculpting, Support };
 
-/// Whether a hand's panel is open: the support hand has the tool menu, the sculpting hand the colour panel. One hand
-/// has both: the colours count before the tools.
+/// The panel of a hand that is open. The support hand has the tool menu, the sculpting hand the colour panel. With
+/// OneHand the sculpting hand has both; if both are open, the colour panel counts.
 enum class HandMode {
-    Any,   ///< in rows: open or not
-    Plain, ///< closed
+    Any,   ///< in rows only: any of the following
+    Plain, ///< no panel
     ToolMenu,
     ColorPanel
 };
 
-/// Those that last, last as long as what they press: the trigger, the pad, and Squeeze, which is the side button.
+/// A move of a finger on a wand. Trigger, the four of the pad and Squeeze, the side button, last as long as the press.
 enum class Gesture {
     Trigger,
     PadLeft,
     PadRight,
     PadTop,
     PadBottom,
-    Slide,       ///< a thumb that moves on the pad without pressing; right and up are more
-    SlideUpDown, ///< the same, but one that moves across is none
+    Slide,       ///< a thumb moves on the pad without pressing it; right and up mean more
+    SlideUpDown, ///< as Slide, except that moves across the pad are ignored
     Menu,
-    MenuTap,  ///< let go before it was held
+    MenuTap,  ///< released before holdSeconds
     MenuHold, ///< held for holdSeconds
     Squeeze,
     SqueezeHold
 };
 
-/// What a hand can do by its wand.
+/// A function of a button or of the pad.
 enum class WandFunction {
     Sculpt,
-    Smooth,        ///< while it lasts, what the other hand draws smooths
+    Smooth,        ///< while it lasts, strokes of the other hand smooth
     TurnClockwise, ///< seen from above
     TurnAnticlockwise,
-    MoveModel, ///< with both hands it is turned and scaled, too
+    MoveModel, ///< both hands together turn and scale it, too
     ScaleModel,
     SetRadius,
     Undo,
@@ -56,7 +56,7 @@ enum class WandFunction {
     ToggleTopology,
     ToggleBrushShape,
     ToggleSymmetry,
-    ToggleInverse, ///< of tools that have an opposite
+    ToggleInverse, ///< for tools that have an inverse
     ToggleToolMenu,
     PreviousTool,
     NextTool,
@@ -66,8 +66,8 @@ enum class WandFunction {
     SetChannel
 };
 
-/// One row a function of a button. WandMapping follows these rows, and labels at the buttons are written from them. A
-/// button of no row does nothing.
+/// A function of a button. WandMapping executes these rows, and the labels at the buttons show them. A button without a
+/// row does nothing.
 struct PresetRow
 {
     HandRole hand;
@@ -77,17 +77,19 @@ struct PresetRow
     const char* label; ///< a word or two, untranslated
 };
 
+/// Returns the rows of a preset.
 std::span<const PresetRow> presetRows(ButtonPreset preset);
 
+/// A gesture of a hand, and the panel that is open then.
 struct WandControl
 {
     HandRole hand;
-    HandMode mode; ///< the hand's own, never Any
+    HandMode mode; ///< never Any
     Gesture gesture;
 };
-/// Nothing if it does nothing.
+/// Returns the function of the gesture; nothing if it has none.
 std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control);
 
-/// In the program's language.
+/// Returns the label in the program's language.
 QString labelOf(const PresetRow& row);
 } // namespace vr

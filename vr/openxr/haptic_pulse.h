@@ -4,12 +4,12 @@
 
 namespace vr
 {
-/// One of a wand's motor; a later one of the same side takes its place.
+/// A pulse of a wand's motor. A later pulse of the same side replaces it.
 struct HapticPulse
 {
     Side side = Side::Right;
     double amplitude = 0; ///< above 0, to 1
-    double frequency = 0; ///< Hz; 0: what the wand likes best
-    double seconds = 0;   ///< 0: as short as the wand can
+    double frequency = 0; ///< Hz; 0: the runtime's choice
+    double seconds = 0;   ///< 0: the shortest that the wand can do
 };
 } // namespace vr

@@ -31,7 +31,6 @@ bool isFinitePosition(const XrVector3f& place)
     return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
 }
 
-/// OpenXR wants a length of 1, within a hundredth; fromXr() sees to the rest.
 bool isRotation(const XrQuaternionf& rotation)
 {
     const float length = std::hypot(std::hypot(rotation.x, rotation.y), std::hypot(rotation.z, rotation.w));
@@ -66,7 +65,7 @@ Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane)
 
 Pose levelBelow(const Pose& head)
 {
-    constexpr double steep = 0.1; ///< of what looks farther up or down, forward says too little
+    constexpr double steep = 0.1; ///< the view is steep if its level part is shorter
     core::Vec3 ahead = head.forward();
     if (std::hypot(ahead.x(), ahead.z()) < steep)
         ahead = head.rotation * core::Vec3::UnitY() * (ahead.y() > 0 ? -1 : 1);

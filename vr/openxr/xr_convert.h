@@ -6,24 +6,26 @@
 
 namespace vr
 {
-/// Between OpenXR's values and ours: the axes are the same, its numbers are floats.
+/// Converts a pose from OpenXR, whose axes are ours and whose numbers are floats. Normalises the rotation.
 Pose fromXr(const XrPosef& pose);
+/// Converts a pose to OpenXR.
 XrPosef toXr(const Pose& pose);
 
-/// They are numbers, and a rotation is one: a runtime that calls something else known would spoil all that is done with
-/// it, once for all.
+/// Whether all coordinates are finite. A runtime may call others valid, and they would spread to all that is computed
+/// from them.
 bool isFinitePosition(const XrVector3f& place);
+/// Whether the quaternion can be normalised: its length is between 0.5 and 2. OpenXR asks for 1, within a hundredth.
 bool isRotation(const XrQuaternionf& rotation);
 
-/// Both parts of a pose are known; else what they say means nothing.
+/// Whether the runtime knows both position and orientation, and both are numbers that can be used.
 bool isValid(const XrSpaceLocation& location);
-/// Both parts of it are seen at this very time, not remembered or guessed.
+/// Whether both position and orientation are valid, and tracked at this very time, not remembered or guessed.
 bool isTracked(const XrSpaceLocation& location);
 
-/// OpenGL's clip space; near and far in metres.
+/// Returns the projection from view space to OpenGL's clip space. Units: metres.
 Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane);
 
-/// A room that has its origin below this head and its -Z where the head looks, level. Of a head that looks straight up
-/// or down its top, or what is opposite, says where that is.
+/// Returns the pose of a level room with its origin below this head, at height 0, and its -Z where the head looks. If
+/// the head looks nearly straight up or down, the direction of its chin or of its top takes the place of its view.
 Pose levelBelow(const Pose& head);
 } // namespace vr

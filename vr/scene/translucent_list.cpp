@@ -173,7 +173,7 @@ void TranslucentListBuilder::addWand(const ShownWand& wand)
 
 void TranslucentListBuilder::addHold(const ShownWand& wand)
 {
-    if (wand.hold <= 0)
+    if (wand.holdProgress <= 0)
         return;
     const core::Vec3 middle = wand.grip * holdPlace;
     const Eigen::Matrix3d axes = axesFacing(m_state.head, middle);
@@ -184,7 +184,7 @@ void TranslucentListBuilder::addHold(const ShownWand& wand)
               .alpha = 0.22F,
               .hiddenAlpha = 0.08F};
     add(center, ring);
-    ring.sweep = static_cast<float>(std::min(wand.hold, 1.0));
+    ring.sweep = static_cast<float>(std::min(wand.holdProgress, 1.0));
     ring.color = holdColor;
     ring.alpha = 1;
     ring.hiddenAlpha = 0.4F;
@@ -234,8 +234,8 @@ void TranslucentListBuilder::addSpotlight(const Spotlight& spotlight)
                          .alpha = alpha,
                          .hiddenAlpha = hiddenOpacity * alpha});
     };
-    const double wave = minWave + (maxWave - minWave) * spotlight.pulse;
-    const auto strength = static_cast<float>(1 - spotlight.pulse);
+    const double wave = minWave + (maxWave - minWave) * spotlight.phase;
+    const auto strength = static_cast<float>(1 - spotlight.phase);
     add(at, Ring{.place = acrossTo(at, spotlight.normal, wave),
                  .hole = waveHole,
                  .color = spotlightColor,
@@ -259,7 +259,7 @@ void TranslucentListBuilder::addPanel(const Panel& panel)
     const core::Vec3 halfX = panel.pose.rotation * core::Vec3(panel.size.x() / 2, 0, 0);
     const core::Vec3 halfY = panel.pose.rotation * core::Vec3(0, panel.size.y() / 2, 0);
     m_list.panels.push_back({static_cast<float>((center - m_state.head.position).norm()),
-                             Picture{rectangle(center, halfX, halfY), panel.picture, panel.opacity}});
+                             Picture{rectangle(center, halfX, halfY), panel.textureId, panel.opacity}});
 }
 
 void sortByDistance(std::vector<TranslucentShape>& list)

@@ -11,7 +11,7 @@ namespace vr
 {
 namespace
 {
-constexpr double stillPulse = 0.4;
+constexpr double stillPhase = 0.4;
 constexpr double pulseSeconds = 1.2; ///< of the light where somebody points: it catches the eye and does not flicker
 
 /// What panels ahead do not hide: a ball about the model's middle.
@@ -87,7 +87,7 @@ ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side
     if (wand.padTouched)
         shown.touch = wand.pad;
     if (const std::optional<WandMapping::Hold> hold = mapping.hold(side))
-        shown.hold = hold->progress;
+        shown.holdProgress = hold->progress;
     return shown;
 }
 
@@ -349,7 +349,7 @@ void SculptClient::updateScene(const FrameInput& input)
     if (m_update.pointed)
         m_state.spotlight = Spotlight{
             m_placement.toRoom(m_update.pointed->position), m_placement.directionToRoom(m_update.pointed->normal),
-            m_update.reducesMotion ? stillPulse : std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
+            m_update.reducesMotion ? stillPhase : std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
     m_state.teacher = {};
     if (m_update.teacher)
         m_state.teacher = core::Sphere{m_placement.toRoom(m_update.teacher->center),

@@ -15,7 +15,7 @@ namespace simulator
 class Instance;
 class Session;
 
-/// The floor moves, or the place that counts as the middle.
+/// A move of the origin of a reference space: of the floor, or of the middle of the room.
 struct Recentring
 {
     XrReferenceSpaceType space = XR_REFERENCE_SPACE_TYPE_LOCAL;
@@ -23,32 +23,40 @@ struct Recentring
     std::int64_t after = 0; ///< frames from the event to the change
 };
 
-/// All there is, once in a process; it stays when the loader lets go of the library, so that a client may come again.
-/// One mutex guards it: every call into the runtime and every word of the control holds it, but while it waits.
+/// The state of the simulated runtime, one object in a process. It stays when the loader unloads the library, so that a
+/// client can connect again. `mutex` guards it: every call into the runtime and every command of the control holds it,
+/// except while it waits.
 class Runtime
 {
 public:
     static Runtime& get();
 
-    /// Begins anew with a script and the files that the environment names. Throws std::exception.
+    /// Resets the state to the start of a script, with the log and the picture folder that the environment names.
+    /// Throws std::exception.
     void load(const std::string& script);
-    /// With the script that the environment names, unless one was loaded.
+    /// Loads the script that the environment names, unless a script was loaded. Throws std::exception.
     void loadOnce();
+    /// Applies the changes of a step at the next frame's time, and notifies those that wait.
     void apply(const ScriptStep& step);
 
-    /// The number that the session's next frame will have; 0 without a session.
+    /// Returns the number that the session's next frame will have; 0 without a session.
     std::int64_t nextFrame() const;
+    /// Moves the origin of a reference space, and sends the session the event.
     void recentre(const Recentring& recentring);
+    /// Announces the loss of the session after so many frames.
     void loseSession(std::int64_t afterFrames);
+    /// Announces the loss of the instance after so many frames.
     void loseInstance(std::int64_t afterFrames);
-    /// What was foretold, if it is time.
+    /// Loses session and instance if their announced frame has come.
     void loseIfDue();
+    /// Asks the client to end the session.
     void exitSession();
 
+    /// Returns the log and the present state.
     nlohmann::json report() const;
 
     std::mutex mutex;
-    std::condition_variable changed; ///< anything that somebody may wait for
+    std::condition_variable changed; ///< notified of every change that a call may wait for
     SimulatedWorld world;
     Script script;
     CallLog log;
@@ -56,13 +64,13 @@ public:
     std::shared_ptr<Instance> instance; ///< one at a time
     std::shared_ptr<Session> session;   ///< one at a time
     std::int64_t sessionsMade = 0;
-    std::int64_t framesEnded = 0;   ///< ever
-    std::int64_t framesAllowed = 0; ///< of pace Stepped
-    bool isClientWaiting = false;   ///< for a frame to be allowed
-    bool isClientFrozen = false;    ///< in a call that does not return
-    std::string pictureFolder;      ///< empty: none are kept
-    bool isPictureWanted = false;   ///< of the next frame, to be shown
-    std::optional<Picture> picture; ///< the newest that was wanted
+    std::int64_t framesEnded = 0;   ///< since the process began
+    std::int64_t framesAllowed = 0; ///< with pace Stepped
+    bool isClientWaiting = false;   ///< it waits for a frame to be allowed
+    bool isClientFrozen = false;    ///< it is in a call that does not return
+    std::string pictureFolder;      ///< where pictures of frames are kept; empty: nowhere
+    bool isPictureWanted = false;   ///< the next frame is to be kept in `picture`
+    std::optional<Picture> picture; ///< of the newest frame that was wanted
 
 private:
     Runtime() = default;

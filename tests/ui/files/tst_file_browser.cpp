@@ -213,10 +213,11 @@ private Q_SLOTS:
         Q_EMIT dialog->resetRequested();
         dialog->reject();
         QCOMPARE(s.child<QComboBox>("files.order")->currentIndex(), 0);
-        QCOMPARE(s.child<QSlider>("files.size")->value(), ui::defaultPicture);
+        QCOMPARE(s.child<QSlider>("files.size")->value(), ui::defaultPictureSize);
         QCOMPARE(s.panel->folder(), models.folder.path());
         QCOMPARE(settings.files().folder, models.folder.path());
-        QVERIFY(settings.files().order == ui::FileOrder::Name && settings.files().picture == ui::defaultPicture);
+        QVERIFY(settings.files().order == ui::FileOrder::Name &&
+                settings.files().pictureSize == ui::defaultPictureSize);
     }
 
     void returnOpensAndEntersFolders()

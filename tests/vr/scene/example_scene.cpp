@@ -40,7 +40,7 @@ vr::ShownWand leftWand()
     label(wand, WandSpot::Menu).text = QStringLiteral("Tools");
     label(wand, WandSpot::Trigger).text = QStringLiteral("Move the model");
     label(wand, WandSpot::Side).text = QStringLiteral("Hold: save");
-    wand.hold = 0.65;
+    wand.holdProgress = 0.65;
     wand.isLit[static_cast<std::size_t>(WandPart::Side)] = true;
     return wand;
 }

@@ -527,7 +527,7 @@ void TestHeadsetScene::panels_hideWhatIsBehindThem()
     QCOMPARE(colorAt(seen, QPointF(size.width() / 2, size.height() / 2)), QColor(200, 0, 0)); // before panel and laser
     QCOMPARE(colorAt(seen, pixelOf({0.32, 1.7, -1}, eye(state.head))), QColor(0, 200, 0));
     for (vr::Panel& panel : state.panels)
-        panel.opacity = panel.picture == near.picture ? 0.5F : 1;
+        panel.opacity = panel.textureId == near.textureId ? 0.5F : 1;
     const QColor through = colorAt(picture(state), QPointF(size.width() / 2, size.height() / 2));
     QVERIFY(through.red() > 120 && through.green() > 120);
 }
@@ -622,7 +622,7 @@ void TestHeadsetScene::holdRing_fills()
     wand.isShown = true;
     wand.grip = {Eigen::Quaterniond(Eigen::AngleAxisd(1.2, core::Vec3::UnitX())), {0, 1.6, -0.2}};
     const auto amber = [&](double hold) {
-        wand.hold = hold;
+        wand.holdProgress = hold;
         const QImage seen = picture(state);
         int count = 0;
         for (int y = 0; y < size.height(); ++y)
