@@ -34,7 +34,7 @@ struct ClassPaths
     static ClassPaths of(const QString& classFile);
 };
 
-/// A class in the window: turn after turn, each saved before the next begins. Gui thread.
+/// A class in the window: turn after turn, each saved before the next begins. Thread: gui.
 ///
 /// A turn's work is in its journal, which is the class's own, until it is in the archive; what a program that ended
 /// otherwise left there is archived before the first turn.

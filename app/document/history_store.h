@@ -42,7 +42,7 @@ private:
 };
 
 /// Keeps the deltas of the undo stack within a number of bytes: those farthest from the present are spilled to disk,
-/// and if that is impossible they expire, from the far end on. Gui thread; the deltas themselves are touched by jobs
+/// and if that is impossible they expire, from the far end on. Thread: gui; the deltas themselves are touched by jobs
 /// that it posts to the mesh thread, in order with the strokes.
 class HistoryStore : public QObject
 {

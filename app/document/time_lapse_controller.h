@@ -16,7 +16,7 @@ namespace app
 class Document;
 
 /// File > Export Time-Lapse: the steps of the document as pictures, seen as the window sees the model. Nobody sculpts
-/// meanwhile. Gui thread.
+/// meanwhile. Thread: gui.
 class TimeLapseController : public QObject
 {
     Q_OBJECT

@@ -9,7 +9,7 @@
 
 namespace app
 {
-/// Enters the headset with the document that is open, and leaves it, any number of times. Gui thread.
+/// Enters the headset with the document that is open, and leaves it, any number of times. Thread: gui.
 class Headset : public QObject
 {
     Q_OBJECT

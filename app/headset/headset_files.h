@@ -14,7 +14,7 @@
 namespace app
 {
 /// The models of a folder with their pictures, as the headset shows them. The disk is asked and pictures are made in
-/// other threads, and only while somebody looks. Gui thread.
+/// other threads, and only while somebody looks. Thread: gui.
 class HeadsetFiles : public QObject
 {
     Q_OBJECT

@@ -31,7 +31,7 @@ class HeadsetPort : public QObject, public vr::DocumentPort, public std::enable_
     Q_OBJECT
 
 public:
-    /// The worker must outlive the gui thread's side. Gui thread.
+    /// The worker must outlive the gui thread's side. Thread: gui.
     explicit HeadsetPort(SculptWorker* worker);
 
     // The gui thread's side.

@@ -11,7 +11,7 @@ struct FettleXrPicture;
 namespace app
 {
 /// The VR simulator in this process: an OpenXR runtime of our own (vr/simulator), which takes a headset's place. It
-/// stays to the end of the process. Gui thread.
+/// stays to the end of the process. Thread: gui.
 class Simulator
 {
     Q_DECLARE_TR_FUNCTIONS(app::Simulator)

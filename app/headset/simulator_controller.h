@@ -23,7 +23,7 @@ namespace app
 class Headset;
 
 /// The VR simulator's window during visits to VR: brings what mouse and keys do to the simulated headset, and its
-/// pictures back. Gui thread.
+/// pictures back. Thread: gui.
 class SimulatorController : public QObject
 {
     Q_OBJECT

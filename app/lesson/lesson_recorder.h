@@ -9,7 +9,7 @@ namespace app
 class Document;
 
 /// Writes what is done to the document, by whatever hand, into the last step of a lesson, in step with the undo stack:
-/// what is undone is out of the lesson, what is redone in it again. Gui thread.
+/// what is undone is out of the lesson, what is redone in it again. Thread: gui.
 class LessonRecorder : public QObject
 {
     Q_OBJECT

@@ -20,7 +20,7 @@ class SculptWorker;
 /// Makes drawings of the model on a thread of its own: for the 2D preview while it can be seen, and for sheets. A
 /// viewer of the mesh like others: it is fed by patches, and the mesh thread never waits for it. While changes keep
 /// coming, drawings are interim ones whose cost goes with the change; a fine one follows when the strokes pause. While
-/// nobody looks it needs no memory and no time. Gui thread; all returns at once.
+/// nobody looks it needs no memory and no time. Thread: gui; all functions return at once.
 class DrawingWorker : public QObject
 {
     Q_OBJECT

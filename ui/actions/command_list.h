@@ -8,7 +8,7 @@ namespace ui
 {
 class Actions;
 
-/// Every action of the window, by menu, with its keys and what it does. Gui thread.
+/// Every action of the window, by menu, with its keys and what it does. Thread: gui.
 class CommandList : public QTreeWidget
 {
     Q_OBJECT

@@ -10,7 +10,7 @@ class Actions;
 class CommandList;
 
 /// Every action of the window with its key, by menu: a list to read (F1), and a command palette to find and run one by
-/// any of its words (F3). Return or a double click does what is marked; what cannot be done now is grey. Gui thread.
+/// any of its words (F3). Return or a double click does what is marked; what cannot be done now is grey. Thread: gui.
 class CommandPalette : public QDialog
 {
     Q_OBJECT

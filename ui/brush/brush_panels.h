@@ -18,6 +18,6 @@ struct BrushPanelContext
 };
 
 /// Brush, topology and symmetry as docks at the window's right, each with an entry in `toggles` that shows and hides
-/// it. Brush and shapes must outlive the window's children. Gui thread.
+/// it. Brush and shapes must outlive the window's children. Thread: gui.
 void addBrushPanels(const BrushPanelContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

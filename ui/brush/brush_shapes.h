@@ -10,7 +10,7 @@
 namespace ui
 {
 /// Which alpha and which model the brush has: reads their files on a thread, and keeps what was chosen in the settings.
-/// Gui thread.
+/// Thread: gui.
 class BrushShapes : public QObject
 {
     Q_OBJECT

@@ -26,7 +26,7 @@ class ColorWheel;
 class Settings;
 class Viewport;
 
-/// The paint colour by wheel, by channel, by name or from a swatch, and another to swap it with. Gui thread.
+/// The paint colour by wheel, by channel, by name or from a swatch, and another to swap it with. Thread: gui.
 class ColorPanel : public QWidget
 {
     Q_OBJECT

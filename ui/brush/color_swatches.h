@@ -9,7 +9,7 @@ class QGridLayout;
 namespace ui
 {
 /// Colours at hand: a click or Space takes one, the context menu or Delete removes it, a button at the end keeps the
-/// present colour. Gui thread.
+/// present colour. Thread: gui.
 class ColorSwatches : public QWidget
 {
     Q_OBJECT

@@ -7,7 +7,7 @@
 namespace ui
 {
 /// Hue on a ring, saturation (to the right) and value (upwards) in a square within it. Drag either; the arrow keys move
-/// in the square, Page Up and Page Down along the ring. A grey keeps the hue that it was made from. Gui thread.
+/// in the square, Page Up and Page Down along the ring. A grey keeps the hue that it was made from. Thread: gui.
 class ColorWheel : public QWidget
 {
     Q_OBJECT

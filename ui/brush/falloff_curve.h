@@ -6,7 +6,7 @@
 namespace ui
 {
 /// b(x) of the brush (paper, section 3.3) drawn from the centre to the rim; dragging bends it to the n that passes
-/// nearest to the hand, the arrow keys step n. The brush must outlive it. Gui thread.
+/// nearest to the hand, the arrow keys step n. The brush must outlive it. Thread: gui.
 class FalloffCurve : public CurveWidget
 {
     Q_OBJECT

@@ -19,7 +19,7 @@ struct ToolOption
     const QAction* action;
 };
 
-/// A bar that changes tool, radius and strength of the last stroke after the fact. Esc in it cancels. Gui thread.
+/// A bar that changes tool, radius and strength of the last stroke after the fact. Esc in it cancels. Thread: gui.
 class StrokeEditBar : public MessageBar
 {
     Q_OBJECT

@@ -25,7 +25,7 @@ inline int minutesOf(int seconds)
 }
 
 /// The topmost bar of a class: whose turn it is, how long it lasts, and whose comes next. Shows itself in the window.
-/// Gui thread.
+/// Thread: gui.
 class ClassBar : public QToolBar
 {
     Q_OBJECT

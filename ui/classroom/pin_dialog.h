@@ -12,7 +12,7 @@ class QWidget;
 namespace ui
 {
 /// Asks for a PIN before something is done, in a dialog of our own. After three wrong ones it refuses more for a while,
-/// longer each time, so that nobody can try all. Gui thread.
+/// longer each time, so that nobody can try all. Thread: gui.
 class PinPrompt : public QObject
 {
     Q_OBJECT

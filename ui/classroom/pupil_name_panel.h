@@ -14,7 +14,7 @@ namespace ui
 class Actions;
 
 /// Asks who sculpts next, and with what to begin, before a turn. Lies over all of a widget, which nobody reaches
-/// meanwhile. Gui thread.
+/// meanwhile. Thread: gui.
 class PupilNamePanel : public QFrame
 {
     Q_OBJECT

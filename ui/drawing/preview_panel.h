@@ -19,7 +19,7 @@ namespace ui
 class Settings;
 
 /// The 2D preview: the model as front, side and top drawings while it changes. Makes no drawing: it says by
-/// drawingRequested() when it can be seen, and shows what it is given. Gui thread.
+/// drawingRequested() when it can be seen, and shows what it is given. Thread: gui.
 class PreviewPanel : public QDockWidget
 {
     Q_OBJECT

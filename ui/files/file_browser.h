@@ -33,7 +33,7 @@ class ThumbnailMaker;
 struct Thumbnail;
 
 /// A folder of models as pictures: to open, rename, duplicate, put into the trash, and show where they lie. Asks the
-/// disk and draws in other threads, and only while it can be seen. Gui thread.
+/// disk and draws in other threads, and only while it can be seen. Thread: gui.
 class FileBrowser : public QWidget
 {
     Q_OBJECT

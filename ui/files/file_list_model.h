@@ -13,7 +13,7 @@
 namespace ui
 {
 /// The folders and models of one folder, with what is known of each. Of the pictures it keeps as many as some 64 MB
-/// hold. Gui thread.
+/// hold. Thread: gui.
 class FileListModel : public QAbstractListModel
 {
     Q_OBJECT

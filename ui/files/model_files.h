@@ -22,7 +22,7 @@ class Settings;
 struct ModelInfo;
 
 /// Where models come from and where they go: the dialogs, drag and drop onto the window, and the question about changes
-/// that no file holds. Opens and writes nothing: it asks by signals. Gui thread.
+/// that no file holds. Opens and writes nothing: it asks by signals. Thread: gui.
 class ModelFiles : public QObject
 {
     Q_OBJECT

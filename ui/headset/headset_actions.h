@@ -15,7 +15,7 @@ class Viewport;
 /// Changing: on the way in or out.
 enum class HeadsetState { Out, Changing, In };
 
-/// The VR menu's commands, as far as they fit the state; the headset is looked for elsewhere. Gui thread.
+/// The VR menu's commands, as far as they fit the state; the headset is looked for elsewhere. Thread: gui.
 class HeadsetActions : public QObject
 {
     Q_OBJECT

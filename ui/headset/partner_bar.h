@@ -11,7 +11,7 @@ class BrushSettings;
 class Viewport;
 
 /// For the one at the desktop while somebody is in VR: a large caption of the brush for those who watch, and buttons to
-/// point and to take over. It is there only while VR is worn. Gui thread.
+/// point and to take over. It is there only while VR is worn. Thread: gui.
 class PartnerBar : public QToolBar
 {
     Q_OBJECT

@@ -11,7 +11,7 @@
 namespace ui
 {
 /// Shows what the simulated headset shows, and controls it: mouse and keys move the simulated user's head and wands.
-/// Gui thread.
+/// Thread: gui.
 class SimulatorView : public QWidget
 {
     Q_OBJECT

@@ -8,7 +8,7 @@ namespace ui
 {
 class SimulatorView;
 
-/// The VR simulator's window, beside the program's: what the headset shows, and which key does what. Gui thread.
+/// The VR simulator's window, beside the program's: what the headset shows, and which key does what. Thread: gui.
 class SimulatorWindow : public QWidget
 {
     Q_OBJECT

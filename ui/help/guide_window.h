@@ -12,7 +12,7 @@ namespace ui
 class Actions;
 
 /// The user guide: contents and search at the left, the page at the right. Words that are sought leave only the pages
-/// that have them, and are marked; Return goes on to the next place. Stays open beside the main window. Gui thread.
+/// that have them, and are marked; Return goes on to the next place. Stays open beside the main window. Thread: gui.
 class GuideWindow : public QDialog
 {
     Q_OBJECT

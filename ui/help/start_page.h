@@ -13,7 +13,7 @@ class Settings;
 struct LessonCard;
 
 /// What to begin with: a starter, a recent file, a lesson. Lies over the middle of a widget until something is chosen,
-/// Esc, or a press beside it, which is that widget's as ever. Gui thread.
+/// Esc, or a press beside it, which is that widget's as ever. Thread: gui.
 class StartPage : public QFrame
 {
     Q_OBJECT

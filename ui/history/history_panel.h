@@ -34,7 +34,7 @@ struct History
 };
 
 /// The steps that were done, a click or Return goes to any that is still kept, a timeline through them, and how much
-/// memory they may take. Knows no document: it shows what it is given, and asks. Gui thread.
+/// memory they may take. Knows no document: it shows what it is given, and asks. Thread: gui.
 class HistoryPanel : public QWidget
 {
     Q_OBJECT

@@ -14,7 +14,7 @@ struct UnsavedModel
     int steps = 0;
 };
 
-/// Offers a model that was not saved. Gui thread.
+/// Offers a model that was not saved. Thread: gui.
 class RecoveryBar : public MessageBar
 {
     Q_OBJECT

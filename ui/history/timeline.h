@@ -14,7 +14,7 @@ namespace ui
 struct History;
 
 /// A slider over the states of the model, from the first that is kept to the last, with number and name of the step;
-/// Left and Right go by one. It plays them, too. Knows no document: it shows what it is given, and asks. Gui thread.
+/// Left and Right go by one. It plays them, too. Knows no document: it shows what it is given, and asks. Thread: gui.
 class Timeline : public QWidget
 {
     Q_OBJECT

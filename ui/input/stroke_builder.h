@@ -12,7 +12,7 @@ namespace ui
 {
 /// Builds a stroke from pointer events. In a steady stroke the brush follows the pointer at the length of the
 /// stabilizer, and reaches it when the stroke ends. Where the model turns under a resting pointer the stroke goes on.
-/// Gui thread.
+/// Thread: gui.
 class StrokeBuilder : public QObject
 {
     Q_OBJECT

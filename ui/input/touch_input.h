@@ -7,7 +7,7 @@ class QTouchEvent;
 namespace ui
 {
 /// One finger is the left button, two move the view: pinching zooms, dragging pans. A finger counts as pressed when it
-/// has moved a little or is lifted, so that a second one that comes late leaves no dab. Gui thread.
+/// has moved a little or is lifted, so that a second one that comes late leaves no dab. Thread: gui.
 class TouchInput
 {
 public:

@@ -22,7 +22,7 @@ namespace ui
 struct LessonCard;
 
 /// Where a teacher makes and changes a lesson: first with what to begin, then its words and steps. Changes the draft as
-/// it is changed, and says what else is wanted. Gui thread.
+/// it is changed, and says what else is wanted. Thread: gui.
 class LessonEditor : public QWidget
 {
     Q_OBJECT

@@ -56,7 +56,7 @@ struct LessonPanelState
 enum class LessonButton { Play, Try, Back, Next };
 
 /// A lesson beside the model: what to do, what the teacher does, and whether it is done. Knows no lesson file and no
-/// mesh: it says what is wanted and shows what it is given. Gui thread.
+/// mesh: it says what is wanted and shows what it is given. Thread: gui.
 class LessonPanel : public QWidget
 {
     Q_OBJECT

@@ -29,7 +29,7 @@ struct LessonStroke
 using DescribeStroke = std::function<LessonStroke(const core::FileEntry& entry)>;
 
 /// One step of a lesson: its words, strokes, tools and checkpoint, each on a page. Changes the draft as it is changed.
-/// Gui thread.
+/// Thread: gui.
 class LessonStepEditor : public QTabWidget
 {
     Q_OBJECT

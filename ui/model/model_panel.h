@@ -13,7 +13,7 @@ class QMenu;
 namespace ui
 {
 /// What the model measures, and whether it is sound: as it was when that was last found out. Knows no mesh: it shows
-/// what it is given. Gui thread.
+/// what it is given. Thread: gui.
 class ModelPanel : public QWidget
 {
     Q_OBJECT

@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// Doubts that a model without a unit was made in millimetres, and offers others. Gui thread.
+/// Doubts that a model without a unit was made in millimetres, and offers others. Thread: gui.
 class UnitBar : public MessageBar
 {
     Q_OBJECT

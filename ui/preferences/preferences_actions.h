@@ -20,6 +20,6 @@ struct PreferencesContext
 };
 
 /// The stored preferences hold from now on, and Edit > Preferences changes them. Where the panels are now is where they
-/// come back to when all is reset. Gui thread.
+/// come back to when all is reset. Thread: gui.
 void connectPreferences(const PreferencesContext& context);
 } // namespace ui

@@ -13,7 +13,7 @@ namespace ui
 {
 class Actions;
 
-/// The preferences on pages; each change holds at once. Deletes itself when closed. Gui thread.
+/// The preferences on pages; each change holds at once. Deletes itself when closed. Thread: gui.
 class PreferencesDialog : public QDialog
 {
     Q_OBJECT

@@ -6,7 +6,7 @@
 namespace ui
 {
 /// What counts as pressure over what the pen says (penPressure): dragging bends it, the arrow keys make it softer (up)
-/// or firmer. Gui thread.
+/// or firmer. Thread: gui.
 class PressureCurve : public CurveWidget
 {
     Q_OBJECT

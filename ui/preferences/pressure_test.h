@@ -5,8 +5,8 @@
 
 namespace ui
 {
-/// A field to draw in: the line is as wide as the pressure that counts, and words say what draws and how hard. Gui
-/// thread.
+/// A field to draw in: the line is as wide as the pressure that counts, and words say what draws and how hard.
+/// Thread: gui.
 class PressureTest : public QWidget
 {
     Q_OBJECT

@@ -19,7 +19,7 @@ class CommandList;
 class ShortcutEdit;
 
 /// Of the preferences: every command with its keys, which are changed where they stand; a key that is taken or needed
-/// otherwise is refused with the reason. Gui thread.
+/// otherwise is refused with the reason. Thread: gui.
 class ShortcutsPage : public QWidget
 {
     Q_OBJECT

@@ -24,7 +24,7 @@ class Settings;
 class Viewport;
 
 /// Will it print? Shows what the last check of the model found, and by which limits. Knows no mesh: it requests a check
-/// and shows the result that it is given. Gui thread.
+/// and shows the result that it is given. Thread: gui.
 class PrintPanel : public QWidget
 {
     Q_OBJECT

@@ -11,7 +11,7 @@ namespace ui
 {
 class Settings;
 
-/// The reference images, one a side, read on a thread and kept in the settings. Gui thread.
+/// The reference images, one a side, read on a thread and kept in the settings. Thread: gui.
 class ReferenceImages : public QObject
 {
     Q_OBJECT

@@ -18,7 +18,7 @@ class Actions;
 class ReferenceImages;
 class Viewport;
 
-/// The reference image of the side that the view is nearest to: what it is, and how it stands. Gui thread.
+/// The reference image of the side that the view is nearest to: what it is, and how it stands. Thread: gui.
 class ReferencePanel : public QWidget
 {
     Q_OBJECT

@@ -23,8 +23,8 @@ namespace ui
 /// the start. Where it does not hold, the clay gets a context of its own and Qt3D's picture, cursor only, is laid over
 /// it.
 ///
-/// Gui thread, QApplication exists and prepareGraphics() was called before it. No other context may be current during a
-/// call; afterwards the scene's is.
+/// Thread: gui. Precondition: QApplication exists, and prepareGraphics() was called before it. No other context may be
+/// current during a call; afterwards the scene's is.
 class Scene
 {
 public:

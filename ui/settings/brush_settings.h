@@ -15,7 +15,7 @@ namespace ui
 inline constexpr double minStabilizerLength = 4, maxStabilizerLength = 200, defaultStabilizerLength = 32;
 
 /// The brush in the user's hand: what the next stroke will be. Panels, cursor and viewport are views of it; it is read
-/// when a stroke begins and not during one. Gui thread.
+/// when a stroke begins and not during one. Thread: gui.
 class BrushSettings : public QObject
 {
     Q_OBJECT

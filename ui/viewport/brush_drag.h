@@ -13,8 +13,8 @@ namespace ui
 class Viewport;
 
 /// Changes a value of the brush by moving the pointer over the view, no button held: a click or Return keeps it, Esc or
-/// the right button goes back. The ring stays where it is and shows the radius; the word beside it shows the value. Gui
-/// thread.
+/// the right button goes back. The ring stays where it is and shows the radius; the word beside it shows the value.
+/// Thread: gui.
 class BrushDrag : public QLabel
 {
     Q_OBJECT

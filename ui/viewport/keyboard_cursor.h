@@ -8,7 +8,7 @@ namespace ui
 {
 /// A pointer for users of the keyboard alone: the arrow keys move it, and it presses as the left button does while
 /// Space is held, or from one Return to the next for users who cannot hold a key and press another. On the model that
-/// is a stroke, beside it the view turns. Gui thread, no widget.
+/// is a stroke, beside it the view turns. No widget. Thread: gui.
 class KeyboardCursor : public QObject
 {
     Q_OBJECT

@@ -8,7 +8,7 @@
 
 namespace ui
 {
-/// Turns the model under the pointer while it is on, by small timed steps. Gui thread.
+/// Turns the model under the pointer while it is on, by small timed steps. Thread: gui.
 class Turntable : public QObject
 {
     Q_OBJECT

@@ -5,7 +5,7 @@
 namespace ui
 {
 /// A curve from 0 to 1 over 0 to 1 that is drawn in a frame and bent by dragging, or step by step by the arrow keys.
-/// Gui thread.
+/// Thread: gui.
 class CurveWidget : public QWidget
 {
     Q_OBJECT

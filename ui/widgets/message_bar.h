@@ -12,7 +12,7 @@ namespace ui
 QPushButton* addButton(QToolBar* bar, QPushButton* button);
 
 /// A sentence and a few buttons under the window's tool bar, while work goes on: a question that waits. It stays until
-/// somebody chooses, or whoever made it takes it away. Gui thread.
+/// somebody chooses, or whoever made it takes it away. Thread: gui.
 class MessageBar : public QToolBar
 {
     Q_OBJECT

@@ -5,7 +5,7 @@
 namespace ui
 {
 /// Takes one key with what is held, those of the number pad as such, and tells; nothing is shown before setKey().
-/// Backspace and Delete take the key away. Tab and Escape move on and close, as everywhere. Gui thread.
+/// Backspace and Delete take the key away. Tab and Escape move on and close, as everywhere. Thread: gui.
 class ShortcutEdit : public QKeySequenceEdit
 {
     Q_OBJECT

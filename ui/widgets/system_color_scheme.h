@@ -8,7 +8,7 @@ class QDBusPendingCallWatcher;
 namespace ui
 {
 /// Whether the desktop is light or dark, as its portal says (org.freedesktop.portal.Settings, color-scheme). Asked once
-/// without waiting, then told. Where there is no session bus or no portal nothing is ever known. Gui thread.
+/// without waiting, then told. Where there is no session bus or no portal nothing is ever known. Thread: gui.
 class SystemColorScheme : public QObject
 {
     Q_OBJECT

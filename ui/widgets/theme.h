@@ -15,8 +15,8 @@ QPalette darkPalette();
 QFont scaled(QFont font, double factor);
 
 /// The colours of the whole application: Qt's Fusion style with our own light or dark palette, as chosen or as the
-/// desktop is. A desktop that says nothing is as dark as its palette was when the program started. Gui thread; one at a
-/// time, after QApplication was made.
+/// desktop is. A desktop that says nothing is as dark as its palette was when the program started. Thread: gui; one at
+/// a time, after QApplication was made.
 class Theme : public QObject
 {
     Q_OBJECT
