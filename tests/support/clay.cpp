@@ -176,6 +176,23 @@ std::unique_ptr<core::Sculptor> ball(int subdivisions)
     return std::make_unique<core::Sculptor>(mesh_asserts::sculptable(core::icosphere(subdivisions, ballRadius)));
 }
 
+std::unique_ptr<core::Sculptor> unitBall()
+{
+    return std::make_unique<core::Sculptor>(mesh_asserts::sculptable(core::icosphere(4, 1)));
+}
+
+core::DabReport dabOnce(core::Sculptor& sculptor, const core::StrokeSettings& settings, const core::Vec3& position,
+                        const core::Vec3& direction)
+{
+    core::StrokeSample sample;
+    sample.position = position;
+    sample.direction = direction;
+    sculptor.beginStroke(settings);
+    const core::DabReport report = sculptor.addSample(sample).at(0);
+    sculptor.endStroke();
+    return report;
+}
+
 std::vector<core::DabReport> stroke(core::Sculptor& sculptor, const core::StrokeSettings& settings,
                                     const std::vector<core::Vec3>& path)
 {

@@ -31,6 +31,11 @@ TriangleMesh twoFingers(double gap);
 constexpr double ballRadius = 50; ///< millimetres
 
 std::unique_ptr<core::Sculptor> ball(int subdivisions = 5);
+/// A ball of radius 1.
+std::unique_ptr<core::Sculptor> unitBall();
+/// A stroke of one dab.
+core::DabReport dabOnce(core::Sculptor& sculptor, const core::StrokeSettings& settings, const core::Vec3& position,
+                        const core::Vec3& direction = -core::Vec3::UnitZ());
 /// Returns what each dab did. Samples point to the middle of the ball.
 std::vector<core::DabReport> stroke(core::Sculptor& sculptor, const core::StrokeSettings& settings,
                                     const std::vector<core::Vec3>& path);

@@ -1,7 +1,11 @@
 #include "tests/support/shapes.h"
 
+#include "tests/support/stroke_fuzzer.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 namespace shapes
@@ -151,5 +155,30 @@ TriangleMesh noisy(TriangleMesh mesh, float amount, unsigned seed)
         for (int i = 0; i < 3; ++i)
             p[i] += offset(engine);
     return mesh;
+}
+
+TriangleMesh shuffled(const TriangleMesh& mesh, StrokeFuzzer& random)
+{
+    std::vector<Slot> order(mesh.points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    for (std::size_t i = order.size(); i > 1; --i)
+        std::swap(order[i - 1], order[random.below(i)]);
+    TriangleMesh result;
+    result.points.resize(order.size());
+    result.colors.resize(mesh.colors.size());
+    for (std::size_t v = 0; v < order.size(); ++v) {
+        result.points[order[v]] = mesh.points[v];
+        if (!mesh.colors.empty())
+            result.colors[order[v]] = mesh.colors[v];
+    }
+    for (core::Triangle t : mesh.triangles) {
+        for (Slot& v : t)
+            v = order[v];
+        std::ranges::rotate(t, t.begin() + static_cast<std::ptrdiff_t>(random.below(3)));
+        result.triangles.push_back(t);
+    }
+    for (std::size_t i = result.triangles.size(); i > 1; --i)
+        std::swap(result.triangles[i - 1], result.triangles[random.below(i)]);
+    return result;
 }
 } // namespace shapes

@@ -2,6 +2,8 @@
 
 #include "core/geometry/triangle_mesh.h"
 
+class StrokeFuzzer;
+
 /// Small named meshes for tests. Closed ones face outwards unless their name says otherwise. core::icosphere is the
 /// ball.
 namespace shapes
@@ -46,4 +48,6 @@ TriangleMesh reversed(TriangleMesh mesh);
 TriangleMesh together(TriangleMesh a, const TriangleMesh& b);
 /// Each coordinate moved by up to `amount`, by the seed.
 TriangleMesh noisy(TriangleMesh mesh, float amount, unsigned seed);
+/// The same surface: vertices and triangles in another order, triangles with another corner first.
+TriangleMesh shuffled(const TriangleMesh& mesh, StrokeFuzzer& random);
 } // namespace shapes

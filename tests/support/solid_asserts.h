@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/analysis/mesh_check.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/mesh_asserts.h"
 
@@ -19,6 +21,18 @@ inline std::string unsoundness(const core::Mesh& mesh)
     if (verdict->intersections > 0)
         return std::to_string(verdict->intersections) + " pairs of faces intersect";
     return verdict->boundsSolid ? "" : "does not bound a solid";
+}
+
+/// Precondition: it is closed.
+inline double volumeOf(const core::Mesh& mesh)
+{
+    return core::checkMesh(surfaceOf(mesh)).volume.value();
+}
+
+/// Whether nothing is wrong with the mesh, and the octree holds its faces.
+inline bool isSound(const core::Sculptor& sculptor)
+{
+    return unsoundness(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
 }
 } // namespace mesh_asserts
 

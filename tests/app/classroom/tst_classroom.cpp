@@ -730,7 +730,7 @@ int runVictim(const QString& root, int afterNextMs)
 }
 } // namespace
 
-static int testMain(int argc, char* argv[])
+static int classroomMain(int argc, char* argv[])
 {
     if (argc == 4 && qstrcmp(argv[1], "--victim") == 0) {
         ui::prepareGraphics();
@@ -742,5 +742,5 @@ static int testMain(int argc, char* argv[])
     return test::run<TestClassroom, app::OnScreen>(argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestClassroom, testMain)
+FETTLE_TEST_MAIN(TestClassroom, classroomMain)
 #include "tst_classroom.moc"

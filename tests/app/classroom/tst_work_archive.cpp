@@ -35,7 +35,7 @@ TurnWork workOf(const QString& pupil, core::Starter starter = core::Starter::Tor
     return work;
 }
 
-QByteArray read(const QString& path)
+QByteArray contentsOf(const QString& path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -69,7 +69,7 @@ void verifyWork(const QString& folder, const TurnWork& work)
     QVERIFY(!picture.isNull() && picture.hasAlphaChannel());
     const auto entries = core::readStrokes((folder + QStringLiteral("/record.json")).toStdString());
     QCOMPARE(entries.size(), work.record->size());
-    const QJsonObject turn = QJsonDocument::fromJson(read(folder + QStringLiteral("/turn.json"))).object();
+    const QJsonObject turn = QJsonDocument::fromJson(contentsOf(folder + QStringLiteral("/turn.json"))).object();
     QCOMPARE(turn.value(QStringLiteral("name")).toString(), work.pupil);
     QCOMPARE(turn.value(QStringLiteral("begun")).toString(), QStringLiteral("2026-11-24T10:15:02"));
     QCOMPARE(turn.value(QStringLiteral("mesh_hash")).toString().toULongLong(nullptr, 16), work.meshHash);
@@ -277,7 +277,7 @@ void TestWorkArchive::leftovers_areSwept()
     QCOMPARE(Places::all(places.works).size(), 2);
 }
 
-static int testMain(int argc, char* argv[])
+static int workArchiveMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 2048);
@@ -288,5 +288,5 @@ static int testMain(int argc, char* argv[])
     return QTest::qExec(&test, argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestWorkArchive, testMain)
+FETTLE_TEST_MAIN(TestWorkArchive, workArchiveMain)
 #include "tst_work_archive.moc"

@@ -1131,7 +1131,7 @@ void TestCommandLine::numbers_haveNoLocale()
     }
 }
 
-static int testMain(int argc, char* argv[])
+static int commandLineMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk smallDisk(folder.filePath(QStringLiteral("small")).toStdString());
@@ -1141,5 +1141,5 @@ static int testMain(int argc, char* argv[])
     return QTest::qExec(&test, argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestCommandLine, testMain)
+FETTLE_TEST_MAIN(TestCommandLine, commandLineMain)
 #include "tst_command_line.moc"

@@ -163,7 +163,7 @@ void TestGermanLocale::commands_writeAndReadPoints()
     QVERIFY(json[text("overhang_share")].toDouble() > 0.1);
 }
 
-static int testMain(int argc, char* argv[])
+static int germanLocaleMain(int argc, char* argv[])
 {
     const QTemporaryDir locales;
     const QByteArray folder = locales.path().toLocal8Bit();
@@ -177,5 +177,5 @@ static int testMain(int argc, char* argv[])
     return QTest::qExec(&test, argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestGermanLocale, testMain)
+FETTLE_TEST_MAIN(TestGermanLocale, germanLocaleMain)
 #include "tst_german_locale.moc"

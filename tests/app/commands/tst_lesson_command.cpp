@@ -13,13 +13,13 @@ namespace
 {
 const QString lessonsFolder = QStringLiteral(FETTLE_SOURCE_DIR "/resources/lessons/");
 
-struct Answer
+struct LessonAnswer
 {
     int status = -1;
     QString out, err;
 };
 
-Answer lesson(const QStringList& arguments)
+LessonAnswer lesson(const QStringList& arguments)
 {
     QProcess program;
     program.start(QStringLiteral(FETTLE_PROGRAM), QStringList(QStringLiteral("lesson")) + arguments);
@@ -60,7 +60,7 @@ private Q_SLOTS:
         for (const auto& [language, title] :
              {std::pair("en", "A mug with a handle"), std::pair("de", "Eine Tasse mit Henkel"),
               std::pair("zh", "带把手的杯子")}) {
-            const Answer answer = lesson({QStringLiteral("--language"), QString::fromLatin1(language)});
+            const LessonAnswer answer = lesson({QStringLiteral("--language"), QString::fromLatin1(language)});
             QCOMPARE(answer.status, 0);
             QVERIFY(answer.out.contains(QString::fromUtf8(title)));
             QCOMPARE(answer.out.count(QLatin1Char('\n')), 3);
@@ -73,8 +73,9 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString zip = folder.filePath(QStringLiteral("clay.zip")),
                       model = folder.filePath(QStringLiteral("pear.ply"));
-        const Answer answer = lesson({QStringLiteral("first-clay"), QStringLiteral("--pack"), zip,
-                                      QStringLiteral("--out"), model, QStringLiteral("--pictures"), folder.path()});
+        const LessonAnswer answer =
+            lesson({QStringLiteral("first-clay"), QStringLiteral("--pack"), zip, QStringLiteral("--out"), model,
+                    QStringLiteral("--pictures"), folder.path()});
         QVERIFY2(answer.status == 0 && answer.err.isEmpty(), qPrintable(answer.err));
         QCOMPARE(answer.out.count(QStringLiteral("\n   yes ")), 10);
         QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 0);
@@ -92,7 +93,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString zip = folder.filePath(QStringLiteral("clay.zip"));
         const QString bad = changed(folder, "\"least\": 115", "\"least\": 215");
-        const Answer answer = lesson({bad, QStringLiteral("--pack"), zip});
+        const LessonAnswer answer = lesson({bad, QStringLiteral("--pack"), zip});
         QCOMPARE(answer.status, 1);
         QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 1);
         QVERIFY(answer.out.contains(QStringLiteral("height: at least 215.0 mm (137.5 mm)")));
@@ -112,7 +113,7 @@ private Q_SLOTS:
         };
         QCOMPARE(checked(pear, "4").status, 0);
         QCOMPARE(checked(ball, "4").status, 1);
-        const Answer shape = checked(ball, "3");
+        const LessonAnswer shape = checked(ball, "3");
         QCOMPARE(shape.status, 1);
         QVERIFY(shape.out.contains(QStringLiteral("mm apart")));
         QCOMPARE(checked(ball, "5").status, 2);
@@ -146,7 +147,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString bad = changed(folder, from, to);
         QVERIFY(!bad.isEmpty());
-        const Answer answer = lesson({bad});
+        const LessonAnswer answer = lesson({bad});
         QCOMPARE(answer.status, 2);
         QVERIFY(answer.out.isEmpty());
         QVERIFY2(answer.err.startsWith(QStringLiteral("fettle: ") + bad) && answer.err.count(QLatin1Char('\n')) == 1 &&
@@ -164,7 +165,7 @@ private Q_SLOTS:
                                 {QStringLiteral("mug"), QStringLiteral("--unpack"), QStringLiteral("mug.zip")},
                                 {QStringLiteral("--out"), QStringLiteral("a.stl")},
                                 {QStringLiteral("mug"), QStringLiteral("--out"), QStringLiteral("a.xyz")}}) {
-            const Answer answer = lesson(arguments);
+            const LessonAnswer answer = lesson(arguments);
             QCOMPARE(answer.status, 2);
             QVERIFY(answer.out.isEmpty() && answer.err.count(QLatin1Char('\n')) == 1);
         }

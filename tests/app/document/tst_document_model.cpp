@@ -27,21 +27,19 @@ using namespace app;
 
 namespace
 {
-constexpr int timeoutMs = 60'000; // a sanitizer is ten times slower
-
 /// What the document keeps its model as.
 QString exportedBrush(Document& document)
 {
     QSignalSpy kept(&document.saver(), &ModelSaver::brushExported);
     document.saver().exportBrush();
-    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, timeoutMs); }();
+    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, 60'000); }();
     return kept.isEmpty() ? QString() : kept[0][0].toString();
 }
 
 /// A document with a ball of clay, and a way to see the mesh's state.
-struct Session
+struct ViewedSession
 {
-    Session()
+    ViewedSession()
     {
         worker.setInbox(Source::Desktop, inbox);
         document.opener().openSphere();
@@ -51,7 +49,7 @@ struct Session
     /// Until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
         settle();
     }
 
@@ -128,7 +126,7 @@ private Q_SLOTS:
 
 void TestDocumentModel::command_isOneStep()
 {
-    Session session;
+    ViewedSession session;
     const std::uint64_t start = session.state();
     QSignalSpy idle(&session.document.job(), &BackgroundJob::idle);
     session.apply(core::Scale{2});
@@ -147,7 +145,7 @@ void TestDocumentModel::command_isOneStep()
 void TestDocumentModel::brush_isKeptAsItIs()
 {
     QDir(BrushExport::folder()).removeRecursively();
-    Session session;
+    ViewedSession session;
     const std::uint64_t state = session.state();
     const QString ball = exportedBrush(session.document);
     QCOMPARE(exportedBrush(session.document), ball);
@@ -195,7 +193,7 @@ void TestDocumentModel::brush_withoutAPlaceIsRefused()
     QFile inTheWay(BrushExport::folder());
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
     const auto away = qScopeGuard([&] { inTheWay.remove(); });
-    Session session;
+    ViewedSession session;
     QSignalSpy refused(&session.document, &Document::refused),
         kept(&session.document.saver(), &ModelSaver::brushExported);
     session.document.saver().exportBrush();
@@ -207,7 +205,7 @@ void TestDocumentModel::brush_withoutAPlaceIsRefused()
 
 void TestDocumentModel::strokesBeforeAndAfter_areUndoneAndRedone()
 {
-    Session session;
+    ViewedSession session;
     const core::ModelCommand commands[] = {core::Move{{3, 4, 5}}, core::Mirror{0}, core::RemeshUniformly{4},
                                            core::Fill{{1, 2, 3}}, core::Scale{30}, core::Scale{0.02},
                                            core::Recentre{}};
@@ -234,7 +232,7 @@ void TestDocumentModel::strokesBeforeAndAfter_areUndoneAndRedone()
 
 void TestDocumentModel::undo_rightAfterACommandUndoesThatCommand()
 {
-    Session session;
+    ViewedSession session;
     const std::uint64_t start = session.state();
     session.document.changer().apply(core::Mirror{1});
     session.document.history().undo(); // waits
@@ -245,7 +243,7 @@ void TestDocumentModel::undo_rightAfterACommandUndoesThatCommand()
 
 void TestDocumentModel::strokesMeanwhile_areRefusedWithAWord()
 {
-    Session session;
+    ViewedSession session;
     QSignalSpy noticed(&session.document, &Document::noticed);
     session.document.changer().apply(core::RemeshUniformly{3});
     session.stroke({50, 0, 0});
@@ -259,7 +257,7 @@ void TestDocumentModel::strokesMeanwhile_areRefusedWithAWord()
 
 void TestDocumentModel::nothing_isNoStepAndIsSaid()
 {
-    Session session;
+    ViewedSession session;
     QSignalSpy noticed(&session.document, &Document::noticed);
     session.apply(core::Move{});
     session.apply(core::RemeshUniformly{});
@@ -270,7 +268,7 @@ void TestDocumentModel::nothing_isNoStepAndIsSaid()
 
 void TestDocumentModel::refusal_leavesAllAsItIsAndSaysWhy()
 {
-    Session session;
+    ViewedSession session;
     session.stroke({50, 0, 0});
     session.wait();
     const std::uint64_t before = session.state();
@@ -288,7 +286,7 @@ void TestDocumentModel::refusal_leavesAllAsItIsAndSaysWhy()
 
 void TestDocumentModel::stop_leavesAllAsItIs()
 {
-    Session session;
+    ViewedSession session;
     const std::uint64_t before = session.state();
     QSignalSpy cancellable(&session.document.job(), &BackgroundJob::cancellable),
         refused(&session.document, &Document::refused);
@@ -308,13 +306,13 @@ void TestDocumentModel::stop_leavesAllAsItIs()
 void TestDocumentModel::change_isToldOnceItIsMade()
 {
     QSemaphore delay;
-    Session session;
+    ViewedSession session;
     const auto releaseAtEnd = qScopeGuard([&delay] { delay.release(); });
     QSignalSpy cancellable(&session.document.job(), &BackgroundJob::cancellable),
         noticed(&session.document, &Document::noticed);
     session.document.changer().apply(core::Scale{2}); // the mesh thread copies
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
-    QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), 60'000);
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
             session.document.job().isBusy());
     session.stroke({0, 0, 50});
@@ -329,7 +327,7 @@ void TestDocumentModel::change_isToldOnceItIsMade()
 void TestDocumentModel::undo_isToldOnceItIsMade()
 {
     QSemaphore delay;
-    Session session;
+    ViewedSession session;
     const auto releaseAtEnd = qScopeGuard([&delay] { delay.release(); });
     session.stroke({0, 0, 50});
     session.wait();
@@ -352,7 +350,7 @@ void TestDocumentModel::insert_fromAFile()
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("small.ply"));
     core::writeMesh(path.toStdString(), core::icosphere(2, 10));
-    Session session;
+    ViewedSession session;
     const std::uint64_t start = session.state();
     session.document.changer().insert({path, core::Insert::Place::Beside});
     session.wait();
@@ -367,7 +365,7 @@ void TestDocumentModel::insert_refusalsNameTheFile()
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("small.ply"));
     core::writeMesh(path.toStdString(), core::icosphere(2, 10));
-    Session session;
+    ViewedSession session;
     QSignalSpy refused(&session.document, &Document::refused);
     session.document.changer().insert({path, core::Insert::Place::AsItIs});
     session.wait();
@@ -388,7 +386,7 @@ void TestDocumentModel::insert_brokenIsRepairedAsOneStep()
     const QString path = folder.filePath(QStringLiteral("broken.ply"));
     core::writeMesh(path.toStdString(),
                     shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
-    Session session;
+    ViewedSession session;
     const std::uint64_t start = session.state();
     QSignalSpy refused(&session.document, &Document::refused),
         repairable(&session.document.changer(), &ModelChanger::insertionRepairable),
@@ -425,7 +423,7 @@ void TestDocumentModel::insert_tellsWhatWasLeftOut()
     QFile file(path);
     QVERIFY(file.open(QIODevice::Append) && file.write("mtllib gold.mtl\nusemtl gold\n") > 0);
     file.close();
-    Session session;
+    ViewedSession session;
     QSignalSpy noticed(&session.document, &Document::noticed);
     session.document.changer().insert({path, core::Insert::Place::Beside});
     session.wait();
@@ -439,7 +437,7 @@ void TestDocumentModel::insert_takesTheUnit()
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("inch.stl"));
     core::writeMesh(path.toStdString(), shapes::cube(1));
-    Session session;
+    ViewedSession session;
     QSignalSpy noticed(&session.document, &Document::noticed), refused(&session.document, &Document::refused);
     session.document.changer().insert(
         {.path = path, .place = core::Insert::Place::Centre, .centre = {80, 0, 0}, .unit = 25.4});
@@ -455,7 +453,7 @@ void TestDocumentModel::insert_takesTheUnit()
 
 void TestDocumentModel::facts_followTheModel()
 {
-    Session session;
+    ViewedSession session;
     QTRY_VERIFY(std::abs(session.document.modelInfo().area - 31400) < 200);
     const double detail = session.document.modelInfo().uniformDetail;
     QVERIFY(detail > 4 && detail < 6);
@@ -469,7 +467,7 @@ void TestDocumentModel::facts_followTheModel()
 
 void TestDocumentModel::progress_grows()
 {
-    Session session;
+    ViewedSession session;
     double last = 0;
     int calls = 0;
     connect(&session.document.job(), &BackgroundJob::progressed, &session.document, [&](double share) {
@@ -483,7 +481,7 @@ void TestDocumentModel::progress_grows()
 
 void TestDocumentModel::reset_isTheStartAndOneStep()
 {
-    Session session;
+    ViewedSession session;
     const std::uint64_t start = session.state();
     QSignalSpy noticed(&session.document, &Document::noticed);
     session.apply(core::Reset{});
@@ -506,7 +504,7 @@ void TestDocumentModel::reset_isTheStartAndOneStep()
 
 void TestDocumentModel::spilledCommands_comeBack()
 {
-    Session session;
+    ViewedSession session;
     session.document.history().store().setCap(1);
     std::vector<std::uint64_t> states = {session.state()};
     for (const core::ModelCommand& command :
@@ -529,7 +527,7 @@ void TestDocumentModel::spilledCommands_comeBack()
 void TestDocumentModel::end_whileAChangeGoesOn()
 {
     for (int i = 0; i < 3; ++i) {
-        Session session;
+        ViewedSession session;
         session.document.changer().apply(core::RemeshUniformly{0.8});
         if (i > 0)
             QTest::qWait(20 * i);
@@ -541,7 +539,7 @@ void TestDocumentModel::opening_canBeStopped()
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("large.ply"));
     core::writeMesh(path.toStdString(), core::icosphere(7, 10));
-    Session session;
+    ViewedSession session;
     const std::uint64_t before = session.state();
     QSignalSpy refused(&session.document, &Document::refused);
     session.document.opener().open(path);

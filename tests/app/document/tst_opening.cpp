@@ -14,8 +14,6 @@ using namespace app;
 
 namespace
 {
-constexpr int timeoutMs = 60'000;
-
 /// A model that takes long to open, and two that do not.
 struct Files
 {
@@ -39,8 +37,8 @@ bool dropFile(Program& program, const QString& path)
 /// Until the document is at rest with the model of that file; no other came before it.
 void expectOnly(Program& program, const QSignalSpy& opened, const QString& path)
 {
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), 60'000);
     QTest::qWait(200);
     QCOMPARE(opened.size(), 1);
     QCOMPARE(program.document.modelInfo().path, path);
@@ -195,7 +193,7 @@ void TestOpening::whoWillNotLoseThemKeepsTheModel()
     program.document.history().redo();
     QTRY_VERIFY(program.document.savedState().isModified());
     program.document.opener().open(files.small);
-    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, 60'000);
     QTest::qWait(200);
     QVERIFY(!program.document.job().isBusy() && opened.isEmpty());
     QVERIFY(program.document.modelInfo().path.isEmpty() && program.document.savedState().isModified() &&
@@ -233,7 +231,7 @@ void TestOpening::stopEndsBoth()
     program.document.opener().open(files.other);
     QVERIFY(program.document.job().isBusy());
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
     QTest::qWait(200);
     QVERIFY(opened.isEmpty() && !program.document.job().isBusy());
     QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
@@ -269,12 +267,12 @@ void TestOpening::aBrokenModelIsRepaired()
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
     program.document.opener().open(broken);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), 60'000);
     opened.clear();
     QTest::keyClick(repairQuestion(program), agrees ? Qt::Key_Return : Qt::Key_Escape);
     QTRY_VERIFY(!repairQuestion(program));
     if (agrees) {
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, 60'000);
         QVERIFY(repairReport(program).contains(QStringLiteral("Pairs of faces that met")));
         QVERIFY(program.document.modelInfo().path.isEmpty());
         QVERIFY(program.document.savedState().isModified()); // the file has it broken
@@ -299,10 +297,10 @@ void TestOpening::aBrokenModelIsRepairedAndInserted()
     QDialog* place = nullptr;
     QTRY_VERIFY((place = program.window.findChild<QDialog*>(QStringLiteral("insertDialog"))) && place->isVisible());
     QTest::keyClick(place, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), 60'000);
     QTest::keyClick(repairQuestion(program), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Pairs of faces that met")), timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Pairs of faces that met")), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
     QCOMPARE(program.document.history().stack().count(), 2);
     QTRY_VERIFY(program.document.modelInfo().size.x() > before + 29);
     QTest::keyClick(program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog")), Qt::Key_Return);

@@ -162,11 +162,11 @@ void TestSavedDocument::strangersGlb_leavesBrushAndViewAlone()
     QCOMPARE(program.window.brush()->stroke().symmetry, core::Symmetry::Y);
 }
 
-static int testMain(int argc, char* argv[])
+static int savedDocumentMain(int argc, char* argv[])
 {
     QStandardPaths::setTestModeEnabled(true);
     return test::run<TestSavedDocument, app::OnScreen>(argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestSavedDocument, testMain)
+FETTLE_TEST_MAIN(TestSavedDocument, savedDocumentMain)
 #include "tst_saved_document.moc"

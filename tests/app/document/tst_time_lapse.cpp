@@ -22,7 +22,7 @@ using namespace app;
 
 namespace
 {
-constexpr int timeoutMs = 120'000;
+constexpr int timeLapseTimeoutMs = 120'000;
 
 QStringList filesIn(const QString& folder)
 {
@@ -62,7 +62,7 @@ struct Studio
     {
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
                                      program.document.modelInfo().faces > 0,
-                                 timeoutMs);
+                                 timeLapseTimeoutMs);
     }
 
     std::uint64_t state()
@@ -87,7 +87,7 @@ struct Studio
                 outcome = TimeLapse::run(request, history, control);
             },
             [&isDone] { isDone = true; });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, timeoutMs); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, timeLapseTimeoutMs); }();
         return outcome;
     }
 
@@ -248,8 +248,8 @@ void TestTimeLapse::handsRestMeanwhile()
     s.program.document.history().undo(); // waits
     QCOMPARE(s.program.document.history().stack().index(), 3);
     mayGoOn = true;
-    QTRY_VERIFY_WITH_TIMEOUT(isDone, timeoutMs);
-    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.history().stack().index(), 2, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isDone, timeLapseTimeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.history().stack().index(), 2, timeLapseTimeoutMs);
 }
 
 void TestTimeLapse::byTheMenu()
@@ -266,9 +266,9 @@ void TestTimeLapse::byTheMenu()
     QVERIFY(dialog->findChild<QLabel*>(QStringLiteral("frameCount"))->text().contains(QStringLiteral("3")));
     dialog->accept();
     chooseFile(s.program, "folderDialog", folder.path());
-    QTRY_COMPARE_WITH_TIMEOUT(filesIn(folder.path()).size(), 3, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(filesIn(folder.path()).size(), 3, timeLapseTimeoutMs);
     s.rest();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(s.program).contains(QStringLiteral("3")), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(s.program).contains(QStringLiteral("3")), timeLapseTimeoutMs);
     for (const QString& name : filesIn(folder.path()))
         QCOMPARE(QImage(folder.filePath(name)).size(), chosen);
 }
@@ -305,7 +305,7 @@ void TestTimeLapse::byTheCommandLine()
     QCOMPARE(contentOf(QDir(frames).filePath(QStringLiteral("frame-0001.png"))), first);
 }
 
-static int testMain(int argc, char* argv[])
+static int timeLapseMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString());
@@ -314,5 +314,5 @@ static int testMain(int argc, char* argv[])
     return test::run<TestTimeLapse, app::OnScreen>(argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestTimeLapse, testMain)
+FETTLE_TEST_MAIN(TestTimeLapse, timeLapseMain)
 #include "tst_time_lapse.moc"

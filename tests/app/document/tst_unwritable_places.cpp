@@ -325,7 +325,7 @@ void TestUnwritablePlaces::filesThatMayNoMoreBeRead_haveAWord()
     QCOMPARE(empty->text(), s.place.folder() + QStringLiteral(" cannot be looked into: it is not permitted."));
 }
 
-static int testMain(int argc, char* argv[])
+static int unwritablePlacesMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString());
@@ -334,5 +334,5 @@ static int testMain(int argc, char* argv[])
     return test::run<TestUnwritablePlaces, app::OnScreen>(argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestUnwritablePlaces, testMain)
+FETTLE_TEST_MAIN(TestUnwritablePlaces, unwritablePlacesMain)
 #include "tst_unwritable_places.moc"

@@ -26,9 +26,9 @@ QByteArray bytesOf(const QString& path)
 }
 
 /// The program with a model of a file, and somebody in the headset.
-struct Visit
+struct ControllerVisit
 {
-    explicit Visit(const QString& path)
+    explicit ControllerVisit(const QString& path)
     {
         program.window.viewport()->setMaximumSize(240, 180); // nobody looks at it
         program.window.resize(640, 480);
@@ -142,7 +142,7 @@ void TestHeadsetControllerRequests::init()
 
 void TestHeadsetControllerRequests::update_isWholeAtFirst()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const auto update = visit.port->takeUpdate();
     QVERIFY(update);
     QVERIFY(update->box.sizes().isApprox(core::Vec3(100, 100, 100), 0.02));
@@ -157,7 +157,7 @@ void TestHeadsetControllerRequests::update_isWholeAtFirst()
 
 void TestHeadsetControllerRequests::save_writesANumberedPair()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const QByteArray first = bytesOf(at("vase.glb"));
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
@@ -183,7 +183,7 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
 void TestHeadsetControllerRequests::save_ofAModelWithoutAFile()
 {
     ui::Settings().set(&ui::Setting::lastFolder, m_folder->path());
-    Visit visit({});
+    ControllerVisit visit({});
     visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, m_folder->filePath(visit.update().saved),
                               60'000);
@@ -198,7 +198,7 @@ void TestHeadsetControllerRequests::save_whereNothingFits()
     const QString folder = QString::fromStdString(disk->folder().string());
     disk->fill();
     ui::Settings().set(&ui::Setting::lastFolder, folder);
-    Visit visit({});
+    ControllerVisit visit({});
     visit.stroke({50, 0, 0});
     const QSignalSpy refused(&visit.program.document, &Document::refused);
     visit.request(vr::SaveModel());
@@ -215,7 +215,7 @@ void TestHeadsetControllerRequests::save_whereOnlyTheFirstFits()
     if (!disk->isThere())
         QSKIP("no disk can be mounted here");
     ui::Settings().set(&ui::Setting::lastFolder, QString::fromStdString(disk->folder().string()));
-    Visit visit({});
+    ControllerVisit visit({});
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
     QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), 60'000);
@@ -229,7 +229,7 @@ void TestHeadsetControllerRequests::save_whereOnlyTheFirstFits()
 void TestHeadsetControllerRequests::open_lettingChangesGo()
 {
     core::writeMesh(at("cup.stl").toStdString(), core::icosphere(2, 20));
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const quint64 model = visit.update().model;
     visit.stroke({50, 0, 0});
     visit.request(vr::OpenModel{at("cup.stl"), true});
@@ -245,7 +245,7 @@ void TestHeadsetControllerRequests::open_lettingChangesGo()
 void TestHeadsetControllerRequests::open_wouldLoseChanges()
 {
     core::writeMesh(at("cup.stl").toStdString(), core::icosphere(2, 20));
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const QSignalSpy noticed(&visit.controller, &HeadsetController::noticed);
     visit.port->beginStroke({});
     core::StrokeSample sample;
@@ -267,7 +267,7 @@ void TestHeadsetControllerRequests::open_ofAModelThatNeedsRepair()
     QVERIFY(open.open(QIODevice::WriteOnly));
     open.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     open.close();
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const QSignalSpy repairable(&visit.program.document.opener(), &ModelOpener::repairable);
     visit.request(vr::OpenModel{at("open.obj")});
     QTRY_COMPARE_WITH_TIMEOUT(repairable.size(), 1, 60'000);
@@ -278,7 +278,7 @@ void TestHeadsetControllerRequests::open_ofAModelThatNeedsRepair()
 
 void TestHeadsetControllerRequests::open_whileBusy()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     visit.program.document.saver().exportTo(at("vase.stl"));
     visit.port->request(vr::OpenModel{at("vase.glb")});
     visit.port->request(vr::SaveModel());
@@ -294,7 +294,7 @@ void TestHeadsetControllerRequests::open_whileBusy()
 
 void TestHeadsetControllerRequests::class_hasItsToolsAndNoFiles()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     visit.stroke({50, 0, 0});
     const std::uint64_t hash = visit.hash();
     const QStringList files = QDir(m_folder->path()).entryList(QDir::Files);
@@ -321,7 +321,7 @@ void TestHeadsetControllerRequests::class_hasItsToolsAndNoFiles()
 
 void TestHeadsetControllerRequests::restore_isUndoable()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const std::uint64_t before = visit.hash();
     visit.stroke({50, 0, 0});
     const std::uint64_t changed = visit.hash();
@@ -336,7 +336,7 @@ void TestHeadsetControllerRequests::restore_isUndoable()
 void TestHeadsetControllerRequests::mask_isInvertedAndCleared()
 {
     using How = core::MaskOperation::Kind;
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     QCOMPARE(visit.masked(), std::size_t(0));
     visit.request(core::MaskOperation{How::Invert});
     QCOMPARE(visit.masked(), std::size_t(visit.program.document.modelInfo().vertices));
@@ -354,7 +354,7 @@ void TestHeadsetControllerRequests::mask_isInvertedAndCleared()
 
 void TestHeadsetControllerRequests::undoAndRedo_fromBothSides()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const std::uint64_t before = visit.hash();
     visit.stroke({50, 0, 0});
     const std::uint64_t one = visit.hash();
@@ -374,7 +374,7 @@ void TestHeadsetControllerRequests::undoAndRedo_fromBothSides()
 
 void TestHeadsetControllerRequests::brush_fromTheHeadset()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const ui::BrushSettings& brush = *visit.program.window.brush();
     const core::StrokeSettings before = brush.stroke();
     const quint64 changes = visit.update().brushChange;
@@ -400,7 +400,7 @@ void TestHeadsetControllerRequests::brush_fromTheHeadset()
 
 void TestHeadsetControllerRequests::brush_fromTheWindow()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     ui::BrushSettings& brush = *visit.program.window.brush();
     const quint64 changes = visit.update().brushChange;
     brush.scaleRadius(0.9); // the headset has its own
@@ -420,7 +420,7 @@ void TestHeadsetControllerRequests::brush_fromTheWindow()
 
 void TestHeadsetControllerRequests::look_fromTheWindow()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     visit.program.window.action(QStringLiteral("material.pearl"))->trigger();
     visit.program.window.action(QStringLiteral("view.flat"))->setChecked(true);
     QVERIFY(visit.update().shading == ui::shadingOf(ui::Material::Pearl));
@@ -429,7 +429,7 @@ void TestHeadsetControllerRequests::look_fromTheWindow()
 
 void TestHeadsetControllerRequests::settings_areKept()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     QVERIFY(HeadsetSettingsStore().load() == vr::HeadsetSettings());
     vr::HeadsetSettings settings{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
     settings.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
@@ -449,7 +449,7 @@ void TestHeadsetControllerRequests::files_comeWithPictures()
     QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("ply\n") > 0);
     broken.close();
     QDir(m_folder->path()).mkdir(QStringLiteral("more.stl"));
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     const auto tile = [&](const char* name) {
         for (const vr::FileTile& file : visit.update().files)
             if (file.path == at(name) && file.name == QLatin1StringView(name))
@@ -467,7 +467,7 @@ void TestHeadsetControllerRequests::files_comeWithPictures()
 
 void TestHeadsetControllerRequests::avatar_isSeen()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     QList<std::optional<vr::AvatarState>> all;
     connect(&visit.controller, &HeadsetController::avatarChanged, this,
             [&](const std::optional<vr::AvatarState>& presence) { all << presence; });
@@ -486,7 +486,7 @@ void TestHeadsetControllerRequests::avatar_isSeen()
 /// The last requests and strokes of a visit are done; then another visit.
 void TestHeadsetControllerRequests::close_doesWhatWasRequested()
 {
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     visit.stroke({50, 0, 0});
     visit.port->request(vr::Undo());
     core::StrokeSettings settings;
@@ -509,7 +509,7 @@ void TestHeadsetControllerRequests::close_doesWhatWasRequested()
 void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
 {
     qputenv("XR_RUNTIME_JSON", at("none.json").toLocal8Bit());
-    Visit visit(at("vase.glb"));
+    ControllerVisit visit(at("vase.glb"));
     visit.controller.close();
     auto* headset = visit.program.window.findChild<Headset*>();
     QList<vr::HeadsetReport> reports;
@@ -529,7 +529,7 @@ void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
     QVERIFY(!headset->isActive());
 }
 
-static int testMain(int argc, char* argv[])
+static int controllerRequestsMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 200);
@@ -537,5 +537,5 @@ static int testMain(int argc, char* argv[])
     return test::run<TestHeadsetControllerRequests, app::OnScreen>(argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestHeadsetControllerRequests, testMain)
+FETTLE_TEST_MAIN(TestHeadsetControllerRequests, controllerRequestsMain)
 #include "tst_headset_controller_requests.moc"

@@ -107,13 +107,6 @@ vr::HapticInput tick()
     return feeling;
 }
 
-vr::HapticInput refusal()
-{
-    vr::HapticInput feeling;
-    feeling.refused = true;
-    return feeling;
-}
-
 /// The document as one in the headset hears of it, without a headset.
 struct Listener
 {
@@ -346,7 +339,7 @@ void TestHeadsetPartner::takingOver_refusesTheHeadset()
     v.hand.settle();
     v.pull();
     QCOMPARE(v.hash(), kept);
-    QVERIFY(pulsesOf(v.hand, Side::Right, refusal()) > 0);
+    QVERIFY(pulsesOf(v.hand, Side::Right, {.refused = true}) > 0);
     v.keep("refused");
     v.hand.pressPad(Side::Right, -0.8, 0); // undo
     v.hand.settle();

@@ -1,4 +1,5 @@
 // A lesson in the real window: shown, tried, checked, and left.
+#include "tests/app/lesson/lesson_window.h"
 #include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
@@ -23,21 +24,6 @@ using namespace app;
 namespace
 {
 const std::filesystem::path lessonsFolder = FETTLE_SOURCE_DIR "/resources/lessons";
-
-template <class Widget> Widget* part(Program& program, const char* name)
-{
-    return program.window.findChild<Widget*>(QLatin1StringView(name));
-}
-
-void press(Program& program, const char* button)
-{
-    part<QPushButton>(program, button)->click();
-}
-
-std::uint64_t hashOf(Program& program)
-{
-    return meshHash(program.worker);
-}
 
 QString marks(Program& program)
 {
@@ -103,7 +89,7 @@ private Q_SLOTS:
         for (std::size_t step = 1; step <= 4; ++step) {
             QVERIFY(!marks(program).contains(QStringLiteral("✓ height")) || step > 2);
             showStep(program);
-            QCOMPARE(hashOf(program), teachersHash("creature", step));
+            QCOMPARE(meshHash(program.worker), teachersHash("creature", step));
             QTRY_VERIFY_WITH_TIMEOUT(
                 marks(program).contains(QStringLiteral("✓")) && !marks(program).contains(QStringLiteral("○")), 60'000);
             QCOMPARE(part<QPushButton>(program, "lessonNext")->isEnabled(), step < 4);
@@ -116,21 +102,21 @@ private Q_SLOTS:
     {
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
-        const std::uint64_t start = hashOf(program);
+        const std::uint64_t start = meshHash(program.worker);
         showStep(program);
         QVERIFY(program.document.history().stack().index() > 0);
         press(program, "lessonTry");
         QTRY_COMPARE(program.document.history().stack().index(), 0);
-        QCOMPARE(hashOf(program), start);
+        QCOMPARE(meshHash(program.worker), start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ height: at least 115.0 mm (100.0 mm)")),
                                  60'000);
         QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         drag(program.window.viewport(), {30, 0});
         QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, 60'000);
-        QVERIFY(hashOf(program) != start);
+        QVERIFY(meshHash(program.worker) != start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")), 60'000);
         showStep(program);
-        QCOMPARE(hashOf(program), teachersHash("first-clay", 1));
+        QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
     }
 
     /// The hand goes first: the teacher lets go, and the pupil's stroke is whole.
@@ -171,7 +157,7 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.queue().isSettled(), 60'000);
         }
         showStep(program); // the rest
-        QCOMPARE(hashOf(program), teachersHash("creature", 1));
+        QCOMPARE(meshHash(program.worker), teachersHash("creature", 1));
     }
 
     /// The lesson's own model, to the bit as core has it.
@@ -200,10 +186,10 @@ private Q_SLOTS:
         answerQuestion(program, QMessageBox::Discard);
         QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 0, 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
-        QCOMPARE(hashOf(program), playback.mesh().meshHash());
+        QCOMPARE(meshHash(program.worker), playback.mesh().meshHash());
         playback.finish();
         showStep(program);
-        QCOMPARE(hashOf(program), playback.mesh().meshHash());
+        QCOMPARE(meshHash(program.worker), playback.mesh().meshHash());
     }
 
     void startPage_opensALesson()
@@ -234,7 +220,7 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
         showStep(program);
-        const std::uint64_t before = hashOf(program);
+        const std::uint64_t before = meshHash(program.worker);
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("bad.zip"));
         std::ofstream(path.toStdString(), std::ios::binary) << "PK and no more";
@@ -243,7 +229,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT((box = program.window.findChild<QMessageBox*>()) && box->isVisible(), 60'000);
         QVERIFY(box->text().contains(QStringLiteral("bad.zip")));
         box->close();
-        QCOMPARE(hashOf(program), before);
+        QCOMPARE(meshHash(program.worker), before);
         QVERIFY(part<QLabel>(program, "lessonText")->isVisible());
     }
 };

@@ -1,4 +1,5 @@
 // A teacher's lesson in the real window: recorded by strokes, written, read back and played; opened and changed.
+#include "tests/app/lesson/lesson_window.h"
 #include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
@@ -27,18 +28,6 @@ using namespace app;
 
 namespace
 {
-template <class Widget> Widget* part(Program& program, const char* name)
-{
-    return program.window.findChild<Widget*>(QLatin1StringView(name));
-}
-
-void press(Program& program, const char* button)
-{
-    auto* found = part<QAbstractButton>(program, button);
-    QVERIFY2(found && found->isEnabled(), button);
-    found->click();
-}
-
 bool isRecording(Program& program)
 {
     return part<QLabel>(program, "lessonState")->text().startsWith(QStringLiteral("●"));
@@ -47,11 +36,6 @@ bool isRecording(Program& program)
 bool rests(Program& program)
 {
     return program.document.queue().isSettled() && !program.document.job().isBusy();
-}
-
-std::uint64_t hashOf(Program& program)
-{
-    return meshHash(program.worker);
 }
 
 /// The window with its lesson editor, and nothing recorded.
@@ -190,7 +174,7 @@ private Q_SLOTS:
         saveAndWait(program, plain);
         QVERIFY(QFileInfo(plain).isDir());
         for (const QString& path : {zip, plain}) {
-            QCOMPARE(playedHash(path), hashOf(program));
+            QCOMPARE(playedHash(path), meshHash(program.worker));
             const core::Lesson lesson = core::readLesson(toPath(path));
             QCOMPARE(lesson.steps.size(), std::size_t(2));
             QCOMPARE(lesson.steps[0].strokes.size(), std::size_t(2));
@@ -222,7 +206,7 @@ private Q_SLOTS:
         const QString path = folder.filePath(QStringLiteral("on.zip"));
         saveAndWait(program, path);
         QVERIFY(std::holds_alternative<std::string>(core::readLesson(toPath(path)).start));
-        QCOMPARE(playedHash(path), hashOf(program));
+        QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
     void undone_isOutOfTheLesson()
@@ -246,7 +230,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("one.zip"));
         saveAndWait(program, path);
-        QCOMPARE(playedHash(path), hashOf(program));
+        QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
     /// A wand's strokes are steps of the same document, and so are commands for the whole model.
@@ -270,7 +254,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("wand.zip"));
         saveAndWait(program, path);
-        QCOMPARE(playedHash(path), hashOf(program));
+        QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
     /// What needs a file that the lesson has not is taken back at once.
@@ -279,7 +263,7 @@ private Q_SLOTS:
         Program program;
         show(program);
         record(program, static_cast<int>(core::Starter::Ball));
-        const std::uint64_t start = hashOf(program);
+        const std::uint64_t start = meshHash(program.worker);
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("cube.stl"));
         core::writeMesh(toPath(path), core::starterModel(core::Starter::Cube));
@@ -289,7 +273,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(notice(program).isEmpty(), false, 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.document.history().stack().index() == 0, 60'000);
         QCOMPARE(strokesOf(program), 0);
-        QCOMPARE(hashOf(program), start);
+        QCOMPARE(meshHash(program.worker), start);
         QVERIFY(isRecording(program));
     }
 
@@ -413,7 +397,7 @@ private Q_SLOTS:
         QCOMPARE(lesson.steps[2].text.in("de"), std::string("Anders."));
         QVERIFY(lesson.steps[2].text.in("en") != "Anders.");
         QCOMPARE(lesson.steps[3].text.in("en"), std::string("Noch etwas.")); // no other is there
-        QCOMPARE(playedHash(path), hashOf(program));
+        QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
     void withoutText_orOverAFolder_isToldAndNothingIsWritten()

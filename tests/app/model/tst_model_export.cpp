@@ -366,11 +366,11 @@ void TestModelExport::slicer_thatHangsIsStopped()
     QVERIFY2(outcome.verdict.contains(QStringLiteral("was stopped")), qPrintable(outcome.verdict));
 }
 
-static int testMain(int argc, char* argv[])
+static int modelExportMain(int argc, char* argv[])
 {
     QStandardPaths::setTestModeEnabled(true);
     return test::run<TestModelExport, app::OnScreen>(argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestModelExport, testMain)
+FETTLE_TEST_MAIN(TestModelExport, modelExportMain)
 #include "tst_model_export.moc"

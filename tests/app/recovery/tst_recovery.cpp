@@ -965,7 +965,7 @@ void TestRecovery::lostDisplay_withoutChangesKeepsNothing()
     QVERIFY(fs::is_empty(root));
 }
 
-static int testMain(int argc, char* argv[])
+static int recoveryMain(int argc, char* argv[])
 {
     QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));
     QCoreApplication::setApplicationName(QStringLiteral("tst_recovery"));
@@ -995,5 +995,5 @@ static int testMain(int argc, char* argv[])
     return status;
 }
 
-FETTLE_TEST_MAIN(TestRecovery, testMain)
+FETTLE_TEST_MAIN(TestRecovery, recoveryMain)
 #include "tst_recovery.moc"

@@ -243,7 +243,7 @@ void TestRandomInput::theModelStaysSound()
     QCOMPARE(meshHash(program.worker), before);
 }
 
-static int testMain(int argc, char* argv[])
+static int randomInputMain(int argc, char* argv[])
 {
     const QTemporaryDir home; // where its dialogs write
     qputenv("HOME", home.path().toLocal8Bit());
@@ -255,5 +255,5 @@ static int testMain(int argc, char* argv[])
     return QTest::qExec(&test, argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestRandomInput, testMain)
+FETTLE_TEST_MAIN(TestRandomInput, randomInputMain)
 #include "tst_random_input.moc"

@@ -582,7 +582,7 @@ void TestScreenshots::takeLessonEditor(Program& program)
     take(program.window, QStringLiteral("lesson-editor-recording"));
 }
 
-static int testMain(int argc, char* argv[])
+static int screenshotsMain(int argc, char* argv[])
 {
     ui::prepareGraphics();
     QApplication application(argc, argv);
@@ -592,5 +592,5 @@ static int testMain(int argc, char* argv[])
     return QTest::qExec(&test, argc, argv);
 }
 
-FETTLE_TEST_MAIN(TestScreenshots, testMain)
+FETTLE_TEST_MAIN(TestScreenshots, screenshotsMain)
 #include "tst_screenshots.moc"

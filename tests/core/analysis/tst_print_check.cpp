@@ -23,8 +23,6 @@ using core::TriangleMesh;
 using core::Vec3;
 using core::Vec3f;
 
-Q_DECLARE_METATYPE(core::TriangleMesh)
-
 class TestPrintCheck : public QObject
 {
     Q_OBJECT

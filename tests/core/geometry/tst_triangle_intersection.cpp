@@ -23,9 +23,10 @@ using core::LatticePredicates;
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
-constexpr unsigned seed = 20240812;
+constexpr unsigned pairSeed = 20240812;
 
-template <typename Kernel, typename Predicates> typename Kernel::Triangle_3 judged(const CornerTriangle<Predicates>& t)
+template <typename Kernel, typename Predicates>
+typename Kernel::Triangle_3 judgedTriangle(const CornerTriangle<Predicates>& t)
 {
     const auto point = [](const auto& p) {
         return typename Kernel::Point_3(static_cast<double>(p.x()), static_cast<double>(p.y()),
@@ -40,17 +41,17 @@ template <typename Predicates> bool judgedMeet(const CornerTriangle<Predicates>&
     for (const core::Slot id : s.ids)
         shared += static_cast<int>(std::count(t.ids.begin(), t.ids.end(), id));
     if (shared == 0)
-        return CGAL::do_intersect(judged<Inexact>(s), judged<Inexact>(t));
+        return CGAL::do_intersect(judgedTriangle<Inexact>(s), judgedTriangle<Inexact>(t));
     if (shared == 3)
         return true;
-    const auto common = CGAL::intersection(judged<Exact>(s), judged<Exact>(t));
+    const auto common = CGAL::intersection(judgedTriangle<Exact>(s), judgedTriangle<Exact>(t));
     return shared == 1 ? !boost::get<Exact::Point_3>(&*common) : !boost::get<Exact::Segment_3>(&*common);
 }
 
 template <typename Predicates>
-QByteArray describe(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
+QByteArray describePair(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
 {
-    QByteArray text = "seed " + QByteArray::number(seed) + ":";
+    QByteArray text = "seed " + QByteArray::number(pairSeed) + ":";
     for (const auto* triangle : {&s, &t})
         for (std::size_t i = 0; i < 3; ++i) {
             text += " [" + QByteArray::number(triangle->ids[i]) + "]";
@@ -118,7 +119,7 @@ private:
 
 template <typename Predicates> QByteArray firstDisagreement(const QString& kind, int shared, int count)
 {
-    std::mt19937 engine(seed + static_cast<unsigned>(shared));
+    std::mt19937 engine(pairSeed + static_cast<unsigned>(shared));
     PointSource<Predicates> source(kind, engine);
     int met = 0;
     for (int i = 0; i < count; ++i) {
@@ -126,7 +127,7 @@ template <typename Predicates> QByteArray firstDisagreement(const QString& kind,
         const bool expected = judgedMeet(s, t);
         met += expected;
         if (core::trianglesIntersect(s, t) != expected || core::trianglesIntersect(t, s) != expected)
-            return describe(s, t);
+            return describePair(s, t);
     }
     qInfo("%d of %d pairs meet", met, count);
     return {};
@@ -188,7 +189,7 @@ void TestTriangleIntersection::foldedOver_meetsOnlyWhenFlatOnItself()
 
 void TestTriangleIntersection::doesNotDependOnWinding()
 {
-    std::mt19937 engine(seed);
+    std::mt19937 engine(pairSeed);
     PointSource<LatticePredicates> source("tiny integers", engine);
     for (int i = 0; i < 300'000; ++i) {
         const auto [s, t] = randomPair<LatticePredicates>(engine, i % 3, source);
@@ -202,7 +203,7 @@ void TestTriangleIntersection::speed()
 {
     const auto measure = []<typename Predicates>(const char* name, int shared, Predicates) {
         constexpr int count = 2000, rounds = 200;
-        std::mt19937 engine(seed);
+        std::mt19937 engine(pairSeed);
         std::vector<std::pair<CornerTriangle<Predicates>, CornerTriangle<Predicates>>> pairs;
         PointSource<Predicates> source("whole volume", engine);
         for (int i = 0; i < count; ++i)

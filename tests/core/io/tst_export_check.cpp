@@ -14,7 +14,7 @@ using core::TriangleMesh;
 
 namespace
 {
-TriangleMesh painted()
+TriangleMesh paintedBall()
 {
     TriangleMesh mesh = core::icosphere(3, 1.0 / 3);
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
@@ -52,10 +52,10 @@ void TestExportCheck::whatWasWritten_isThere_data()
 void TestExportCheck::whatWasWritten_isThere()
 {
     QFETCH(QString, name);
-    core::writeMesh(file(name), painted());
-    const core::ExportVerdict verdict = core::checkExport(file(name), painted());
+    core::writeMesh(file(name), paintedBall());
+    const core::ExportVerdict verdict = core::checkExport(file(name), paintedBall());
     QVERIFY(verdict.sameCorners && verdict.sameColors && verdict.holds());
-    QCOMPARE(verdict.report.faces, painted().triangles.size());
+    QCOMPARE(verdict.report.faces, paintedBall().triangles.size());
 }
 
 void TestExportCheck::oneBit_isFound_data()
@@ -66,7 +66,7 @@ void TestExportCheck::oneBit_isFound_data()
     QTest::newRow("a coordinate in STL") << QStringLiteral("a.stl") << 2 + 12 << false;
     QTest::newRow("a corner in PLY") << QStringLiteral("a.ply") << 4 << false;
     QTest::newRow("a colour in GLB") << QStringLiteral("a.glb")
-                                     << static_cast<int>(12 * painted().triangles.size()) + 8 - 1 << true;
+                                     << static_cast<int>(12 * paintedBall().triangles.size()) + 8 - 1 << true;
 }
 
 void TestExportCheck::oneBit_isFound()
@@ -74,7 +74,7 @@ void TestExportCheck::oneBit_isFound()
     QFETCH(QString, name);
     QFETCH(int, fromEnd);
     QFETCH(bool, isColor);
-    core::writeMesh(file(name), painted());
+    core::writeMesh(file(name), paintedBall());
     {
         std::fstream spoilt(file(name), std::ios::binary | std::ios::in | std::ios::out);
         spoilt.seekg(-fromEnd, std::ios::end);
@@ -82,7 +82,7 @@ void TestExportCheck::oneBit_isFound()
         spoilt.seekp(-fromEnd, std::ios::end);
         spoilt.put(byte);
     }
-    const core::ExportVerdict verdict = core::checkExport(file(name), painted());
+    const core::ExportVerdict verdict = core::checkExport(file(name), paintedBall());
     QVERIFY(!verdict.holds());
     QCOMPARE(verdict.sameCorners, isColor);
     QVERIFY(!isColor || !verdict.sameColors); // another corner may have another colour, too
@@ -91,7 +91,7 @@ void TestExportCheck::oneBit_isFound()
 void TestExportCheck::anotherModel_isFound()
 {
     core::writeMesh(file(QStringLiteral("a.ply")), core::icosphere(2, 1.0 / 3));
-    const core::ExportVerdict verdict = core::checkExport(file(QStringLiteral("a.ply")), painted());
+    const core::ExportVerdict verdict = core::checkExport(file(QStringLiteral("a.ply")), paintedBall());
     QVERIFY(!verdict.sameCorners && !verdict.sameColors && !verdict.holds());
 }
 
@@ -105,7 +105,7 @@ void TestExportCheck::unsoundModel_isFound()
 
 void TestExportCheck::missingFile_isAnError()
 {
-    QVERIFY_EXCEPTION_THROWN(core::checkExport(file(QStringLiteral("none.stl")), painted()), core::FileError);
+    QVERIFY_EXCEPTION_THROWN(core::checkExport(file(QStringLiteral("none.stl")), paintedBall()), core::FileError);
 }
 
 FETTLE_TEST(TestExportCheck)

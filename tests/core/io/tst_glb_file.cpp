@@ -68,7 +68,7 @@ DocumentMetadata someNotes()
     return metadata;
 }
 
-std::string bytesOf(const std::filesystem::path& path)
+std::string contentsOf(const std::filesystem::path& path)
 {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream out;
@@ -301,7 +301,7 @@ void TestGlbFile::notes_comeBackUnchanged()
 DocumentMetadata TestGlbFile::notesAfter(const std::function<void(Json&)>& change) const
 {
     core::writeMesh(file("a.glb"), painted(), {.metadata = someNotes()});
-    Glb glb = takenApart(bytesOf(file("a.glb")));
+    Glb glb = takenApart(contentsOf(file("a.glb")));
     change(glb.json["extensions"]["FETTLE_document"]);
     std::ofstream(file("b.glb"), std::ios::binary) << putTogether(glb);
     return core::readMetadata(file("b.glb"));
@@ -418,7 +418,7 @@ void TestGlbFile::structure_keepsTheSpecification()
     QFETCH(TriangleMesh, mesh);
     QFETCH(bool, noted);
     core::writeMesh(file("a.glb"), mesh, {.metadata = noted ? someNotes() : DocumentMetadata()});
-    const std::string bytes = bytesOf(file("a.glb"));
+    const std::string bytes = contentsOf(file("a.glb"));
     const Rules rules(bytes);
     QVERIFY2(rules.broken().empty(), rules.broken().c_str());
     Glb spoilt = takenApart(bytes); // the rules can fail

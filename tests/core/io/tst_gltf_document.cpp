@@ -19,8 +19,6 @@ using core::TriangleMesh;
 using core::Vec3f;
 using Kind = core::FileErrorKind;
 
-constexpr unsigned seed = 20261122;
-
 /// The points of a tetrahedron, and its corners in 16 bits.
 QByteArray binary()
 {
@@ -57,6 +55,8 @@ QByteArray inside()
 class TestGltfDocument : public QObject
 {
     Q_OBJECT
+
+    static constexpr unsigned seed = 20261122;
 
 private Q_SLOTS:
     void initTestCase()

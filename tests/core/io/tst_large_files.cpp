@@ -25,13 +25,13 @@ using core::Triangle;
 using core::TriangleMesh;
 using core::Vec3f;
 
-constexpr unsigned seed = 20261122;
+constexpr unsigned largeModelSeed = 20261122;
 
 /// 180,000 triangles, in no order.
 TriangleMesh largeModel()
 {
-    TriangleMesh mesh = shapes::noisy(shapes::torus({30, 10, 300, 300}), 0.01F, seed);
-    std::mt19937 random(seed);
+    TriangleMesh mesh = shapes::noisy(shapes::torus({30, 10, 300, 300}), 0.01F, largeModelSeed);
+    std::mt19937 random(largeModelSeed);
     std::ranges::shuffle(mesh.triangles, random);
     std::ranges::generate(mesh.colors = std::vector<Rgb>(mesh.points.size()), [&random] {
         return Rgb{static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
@@ -111,7 +111,7 @@ std::vector<std::vector<std::int32_t>> facesOf(const TriangleMesh& mesh)
     return faces;
 }
 
-bool sameBits(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b)
+bool samePoints(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b)
 {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3f)) == 0;
 }
@@ -146,7 +146,7 @@ private Q_SLOTS:
         const TriangleMesh mesh = largeModel();
         core::writeMesh(path(name.toStdString()), mesh);
         const TriangleMesh read = core::readMesh(path(name.toStdString()));
-        QVERIFY(sameBits(read.points, mesh.points));
+        QVERIFY(samePoints(read.points, mesh.points));
         QVERIFY(read.colors == mesh.colors);
         QVERIFY(read.triangles == mesh.triangles);
     }

@@ -695,8 +695,6 @@ void TestMeshIo::polygons_areCutInside()
     }
 }
 
-Q_DECLARE_METATYPE(core::FileErrorKind)
-
 void TestMeshIo::badInput_data()
 {
     QTest::addColumn<QString>("name");

@@ -13,8 +13,6 @@
 #include <sstream>
 
 using namespace core;
-using Kind = StrokeFileError::Kind;
-Q_DECLARE_METATYPE(StrokeFileError::Kind)
 
 namespace
 {
@@ -101,6 +99,8 @@ Stroke randomStroke(std::mt19937_64& random)
 class TestStrokeFile : public QObject
 {
     Q_OBJECT
+
+    using Kind = StrokeFileError::Kind;
 
 private Q_SLOTS:
     void defaults_areTheDesigns();

@@ -26,8 +26,6 @@ using core::Vec3f;
 using Kind = core::FileErrorKind;
 using Parts = std::map<std::string, std::string>;
 
-constexpr unsigned seed = 20261122;
-
 const std::string relationships =
     R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship )"
     R"(Target="/3D/a.model" Id="x" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>)"
@@ -85,6 +83,8 @@ Vec3f largest(const TriangleMesh& mesh)
 class TestThreeMf : public QObject
 {
     Q_OBJECT
+
+    static constexpr unsigned seed = 20261122;
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(m_dir.isValid()); }

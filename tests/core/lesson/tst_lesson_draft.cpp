@@ -14,12 +14,11 @@ using namespace core;
 
 namespace
 {
-const std::filesystem::path shelf = FETTLE_SOURCE_DIR "/resources/lessons";
 const std::string picture = "\x89PNG\r\n\x1a\n and so on";
 
 LessonDraft draftOf(const char* name)
 {
-    return LessonDraft(readLesson(shelf / name));
+    return LessonDraft(readLesson(std::filesystem::path(FETTLE_SOURCE_DIR "/resources/lessons") / name));
 }
 
 /// Written and read again.

@@ -20,7 +20,6 @@
 using namespace core;
 using Json = nlohmann::json;
 using Kind = LessonError::Kind;
-Q_DECLARE_METATYPE(core::LessonError::Kind)
 
 namespace
 {

@@ -22,8 +22,6 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-constexpr std::uint64_t seed = 20240812;
-
 LatticeBox randomBox(StrokeFuzzer& random, const Mesh& mesh)
 {
     const double reach = mesh.lattice().halfVolume() / mesh.lattice().unit() / 6;
@@ -83,6 +81,8 @@ void editSome(StrokeFuzzer& random, Mesh& mesh, FaceOctree& octree)
 class TestFaceOctree : public QObject
 {
     Q_OBJECT
+
+    static constexpr std::uint64_t seed = 20240812;
 
 private Q_SLOTS:
     void query_findsWhatBruteForceFinds_data();

@@ -9,7 +9,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 
 using core::Mesh;
@@ -25,8 +24,6 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-constexpr std::uint64_t seed = 20240812;
-
 Slot randomLive(StrokeFuzzer& random, Slot count, const auto& isLive)
 {
     while (true) {
@@ -89,32 +86,13 @@ MeshDelta randomStroke(StrokeFuzzer& random, Mesh& mesh, int edits)
     }
     return mesh.endStroke();
 }
-
-TriangleMesh shuffled(const TriangleMesh& mesh, StrokeFuzzer& random)
-{
-    std::vector<Slot> order(mesh.points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    for (std::size_t i = order.size(); i > 1; --i)
-        std::swap(order[i - 1], order[random.below(i)]);
-    TriangleMesh result;
-    result.points.resize(order.size());
-    for (std::size_t v = 0; v < order.size(); ++v)
-        result.points[order[v]] = mesh.points[v];
-    for (core::Triangle t : mesh.triangles) {
-        for (Slot& v : t)
-            v = order[v];
-        std::ranges::rotate(t, t.begin() + static_cast<std::ptrdiff_t>(random.below(3)));
-        result.triangles.push_back(t);
-    }
-    for (std::size_t i = result.triangles.size(); i > 1; --i)
-        std::swap(result.triangles[i - 1], result.triangles[random.below(i)]);
-    return result;
-}
 } // namespace
 
 class TestMesh : public QObject
 {
     Q_OBJECT
+
+    static constexpr std::uint64_t seed = 20240812;
 
 private Q_SLOTS:
     void build_linksTheShape_data();
@@ -367,7 +345,7 @@ void TestMesh::meshHash_doesNotDependOnTheOrder()
     const TriangleMesh shape = clay::bowl();
     const std::uint64_t hash = sculptable(shape)->meshHash();
     for (int i = 0; i < 10; ++i)
-        QCOMPARE(sculptable(shuffled(shape, random))->meshHash(), hash);
+        QCOMPARE(sculptable(shapes::shuffled(shape, random))->meshHash(), hash);
     QVERIFY(sculptable(shapes::reversed(shape))->meshHash() != hash);
 }
 

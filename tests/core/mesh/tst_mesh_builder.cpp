@@ -8,7 +8,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <numeric>
 
 using core::buildMesh;
 using core::BuildResult;
@@ -20,31 +19,6 @@ using core::Vec3f;
 
 namespace
 {
-TriangleMesh shuffled(const TriangleMesh& mesh, StrokeFuzzer& random)
-{
-    std::vector<Slot> order(mesh.points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    for (std::size_t i = order.size(); i > 1; --i)
-        std::swap(order[i - 1], order[random.below(i)]);
-    TriangleMesh result;
-    result.points.resize(order.size());
-    result.colors.resize(mesh.colors.size());
-    for (std::size_t v = 0; v < order.size(); ++v) {
-        result.points[order[v]] = mesh.points[v];
-        if (!mesh.colors.empty())
-            result.colors[order[v]] = mesh.colors[v];
-    }
-    for (core::Triangle t : mesh.triangles) {
-        for (Slot& v : t)
-            v = order[v];
-        std::ranges::rotate(t, t.begin() + static_cast<std::ptrdiff_t>(random.below(3)));
-        result.triangles.push_back(t);
-    }
-    for (std::size_t i = result.triangles.size(); i > 1; --i)
-        std::swap(result.triangles[i - 1], result.triangles[random.below(i)]);
-    return result;
-}
-
 TriangleMesh coloured(TriangleMesh mesh)
 {
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -105,14 +79,14 @@ void TestMeshBuilder::fileOrder_doesNotMatter()
     for (const TriangleMesh& shape : {coloured(core::icosphere(3, 50)), clay::bowl(), shapes::nestedSpheres(true)}) {
         const std::uint64_t state = buildMesh(shape).mesh->stateHash();
         for (int i = 0; i < 5; ++i)
-            QCOMPARE(buildMesh(shuffled(shape, random)).mesh->stateHash(), state);
+            QCOMPARE(buildMesh(shapes::shuffled(shape, random)).mesh->stateHash(), state);
     }
 }
 
 void TestMeshBuilder::neighboursInSpace_areNeighboursInMemory()
 {
     StrokeFuzzer random(20240812);
-    const auto mesh = buildMesh(shuffled(core::icosphere(5, 50), random)).mesh;
+    const auto mesh = buildMesh(shapes::shuffled(core::icosphere(5, 50), random)).mesh;
     double sum = 0;
     for (Slot e = 0; e < mesh->slots().edges; ++e)
         sum += std::abs(double(mesh->to(2 * e)) - double(mesh->to(2 * e + 1)));

@@ -20,8 +20,6 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-constexpr std::uint64_t seed = 20240812;
-
 bool isInForm(const std::vector<SlotSpan>& spans, std::size_t values, Slot length)
 {
     std::size_t count = 0;
@@ -82,6 +80,8 @@ struct Run
 class TestMeshPatch : public QObject
 {
     Q_OBJECT
+
+    static constexpr std::uint64_t seed = 20240812;
 
 private Q_SLOTS:
     void patchesOneByOne_giveTheMesh();

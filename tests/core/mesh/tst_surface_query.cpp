@@ -19,8 +19,6 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-constexpr std::uint64_t seed = 20240812;
-
 std::array<Vec3, 3> cornersOf(const Mesh& mesh, Slot f)
 {
     const core::Triangle& t = mesh.corners(f);
@@ -53,6 +51,8 @@ double firstHitByBruteForce(const Mesh& mesh, const Ray& ray, double& margin)
 class TestSurfaceQuery : public QObject
 {
     Q_OBJECT
+
+    static constexpr std::uint64_t seed = 20240812;
 
 private Q_SLOTS:
     void firstHit_agreesWithBruteForce_data();

@@ -28,8 +28,6 @@ using core::TriangleMesh;
 using core::Vec3f;
 using mesh_asserts::sculptable;
 
-Q_DECLARE_METATYPE(core::TriangleMesh)
-
 class TestFlattenBase : public QObject
 {
     Q_OBJECT
@@ -99,8 +97,6 @@ TriangleMesh turned(TriangleMesh mesh, double about, double aside)
     return mesh;
 }
 } // namespace
-
-Q_DECLARE_METATYPE(std::vector<Loop>)
 
 void TestFlattenBase::polygons_areFilled_data()
 {

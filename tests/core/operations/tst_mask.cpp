@@ -6,16 +6,17 @@
 #include "core/operations/decimate.h"
 #include "core/operations/mask_operations.h"
 #include "core/sculpt/sculptor.h"
-#include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 using core::DabReport;
@@ -28,15 +29,13 @@ using core::StrokeSettings;
 using core::Tool;
 using core::Vec3;
 
-Q_DECLARE_METATYPE(core::Tool)
-
 namespace
 {
 using clay::ball;
 using clay::ballRadius;
 using clay::stroke;
-
-constexpr double pi = 3.14159265358979323846;
+using mesh_asserts::isSound;
+using std::numbers::pi;
 using How = MaskOperation::Kind;
 
 StrokeSettings settingsOf(Tool tool, double radius, int falloff = 4)
@@ -123,13 +122,6 @@ std::vector<int> masks(const Mesh& mesh)
     std::vector<int> all;
     forEachVertex(mesh, [&](Slot v) { all.push_back(mesh.mask(v)); });
     return all;
-}
-
-bool isSound(const Sculptor& sculptor)
-{
-    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
-           sculptor.indexIsConsistent();
 }
 
 /// What is farthest from the ball's middle, of those at that angle from the z axis.

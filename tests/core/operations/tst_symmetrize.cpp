@@ -18,10 +18,6 @@ using core::Vec3;
 using core::Vec3f;
 using mesh_asserts::sculptable;
 
-Q_DECLARE_METATYPE(core::Symmetry)
-Q_DECLARE_METATYPE(core::Half)
-Q_DECLARE_METATYPE(core::TriangleMesh)
-
 class TestSymmetrize : public QObject
 {
     Q_OBJECT
@@ -40,7 +36,7 @@ private Q_SLOTS:
 
 namespace
 {
-core::TriangleMesh turned(core::TriangleMesh mesh, double cosine, double sine)
+core::TriangleMesh turnedAboutZ(core::TriangleMesh mesh, double cosine, double sine)
 {
     for (Vec3f& p : mesh.points) {
         const Vec3 q = p.cast<double>();
@@ -79,8 +75,8 @@ void TestSymmetrize::half_andItsImage_data()
         {"noisy sphere", lopsided()},
         {"cube", shapes::cube(1)},
         {"torus", shapes::torus()},
-        {"turned torus", turned(shapes::torus(), 0.8, 0.6)},
-        {"turned cube", turned(shapes::moved(shapes::cube(1), {0.1f, 0.05f, 0.02f}), 0.8, 0.6)},
+        {"turned torus", turnedAboutZ(shapes::torus(), 0.8, 0.6)},
+        {"turned cube", turnedAboutZ(shapes::moved(shapes::cube(1), {0.1f, 0.05f, 0.02f}), 0.8, 0.6)},
         {"slab", clay::slab(2, 0.05, 12)},
         {"bowl", clay::bowl()},
         {"nested shells", shapes::nestedSpheres(true)},

@@ -16,6 +16,8 @@ using namespace core;
 
 namespace
 {
+using mesh_asserts::volumeOf;
+
 /// Sculpted a little, so that it has free slots and colours.
 std::unique_ptr<Mesh> sculpted(const TriangleMesh& shape, std::uint64_t seed)
 {
@@ -41,11 +43,6 @@ bool apply(Mesh& mesh, const ModelCommand& command)
     return change.changes;
 }
 
-double volumeOf(const Mesh& mesh)
-{
-    return checkMesh(extractMesh(mesh)).volume.value();
-}
-
 Box boxOf(const Mesh& mesh)
 {
     Box box;
@@ -64,8 +61,6 @@ bool near(double a, double b, double share)
     return std::abs(a - b) <= share * std::abs(b);
 }
 } // namespace
-
-Q_DECLARE_METATYPE(core::ModelCommand)
 
 /// Move, Rotate, Scale, Mirror, Recentre and Fill, on models with a past.
 class TestTransform : public QObject

@@ -13,6 +13,8 @@ using namespace core;
 
 namespace
 {
+using mesh_asserts::volumeOf;
+
 struct Remeshed
 {
     std::unique_ptr<Mesh> mesh;
@@ -48,11 +50,6 @@ double farthestFrom(const Mesh& other, const Mesh& mesh)
         }
     }
     return farthest;
-}
-
-double volumeOf(const Mesh& mesh)
-{
-    return checkMesh(extractMesh(mesh)).volume.value();
 }
 
 /// Share of the volume that was lost or won.

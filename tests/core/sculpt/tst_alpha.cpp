@@ -1,11 +1,9 @@
 #include "core/geometry/rotation.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/sculptor.h"
-#include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
-#include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
@@ -24,6 +22,7 @@ namespace
 {
 using clay::ball;
 using clay::ballRadius;
+using mesh_asserts::isSound;
 
 /// Bright on the right, black on the left.
 std::shared_ptr<const Alpha> rightHalf()
@@ -38,7 +37,7 @@ std::shared_ptr<const Alpha> upperHalf()
     return std::make_shared<Alpha>(2, 4, std::vector<std::uint8_t>{255, 255, 255, 255, 0, 0, 0, 0}, "upper");
 }
 
-StrokeSettings settingsOf(Tool tool, std::shared_ptr<const Alpha> alpha, double radius = 15)
+StrokeSettings alphaSettings(Tool tool, std::shared_ptr<const Alpha> alpha, double radius = 15)
 {
     StrokeSettings settings;
     settings.tool = tool;
@@ -47,7 +46,7 @@ StrokeSettings settingsOf(Tool tool, std::shared_ptr<const Alpha> alpha, double 
     return settings;
 }
 
-core::MeshDelta stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
+core::MeshDelta alphaStroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
 {
     sculptor.beginStroke(settings);
     for (const Vec3& at : path) {
@@ -68,12 +67,6 @@ Vec3 front(double x, double y)
 double raisedAt(const Sculptor& sculptor, double x, double y)
 {
     return sculptor.hit({{x, y, 200}, -Vec3::UnitZ()})->position.norm() - ballRadius;
-}
-
-bool isSound(const Sculptor& sculptor)
-{
-    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell();
 }
 } // namespace
 
@@ -152,8 +145,8 @@ void TestAlpha::stroke_movesWhereItIsBright()
 {
     for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Inflate, Tool::Clay, Tool::Layer}) {
         const auto right = ball(), up = ball();
-        stroke(*right, settingsOf(tool, rightHalf()), {front(0, 0)});
-        stroke(*up, settingsOf(tool, upperHalf()), {front(0, 0)});
+        alphaStroke(*right, alphaSettings(tool, rightHalf()), {front(0, 0)});
+        alphaStroke(*up, alphaSettings(tool, upperHalf()), {front(0, 0)});
         const double least = 0.15;
         QVERIFY2(std::abs(raisedAt(*right, 6, 0)) > least && std::abs(raisedAt(*right, -6, 0)) < 0.05,
                  core::name(tool).data());
@@ -166,11 +159,11 @@ void TestAlpha::stroke_movesWhereItIsBright()
 void TestAlpha::stroke_paintsWhereItIsBright()
 {
     const auto sculptor = ball();
-    StrokeSettings settings = settingsOf(Tool::Paint, rightHalf());
+    StrokeSettings settings = alphaSettings(Tool::Paint, rightHalf());
     settings.color = {1, 2, 3};
     settings.falloff = 0;
     const core::Rgb clay = sculptor->hit({{-6, 0, 200}, -Vec3::UnitZ()})->color;
-    stroke(*sculptor, settings, {front(0, 0)});
+    alphaStroke(*sculptor, settings, {front(0, 0)});
     QVERIFY(sculptor->hit({{6, 0, 200}, -Vec3::UnitZ()})->color.r < 40);
     QVERIFY(sculptor->hit({{-8, 0, 200}, -Vec3::UnitZ()})->color == clay);
 }
@@ -179,9 +172,9 @@ void TestAlpha::stroke_paintsWhereItIsBright()
 void TestAlpha::stroke_followsItsWay()
 {
     const auto sculptor = ball();
-    StrokeSettings settings = settingsOf(Tool::Pull, upperHalf(), 10);
+    StrokeSettings settings = alphaSettings(Tool::Pull, upperHalf(), 10);
     settings.alphaFollows = true;
-    stroke(*sculptor, settings, {front(-25, 0), front(0, 0)});
+    alphaStroke(*sculptor, settings, {front(-25, 0), front(0, 0)});
     QVERIFY(raisedAt(*sculptor, 3, 0) > 0.1);
     QVERIFY(std::abs(raisedAt(*sculptor, -4, 0)) < 0.05);
 }
@@ -189,7 +182,7 @@ void TestAlpha::stroke_followsItsWay()
 void TestAlpha::stroke_standsUprightOnATurntable()
 {
     const auto sculptor = ball();
-    sculptor->beginStroke(settingsOf(Tool::Pull, upperHalf()));
+    sculptor->beginStroke(alphaSettings(Tool::Pull, upperHalf()));
     core::StrokeSample sample; // the model lies on its right side: its x points up
     sample.rotation = core::rotationBetween(Vec3::UnitX(), Vec3::UnitY());
     sample.position = front(0, 0);
@@ -214,10 +207,10 @@ void TestAlpha::stroke_isSymmetric()
     QFETCH(double, x);
     QFETCH(bool, follows);
     const auto sculptor = ball();
-    StrokeSettings settings = settingsOf(Tool::Pull, core::builtInAlpha("cracks"), 12);
+    StrokeSettings settings = alphaSettings(Tool::Pull, core::builtInAlpha("cracks"), 12);
     settings.symmetry = core::Symmetry::X;
     settings.alphaFollows = follows;
-    stroke(*sculptor, settings, {front(x, 0), front(x + 3, 4), front(x + 5, 9)});
+    alphaStroke(*sculptor, settings, {front(x, 0), front(x + 3, 4), front(x + 5, 9)});
     VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
     QVERIFY(isSound(*sculptor));
 }
@@ -225,10 +218,10 @@ void TestAlpha::stroke_isSymmetric()
 void TestAlpha::painted_isSymmetric()
 {
     const auto sculptor = ball();
-    StrokeSettings settings = settingsOf(Tool::Paint, core::builtInAlpha("noise"), 12);
+    StrokeSettings settings = alphaSettings(Tool::Paint, core::builtInAlpha("noise"), 12);
     settings.symmetry = core::Symmetry::X;
     settings.color = {1, 2, 3};
-    stroke(*sculptor, settings, {front(3, 0), front(20, 4)});
+    alphaStroke(*sculptor, settings, {front(3, 0), front(20, 4)});
     VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
 }
 
@@ -237,9 +230,9 @@ void TestAlpha::mirrored_isSeenInAMirror()
 {
     for (const double side : {1.0, -1.0}) {
         const auto sculptor = ball();
-        StrokeSettings settings = settingsOf(Tool::Pull, rightHalf(), 12);
+        StrokeSettings settings = alphaSettings(Tool::Pull, rightHalf(), 12);
         settings.symmetry = core::Symmetry::X;
-        stroke(*sculptor, settings, {front(25 * side, 0)});
+        alphaStroke(*sculptor, settings, {front(25 * side, 0)});
         const double x = 50 * 25 / std::sqrt(25.0 * 25 + 50 * 50) * side;
         QVERIFY(raisedAt(*sculptor, x + 4, 0) > 0.1);
         QVERIFY(std::abs(raisedAt(*sculptor, x - 4, 0)) < 0.05);
@@ -252,21 +245,21 @@ void TestAlpha::mirrored_isSeenInAMirror()
 void TestAlpha::grab_hasNone()
 {
     const auto with = ball(), without = ball();
-    stroke(*with, settingsOf(Tool::Grab, rightHalf()), {front(0, 0), {0, 0, 60}});
-    stroke(*without, settingsOf(Tool::Grab, nullptr), {front(0, 0), {0, 0, 60}});
+    alphaStroke(*with, alphaSettings(Tool::Grab, rightHalf()), {front(0, 0), {0, 0, 60}});
+    alphaStroke(*without, alphaSettings(Tool::Grab, nullptr), {front(0, 0), {0, 0, 60}});
     QCOMPARE(with->mesh().stateHash(), without->mesh().stateHash());
 }
 
 void TestAlpha::undone()
 {
     const auto used = ball(), fresh = ball();
-    const StrokeSettings settings = settingsOf(Tool::Pull, core::builtInAlpha("scales"));
-    core::MeshDelta delta = stroke(*used, settings, {front(0, 0), front(12, 0)});
+    const StrokeSettings settings = alphaSettings(Tool::Pull, core::builtInAlpha("scales"));
+    core::MeshDelta delta = alphaStroke(*used, settings, {front(0, 0), front(12, 0)});
     QVERIFY(used->mesh().stateHash() != fresh->mesh().stateHash());
     used->swap(delta);
     QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
     for (Sculptor* sculptor : {used.get(), fresh.get()})
-        stroke(*sculptor, settings, {front(5, 5)});
+        alphaStroke(*sculptor, settings, {front(5, 5)});
     QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
 }
 

@@ -3,10 +3,10 @@
 #include "core/operations/starter_models.h"
 #include "core/sculpt/deform/brush_model.h"
 #include "core/sculpt/sculptor.h"
-#include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
@@ -28,8 +28,9 @@ namespace
 {
 using clay::ball;
 using clay::ballRadius;
+using mesh_asserts::isSound;
 
-constexpr double radius = 12;
+constexpr double stampRadius = 12;
 using Model = std::shared_ptr<const BrushModel>;
 
 Model modelOf(const TriangleMesh& mesh)
@@ -62,7 +63,7 @@ StrokeSettings stampOf(Model model, bool raises = false)
 {
     StrokeSettings settings;
     settings.tool = Tool::Stamp;
-    settings.radius = radius;
+    settings.radius = stampRadius;
     settings.model = std::move(model);
     settings.inverted = raises;
     return settings;
@@ -84,13 +85,6 @@ std::vector<DabReport> dab(Sculptor& sculptor, const StrokeSettings& settings, c
 double heightAt(const Sculptor& sculptor, double x, double y)
 {
     return sculptor.hit({{x, y, 200}, -Vec3::UnitZ()})->position.z();
-}
-
-bool isSound(const Sculptor& sculptor)
-{
-    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
-           sculptor.indexIsConsistent();
 }
 
 std::vector<std::pair<const char*, Model>> models()
@@ -243,7 +237,7 @@ void TestBrushModel::cube_leavesAFlatFloor()
     const auto sculptor = ball();
     const auto reports = dab(*sculptor, stampOf(modelOf(core::starterModel(Starter::Cube))), {0, 0, ballRadius});
     QVERIFY(reports[0].outcome == DabOutcome::Committed || reports[0].outcome == DabOutcome::Fallback);
-    const double half = radius / std::sqrt(3.0), floor = ballRadius - half;
+    const double half = stampRadius / std::sqrt(3.0), floor = ballRadius - half;
     for (const double x : {-0.8, -0.4, 0.0, 0.4, 0.8}) {
         for (const double y : {-0.8, 0.0, 0.8}) {
             const double z = heightAt(*sculptor, x * half, y * half);
@@ -261,7 +255,7 @@ void TestBrushModel::cube_raisesAFlatTop()
 {
     const auto sculptor = ball();
     dab(*sculptor, stampOf(modelOf(core::starterModel(Starter::Cube)), true), {0, 0, ballRadius});
-    const double half = radius / std::sqrt(3.0);
+    const double half = stampRadius / std::sqrt(3.0);
     for (const double x : {-0.8, 0.0, 0.8})
         QVERIFY2(std::abs(heightAt(*sculptor, x * half, 0.8 * half) - ballRadius - half) < 0.06,
                  qPrintable(QString::number(heightAt(*sculptor, x * half, 0.8 * half))));
@@ -274,7 +268,7 @@ void TestBrushModel::letter_isReadable()
 {
     const auto sculptor = ball();
     dab(*sculptor, stampOf(modelOf(letterL()), true), {0, 0, ballRadius});
-    const double scale = radius / std::sqrt(4 + 9 + 2.25), top = ballRadius + 1.5 * scale;
+    const double scale = stampRadius / std::sqrt(4 + 9 + 2.25), top = ballRadius + 1.5 * scale;
     QVERIFY(std::abs(heightAt(*sculptor, -1.2 * scale, 2 * scale) - top) < 0.1);
     QVERIFY(std::abs(heightAt(*sculptor, 1.4 * scale, -2.2 * scale) - top) < 0.1);
     QVERIFY(heightAt(*sculptor, 1 * scale, 1.5 * scale) < ballRadius + 0.1);
@@ -285,7 +279,7 @@ void TestBrushModel::letter_turnsWithTheHand()
 {
     const auto sculptor = ball();
     dab(*sculptor, stampOf(modelOf(letterL()), true), {0, 0, ballRadius}, Vec3(1, 0, 0.6));
-    const double scale = radius / std::sqrt(4 + 9 + 2.25), top = ballRadius + 1.5 * scale;
+    const double scale = stampRadius / std::sqrt(4 + 9 + 2.25), top = ballRadius + 1.5 * scale;
     QVERIFY(std::abs(heightAt(*sculptor, 2 * scale, 1.2 * scale) - top) < 0.1);
     QVERIFY(std::abs(heightAt(*sculptor, -2.2 * scale, -1.4 * scale) - top) < 0.1);
     QVERIFY(heightAt(*sculptor, 1.5 * scale, -1 * scale) < ballRadius + 0.1);
@@ -308,7 +302,7 @@ void TestBrushModel::strength_isItsShare()
     StrokeSettings settings = stampOf(nullptr);
     settings.strength = 0.25;
     dab(*sculptor, settings, {0, 0, ballRadius});
-    QVERIFY(std::abs(heightAt(*sculptor, 0, 0) - (ballRadius - 0.25 * radius)) < 0.1);
+    QVERIFY(std::abs(heightAt(*sculptor, 0, 0) - (ballRadius - 0.25 * stampRadius)) < 0.1);
 }
 
 void TestBrushModel::pressed_isSound_data()
@@ -437,7 +431,7 @@ void TestBrushModel::added()
                 box.extend(p);
         }
         for (const Vec3f& p : model->surface().points)
-            expected.extend(center + radius * p.cast<double>());
+            expected.extend(center + stampRadius * p.cast<double>());
         QVERIFY((box.min() - expected.min()).norm() < 1e-3 && (box.max() - expected.max()).norm() < 1e-3);
     }
 }
@@ -452,7 +446,7 @@ void TestBrushModel::added_asItIsHeld()
     const Vec3 center(100, 20, -10);
     QCOMPARE(dab(*sculptor, settings, center, Vec3(2, 0, 0))[0].outcome, DabOutcome::Added);
     for (const Vec3f& p : model->surface().points) {
-        const Vec3 at = center + radius * Vec3(p.y(), -p.x(), p.z());
+        const Vec3 at = center + stampRadius * Vec3(p.y(), -p.x(), p.z());
         QVERIFY((sculptor->nearest(at, 1)->position - at).norm() < 1e-3);
     }
 }
@@ -467,7 +461,7 @@ void TestBrushModel::added_isMirrored()
         QCOMPARE(dab(*sculptor, settings, {100 * side, 0, 0})[0].outcome, DabOutcome::Added);
         VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
         QVERIFY(isSound(*sculptor));
-        const double scale = radius / std::sqrt(4 + 9 + 2.25); // on the hand's side the L is an L, seen from above
+        const double scale = stampRadius / std::sqrt(4 + 9 + 2.25); // on the hand's side the L is an L, seen from above
         QVERIFY(sculptor->hit({{100 * side + 1.4 * scale, 200, 2.2 * scale}, -Vec3::UnitY()}));
         QVERIFY(!sculptor->hit({{100 * side + 1.4 * scale, 200, -2.2 * scale}, -Vec3::UnitY()}));
     }

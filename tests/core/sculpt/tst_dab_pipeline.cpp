@@ -1,13 +1,15 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
-#include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
 
+using clay::dabOnce;
+using clay::unitBall;
 using core::DabOutcome;
 using core::DabReport;
 using core::Mesh;
@@ -16,39 +18,16 @@ using core::Slot;
 using core::StrokeSettings;
 using core::Tool;
 using core::Vec3;
+using mesh_asserts::isSound;
 
 namespace
 {
-std::unique_ptr<Sculptor> sphere()
-{
-    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(4, 1)));
-}
-
-DabReport dabOnce(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& position,
-                  const Vec3& direction = -Vec3::UnitZ())
-{
-    core::StrokeSample sample;
-    sample.position = position;
-    sample.direction = direction;
-    sculptor.beginStroke(settings);
-    const DabReport report = sculptor.addSample(sample).at(0);
-    sculptor.endStroke();
-    return report;
-}
-
 StrokeSettings settingsFor(Tool tool, double radius = 0.3)
 {
     StrokeSettings settings;
     settings.tool = tool;
     settings.radius = radius;
     return settings;
-}
-
-bool isSound(const Sculptor& sculptor)
-{
-    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
-           sculptor.indexIsConsistent();
 }
 
 template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
@@ -81,7 +60,7 @@ private Q_SLOTS:
 
 void TestDabPipeline::flatten_leavesAPlatform()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     StrokeSettings settings = settingsFor(Tool::Flatten);
     settings.falloff = 0;
     for (int i = 0; i < 8; ++i)
@@ -99,7 +78,7 @@ void TestDabPipeline::flatten_leavesAPlatform()
 
 void TestDabPipeline::paint_coloursTheRegionAndMovesNothing()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     const core::TriangleMesh before = core::extractMesh(sculptor->mesh());
     StrokeSettings settings = settingsFor(Tool::Paint);
     settings.color = {255, 0, 0};
@@ -118,7 +97,7 @@ void TestDabPipeline::paint_coloursTheRegionAndMovesNothing()
 
 void TestDabPipeline::paint_withoutFalloff_setsTheFullColour()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     StrokeSettings settings = settingsFor(Tool::Paint);
     settings.color = {10, 20, 30};
     settings.falloff = 0;
@@ -131,7 +110,7 @@ void TestDabPipeline::paint_withoutFalloff_setsTheFullColour()
 
 void TestDabPipeline::colours_areCarriedThroughRemeshing()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     StrokeSettings settings = settingsFor(Tool::Paint, 0.5);
     settings.color = {10, 20, 30};
     settings.falloff = 0;
@@ -186,7 +165,7 @@ void TestDabPipeline::rayBrush_refinesACoarseFace()
 
 void TestDabPipeline::uniformTopology_keepsItsLength()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     const double before = static_cast<double>(sculptor->mesh().live().vertices);
     StrokeSettings settings = settingsFor(Tool::Smooth, 0.1); // adaptive, this radius would refine; 0.8 would coarsen
     settings.topology = core::Topology::Uniform;
@@ -212,7 +191,7 @@ void TestDabPipeline::uniformTopology_keepsItsLength()
 
 void TestDabPipeline::addedSphere_isPartOfTheModel()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     const std::uint64_t start = sculptor->mesh().stateHash();
     StrokeSettings settings = settingsFor(Tool::Pull);
     settings.add = true;
@@ -238,7 +217,7 @@ void TestDabPipeline::addedSphere_isPartOfTheModel()
 
 void TestDabPipeline::addedSphere_insideIsRefused()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     const std::uint64_t start = sculptor->mesh().stateHash();
     StrokeSettings settings = settingsFor(Tool::Pull);
     settings.add = true;
@@ -249,7 +228,7 @@ void TestDabPipeline::addedSphere_insideIsRefused()
 
 void TestDabPipeline::addedSphere_tooCloseIsRefused()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     StrokeSettings settings = settingsFor(Tool::Pull);
     settings.add = true;
     const DabReport report = dabOnce(*sculptor, settings, {0, 0, 1.32});
@@ -259,7 +238,7 @@ void TestDabPipeline::addedSphere_tooCloseIsRefused()
 
 void TestDabPipeline::addedSphere_beyondTheWallIsRefused()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     StrokeSettings settings = settingsFor(Tool::Pull);
     settings.add = true;
     const double wall = sculptor->mesh().lattice().halfVolume();

@@ -36,7 +36,7 @@ struct Planned
     }
 };
 
-core::Dab dab(double strength = 1)
+core::Dab poleDab(double strength = 1)
 {
     core::Dab d;
     d.position = {0, 0, 1};
@@ -98,18 +98,20 @@ void TestDeform::normal_pointsOutwards()
 
 void TestDeform::pull_goesAlongTheNormalByTheFalloff()
 {
-    const Planned pull(core::icosphere(4, 1), Tool::Pull, dab(3));
+    const Planned pull(core::icosphere(4, 1), Tool::Pull, poleDab(3));
     QVERIFY(pull.region.size() > 50);
     pull.region.forEach([&](Slot v) {
-        const double x = (position(*pull.mesh, v) - dab().position).norm() / dab().radius;
-        const Vec3 expected = 0.1 * dab().radius * 3 * core::falloff(x, 4) * vertexNormal(*pull.mesh, v).normalized();
+        const double x = (position(*pull.mesh, v) - poleDab().position).norm() / poleDab().radius;
+        const Vec3 expected =
+            0.1 * poleDab().radius * 3 * core::falloff(x, 4) * vertexNormal(*pull.mesh, v).normalized();
         QVERIFY((pull.region.plan(v) - expected).norm() < 1e-15);
     });
 }
 
 void TestDeform::push_isTheOppositeOfPull()
 {
-    const Planned pull(core::icosphere(4, 1), Tool::Pull, dab()), push(core::icosphere(4, 1), Tool::Push, dab());
+    const Planned pull(core::icosphere(4, 1), Tool::Pull, poleDab()),
+        push(core::icosphere(4, 1), Tool::Push, poleDab());
     QCOMPARE(pull.region.size(), push.region.size());
     pull.region.forEach([&](Slot v) { QVERIFY(push.region.plan(v) == -pull.region.plan(v)); });
     QCOMPARE(pull.longest, push.longest);
@@ -117,7 +119,8 @@ void TestDeform::push_isTheOppositeOfPull()
 
 void TestDeform::pushAfterPull_movesOppositelyWithinALatticeUnit()
 {
-    const Planned pull(core::icosphere(4, 1), Tool::Pull, dab()), push(core::icosphere(4, 1), Tool::Push, dab());
+    const Planned pull(core::icosphere(4, 1), Tool::Pull, poleDab()),
+        push(core::icosphere(4, 1), Tool::Push, poleDab());
     const core::Lattice& lattice = pull.mesh->lattice();
     pull.region.forEach([&](Slot v) {
         const Vec3 p = position(*pull.mesh, v);
@@ -129,16 +132,16 @@ void TestDeform::pushAfterPull_movesOppositelyWithinALatticeUnit()
 
 void TestDeform::falloffZero_movesAllAlike()
 {
-    const Planned pull(core::icosphere(4, 1), Tool::Pull, dab(), 0);
+    const Planned pull(core::icosphere(4, 1), Tool::Pull, poleDab(), 0);
     pull.region.forEach([&](Slot v) { QVERIFY(std::abs(pull.region.plan(v).norm() - 0.04) < 1e-12); });
 }
 
 void TestDeform::smooth_goesTowardsTheNeighboursMean()
 {
-    const Planned smooth(shapes::noisy(core::icosphere(4, 1), 0.01f, 7), Tool::Smooth, dab(0.5));
+    const Planned smooth(shapes::noisy(core::icosphere(4, 1), 0.01f, 7), Tool::Smooth, poleDab(0.5));
     smooth.region.forEach([&](Slot v) {
         const Vec3 p = position(*smooth.mesh, v);
-        const double x = (p - dab().position).norm() / dab().radius;
+        const double x = (p - poleDab().position).norm() / poleDab().radius;
         const Vec3 expected = 0.5 * core::falloff(x, 4) * (meanOfNeighbours(*smooth.mesh, v) - p);
         QVERIFY((smooth.region.plan(v) - expected).norm() < 1e-12);
     });
@@ -147,14 +150,14 @@ void TestDeform::smooth_goesTowardsTheNeighboursMean()
 void TestDeform::smooth_saturatesAtStrengthOne()
 {
     const core::TriangleMesh rough = shapes::noisy(core::icosphere(4, 1), 0.01f, 7);
-    const Planned full(rough, Tool::Smooth, dab(1)), more(rough, Tool::Smooth, dab(10));
+    const Planned full(rough, Tool::Smooth, poleDab(1)), more(rough, Tool::Smooth, poleDab(10));
     full.region.forEach([&](Slot v) { QVERIFY(full.region.plan(v) == more.region.plan(v)); });
 }
 
 void TestDeform::longest_isTheLongestPlan()
 {
     for (Tool tool : {Tool::Pull, Tool::Push, Tool::Smooth}) {
-        const Planned planned(shapes::noisy(core::icosphere(4, 1), 0.01f, 7), tool, dab(2));
+        const Planned planned(shapes::noisy(core::icosphere(4, 1), 0.01f, 7), tool, poleDab(2));
         double longest = 0;
         planned.region.forEach([&](Slot v) { longest = std::max(longest, planned.region.plan(v).norm()); });
         QVERIFY(longest > 0 && std::abs(planned.longest - longest) < 1e-12);

@@ -18,6 +18,8 @@
 
 #include <iostream>
 
+using clay::dabOnce;
+using clay::unitBall;
 using core::Dab;
 using core::DabOutcome;
 using core::DabReport;
@@ -31,9 +33,6 @@ using core::Tool;
 using core::Vec3;
 using mesh_asserts::sculptable;
 using mirror_asserts::asymmetry;
-
-Q_DECLARE_METATYPE(core::Symmetry)
-Q_DECLARE_METATYPE(core::TriangleMesh)
 
 namespace
 {
@@ -208,28 +207,13 @@ void TestMirrorMap::randomStrokes_keepTheSymmetry()
 
 namespace
 {
-std::unique_ptr<Sculptor> sphere()
-{
-    return std::make_unique<Sculptor>(sculptable(core::icosphere(4, 1)));
-}
-
-StrokeSettings settingsFor(Tool tool, double radius = 0.3)
+StrokeSettings mirroredSettings(Tool tool, double radius = 0.3)
 {
     StrokeSettings settings;
     settings.tool = tool;
     settings.radius = radius;
     settings.symmetry = Symmetry::X;
     return settings;
-}
-
-DabReport dabOnce(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& position)
-{
-    sculptor.beginStroke(settings);
-    core::StrokeSample sample;
-    sample.position = position;
-    const std::vector<DabReport> reports = sculptor.addSample(sample);
-    sculptor.endStroke();
-    return reports.at(0);
 }
 
 /// The farthest vertex from the origin within a quarter of the direction.
@@ -250,18 +234,18 @@ const Vec3 aside = Vec3(0.7, 0.4, 0.6).normalized(), image(-aside.x(), aside.y()
 void TestMirrorMap::eitherSide_givesTheSameBits()
 {
     for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
-        const auto left = sphere(), right = sphere();
+        const auto left = unitBall(), right = unitBall();
         const Vec3 near(0.1, 0.6, 0.8); // the ball reaches across the plane
-        dabOnce(*right, settingsFor(tool), near);
-        dabOnce(*left, settingsFor(tool), {-near.x(), near.y(), near.z()});
+        dabOnce(*right, mirroredSettings(tool), near);
+        dabOnce(*left, mirroredSettings(tool), {-near.x(), near.y(), near.z()});
         QCOMPARE(left->mesh().stateHash(), right->mesh().stateHash());
     }
 }
 
 void TestMirrorMap::dabAcrossThePlane_movesNothingOffIt()
 {
-    const auto sculptor = sphere();
-    const DabReport report = dabOnce(*sculptor, settingsFor(Tool::Pull), {0.1, 0, 1});
+    const auto sculptor = unitBall();
+    const DabReport report = dabOnce(*sculptor, mirroredSettings(Tool::Pull), {0.1, 0, 1});
     QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Committed));
     QVERIFY(!report.asymmetric);
     QVERIFY(report.asked > 0.01 && report.asked < 0.031); // two dabs that overlap are no more than one
@@ -276,8 +260,8 @@ void TestMirrorMap::dabAcrossThePlane_movesNothingOffIt()
 
 void TestMirrorMap::dabAwayFromThePlane_isTwoDabs()
 {
-    const auto sculptor = sphere(), plain = sphere();
-    StrokeSettings settings = settingsFor(Tool::Pull);
+    const auto sculptor = unitBall(), plain = unitBall();
+    StrokeSettings settings = mirroredSettings(Tool::Pull);
     const DabReport both = dabOnce(*sculptor, settings, aside);
     settings.symmetry = Symmetry::None;
     const DabReport one = dabOnce(*plain, settings, aside);
@@ -301,7 +285,8 @@ void TestMirrorMap::edgeAcrossThePlane_isPartedOnIt()
     };
     QCOMPARE(across(), 2u);
     const Slot v = sculptor.mesh().isVertex(0) ? 0 : 1;
-    const DabReport report = dabOnce(sculptor, settingsFor(Tool::Smooth, 3), sculptor.mesh().point(v).cast<double>());
+    const DabReport report =
+        dabOnce(sculptor, mirroredSettings(Tool::Smooth, 3), sculptor.mesh().point(v).cast<double>());
     QVERIFY(!report.asymmetric && report.outcome != DabOutcome::Empty);
     QCOMPARE(across(), 0u);
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::X);
@@ -310,8 +295,8 @@ void TestMirrorMap::edgeAcrossThePlane_isPartedOnIt()
 
 void TestMirrorMap::paint_coloursBothSides()
 {
-    const auto sculptor = sphere();
-    StrokeSettings settings = settingsFor(Tool::Paint);
+    const auto sculptor = unitBall();
+    StrokeSettings settings = mirroredSettings(Tool::Paint);
     settings.color = {255, 0, 0};
     const std::uint64_t before = sculptor->mesh().live().vertices;
     const DabReport report = dabOnce(*sculptor, settings, {0.2, 0, 1});
@@ -331,7 +316,7 @@ void TestMirrorMap::asymmetricModel_getsBothDabs()
     Sculptor sculptor(sculptable(shapes::noisy(core::icosphere(4, 1), 0.004f, 3)));
     QVERIFY(!asymmetry(sculptor.mesh(), Symmetry::X).empty());
     const double right = reachIn(sculptor.mesh(), aside), left = reachIn(sculptor.mesh(), image);
-    const DabReport report = dabOnce(sculptor, settingsFor(Tool::Pull), aside);
+    const DabReport report = dabOnce(sculptor, mirroredSettings(Tool::Pull), aside);
     QVERIFY(report.asymmetric);
     QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Committed));
     QVERIFY(reachIn(sculptor.mesh(), aside) > right + 0.02 && reachIn(sculptor.mesh(), image) > left + 0.02);
@@ -342,7 +327,7 @@ void TestMirrorMap::asymmetricModel_onThePlane_getsOneDab()
 {
     Sculptor mirrored(sculptable(shapes::noisy(core::icosphere(4, 1), 0.004f, 3)));
     Sculptor plain(sculptable(shapes::noisy(core::icosphere(4, 1), 0.004f, 3)));
-    StrokeSettings settings = settingsFor(Tool::Pull);
+    StrokeSettings settings = mirroredSettings(Tool::Pull);
     dabOnce(mirrored, settings, {0, 0.6, 0.8});
     settings.symmetry = Symmetry::None;
     dabOnce(plain, settings, {0, 0.6, 0.8});
@@ -351,8 +336,8 @@ void TestMirrorMap::asymmetricModel_onThePlane_getsOneDab()
 
 void TestMirrorMap::addedSphere_comesWithItsImage()
 {
-    const auto sculptor = sphere();
-    StrokeSettings settings = settingsFor(Tool::Pull);
+    const auto sculptor = unitBall();
+    StrokeSettings settings = mirroredSettings(Tool::Pull);
     settings.add = true;
     const DabReport report = dabOnce(*sculptor, settings, 1.7 * image);
     QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Added));
@@ -365,8 +350,8 @@ void TestMirrorMap::addedSphere_comesWithItsImage()
 
 void TestMirrorMap::addedSphere_onThePlane_isItsOwnImage()
 {
-    const auto sculptor = sphere();
-    StrokeSettings settings = settingsFor(Tool::Pull);
+    const auto sculptor = unitBall();
+    StrokeSettings settings = mirroredSettings(Tool::Pull);
     settings.add = true;
     QCOMPARE(core::name(dabOnce(*sculptor, settings, {0, 0.3, 1.9}).outcome), core::name(DabOutcome::Added));
     QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 4);
@@ -375,9 +360,9 @@ void TestMirrorMap::addedSphere_onThePlane_isItsOwnImage()
 
 void TestMirrorMap::addedSphere_touchingItsImageIsRefused()
 {
-    const auto sculptor = sphere();
+    const auto sculptor = unitBall();
     const std::uint64_t before = sculptor->mesh().stateHash();
-    StrokeSettings settings = settingsFor(Tool::Pull);
+    StrokeSettings settings = mirroredSettings(Tool::Pull);
     settings.add = true;
     const DabReport report = dabOnce(*sculptor, settings, {0.31, 0.3, 1.9});
     QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::TooClose);
@@ -400,7 +385,7 @@ std::int64_t sculptUntilChanged(Sculptor& sculptor, const StrokeSettings& settin
 void TestMirrorMap::fingers_joinAcrossThePlane()
 {
     Sculptor sculptor(sculptable(clay::twoFingers(0.1))); // side by side in x
-    StrokeSettings settings = settingsFor(Tool::Pull, 0.15);
+    StrokeSettings settings = mirroredSettings(Tool::Pull, 0.15);
     settings.place = core::Placement::Nearest;
     QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.05, 0, 0}}, 40), 2); // two balls are one
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::X);
@@ -411,7 +396,7 @@ void TestMirrorMap::fingers_joinAcrossThePlane()
 void TestMirrorMap::fingers_joinAlongThePlane()
 {
     Sculptor sculptor(sculptable(clay::twoFingers(0.1)));
-    StrokeSettings settings = settingsFor(Tool::Pull, 0.15);
+    StrokeSettings settings = mirroredSettings(Tool::Pull, 0.15);
     settings.symmetry = Symmetry::Z; // through both
     settings.place = core::Placement::Nearest;
     QCOMPARE(sculptUntilChanged(sculptor, settings, {{-0.05, 0, 0}, {0.05, 0, 0}}, 40), 2);
@@ -422,7 +407,7 @@ void TestMirrorMap::fingers_joinAlongThePlane()
 void TestMirrorMap::wall_isPiercedAtThePlane()
 {
     Sculptor sculptor(sculptable(symmetrized(clay::slab(1, 0.1, 16), Symmetry::Y))); // lies in the plane
-    StrokeSettings settings = settingsFor(Tool::Push, 0.2);
+    StrokeSettings settings = mirroredSettings(Tool::Push, 0.2);
     settings.symmetry = Symmetry::Y;
     settings.place = core::Placement::Nearest;
     QCOMPARE(sculptUntilChanged(sculptor, settings, {{0, 0.05, 0}}, 60), 0); // a ring
@@ -435,7 +420,7 @@ void TestMirrorMap::neck_partsAtThePlane()
     const std::vector<Vec3> profile = {{0, -1, 0},     {0.5, -0.9, 0}, {0.6, -0.6, 0}, {0.25, -0.2, 0}, {0.12, 0, 0},
                                        {0.25, 0.2, 0}, {0.6, 0.6, 0},  {0.5, 0.9, 0},  {0, 1, 0}};
     Sculptor sculptor(sculptable(symmetrized(clay::revolved(profile, 24), Symmetry::Y))); // an hourglass
-    StrokeSettings settings = settingsFor(Tool::Push, 0.25);
+    StrokeSettings settings = mirroredSettings(Tool::Push, 0.25);
     settings.symmetry = Symmetry::Y;
     QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.12, 0, 0}, {-0.06, 0, 0.1}, {-0.06, 0, -0.1}}, 60),
              4); // two parts

@@ -21,6 +21,7 @@ using core::Tool;
 using core::TriangleMesh;
 using core::Vec3;
 using mesh_asserts::sculptable;
+using mesh_asserts::volumeOf;
 
 namespace
 {
@@ -47,17 +48,6 @@ std::vector<Vec3> pointsWhere(const Mesh& mesh, const std::function<bool(const V
     }
     std::ranges::sort(points, [](const Vec3& a, const Vec3& b) { return std::ranges::lexicographical_compare(a, b); });
     return points;
-}
-
-double volume(const Mesh& mesh)
-{
-    const TriangleMesh surface = mesh_asserts::surfaceOf(mesh);
-    double sum = 0;
-    for (const core::Triangle& t : surface.triangles) {
-        const auto point = [&](std::size_t i) -> Vec3 { return surface.points[t[i]].cast<double>(); };
-        sum += point(0).dot(point(1).cross(point(2))) / 6;
-    }
-    return sum;
 }
 
 /// Handles, summed over the components: V - E + F = 2 a component, less 2 a handle.
@@ -240,9 +230,9 @@ void TestPaperFigures::figure11_fourToolsOnOnePart()
     const auto measure = [&](const Mesh& mesh) {
         switch (tool) {
         case Tool::Pull:
-            return -volume(mesh);
+            return -volumeOf(mesh);
         case Tool::Push:
-            return volume(mesh);
+            return volumeOf(mesh);
         case Tool::Flatten:
             return relief(mesh, inner);
         default:

@@ -1,18 +1,19 @@
 // Sculpting in several sectors about y: bit for bit alike by half and quarter turns, as alike as the lattice allows by
 // others; every result is judged.
-#include "core/mesh/mesh_builder.h"
 #include "core/sculpt/deform/deform.h"
 #include "core/sculpt/sculptor.h"
 #include "core/stroke/radial_symmetry.h"
-#include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
 
 #include <cmath>
+#include <numbers>
 
 using core::DabOutcome;
 using core::DabReport;
@@ -24,13 +25,12 @@ using core::Symmetry;
 using core::Tool;
 using core::Turn;
 using core::Vec3;
-
-Q_DECLARE_METATYPE(core::Tool)
-Q_DECLARE_METATYPE(core::Symmetry)
+using mesh_asserts::isSound;
 
 namespace
 {
-constexpr double ballRadius = 50, pi = 3.14159265358979323846;
+using clay::ballRadius;
+using std::numbers::pi;
 
 /// A ball from an octahedron: its own image by quarter turns about y. 100 mm across.
 core::TriangleMesh octasphere(int subdivisions)
@@ -64,12 +64,12 @@ core::TriangleMesh octasphere(int subdivisions)
     return mesh;
 }
 
-std::unique_ptr<Sculptor> ball(int subdivisions = 5)
+std::unique_ptr<Sculptor> octaball(int subdivisions = 5)
 {
     return std::make_unique<Sculptor>(mesh_asserts::sculptable(octasphere(subdivisions)));
 }
 
-StrokeSettings settingsOf(Tool tool, int radial, Symmetry symmetry = Symmetry::None)
+StrokeSettings radialSettings(Tool tool, int radial, Symmetry symmetry = Symmetry::None)
 {
     StrokeSettings settings;
     settings.tool = tool;
@@ -80,8 +80,8 @@ StrokeSettings settingsOf(Tool tool, int radial, Symmetry symmetry = Symmetry::N
     return settings;
 }
 
-std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path,
-                              core::MeshDelta* delta = nullptr)
+std::vector<DabReport> radialStroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path,
+                                    core::MeshDelta* delta = nullptr)
 {
     std::vector<DabReport> reports;
     sculptor.beginStroke(settings);
@@ -112,15 +112,8 @@ std::vector<Vec3> path()
     return path;
 }
 
-bool isSound(const Sculptor& sculptor)
-{
-    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
-           sculptor.indexIsConsistent();
-}
-
 /// Of the points no farther than `within` from the line from the origin through `at`, the farthest out.
-double heightAt(const Mesh& mesh, const Vec3& at, double within = 3)
+double heightAlong(const Mesh& mesh, const Vec3& at, double within = 3)
 {
     double most = 0;
     const Vec3 way = at.normalized();
@@ -206,12 +199,12 @@ void TestRadialDabs::exact()
     QFETCH(Tool, tool);
     QFETCH(int, radial);
     QFETCH(Symmetry, plane);
-    const auto sculptor = ball();
+    const auto sculptor = octaball();
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 4), std::string());
     const std::uint64_t start = sculptor->mesh().stateHash();
-    const StrokeSettings settings = settingsOf(tool, radial, plane);
+    const StrokeSettings settings = radialSettings(tool, radial, plane);
     core::MeshDelta delta;
-    for (const DabReport& report : stroke(*sculptor, settings, path(), &delta))
+    for (const DabReport& report : radialStroke(*sculptor, settings, path(), &delta))
         QVERIFY(!report.sequential && !report.asymmetric && report.outcome != DabOutcome::Empty);
     QVERIFY(!delta.empty());
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), radial), std::string());
@@ -221,7 +214,7 @@ void TestRadialDabs::exact()
     const std::uint64_t end = sculptor->mesh().stateHash();
     sculptor->swap(delta);
     QCOMPARE(sculptor->mesh().stateHash(), start);
-    stroke(*sculptor, settings, path());
+    radialStroke(*sculptor, settings, path());
     QCOMPARE(sculptor->mesh().stateHash(), end);
 }
 
@@ -231,7 +224,7 @@ void TestRadialDabs::exactTwofold_onTheStarterBall()
     Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor.mesh(), 2), std::string());
     for (std::size_t tool = 0; tool < core::toolNames().size(); ++tool) {
-        for (const DabReport& report : stroke(sculptor, settingsOf(static_cast<Tool>(tool), 2), path()))
+        for (const DabReport& report : radialStroke(sculptor, radialSettings(static_cast<Tool>(tool), 2), path()))
             QVERIFY(!report.sequential);
         QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor.mesh(), 2), std::string());
     }
@@ -240,8 +233,8 @@ void TestRadialDabs::exactTwofold_onTheStarterBall()
 
 void TestRadialDabs::sixfold_isExactByHalfTurns()
 {
-    const auto sculptor = ball();
-    for (const DabReport& report : stroke(*sculptor, settingsOf(Tool::Crease, 6), path()))
+    const auto sculptor = octaball();
+    for (const DabReport& report : radialStroke(*sculptor, radialSettings(Tool::Crease, 6), path()))
         QVERIFY(!report.sequential); // it is no promise with this count
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 2), std::string());
     QVERIFY(isSound(*sculptor));
@@ -257,17 +250,17 @@ void TestRadialDabs::everySector_getsItsDab_data()
 void TestRadialDabs::everySector_getsItsDab()
 {
     QFETCH(int, radial);
-    const auto sculptor = ball();
+    const auto sculptor = octaball();
     const Vec3 at = onBall(20, 10);
-    stroke(*sculptor, settingsOf(Tool::Pull, radial), {at, at, at});
-    const double first = heightAt(sculptor->mesh(), at) - ballRadius;
+    radialStroke(*sculptor, radialSettings(Tool::Pull, radial), {at, at, at});
+    const double first = heightAlong(sculptor->mesh(), at) - ballRadius;
     QVERIFY(first > 1.5);
     for (int k = 1; k < radial; ++k) {
-        const double height = heightAt(sculptor->mesh(), inSector(k, radial, at)) - ballRadius;
+        const double height = heightAlong(sculptor->mesh(), inSector(k, radial, at)) - ballRadius;
         QVERIFY2(std::abs(height - first) < 0.04 * first,
                  qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
     }
-    QVERIFY(std::abs(heightAt(sculptor->mesh(), onBall(20 + 180.0 / radial, 10)) - ballRadius) < 0.1 || radial > 6);
+    QVERIFY(std::abs(heightAlong(sculptor->mesh(), onBall(20 + 180.0 / radial, 10)) - ballRadius) < 0.1 || radial > 6);
     QVERIFY(isSound(*sculptor));
 }
 
@@ -282,27 +275,27 @@ void TestRadialDabs::everyTool_staysSound_data()
 void TestRadialDabs::everyTool_staysSound()
 {
     QFETCH(Tool, tool);
-    const auto sculptor = ball();
-    StrokeSettings settings = settingsOf(tool, 5, Symmetry::Z);
+    const auto sculptor = octaball();
+    StrokeSettings settings = radialSettings(tool, 5, Symmetry::Z);
     settings.radius = 12;
     std::vector<Vec3> upwards;
     for (int i = 0; i < 6; ++i)
         upwards.push_back(onBall(20, 55 + 8 * i));
-    stroke(*sculptor, settings, upwards);
+    radialStroke(*sculptor, settings, upwards);
     QVERIFY(isSound(*sculptor));
 }
 
 void TestRadialDabs::withAPlane_eachSectorIsMirrored()
 {
-    const auto sculptor = ball();
+    const auto sculptor = octaball();
     const Vec3 at = onBall(12, 10);
-    stroke(*sculptor, settingsOf(Tool::Pull, 6, Symmetry::X), {at, at, at});
-    const double first = heightAt(sculptor->mesh(), at) - ballRadius;
+    radialStroke(*sculptor, radialSettings(Tool::Pull, 6, Symmetry::X), {at, at, at});
+    const double first = heightAlong(sculptor->mesh(), at) - ballRadius;
     QVERIFY(first > 1.5);
     for (int k = 0; k < 6; ++k) {
         Vec3 place = inSector(k, 6, at);
         for (int side = 0; side < 2; ++side, place.x() = -place.x()) {
-            const double height = heightAt(sculptor->mesh(), place) - ballRadius;
+            const double height = heightAlong(sculptor->mesh(), place) - ballRadius;
             QVERIFY2(std::abs(height - first) < 0.1 * first,
                      qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
         }
@@ -318,14 +311,15 @@ void TestRadialDabs::onTheAxis_isOneDab_data()
 void TestRadialDabs::onTheAxis_isOneDab()
 {
     QFETCH(int, radial);
-    const auto once = ball(), often = ball(), beside = ball();
+    const auto once = octaball(), often = octaball(), beside = octaball();
     const Vec3 pole(0, ballRadius, 0);
-    stroke(*once, settingsOf(Tool::Pull, 1), {pole});
-    const std::vector<DabReport> reports = stroke(*often, settingsOf(Tool::Pull, radial), {pole});
+    radialStroke(*once, radialSettings(Tool::Pull, 1), {pole});
+    const std::vector<DabReport> reports = radialStroke(*often, radialSettings(Tool::Pull, radial), {pole});
     QCOMPARE(often->mesh().stateHash(), once->mesh().stateHash());
-    QCOMPARE(reports.at(0).sequential, radial == 2 || radial == 4);                // no promise, but with these
-    stroke(*beside, settingsOf(Tool::Pull, radial), {pole + Vec3(0.02, 0, 0.01)}); // nor is it another a little beside
-    QVERIFY(std::abs(heightAt(beside->mesh(), pole) - heightAt(once->mesh(), pole)) < 0.1);
+    QCOMPARE(reports.at(0).sequential, radial == 2 || radial == 4); // no promise, but with these
+    radialStroke(*beside, radialSettings(Tool::Pull, radial),
+                 {pole + Vec3(0.02, 0, 0.01)}); // nor is it another a little beside
+    QVERIFY(std::abs(heightAlong(beside->mesh(), pole) - heightAlong(once->mesh(), pole)) < 0.1);
     QVERIFY(isSound(*often) && isSound(*beside));
 }
 
@@ -339,9 +333,10 @@ void TestRadialDabs::besideTheAxis_staysSound()
     QFETCH(Tool, tool);
     QFETCH(int, radial);
     QFETCH(Symmetry, plane);
-    const auto sculptor = ball();
-    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(tool, radial, plane),
-                                                  {onBall(20, 84), onBall(20, 77), onBall(20, 90), onBall(200, 84)});
+    const auto sculptor = octaball();
+    const std::vector<DabReport> reports =
+        radialStroke(*sculptor, radialSettings(tool, radial, plane),
+                     {onBall(20, 84), onBall(20, 77), onBall(20, 90), onBall(200, 84)});
     QVERIFY(std::ranges::any_of(reports, &DabReport::sequential));
     QVERIFY(isSound(*sculptor));
 }
@@ -350,24 +345,24 @@ void TestRadialDabs::noisyModel_isDoneOneAfterTheOther()
 {
     Sculptor sculptor(mesh_asserts::sculptable(shapes::noisy(octasphere(5), 0.05f, 3)));
     const Vec3 at = onBall(20, 10);
-    for (const DabReport& report : stroke(sculptor, settingsOf(Tool::Pull, 4), {at, at, at}))
+    for (const DabReport& report : radialStroke(sculptor, radialSettings(Tool::Pull, 4), {at, at, at}))
         QVERIFY(report.sequential && report.outcome == DabOutcome::Committed);
-    const double first = heightAt(sculptor.mesh(), at) - ballRadius;
+    const double first = heightAlong(sculptor.mesh(), at) - ballRadius;
     QVERIFY(first > 1.5);
     for (int k = 1; k < 4; ++k)
-        QVERIFY(std::abs(heightAt(sculptor.mesh(), inSector(k, 4, at)) - ballRadius - first) < 0.1 * first);
+        QVERIFY(std::abs(heightAlong(sculptor.mesh(), inSector(k, 4, at)) - ballRadius - first) < 0.1 * first);
     QVERIFY(isSound(sculptor));
 }
 
 /// What one sector has been painted with does not come to the others.
 void TestRadialDabs::paintedModel_keepsItsColours()
 {
-    const auto sculptor = ball();
-    StrokeSettings red = settingsOf(Tool::Paint, 1);
+    const auto sculptor = octaball();
+    StrokeSettings red = radialSettings(Tool::Paint, 1);
     red.color = {255, 0, 0};
     red.falloff = 0;
     red.radius = 16;
-    stroke(*sculptor, red, {onBall(20, 10)});
+    radialStroke(*sculptor, red, {onBall(20, 10)});
     const auto reds = [&] {
         int sectors = 0;
         const Mesh& mesh = sculptor->mesh();
@@ -384,7 +379,7 @@ void TestRadialDabs::paintedModel_keepsItsColours()
         return sectors;
     };
     QCOMPARE(reds(), 1);
-    for (const DabReport& report : stroke(*sculptor, settingsOf(Tool::Inflate, 4), path()))
+    for (const DabReport& report : radialStroke(*sculptor, radialSettings(Tool::Inflate, 4), path()))
         QVERIFY(report.sequential);
     QCOMPARE(reds(), 1);
     QVERIFY(isSound(*sculptor));
@@ -414,28 +409,28 @@ void TestRadialDabs::heldClay_isHeldInEachSector()
     QFETCH(Tool, tool);
     QFETCH(Symmetry, plane);
     QFETCH(bool, meets);
-    const auto sculptor = ball();
+    const auto sculptor = octaball();
     const Vec3 at = onBall(22, 0);
     if (meets) {
-        StrokeSettings obstacle = settingsOf(Tool::Pull, 1);
+        StrokeSettings obstacle = radialSettings(Tool::Pull, 1);
         obstacle.add = true;
-        QVERIFY(stroke(*sculptor, obstacle, {inSector(1, 4, 1.44 * at)}).at(0).outcome == DabOutcome::Added);
+        QVERIFY(radialStroke(*sculptor, obstacle, {inSector(1, 4, 1.44 * at)}).at(0).outcome == DabOutcome::Added);
     }
-    StrokeSettings settings = settingsOf(tool, 4, plane);
+    StrokeSettings settings = radialSettings(tool, 4, plane);
     settings.fusion = false;
     std::vector<Vec3> way;
     for (int i = 0; i < 12; ++i)
         way.push_back((1 + 0.04 * i) * at);
-    const std::vector<DabReport> reports = stroke(*sculptor, settings, way);
+    const std::vector<DabReport> reports = radialStroke(*sculptor, settings, way);
     QVERIFY(!reports[1].sequential && !reports[2].sequential);
     QCOMPARE(reports[11].sequential, meets);
-    const double first = heightAt(sculptor->mesh(), at) - ballRadius;
+    const double first = heightAlong(sculptor->mesh(), at) - ballRadius;
     QVERIFY(first > 0.8 * 22);
     const Vec3 stop = inSector(1, 4, at);
     for (int k = 0; k < 4; ++k) {
         Vec3 place = inSector(k, 4, at);
         for (int side = 0; side < (plane == Symmetry::None ? 1 : 2); ++side, place.x() = -place.x()) {
-            const double height = heightAt(sculptor->mesh(), place) - ballRadius;
+            const double height = heightAlong(sculptor->mesh(), place) - ballRadius;
             const bool isBlocked =
                 meets && std::abs(std::abs(place.x()) - std::abs(stop.x())) + std::abs(place.z() - stop.z()) < 1;
             QVERIFY2((std::abs(height - first) < 0.06 * first) != isBlocked,
@@ -461,41 +456,41 @@ void TestRadialDabs::heldHalf_staysOne()
 {
     QFETCH(Symmetry, plane);
     QFETCH(int, sectors);
-    const auto sculptor = ball();
+    const auto sculptor = octaball();
     const Vec3 at = onBall(22, 30);
-    StrokeSettings obstacle = settingsOf(Tool::Pull, 1, plane);
+    StrokeSettings obstacle = radialSettings(Tool::Pull, 1, plane);
     obstacle.add = true;
-    QVERIFY(stroke(*sculptor, obstacle, {inSector(1, sectors, 1.44 * at)}).at(0).outcome == DabOutcome::Added);
+    QVERIFY(radialStroke(*sculptor, obstacle, {inSector(1, sectors, 1.44 * at)}).at(0).outcome == DabOutcome::Added);
     VERIFY_SYMMETRIC(sculptor->mesh(), plane);
 
-    StrokeSettings settings = settingsOf(Tool::Grab, sectors, plane);
+    StrokeSettings settings = radialSettings(Tool::Grab, sectors, plane);
     settings.fusion = false;
     std::vector<Vec3> way;
     for (int i = 0; i < 12; ++i)
         way.push_back((1 + 0.04 * i) * at);
-    const std::vector<DabReport> reports = stroke(*sculptor, settings, way);
+    const std::vector<DabReport> reports = radialStroke(*sculptor, settings, way);
     QVERIFY(!reports[1].sequential && reports[11].sequential);
     for (const DabReport& report : reports)
         QVERIFY(!report.asymmetric);
     VERIFY_SYMMETRIC(sculptor->mesh(), plane);
-    QVERIFY(heightAt(sculptor->mesh(), at) - ballRadius > 0.8 * 22);
+    QVERIFY(heightAlong(sculptor->mesh(), at) - ballRadius > 0.8 * 22);
     QVERIFY(isSound(*sculptor));
 }
 
 void TestRadialDabs::spheres_areAddedInEachSector()
 {
     for (const int radial : {3, 4}) {
-        const auto sculptor = ball(3);
-        StrokeSettings settings = settingsOf(Tool::Pull, radial);
+        const auto sculptor = octaball(3);
+        StrokeSettings settings = radialSettings(Tool::Pull, radial);
         settings.add = true;
-        const std::vector<DabReport> reports = stroke(*sculptor, settings, {1.5 * onBall(20, 10)});
+        const std::vector<DabReport> reports = radialStroke(*sculptor, settings, {1.5 * onBall(20, 10)});
         QVERIFY(reports.at(0).outcome == DabOutcome::Added);
         QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 2 * (radial + 1));
         QVERIFY(isSound(*sculptor));
         if (radial == 4)
             QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 4), std::string());
         const std::vector<DabReport> more =
-            stroke(*sculptor, settings, {Vec3(4, 70, 0)}); // they would be in each other
+            radialStroke(*sculptor, settings, {Vec3(4, 70, 0)}); // they would be in each other
         QVERIFY(more.at(0).outcome == DabOutcome::Refused && more.at(0).refusal == core::Refusal::TooClose);
         QVERIFY(isSound(*sculptor));
     }
@@ -503,7 +498,7 @@ void TestRadialDabs::spheres_areAddedInEachSector()
 
 void TestRadialDabs::hook_seesSoundMeshes()
 {
-    const auto sculptor = ball(4);
+    const auto sculptor = octaball(4);
     int calls = 0;
     std::string broken;
     sculptor->setBetweenSubsteps([&] {
@@ -513,9 +508,9 @@ void TestRadialDabs::hook_seesSoundMeshes()
         if (broken.empty() && !mesh_asserts::badFaces(sculptor->mesh()).empty())
             broken = "faces meet";
     });
-    StrokeSettings settings = settingsOf(Tool::Pull, 4);
+    StrokeSettings settings = radialSettings(Tool::Pull, 4);
     settings.strength = 4;
-    stroke(*sculptor, settings, {onBall(20, 10), onBall(20, 76)});
+    radialStroke(*sculptor, settings, {onBall(20, 10), onBall(20, 76)});
     QVERIFY(calls >= 8);
     QCOMPARE(broken, std::string());
 }
@@ -526,32 +521,33 @@ void TestRadialDabs::undone()
     QFETCH(Tool, tool);
     QFETCH(int, radial);
     QFETCH(Symmetry, plane);
-    const auto used = ball(4), fresh = ball(4);
-    const StrokeSettings settings = settingsOf(tool, radial, plane);
+    const auto used = octaball(4), fresh = octaball(4);
+    const StrokeSettings settings = radialSettings(tool, radial, plane);
     core::MeshDelta delta;
-    stroke(*used, settings, {onBall(20, 70), onBall(25, 60), onBall(30, 50)}, &delta);
+    radialStroke(*used, settings, {onBall(20, 70), onBall(25, 60), onBall(30, 50)}, &delta);
     used->swap(delta);
     QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
     for (Sculptor* sculptor : {used.get(), fresh.get()})
-        stroke(*sculptor, settings, path());
+        radialStroke(*sculptor, settings, path());
     QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
 }
 
 void TestRadialDabs::footprint_hasAllSectors()
 {
-    const auto sculptor = ball(4);
-    const std::size_t one = sculptor->footprint(settingsOf(Tool::Pull, 1), onBall(20, 10)).slots.size();
+    const auto sculptor = octaball(4);
+    const std::size_t one = sculptor->footprint(radialSettings(Tool::Pull, 1), onBall(20, 10)).slots.size();
     QVERIFY(one > 5);
-    QCOMPARE(sculptor->footprint(settingsOf(Tool::Pull, 4), onBall(20, 10)).slots.size(), 4 * one);
-    QCOMPARE(sculptor->footprint(settingsOf(Tool::Pull, 4, Symmetry::X), onBall(20, 10)).slots.size(), 8 * one);
+    QCOMPARE(sculptor->footprint(radialSettings(Tool::Pull, 4), onBall(20, 10)).slots.size(), 4 * one);
+    QCOMPARE(sculptor->footprint(radialSettings(Tool::Pull, 4, Symmetry::X), onBall(20, 10)).slots.size(), 8 * one);
 }
 
 void TestRadialDabs::unusableCount_isAnEmptyDab()
 {
-    const auto sculptor = ball(3);
+    const auto sculptor = octaball(3);
     const std::uint64_t before = sculptor->mesh().stateHash();
     for (const int radial : {0, -1, core::maxRadial + 1})
-        QVERIFY(stroke(*sculptor, settingsOf(Tool::Pull, radial), {onBall(20, 10)}).at(0).outcome == DabOutcome::Empty);
+        QVERIFY(radialStroke(*sculptor, radialSettings(Tool::Pull, radial), {onBall(20, 10)}).at(0).outcome ==
+                DabOutcome::Empty);
     QCOMPARE(sculptor->mesh().stateHash(), before);
 }
 

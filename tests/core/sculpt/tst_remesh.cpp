@@ -16,11 +16,12 @@ using core::RemeshCounts;
 using core::Slot;
 using core::Vec3;
 using mesh_asserts::sculptable;
+using mesh_asserts::volumeOf;
 
 namespace
 {
 /// A mesh in an open stroke, with the vertices of a ball selected.
-struct Subject
+struct SelectedMesh
 {
     std::unique_ptr<Mesh> mesh;
     MeshEditor edit;
@@ -28,7 +29,7 @@ struct Subject
     std::vector<Slot> candidates;
     core::Sphere ball;
 
-    Subject(core::TriangleMesh shape, const core::Sphere& brush)
+    SelectedMesh(core::TriangleMesh shape, const core::Sphere& brush)
         : mesh(sculptable(std::move(shape)))
         , edit(*mesh)
         , ball(brush)
@@ -82,16 +83,6 @@ double smallestAngle(const Mesh& mesh, Slot f)
     return smallest;
 }
 
-double volume(const Mesh& mesh)
-{
-    double sum = 0;
-    for (Slot f = 0; f < mesh.slots().faces; ++f) {
-        if (mesh.isFace(f))
-            sum += areaVector(mesh, f).dot(mesh.point(mesh.corners(f)[0]).cast<double>()) / 3;
-    }
-    return sum;
-}
-
 const core::Sphere brush = {{0, 0, 1}, 0.6};
 
 /// The mean edge of icosphere(4, 1) is 0.07.
@@ -134,7 +125,7 @@ void TestRemesh::optimise_boundsTheEdges_data()
 void TestRemesh::optimise_boundsTheEdges()
 {
     QFETCH(double, detail);
-    Subject s(noisyBall(), brush);
+    SelectedMesh s(noisyBall(), brush);
     const RemeshCounts counts = optimise(s.edit, s.region, {detail, detail / 2});
     QVERIFY(!counts.capped);
     VERIFY_VALID(*s.mesh);
@@ -160,7 +151,7 @@ void TestRemesh::optimise_boundsTheEdges()
 void TestRemesh::eachOperation_isLegal()
 {
     QFETCH(double, detail);
-    Subject s(noisyBall(), brush);
+    SelectedMesh s(noisyBall(), brush);
     Mesh& mesh = *s.mesh;
     bool legal = true;
     int operations = 0;
@@ -193,7 +184,7 @@ void TestRemesh::eachOperation_isLegal()
 
 void TestRemesh::refusedOperations_leaveTheMesh()
 {
-    Subject s(noisyBall(), brush);
+    SelectedMesh s(noisyBall(), brush);
     const std::uint64_t before = s.mesh->stateHash();
     const auto refuse = [&](const std::function<void()>& operation) {
         const Mesh::Mark mark = s.mesh->mark();
@@ -212,10 +203,10 @@ void TestRemesh::refusedOperations_leaveTheMesh()
 void TestRemesh::optimise_keepsTheShape()
 {
     QFETCH(double, detail);
-    Subject s(core::icosphere(4, 1), brush);
-    const double before = volume(*s.mesh);
+    SelectedMesh s(core::icosphere(4, 1), brush);
+    const double before = volumeOf(*s.mesh);
     optimise(s.edit, s.region, {detail, detail / 2});
-    QVERIFY(std::abs(volume(*s.mesh) - before) < 0.01 * before);
+    QVERIFY(std::abs(volumeOf(*s.mesh) - before) < 0.01 * before);
     for (Slot v = 0; v < s.mesh->slots().vertices; ++v) {
         if (s.mesh->isVertex(v)) // midpoints of chords lie detail^2 / 8 inside, several times over
             QVERIFY(std::abs(s.mesh->point(v).cast<double>().norm() - 1) < detail * detail + 0.004);
@@ -225,7 +216,7 @@ void TestRemesh::optimise_keepsTheShape()
 void TestRemesh::optimise_carriesColoursAndPlans()
 {
     for (double detail : {0.04, 0.2}) {
-        Subject s(noisyBall(), brush);
+        SelectedMesh s(noisyBall(), brush);
         for (Slot v : s.region.slots()) {
             s.mesh->setColor(v, {10, 20, 30});
             s.region.setPlan(v, {0, 0, 1});
@@ -241,7 +232,7 @@ void TestRemesh::optimise_carriesColoursAndPlans()
 
 void TestRemesh::optimise_leavesTheRestAlone()
 {
-    Subject s(noisyBall(), brush);
+    SelectedMesh s(noisyBall(), brush);
     std::vector<core::Vec3f> before;
     for (Slot v = 0; v < s.mesh->slots().vertices; ++v)
         before.push_back(s.mesh->point(v));
@@ -255,7 +246,7 @@ void TestRemesh::optimise_leavesTheRestAlone()
 
 void TestRemesh::sparedVertices_stayAsTheyAre()
 {
-    Subject s(noisyBall(), brush);
+    SelectedMesh s(noisyBall(), brush);
     core::SlotSet frozen;
     std::vector<core::Vec3f> before;
     s.region.forEach([&](Slot v) {
@@ -272,7 +263,7 @@ void TestRemesh::sparedVertices_stayAsTheyAre()
 
 void TestRemesh::again_isNearlyIdle()
 {
-    Subject s(noisyBall(), brush);
+    SelectedMesh s(noisyBall(), brush);
     const EdgeBounds bounds = {0.1, 0.05};
     const RemeshCounts first = optimise(s.edit, s.region, bounds);
     RemeshCounts last;
@@ -284,7 +275,7 @@ void TestRemesh::again_isNearlyIdle()
 
 void TestRemesh::hugeTask_isCapped()
 {
-    Subject s(core::icosphere(1, 1), {{0, 0, 0}, 2});
+    SelectedMesh s(core::icosphere(1, 1), {{0, 0, 0}, 2});
     const RemeshCounts counts = optimise(s.edit, s.region, {0.002, 0.001});
     QVERIFY(counts.capped);
     VERIFY_VALID(*s.mesh);
@@ -292,7 +283,7 @@ void TestRemesh::hugeTask_isCapped()
 
 void TestRemesh::splitLongEdges_onlySplits()
 {
-    Subject s(noisyBall(), brush);
+    SelectedMesh s(noisyBall(), brush);
     const RemeshCounts counts = splitLongEdges(s.edit, s.region, {0.05, 0.025});
     QVERIFY(counts.splits > 0 && counts.collapses == 0 && counts.flips == 0);
     for (Slot e : s.innerEdges())
@@ -302,7 +293,7 @@ void TestRemesh::splitLongEdges_onlySplits()
 
 void TestRemesh::refine_makesFacesUnderTheBrushFine()
 {
-    Subject s(core::icosphere(2, 1), brush);
+    SelectedMesh s(core::icosphere(2, 1), brush);
     const double detail = 0.1;
     const RemeshCounts counts = refine(s.edit, s.region, s.candidates, s.ball, {detail, detail / 2});
     QVERIFY(counts.splits > 0 && !counts.capped);
@@ -318,7 +309,7 @@ void TestRemesh::refine_makesFacesUnderTheBrushFine()
 
 void TestRemesh::refine_reachesABrushInsideOneFace()
 {
-    Subject s(shapes::cube(20), {{3, 2, 10}, 1}); // no vertex near
+    SelectedMesh s(shapes::cube(20), {{3, 2, 10}, 1}); // no vertex near
     QVERIFY(s.region.empty());
     const EdgeBounds bounds = core::edgeBounds(1, 1);
     refine(s.edit, s.region, s.candidates, s.ball, bounds);

@@ -476,7 +476,6 @@ constexpr double denormal = std::numeric_limits<double>::denorm_min();
 
 using Spoil = std::function<void(core::StrokeSettings&, core::StrokeSample&)>;
 } // namespace
-Q_DECLARE_METATYPE(Spoil)
 
 void TestSculptor::unusableSamples_areEmptyDabs_data()
 {

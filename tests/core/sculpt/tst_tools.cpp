@@ -1,16 +1,15 @@
 // What each tool beyond the paper's does, by what can be measured of it; every result is judged.
-#include "core/mesh/mesh_builder.h"
 #include "core/mesh/normals.h"
 #include "core/sculpt/sculptor.h"
-#include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
-#include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
 
 #include <cmath>
+#include <numbers>
 
 using core::DabOutcome;
 using core::DabReport;
@@ -21,15 +20,14 @@ using core::StrokeSettings;
 using core::Tool;
 using core::Vec3;
 
-Q_DECLARE_METATYPE(core::Tool)
-
 namespace
 {
 using clay::ball;
 using clay::ballRadius;
 using clay::stroke;
-
-constexpr double pi = 3.14159265358979323846;
+using mesh_asserts::isSound;
+using mesh_asserts::volumeOf;
+using std::numbers::pi;
 
 StrokeSettings settingsOf(Tool tool, double radius = 12)
 {
@@ -90,26 +88,6 @@ double lowest(const Mesh& mesh)
     double least = 1e9;
     forEachPoint(mesh, [&](const Vec3& p) { least = std::min(least, p.norm()); });
     return least;
-}
-
-double volume(const Mesh& mesh)
-{
-    double six = 0;
-    for (Slot f = 0; f < mesh.slots().faces; ++f) {
-        if (!mesh.isFace(f))
-            continue;
-        const core::Triangle& t = mesh.corners(f);
-        const auto point = [&](std::size_t i) { return Vec3(mesh.point(t[i]).cast<double>()); };
-        six += point(0).dot(point(1).cross(point(2)));
-    }
-    return six / 6;
-}
-
-bool isSound(const Sculptor& sculptor)
-{
-    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
-    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() &&
-           sculptor.indexIsConsistent();
 }
 
 /// For each few degrees of a stroke about y, the sharpest edge that runs along it: 180 is flat.
@@ -183,13 +161,13 @@ void TestTools::raisingTools_changeTheVolume()
 {
     QFETCH(Tool, tool);
     const auto raised = ball(), lowered = ball();
-    const double before = volume(raised->mesh());
+    const double before = volumeOf(raised->mesh());
     StrokeSettings settings = settingsOf(tool);
     stroke(*raised, settings, arc(0, 20, 5));
     settings.inverted = true;
     stroke(*lowered, settings, arc(0, 20, 5));
-    QVERIFY(volume(raised->mesh()) > before && highest(raised->mesh()) > ballRadius + 0.5);
-    QVERIFY(volume(lowered->mesh()) < before && highest(lowered->mesh()) < ballRadius + 0.1);
+    QVERIFY(volumeOf(raised->mesh()) > before && highest(raised->mesh()) > ballRadius + 0.5);
+    QVERIFY(volumeOf(lowered->mesh()) < before && highest(lowered->mesh()) < ballRadius + 0.1);
     QVERIFY(isSound(*raised) && isSound(*lowered));
 }
 

@@ -15,7 +15,7 @@ using core::Vec3;
 
 namespace
 {
-constexpr double radius = 1;
+constexpr double drumRadius = 1;
 constexpr int degreesAround = 360;
 
 /// A drum about the y axis.
@@ -23,15 +23,15 @@ core::TriangleMesh drum()
 {
     std::vector<Vec3> profile = {{0, -1, 0}};
     for (int i = 1; i < 4; ++i)
-        profile.emplace_back(0.25 * i * radius, -1, 0);
+        profile.emplace_back(0.25 * i * drumRadius, -1, 0);
     for (int i = 0; i <= 16; ++i)
-        profile.emplace_back(radius, -1 + 0.125 * i, 0);
+        profile.emplace_back(drumRadius, -1 + 0.125 * i, 0);
     for (int i = 3; i >= 0; --i)
-        profile.emplace_back(0.25 * i * radius, 1, 0);
+        profile.emplace_back(0.25 * i * drumRadius, 1, 0);
     return clay::revolved(profile, 48);
 }
 
-struct Turn
+struct TurntableRun
 {
     double degreesPerSecond = 30;
     double seconds = 12;
@@ -39,7 +39,7 @@ struct Turn
 };
 
 /// What a file says in which a pushing hand rests at x, at height 0, pointing inwards.
-std::vector<core::FileEntry> groove(const Turn& turn)
+std::vector<core::FileEntry> groove(const TurntableRun& turn)
 {
     std::string text =
         R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"push","radius":0.3,"strength":0.3,)"
@@ -62,7 +62,7 @@ void play(Sculptor& sculptor, const std::vector<core::FileEntry>& entries)
     }
 }
 
-std::unique_ptr<Sculptor> turned(const Turn& turn)
+std::unique_ptr<Sculptor> turned(const TurntableRun& turn)
 {
     auto sculptor = std::make_unique<Sculptor>(mesh_asserts::sculptable(drum()));
     play(*sculptor, groove(turn));
@@ -77,7 +77,7 @@ std::vector<double> depths(const Sculptor& sculptor, double height)
         const double angle = (i + 0.5) * std::numbers::pi / 180;
         const Vec3 outward(std::cos(angle), 0, std::sin(angle));
         const auto hit = sculptor.hit({3 * outward + Vec3(0, height, 0), -outward});
-        result.push_back(hit ? radius - hit->position.dot(outward) : radius);
+        result.push_back(hit ? drumRadius - hit->position.dot(outward) : drumRadius);
     }
     return result;
 }
@@ -148,7 +148,7 @@ void TestTurntable::partOfATurn_leavesTheRestAlone()
 
 void TestTurntable::replay_isDeterministic()
 {
-    const Turn turn = {.degreesPerSecond = -45, .seconds = 8};
+    const TurntableRun turn = {.degreesPerSecond = -45, .seconds = 8};
     QCOMPARE(turned(turn)->mesh().stateHash(), turned(turn)->mesh().stateHash());
 }
 

@@ -19,7 +19,7 @@
 
 namespace
 {
-ui::SharedDrawing drawingOf(const core::TriangleMesh& mesh, bool isInterim = false, std::size_t maxEdges = 1000)
+ui::SharedDrawing sharedDrawingOf(const core::TriangleMesh& mesh, bool isInterim = false, std::size_t maxEdges = 1000)
 {
     core::DrawArrays model;
     model.apply(core::wholePatchOf(*mesh_asserts::sculptable(mesh)));
@@ -84,7 +84,7 @@ private Q_SLOTS:
     {
         Shown shown;
         QTRY_VERIFY(shown.canvas->isVisible());
-        shown.panel->setDrawing(drawingOf(shapes::cube(40)));
+        shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40)));
         const int all = inked(pictureOf(shown.canvas));
         QVERIFY(all > 100);
         child<QToolButton>(shown.window, "preview.dimensions")->click();
@@ -101,14 +101,14 @@ private Q_SLOTS:
         Shown shown;
         const auto* note = child<QLabel>(shown.window, "preview.note");
         QTRY_VERIFY(shown.canvas->isVisible());
-        shown.panel->setDrawing(drawingOf(shapes::cube(40)));
+        shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40)));
         QVERIFY(!note->isVisible());
-        shown.panel->setDrawing(drawingOf(shapes::cube(40), true));
+        shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40), true));
         QVERIFY(!note->isVisible()); // coarser, but all is there
-        shown.panel->setDrawing(drawingOf(shapes::cube(40), true, 2));
+        shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40), true, 2));
         QVERIFY(note->isVisible());
         const QString interim = note->text();
-        shown.panel->setDrawing(drawingOf(shapes::cube(40), false, 2));
+        shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40), false, 2));
         QVERIFY(note->isVisible() && !note->text().isEmpty() && note->text() != interim);
     }
 
@@ -116,7 +116,7 @@ private Q_SLOTS:
     {
         Shown shown;
         QTRY_VERIFY(shown.canvas->isVisible());
-        shown.panel->setDrawing(drawingOf(core::icosphere(2, 30)));
+        shown.panel->setDrawing(sharedDrawingOf(core::icosphere(2, 30)));
         const QImage fitted = pictureOf(shown.canvas);
         QTest::keyClick(shown.canvas, Qt::Key_Plus);
         QVERIFY(shown.canvas->zoom() > 1);

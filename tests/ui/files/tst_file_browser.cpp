@@ -9,6 +9,7 @@
 #include "core/io/mesh_io.h"
 #include "core/operations/starter_models.h"
 #include "tests/support/test_main.h"
+#include "tests/ui/files/write_model.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAction>
@@ -30,24 +31,19 @@
 
 namespace
 {
-void write(const QString& path, const core::TriangleMesh& mesh)
-{
-    core::writeMesh(path.toStdU16String(), mesh);
-}
-
 /// Two models of ours, one that cannot be read, a folder with another, and a file that is none.
 struct Models
 {
     Models()
     {
-        write(path("ball 10.stl"), core::icosphere(3, 10));
-        write(path("ball 9.obj"), core::icosphere(2, 40));
+        writeModel(path("ball 10.stl"), core::icosphere(3, 10));
+        writeModel(path("ball 9.obj"), core::icosphere(2, 40));
         QFile broken(path("broken.ply"));
         if (broken.open(QIODevice::WriteOnly))
             broken.write("no ply");
         QFile(path("notes.txt")).open(QIODevice::WriteOnly);
         QDir(folder.path()).mkdir(QStringLiteral("inner"));
-        write(path("inner/ring.ply"), core::starterModel(core::Starter::Torus));
+        writeModel(path("inner/ring.ply"), core::starterModel(core::Starter::Torus));
     }
 
     QString path(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
@@ -362,7 +358,7 @@ private Q_SLOTS:
         QTRY_COMPARE(s.grid->currentIndex().data().toString(), QStringLiteral("Kugel ü.obj"));
         QVERIFY(s.noticed.isEmpty());
 
-        write(models.path("taken.obj"), core::icosphere(1, 1));
+        writeModel(models.path("taken.obj"), core::icosphere(1, 1));
         const qint64 size = QFileInfo(models.path("taken.obj")).size();
         for (const char* refused : {"taken", "", "a/b", "a:b", "..", "con", "a\tb"}) {
             s.noticed.clear();
@@ -388,7 +384,7 @@ private Q_SLOTS:
         auto* editor = s.grid->findChild<QLineEdit*>(QStringLiteral("files.rename"));
         QVERIFY(editor && editor->hasSelectedText());
         editor->setText(QStringLiteral("new"));
-        write(models.path("ball 9.obj"), core::icosphere(1, 3));
+        writeModel(models.path("ball 9.obj"), core::icosphere(1, 3));
         QTRY_COMPARE(s.find(QStringLiteral("ball 9.obj")).data(ui::FileListModel::VerticesRole).toInt(), 42);
         QCOMPARE(editor->text(), QStringLiteral("new"));
         QTest::keyClick(editor, Qt::Key_Return);
@@ -453,7 +449,7 @@ private Q_SLOTS:
         const Models models;
         const Shown s(models);
         QTRY_COMPARE(s.names().size(), 4);
-        write(models.path("late.stl"), core::icosphere(1, 5));
+        writeModel(models.path("late.stl"), core::icosphere(1, 5));
         QTRY_VERIFY(s.find(QStringLiteral("late.stl")).isValid());
         QTRY_VERIFY(!s.picture(QStringLiteral("late.stl")).isNull());
         QVERIFY(QFile::remove(models.path("late.stl")));

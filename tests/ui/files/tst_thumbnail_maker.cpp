@@ -1,4 +1,5 @@
 #include "tests/support/test_main.h"
+#include "tests/ui/files/write_model.h"
 #include "ui/files/file_jobs.h"
 #include "ui/files/thumbnail_maker.h"
 
@@ -19,11 +20,6 @@ using ui::ThumbnailMaker;
 
 namespace
 {
-void write(const QString& path, const core::TriangleMesh& mesh)
-{
-    core::writeMesh(path.toStdU16String(), mesh);
-}
-
 /// A maker on a cache of its own, and what it made.
 struct Maker
 {
@@ -68,7 +64,7 @@ private Q_SLOTS:
         const QString one = folder.filePath(QStringLiteral("one.obj")),
                       copy = folder.filePath(QStringLiteral("copy.obj"));
         const QString cache = folder.filePath(QStringLiteral("cache/deep"));
-        write(one, core::starterModel(core::Starter::Vase));
+        writeModel(one, core::starterModel(core::Starter::Vase));
         QVERIFY(QFile::copy(one, copy));
         QImage first;
         {
@@ -83,7 +79,7 @@ private Q_SLOTS:
         QCOMPARE(later.maker.drawn(), 0);
         QCOMPARE(again.picture, first);
         QCOMPARE(again.vertices, qint64(core::starterModel(core::Starter::Vase).points.size()));
-        write(copy, core::starterModel(core::Starter::Cube));
+        writeModel(copy, core::starterModel(core::Starter::Cube));
         QVERIFY(later.one(copy).picture != first);
         QCOMPARE(later.maker.drawn(), 1);
     }
@@ -93,7 +89,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         Maker m(folder.filePath(QStringLiteral("cache")));
         const QString gone = folder.filePath(QStringLiteral("gone.stl"));
-        write(gone, core::icosphere(2, 1));
+        writeModel(gone, core::icosphere(2, 1));
         const FileEntry entry = FileJobs::entryOf(gone);
         QVERIFY(QFile::remove(gone));
         m.maker.request({entry});
@@ -113,7 +109,7 @@ private Q_SLOTS:
         QList<FileEntry> files;
         for (int i = 0; i < 8; ++i) {
             const QString path = folder.filePath(QStringLiteral("%1.stl").arg(i));
-            write(path, core::icosphere(2, 1 + i));
+            writeModel(path, core::icosphere(2, 1 + i));
             files << FileJobs::entryOf(path);
         }
         m.maker.request(files);
@@ -136,8 +132,8 @@ private Q_SLOTS:
         QFETCH(QString, name);
         const QTemporaryDir folder;
         const QString large = folder.filePath(name), small = folder.filePath(QStringLiteral("small.stl"));
-        write(large, core::icosphere(8, 10)); // 655,362 vertices
-        write(small, core::icosphere(2, 10));
+        writeModel(large, core::icosphere(8, 10)); // 655,362 vertices
+        writeModel(small, core::icosphere(2, 10));
         for (const int delayMs : {1, 40, 150}) {
             Maker m(folder.filePath(QStringLiteral("cache%1").arg(delayMs)));
             m.maker.request({FileJobs::entryOf(large)});
@@ -176,7 +172,7 @@ private Q_SLOTS:
         nowhere.store("c", plain(Qt::red));
         QVERIFY(!nowhere.find("c"));
         const QTemporaryDir models;
-        write(models.filePath(QStringLiteral("m.stl")), core::icosphere(2, 1));
+        writeModel(models.filePath(QStringLiteral("m.stl")), core::icosphere(2, 1));
         Maker m(QStringLiteral("/dev/null/cache"));
         QVERIFY(!m.one(models.filePath(QStringLiteral("m.stl"))).picture.isNull());
     }

@@ -125,7 +125,6 @@ struct Tangents
 {
     double left = 1, right = 1, up = 1, down = 1;
 };
-Q_DECLARE_METATYPE(Tangents)
 
 inline Eigen::Matrix4f projectionOf(const Tangents& t, double nearest = 0.03, double farthest = 60)
 {

@@ -7,6 +7,7 @@
 
 /// Frames a second that headsets have, and what a machine in trouble makes of them.
 inline constexpr double frameRates[] = {5, 20, 90, 144};
+inline constexpr double frameLength = 1 / 90.0; ///< seconds
 
 /// The times of so many seconds, the last included.
 inline std::vector<double> frameTimes(double seconds, double rate)

@@ -30,39 +30,37 @@ struct Place
     std::optional<WandFunction> closed, open;
 };
 
-constexpr HandRole left = HandRole::Support, right = HandRole::Sculpting; // in the paper
+constexpr HandRole support = HandRole::Support, dominant = HandRole::Sculpting; // left and right in the paper
 constexpr std::optional<WandFunction> nothing;
 using F = WandFunction;
 
 /// Section 4.1, sentence by sentence; what it does not name does nothing. A slide across is one that is not up or down.
 const Place paper[] = {
-    {left, Gesture::PadLeft, F::TurnClockwise, F::PreviousTool},
-    {left, Gesture::PadRight, F::TurnAnticlockwise, F::NextTool},
-    {left, Gesture::PadTop, F::ToggleTopology, nothing},
-    {left, Gesture::PadBottom, F::ToggleTopology, nothing},
-    {left, Gesture::Slide, F::ScaleModel, F::ScaleModel},
-    {left, Gesture::SlideUpDown, nothing, nothing},
-    {left, Gesture::Menu, F::ToggleToolMenu, F::ToggleToolMenu},
-    {left, Gesture::MenuTap, nothing, nothing},
-    {left, Gesture::MenuHold, nothing, nothing},
-    {left, Gesture::Trigger, F::MoveModel, F::MoveModel},
-    {left, Gesture::Squeeze, nothing, nothing},
-    {left, Gesture::SqueezeHold, F::SaveModel, F::SaveModel},
-    {right, Gesture::PadTop, F::ToggleBrushShape, nothing},
-    {right, Gesture::PadBottom, F::ToggleSymmetry, nothing},
-    {right, Gesture::PadLeft, F::Undo, F::PreviousChannel},
-    {right, Gesture::PadRight, F::Redo, F::NextChannel},
-    {right, Gesture::Slide, F::SetRadius, nothing},
-    {right, Gesture::SlideUpDown, nothing, F::SetChannel},
-    {right, Gesture::Menu, F::ToggleColorPanel, F::ToggleColorPanel},
-    {right, Gesture::MenuTap, nothing, nothing},
-    {right, Gesture::MenuHold, nothing, nothing},
-    {right, Gesture::Trigger, F::Sculpt, F::Sculpt},
-    {right, Gesture::Squeeze, nothing, nothing},
-    {right, Gesture::SqueezeHold, F::RestoreModel, F::RestoreModel},
+    {support, Gesture::PadLeft, F::TurnClockwise, F::PreviousTool},
+    {support, Gesture::PadRight, F::TurnAnticlockwise, F::NextTool},
+    {support, Gesture::PadTop, F::ToggleTopology, nothing},
+    {support, Gesture::PadBottom, F::ToggleTopology, nothing},
+    {support, Gesture::Slide, F::ScaleModel, F::ScaleModel},
+    {support, Gesture::SlideUpDown, nothing, nothing},
+    {support, Gesture::Menu, F::ToggleToolMenu, F::ToggleToolMenu},
+    {support, Gesture::MenuTap, nothing, nothing},
+    {support, Gesture::MenuHold, nothing, nothing},
+    {support, Gesture::Trigger, F::MoveModel, F::MoveModel},
+    {support, Gesture::Squeeze, nothing, nothing},
+    {support, Gesture::SqueezeHold, F::SaveModel, F::SaveModel},
+    {dominant, Gesture::PadTop, F::ToggleBrushShape, nothing},
+    {dominant, Gesture::PadBottom, F::ToggleSymmetry, nothing},
+    {dominant, Gesture::PadLeft, F::Undo, F::PreviousChannel},
+    {dominant, Gesture::PadRight, F::Redo, F::NextChannel},
+    {dominant, Gesture::Slide, F::SetRadius, nothing},
+    {dominant, Gesture::SlideUpDown, nothing, F::SetChannel},
+    {dominant, Gesture::Menu, F::ToggleColorPanel, F::ToggleColorPanel},
+    {dominant, Gesture::MenuTap, nothing, nothing},
+    {dominant, Gesture::MenuHold, nothing, nothing},
+    {dominant, Gesture::Trigger, F::Sculpt, F::Sculpt},
+    {dominant, Gesture::Squeeze, nothing, nothing},
+    {dominant, Gesture::SqueezeHold, F::RestoreModel, F::RestoreModel},
 };
-
-constexpr HandRole support = HandRole::Support, dominant = HandRole::Sculpting;
 
 /// What other programs agree on; saving and restoring are on panels.
 const Place studio[] = {

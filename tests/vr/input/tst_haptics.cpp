@@ -44,11 +44,6 @@ HapticInput sculpting(double pressure)
     return feeling;
 }
 
-HapticInput nothing()
-{
-    return {};
-}
-
 /// One frame of a kind, to a hand that felt nothing before.
 HapticInput one(Sensation what)
 {
@@ -81,8 +76,8 @@ HapticLevels silent(Sensation what)
     return levels;
 }
 
-constexpr Sensation all[] = {Sensation::Contact, Sensation::Texture,  Sensation::Fusion,
-                             Sensation::Refusal, Sensation::MenuStep, Sensation::Hold};
+constexpr Sensation sensations[] = {Sensation::Contact, Sensation::Texture,  Sensation::Fusion,
+                                    Sensation::Refusal, Sensation::MenuStep, Sensation::Hold};
 constexpr Sensation events[] = {Sensation::Contact, Sensation::Fusion, Sensation::Refusal, Sensation::MenuStep,
                                 Sensation::Hold};
 
@@ -106,7 +101,7 @@ private Q_SLOTS:
     void whoDoesNothingFeelsNothing()
     {
         QVERIFY(feel(
-                    Haptics(), [](double) { return nothing(); }, 5, 90)
+                    Haptics(), [](double) { return HapticInput(); }, 5, 90)
                     .empty());
         HapticInput hovering;
         hovering.pressure = 1; // a stroke in the air
@@ -129,13 +124,13 @@ private Q_SLOTS:
 
     void eachKindCanBeTurnedDownAndOff()
     {
-        for (const Sensation what : all) {
+        for (const Sensation what : sensations) {
             const double full = pulsesOf(what).back().amplitude;
             HapticLevels half;
             half.of[static_cast<std::size_t>(what)] = 0.5;
             QCOMPARE(pulsesOf(what, half).back().amplitude, full / 2);
             const std::size_t felt = pulsesOf(what).size();
-            for (const Sensation off : all) {
+            for (const Sensation off : sensations) {
                 const std::size_t left = pulsesOf(what, silent(off)).size();
                 const bool beginsIt = what == Sensation::Texture && off == Sensation::Contact;
                 QVERIFY(off == what ? left < felt : beginsIt ? left <= felt : left == felt);

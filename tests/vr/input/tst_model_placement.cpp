@@ -15,7 +15,7 @@ namespace
 {
 constexpr double tolerance = 1e-9;
 constexpr double pi = std::numbers::pi;
-constexpr unsigned seed = 20261122;
+constexpr unsigned placementSeed = 20261122;
 const core::Box someBox(Vec3(-30, -10, -50), Vec3(40, 60, 20));
 const std::vector<Vec3> somePoints{{0, 0, 0}, {40, 60, 20}, {-30, 0, -50}, {7, -3, 11}};
 
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    std::mt19937 m_engine{seed};
+    std::mt19937 m_engine{placementSeed};
 };
 
 double shownSize(const ModelPlacement& placement, const core::Box& box = someBox)
@@ -274,7 +274,7 @@ private Q_SLOTS:
             }
             if (i % 1000 == 999)
                 placement.place(hand);
-            QVERIFY2(isSound(placement), qPrintable(QStringLiteral("seed %1, step %2").arg(seed).arg(i)));
+            QVERIFY2(isSound(placement), qPrintable(QStringLiteral("seed %1, step %2").arg(placementSeed).arg(i)));
             hand = i % 100 == 0 ? random.pose() : next;
         }
     }

@@ -19,7 +19,6 @@ using vr::WandState;
 
 namespace
 {
-constexpr double frame = 1 / 90.0;
 constexpr Sector allSectors[] = {Sector::Left, Sector::Right, Sector::Top, Sector::Bottom};
 
 Vector2d at(double degrees, double radius)
@@ -57,7 +56,7 @@ std::vector<WandGestures> readAll(GestureReader& reader, const std::vector<WandS
     std::vector<WandGestures> all;
     all.reserve(wands.size());
     for (const WandState& wand : wands)
-        all.push_back(reader.read(wand, frame));
+        all.push_back(reader.read(wand, frameLength));
     return all;
 }
 
@@ -167,11 +166,11 @@ private Q_SLOTS:
     void pressureFollowsTheTriggerAndIsNeverNothing()
     {
         GestureReader reader = awake();
-        reader.read(pulling(1), frame);
-        QCOMPARE(reader.read(pulling(1), frame).pressure, 1.0);
+        reader.read(pulling(1), frameLength);
+        QCOMPARE(reader.read(pulling(1), frameLength).pressure, 1.0);
         double before = 1;
         for (int percent = 99; percent >= 45; --percent) {
-            const double pressure = reader.read(pulling(percent / 100.0), frame).pressure;
+            const double pressure = reader.read(pulling(percent / 100.0), frameLength).pressure;
             QVERIFY(pressure >= vr::minPressure && pressure <= before);
             QVERIFY(pressure < before || pressure == vr::minPressure);
             before = pressure;
@@ -220,20 +219,20 @@ private Q_SLOTS:
     void edgesHaveHysteresis()
     {
         GestureReader reader = awake();
-        reader.read(touching(at(0, 0.8)), frame);
+        reader.read(touching(at(0, 0.8)), frameLength);
         for (const double degrees : {44.0, 47.0, 44.0, 52.0, 46.0})
-            QCOMPARE(reader.read(touching(at(degrees, 0.8)), frame).pad.over, std::optional(Sector::Right));
-        QCOMPARE(reader.read(touching(at(54, 0.8)), frame).pad.over, std::optional(Sector::Top));
+            QCOMPARE(reader.read(touching(at(degrees, 0.8)), frameLength).pad.over, std::optional(Sector::Right));
+        QCOMPARE(reader.read(touching(at(54, 0.8)), frameLength).pad.over, std::optional(Sector::Top));
         for (const double degrees : {46.0, 43.0, 46.0, 38.0})
-            QCOMPARE(reader.read(touching(at(degrees, 0.8)), frame).pad.over, std::optional(Sector::Top));
-        QCOMPARE(reader.read(touching(at(36, 0.8)), frame).pad.over, std::optional(Sector::Right));
+            QCOMPARE(reader.read(touching(at(degrees, 0.8)), frameLength).pad.over, std::optional(Sector::Top));
+        QCOMPARE(reader.read(touching(at(36, 0.8)), frameLength).pad.over, std::optional(Sector::Right));
 
         for (const double radius : {0.34, 0.36, 0.3, 0.26})
-            QCOMPARE(reader.read(touching(at(0, radius)), frame).pad.over, std::optional(Sector::Right));
+            QCOMPARE(reader.read(touching(at(0, radius)), frameLength).pad.over, std::optional(Sector::Right));
         for (const double radius : {0.24, 0.3, 0.34})
-            QVERIFY(!reader.read(touching(at(0, radius)), frame).pad.over);
-        QVERIFY(reader.read(touching(at(0, 0.36)), frame).pad.over);
-        QVERIFY(!reader.read(restingWand(), frame).pad.over);
+            QVERIFY(!reader.read(touching(at(0, radius)), frameLength).pad.over);
+        QVERIFY(reader.read(touching(at(0, 0.36)), frameLength).pad.over);
+        QVERIFY(!reader.read(restingWand(), frameLength).pad.over);
     }
 
     void aSlideIsTheWayBeyondTheThreshold()
@@ -330,7 +329,7 @@ private Q_SLOTS:
         double progress = 0;
         int done = 0;
         for (int i = 0; i < 200; ++i) {
-            const vr::ButtonGestures side = reader.read(squeezing(), frame).side;
+            const vr::ButtonGestures side = reader.read(squeezing(), frameLength).side;
             QVERIFY(side.isDown && side.hold >= progress && side.hold <= 1);
             QCOMPARE(side.wentDown, i == 0);
             QCOMPARE(side.holdDone, i == 72); // 0.8 s
@@ -339,14 +338,14 @@ private Q_SLOTS:
             progress = side.hold;
         }
         QCOMPARE(done, 1);
-        const vr::ButtonGestures after = reader.read(restingWand(), frame).side;
+        const vr::ButtonGestures after = reader.read(restingWand(), frameLength).side;
         QVERIFY(after.wentUp && !after.wasTapped && after.hold == 0);
 
         for (int i = 0; i < 70; ++i)
-            QVERIFY(!reader.read(squeezing(), frame).side.holdDone);
-        QVERIFY(reader.read(restingWand(), frame).side.wasTapped);
+            QVERIFY(!reader.read(squeezing(), frameLength).side.holdDone);
+        QVERIFY(reader.read(restingWand(), frameLength).side.wasTapped);
         for (int i = 0; i < 70; ++i)
-            QVERIFY(!reader.read(squeezing(), frame).side.holdDone);
+            QVERIFY(!reader.read(squeezing(), frameLength).side.holdDone);
     }
 
     /// Who squeezes a wand to sculpt means no button at its sides.
@@ -359,16 +358,16 @@ private Q_SLOTS:
         for (const WandState& first : {pulling(1), buttons}) {
             GestureReader reader = awake();
             for (int i = 0; i < 40; ++i)
-                reader.read(first, frame);
+                reader.read(first, frameLength);
             for (const WandState& then : {both, buttons})
                 for (int i = 0; i < 100; ++i) {
-                    const WandGestures gestures = reader.read(then, frame);
+                    const WandGestures gestures = reader.read(then, frameLength);
                     QVERIFY(gestures.side.hold == 0 && gestures.menu.hold == 0);
                 }
-            reader.read(restingWand(), frame);
+            reader.read(restingWand(), frameLength);
             for (int i = 0; i < 100; ++i)
-                reader.read(buttons, frame);
-            const WandGestures gestures = reader.read(buttons, frame);
+                reader.read(buttons, frameLength);
+            const WandGestures gestures = reader.read(buttons, frameLength);
             QVERIFY(gestures.side.hold == 1 && gestures.menu.hold == 1);
         }
     }
@@ -433,10 +432,10 @@ private Q_SLOTS:
         busy.trigger = 1;
         busy.menu = busy.side = true;
         GestureReader reader = awake();
-        reader.read(busy, frame);
-        QVERIFY(reader.read(busy, frame).pad.held);
+        reader.read(busy, frameLength);
+        QVERIFY(reader.read(busy, frameLength).pad.held);
         for (int i = 0; i < 3; ++i) {
-            const WandGestures lost = reader.read(WandState(), frame);
+            const WandGestures lost = reader.read(WandState(), frameLength);
             for (const vr::ButtonGestures* button : {&lost.trigger, &lost.menu, &lost.side}) {
                 QVERIFY(!button->isDown && !button->wasTapped && button->hold == 0);
                 QCOMPARE(button->wentUp, i == 0);
@@ -444,23 +443,23 @@ private Q_SLOTS:
             QVERIFY(lost.pressure == 0 && !lost.pad.held && !lost.pad.over && lost.pad.slide == Vector2d(0, 0));
         }
         for (int i = 0; i < 100; ++i) {
-            const WandGestures back = reader.read(busy, frame);
+            const WandGestures back = reader.read(busy, frameLength);
             QVERIFY(!back.trigger.isDown && !back.menu.isDown && !back.side.isDown && !back.pad.pressed &&
                     !back.pad.held);
         }
-        reader.read(restingWand(), frame);
-        const WandGestures again = reader.read(busy, frame);
+        reader.read(restingWand(), frameLength);
+        const WandGestures again = reader.read(busy, frameLength);
         QVERIFY(again.trigger.wentDown && again.menu.wentDown && again.side.wentDown && again.pad.pressed);
     }
 
     void aStickThatComesBackPushedMustRestFirst()
     {
         GestureReader reader = awake(true);
-        reader.read(WandState(), frame);
+        reader.read(WandState(), frameLength);
         for (int i = 0; i < 5; ++i)
-            QVERIFY(!reader.read(pushing({1, 0}), frame).pad.pressed);
-        reader.read(pushing({0, 0}), frame);
-        QVERIFY(reader.read(pushing({1, 0}), frame).pad.pressed);
+            QVERIFY(!reader.read(pushing({1, 0}), frameLength).pad.pressed);
+        reader.read(pushing({0, 0}), frameLength);
+        QVERIFY(reader.read(pushing({1, 0}), frameLength).pad.pressed);
     }
 
     void theSameMotionIsTheSameAtAnyFrameRate()

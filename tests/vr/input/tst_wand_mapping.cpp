@@ -29,11 +29,10 @@ using vr::WandState;
 
 namespace
 {
-constexpr ButtonPreset presets[] = {ButtonPreset::Paper, ButtonPreset::Studio, ButtonPreset::OneHand};
+constexpr ButtonPreset everyPreset[] = {ButtonPreset::Paper, ButtonPreset::Studio, ButtonPreset::OneHand};
 constexpr Side sides[] = {Side::Left, Side::Right};
 constexpr HandRole roles[] = {HandRole::Sculpting, HandRole::Support};
 constexpr unsigned seed = 20261122;
-constexpr double frame = 1 / 90.0;
 
 std::size_t indexOf(Side side)
 {
@@ -70,7 +69,7 @@ public:
     {
         for (const Side side : sides)
             rest(side);
-        play(frame);
+        play(frameLength);
     }
 
     WandMapping& hands() { return m_hands; }
@@ -97,7 +96,7 @@ public:
     /// One frame.
     std::vector<WandCommand> step()
     {
-        m_frame.time += frame;
+        m_frame.time += frameLength;
         return m_hands.step(m_frame);
     }
 
@@ -105,7 +104,7 @@ public:
     std::vector<WandCommand> play(double seconds)
     {
         std::vector<WandCommand> commands;
-        for (double time = 0; time < seconds - 1e-9; time += frame)
+        for (double time = 0; time < seconds - 1e-9; time += frameLength)
             for (const WandCommand& command : step())
                 commands.push_back(command);
         return commands;
@@ -117,7 +116,7 @@ public:
         set(side, pressed);
         std::vector<WandCommand> commands = play(seconds);
         rest(side);
-        for (const WandCommand& command : play(2 * frame))
+        for (const WandCommand& command : play(2 * frameLength))
             commands.push_back(command);
         return commands;
     }
@@ -163,7 +162,7 @@ std::vector<WandCommand> play(Player& player, Side side, const Move& move)
         for (const WandCommand& command : player.step())
             commands.push_back(command);
     };
-    const int frames = static_cast<int>(std::lround(move.holdFor / frame));
+    const int frames = static_cast<int>(std::lround(move.holdFor / frameLength));
     for (int i = 0; i <= frames; ++i) {
         WandState state = move.from;
         state.pad += double(i) / frames * (move.to.pad - move.from.pad);
@@ -469,7 +468,7 @@ void TestWandMapping::aStrokeIsFromThePullToTheRelease()
 
 void TestWandMapping::aPressThatBeganOnAPanelNeverSculpts()
 {
-    for (const ButtonPreset preset : presets)
+    for (const ButtonPreset preset : everyPreset)
         for (const Side side : sides) {
             Player player({preset, Side::Right});
             player.pointAtPanel(side, true);
@@ -506,7 +505,7 @@ void TestWandMapping::aStrokeGoesOnOverAPanel()
 /// Who squeezes a wand to sculpt presses the rest of it, before, meanwhile and until after.
 void TestWandMapping::aHandThatDrawsDoesNothingElse()
 {
-    for (const ButtonPreset preset : presets)
+    for (const ButtonPreset preset : everyPreset)
         for (const Move& move : moves)
             for (const bool isBefore : {false, true}) {
                 Player player({preset, Side::Right});
@@ -599,9 +598,9 @@ void TestWandMapping::aBlinkIsNoLoss()
     player.wand(Side::Right).trigger = 1;
     player.play(0.3);
     player.wand(Side::Right).isTracked = false;
-    QVERIFY(player.play(5 * frame).empty());
+    QVERIFY(player.play(5 * frameLength).empty());
     player.wand(Side::Right).isTracked = true;
-    QCOMPARE(words(player.play(2 * frame)), QStringList({QStringLiteral("point"), QStringLiteral("point")}));
+    QCOMPARE(words(player.play(2 * frameLength)), QStringList({QStringLiteral("point"), QStringLiteral("point")}));
 }
 
 void TestWandMapping::whoIsNotSeenCannotBegin()
@@ -740,7 +739,7 @@ void TestWandMapping::whoSculptsLetsGoOfTheModel()
 
 void TestWandMapping::aRingShowsWhatIsHeld()
 {
-    for (const ButtonPreset preset : presets)
+    for (const ButtonPreset preset : everyPreset)
         for (const Side side : sides) {
             Player player({preset, Side::Right});
             const bool isPaper = preset == ButtonPreset::Paper, isSculpting = side == Side::Right;
@@ -822,7 +821,7 @@ void TestWandMapping::whatGoesOnEndsWhenHandsAreChosenAnew()
 /// Nobody let go of what was pressed when everything was ended.
 void TestWandMapping::whatIsPressedMeanwhileMustBeLetGo()
 {
-    for (const ButtonPreset preset : presets)
+    for (const ButtonPreset preset : everyPreset)
         for (const Side side : sides)
             for (const Move& move : moves) {
                 if (move.from.padTouched && !move.from.padPressed)
@@ -844,7 +843,7 @@ void TestWandMapping::whatIsPressedMeanwhileMustBeLetGo()
 
 void TestWandMapping::swappedHandsDoTheSame()
 {
-    for (const ButtonPreset preset : presets) {
+    for (const ButtonPreset preset : everyPreset) {
         WandMapping rightHanded({preset, Side::Right}), leftHanded({preset, Side::Left});
         RandomWands wands;
         for (int i = 0; i < 20000; ++i) {

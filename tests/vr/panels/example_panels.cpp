@@ -213,3 +213,8 @@ std::vector<ExamplePanel> examplePanels()
         all.push_back(lesson);
     return all;
 }
+
+vr::PanelLayout exampleLayout(int index)
+{
+    return vr::layoutOf(examplePanels()[static_cast<std::size_t>(index)].content);
+}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vr/panels/panel_content.h"
+#include "vr/panels/panel_layout.h"
 
 #include <memory>
 #include <vector>
@@ -32,3 +33,4 @@ struct ExamplePanel
 
 /// Each panel in each of its states.
 std::vector<ExamplePanel> examplePanels();
+vr::PanelLayout exampleLayout(int index);

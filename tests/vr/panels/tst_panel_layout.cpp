@@ -126,11 +126,6 @@ void TestPanelLayout::addExamples()
         QTest::newRow(examples[i].name) << static_cast<int>(i);
 }
 
-static PanelLayout exampleLayout(int index)
-{
-    return vr::layoutOf(examplePanels()[static_cast<std::size_t>(index)].content);
-}
-
 /// Points everywhere, also beside the panel.
 void TestPanelLayout::aPart_isHitAllOverAndNowhereElse()
 {

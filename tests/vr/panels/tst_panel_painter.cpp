@@ -13,8 +13,6 @@
 #include <cmath>
 #include <thread>
 
-Q_DECLARE_METATYPE(vr::PanelContent)
-
 using vr::PanelItem;
 using vr::PanelLayout;
 using vr::PanelTouch;
@@ -83,11 +81,6 @@ bool isWhole(const PanelLayout& layout, std::size_t item, const QImage& painted)
         },
         more.items[item].look);
     return !difference(painted, vr::paint(more)).isNull();
-}
-
-PanelLayout exampleLayout(int index)
-{
-    return vr::layoutOf(examplePanels()[static_cast<std::size_t>(index)].content);
 }
 
 PanelTouches touching(const PanelItem& item, bool isPressed, double held = 0)

@@ -99,7 +99,7 @@ const PanelAction undo = PanelCommand::Undo, restore = PanelCommand::RestoreMode
 const PanelAction green = vr::Slide{vr::PanelSlider::Green, 0};
 constexpr bool isClick = true;
 
-int valueOf(const std::optional<PanelAction>& action)
+int slidTo(const std::optional<PanelAction>& action)
 {
     return action && std::holds_alternative<vr::Slide>(*action) ? static_cast<int>(std::get<vr::Slide>(*action).value)
                                                                 : -1;
@@ -203,12 +203,12 @@ void TestPanelPointer::aSlider_actsWhileItIsHeld()
 {
     Wand wand = beforeColors();
     QVERIFY(!wand.at(0, green, {0.2, 0.5}));
-    const int first = valueOf(wand.pointer.press());
+    const int first = slidTo(wand.pointer.press());
     QVERIFY(first > 20 && first < 80);
     QVERIFY(!wand.wait(0.1));
     int before = first;
     for (double share = 0.3; share < 0.95; share += 0.1) {
-        const int value = valueOf(wand.at(0, green, {share, 0.2}));
+        const int value = slidTo(wand.at(0, green, {share, 0.2}));
         QVERIFY(value > before);
         before = value;
     }
@@ -221,9 +221,9 @@ void TestPanelPointer::aSlider_followsBeyondThePanel()
     Wand wand = beforeColors();
     wand.at(0, green);
     wand.pointer.press();
-    QCOMPARE(valueOf(wand.at(0, green, {4, 3})), 255);
+    QCOMPARE(slidTo(wand.at(0, green, {4, 3})), 255);
     QVERIFY(wand.pointer.spot());
-    QCOMPARE(valueOf(wand.at(0, green, {-4, -3})), 0);
+    QCOMPARE(slidTo(wand.at(0, green, {-4, -3})), 0);
     QVERIFY(!wand.pointer.release(isClick));
 }
 
@@ -234,7 +234,7 @@ void TestPanelPointer::aSlider_keepsItsValueWhenTheWandIsLost()
     wand.pointer.press();
     QVERIFY(!wand.lost());
     QVERIFY(!wand.away());
-    QVERIFY(valueOf(wand.at(0, green, {0.8, 0.5})) > 0);
+    QVERIFY(slidTo(wand.at(0, green, {0.8, 0.5})) > 0);
 }
 
 void TestPanelPointer::aHold_actsOnceAndInTime()

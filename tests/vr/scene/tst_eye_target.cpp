@@ -11,7 +11,7 @@ using vr::EyeTarget;
 
 namespace
 {
-constexpr QSize size(97, 61);
+constexpr QSize imageSize(97, 61);
 
 vr::EyeImage asked(const TestImage& image)
 {
@@ -71,19 +71,20 @@ void TestEyeTarget::whatIsDrawn_comesIntoTheImage()
 {
     QFETCH(unsigned int, format);
     QFETCH(float, inMemory);
-    const TestImage image(m_gl, size, format);
+    const TestImage image(m_gl, imageSize, format);
     fill(asked(image), 0.214F);
     QVERIFY(m_target.resolve(asked(image)));
     m_gl->glDisable(GL_FRAMEBUFFER_SRGB);
     for (const QPoint at : {QPoint(0, 0), QPoint(96, 60), QPoint(50, 30)})
-        QVERIFY(std::abs(image.readFloats()[static_cast<std::size_t>(at.y() * size.width() + at.x()) * 4] - inMemory) <
-                0.003F);
+        QVERIFY(std::abs(image.readFloats()[static_cast<std::size_t>(at.y() * imageSize.width() + at.x()) * 4] -
+                         inMemory) < 0.003F);
 }
 
 /// The same name is given for images of one kind; a runtime may make others at any time.
 void TestEyeTarget::sizesAndFormats_mayChange()
 {
-    const TestImage left(m_gl, size), right(m_gl, size), large(m_gl, {300, 211}), linear(m_gl, size, GL_RGBA16F);
+    const TestImage left(m_gl, imageSize), right(m_gl, imageSize), large(m_gl, {300, 211}),
+        linear(m_gl, imageSize, GL_RGBA16F);
     QCOMPARE(m_target.framebufferFor(asked(left)), m_target.framebufferFor(asked(right)));
     float light = 0.1F;
     for (const TestImage* image : {&left, &large, &right, &linear, &left}) {
@@ -106,7 +107,7 @@ void TestEyeTarget::edges_areMixedOfLight()
         vr::Uniform clip{this, "clip"}, halfX{this, "halfX"}, halfY{this, "halfY"}, color{this, "color"};
     } plate;
     QVERIFY(plate.create(m_gl, "rectangle.vert", "plane.frag"));
-    const TestImage image(m_gl, size);
+    const TestImage image(m_gl, imageSize);
     fill(asked(image), 0);
     plate.use();
     plate.clip.set(Eigen::Matrix4f(Eigen::Matrix4f::Identity()));
@@ -124,8 +125,8 @@ void TestEyeTarget::edges_areMixedOfLight()
     QVERIFY(m_target.resolve(asked(image)));
     const QImage picture = image.read();
     std::set<int> shades;
-    for (int y = 0; y < size.height(); ++y)
-        for (int x = 0; x < size.width(); ++x)
+    for (int y = 0; y < imageSize.height(); ++y)
+        for (int x = 0; x < imageSize.width(); ++x)
             shades.insert(qRed(picture.pixel(x, y)));
     QCOMPARE(m_target.samples(), 4);
     QVERIFY(shades.size() > 3);
@@ -136,7 +137,7 @@ void TestEyeTarget::edges_areMixedOfLight()
 
 void TestEyeTarget::samples_areThoseThatThereAre()
 {
-    const TestImage image(m_gl, size);
+    const TestImage image(m_gl, imageSize);
     GLint most = 0;
     m_gl->glGetIntegerv(GL_MAX_SAMPLES, &most);
     for (const int samples : {0, 1, 4, 1000}) {
@@ -152,7 +153,7 @@ void TestEyeTarget::samples_areThoseThatThereAre()
 void TestEyeTarget::badImages_areRefused()
 {
     QCOMPARE(m_target.framebufferFor({0, GL_SRGB8_ALPHA8, 0, 0}), 0U);
-    const TestImage image(m_gl, size);
+    const TestImage image(m_gl, imageSize);
     vr::EyeImage gone = asked(image);
     gone.texture = 0;
     QVERIFY(m_target.framebufferFor(gone) != 0);

@@ -9,7 +9,6 @@ using vr::LabelPlace;
 
 namespace
 {
-constexpr double degree = std::numbers::pi / 180;
 
 struct Case
 {
@@ -87,7 +86,7 @@ void TestLabelLayout::labels_areReadableAtAnyDistance()
             if (place)
                 QVERIFY(2 * std::atan(place->halfY.norm() /
                                       (made.head.position - made.grip * vr::placeOf(vr::WandSpot::PadMiddle)).norm()) >
-                        2.3 * degree);
+                        2.3 * std::numbers::pi / 180);
     }
 }
 

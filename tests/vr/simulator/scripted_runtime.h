@@ -30,3 +30,15 @@ public:
     QStringList clientErrors() const;
     QStringList clientWarnings() const;
 };
+
+/// The fastest pace.
+inline QByteArray fastScript()
+{
+    return R"({"start": {"pace": "fast", "size": [64, 48]}})";
+}
+
+/// The fastest pace, with tiny pictures and such steps.
+inline QByteArray fastWith(const QByteArray& steps)
+{
+    return R"({"start": {"pace": "fast", "size": [16, 16]}, "steps": [)" + steps + "]}";
+}

@@ -9,11 +9,6 @@
 namespace
 {
 constexpr const char* simple = "/interaction_profiles/khr/simple_controller";
-
-QByteArray fastWith(const QByteArray& steps)
-{
-    return R"({"start": {"pace": "fast", "size": [16, 16]}, "steps": [)" + steps + "]}";
-}
 } // namespace
 
 class TestActions : public QObject

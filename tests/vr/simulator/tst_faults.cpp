@@ -11,8 +11,6 @@
 
 namespace
 {
-const QByteArray fast = R"({"start": {"pace": "fast", "size": [64, 48]}})";
-
 int lastFrame(const ScriptedRuntime& runtime)
 {
     return runtime.report()["last_frame"].toObject()["number"].toInt();
@@ -59,7 +57,7 @@ void TestFaults::losesAndRegainsFocus()
 
 void TestFaults::isTakenOffAndPutOnAgain()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     runtime.set(R"({"worn": false})");
@@ -72,7 +70,7 @@ void TestFaults::isTakenOffAndPutOnAgain()
 
 void TestFaults::isAskedToStop()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     runtime.set(R"({"exit": true})");
@@ -103,7 +101,7 @@ void TestFaults::losesTheSession()
 
 void TestFaults::losesTheInstance()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     runtime.set(R"({"lose_instance": 0, "runtime": false})");
@@ -135,7 +133,7 @@ void TestFaults::isNotThere()
 
 void TestFaults::changesSize()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     QCOMPARE(client.eyes[0].size.width, 64);
@@ -169,7 +167,7 @@ void TestFaults::offersOneView()
 
 void TestFaults::isLate()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     const XrTime before = client.frameState.predictedDisplayTime;
@@ -236,7 +234,7 @@ void TestFaults::hidesFrames()
 
 void TestFaults::answersInACallsStead()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.createInstance());
     QSUCCEEDS(client.createSession());
@@ -249,7 +247,7 @@ void TestFaults::answersInACallsStead()
 /// The call goes on where it was as soon as another is named; others are answered meanwhile.
 void TestFaults::freezes()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     runtime.set(R"({"freeze": "xrEndFrame"})");

@@ -18,8 +18,6 @@
 
 namespace
 {
-const QByteArray fast = R"({"start": {"pace": "fast", "size": [64, 48]}})";
-
 QList<QJsonObject> lines(const QString& path)
 {
     QFile file(path);
@@ -85,7 +83,7 @@ void TestRuntime::followsTheEnvironment()
 
 void TestRuntime::livesThroughASession()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     QVERIFY(client.frameState.predictedDisplayPeriod == 11'111'111);
@@ -177,7 +175,7 @@ void TestRuntime::keepsQuads()
     constexpr std::int64_t linear = 0x8058, texture2DArray = 0x8C1A; // GL_RGBA8, GL_TEXTURE_2D_ARRAY
     QTemporaryDir folder;
     qputenv("FETTLE_XR_FRAMES", folder.path().toUtf8());
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     RawClient::Eye panel;
@@ -225,7 +223,7 @@ void TestRuntime::writesALog()
 {
     QTemporaryDir folder;
     qputenv("FETTLE_XR_LOG", folder.filePath("log").toUtf8());
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     {
         RawClient client;
         QSUCCEEDS(client.enter());
@@ -274,7 +272,7 @@ void TestRuntime::isTheSameEveryTime()
 
 void TestRuntime::givesTheContextBack()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.createInstance());
     QSUCCEEDS(client.prepare());
@@ -297,7 +295,7 @@ void TestRuntime::passesTheValidationLayer()
     QSUCCEEDS(xrEnumerateApiLayerProperties(0, &count, nullptr));
     if (count == 0)
         QSKIP("openxr-layer-corevalidation is not installed");
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     {
         RawClient client;
         QSUCCEEDS(client.enter());
@@ -315,7 +313,7 @@ void TestRuntime::passesTheValidationLayer()
 
 void TestRuntime::comesAgain()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     for (int i = 0; i < 3; ++i) {
         RawClient client;
         QSUCCEEDS(client.enter());
@@ -326,7 +324,7 @@ void TestRuntime::comesAgain()
 
 void TestRuntime::refusesWrongOrder()
 {
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.createInstance());
     QSUCCEEDS(client.prepare());
@@ -418,7 +416,7 @@ void TestRuntime::refusesBadLayers()
         std::function<void(XrFrameEndInfo&, XrCompositionLayerProjection&, XrCompositionLayerProjectionView&)>;
     QFETCH(Spoil, spoil);
     QFETCH(int, result);
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     RawClient client;
     QSUCCEEDS(client.enter());
     QSUCCEEDS(xrWaitFrame(client.session, nullptr, &client.frameState));
@@ -463,7 +461,7 @@ void TestRuntime::refusesBadScripts_data()
 void TestRuntime::refusesBadScripts()
 {
     QFETCH(QByteArray, script);
-    ScriptedRuntime runtime(fast);
+    ScriptedRuntime runtime(fastScript());
     QVERIFY(!ScriptedRuntime::load(script).isEmpty());
 }
 

@@ -9,11 +9,6 @@
 
 namespace
 {
-QByteArray fastWith(const QByteArray& steps)
-{
-    return R"({"start": {"pace": "fast", "size": [16, 16]}, "steps": [)" + steps + "]}";
-}
-
 bool isNear(const XrVector3f& a, double x, double y, double z)
 {
     return std::abs(a.x - x) < 1e-5 && std::abs(a.y - y) < 1e-5 && std::abs(a.z - z) < 1e-5;
