@@ -10,10 +10,12 @@
 //   commit     what changed is verified exactly, then octree and draw ranges follow   verify/
 //   join       what the next sub-step would bring into contact                  3.4   dab_steps, fuse/
 //   separate   thin necks, and specks                                           3.4   dab_steps, fuse/
+// and at last, if it has joined anything:
+//   clean      the joints become smooth and quasi-uniform, necks and tunnels narrower than d go   3.4   dab_steps
 // A sub-step that does not verify is rolled back and retried as prepareRetry() lists; at last fallback_step limits its
 // motion vertex by vertex.
-// The paper's local smoothing (3.4) is fold_smoothing: it runs before a retry, and not at a join. The mesh around a
-// join becomes quasi-uniform again (3.4) when the next sub-step, or the next dab there, optimises it.
+// The paper smooths locally and optimises at each join (3.4). Here that is done once, after the last sub-step;
+// fold_smoothing smooths, besides, what has folded up, before a retry.
 
 #include "core/sculpt/dab_pipeline.h"
 
@@ -70,6 +72,7 @@ void DabPipeline::sculpt(DabContext& context)
 {
     begin(context);
     deform(context);
+    m_steps.cleanJoints(context);
     finish(context);
 }
 

@@ -1,10 +1,12 @@
 #include "core/sculpt/dab_steps.h"
 
+#include "core/mesh/normals.h"
 #include "core/sculpt/dab_bounds.h"
 #include "core/sculpt/dab_selection.h"
 #include "core/sculpt/deform/deform.h"
 #include "core/sculpt/deform/mirrored_deform.h"
 #include "core/sculpt/select/selector.h"
+#include "core/sculpt/verify/mesh_transaction.h"
 #include "core/util/phase_timer.h"
 
 namespace core
@@ -13,6 +15,8 @@ namespace
 {
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double maxImageDistance = 4;
+/// Rounds of smoothing at what was joined (paper, section 3.4).
+constexpr int maxJointSmoothings = 3;
 
 /// Even where surfaces face each other, as long as none stops it: the two sides of a line, the walls of an imprint and
 /// the sides of what is dragged face each other, and seldom meet.
@@ -58,7 +62,9 @@ RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEd
     RestLengths* rest = context.rest();
     if (rest)
         rest->measure(context.region, context.mesh());
-    if (!context.grab.state.isOn && context.settings.topology != Topology::Keep) {
+    if (context.settings.topology == Topology::Keep) {
+        context.region.remeshed().clear(); // of an earlier dab
+    } else if (!context.grab.state.isOn) {
         const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
         counts = refine(edit, context.region, context.candidates, context.ball, context.bounds, rest);
     }
@@ -161,6 +167,38 @@ void DabSteps::separate(DabContext& context)
     context.request.totals.separations +=
         m_fusion.separate(context.surface, context.region, context.blocked, context.bounds);
     context.blocked.clear();
+}
+
+void DabSteps::cleanJoints(DabContext& context)
+{
+    if (!m_fusion.hasJoined())
+        return;
+    m_fusion.addJoined(context.region, context.mesh(), context.dab.position);
+    if (!optimiseJoints(context, maxJointSmoothings))
+        optimiseJoints(context, 0);
+    separate(context);
+    const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
+    context.request.totals.separations += m_fusion.cutCycles(context.surface, context.region, context.bounds);
+}
+
+/// Smooths what was joined, so often, and optimises the region, in one transaction. Returns whether it verified.
+bool DabSteps::optimiseJoints(DabContext& context, int smoothings)
+{
+    MeshTransaction transaction(context.surface, context.region);
+    const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
+    const Mesh& mesh = context.mesh();
+    const auto smoothed = [&](Slot v) {
+        const Vec3 p = mesh.point(v).cast<double>();
+        return m_fusion.isJoined(v) ? Vec3(0.5 * (p + neighbourMean(mesh, v))) : p;
+    };
+    MeshEditor edit = context.editor();
+    for (int i = 0; i < smoothings; ++i)
+        moveSoundly(edit, context.region, context.bounds, smoothed);
+    const RemeshCounts counts = optimise(context, edit);
+    if (!transaction.commit())
+        return false;
+    context.count(counts);
+    return true;
 }
 
 bool DabSteps::isContact(const DabContext& context, const StepPlan& plan)

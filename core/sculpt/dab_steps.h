@@ -26,11 +26,15 @@ public:
     bool join(DabContext& context, const StepPlan& plan);
     /// Cuts necks that have grown too thin to be collapsed, and removes specks.
     void separate(DabContext& context);
+    /// Smooths what the dab has joined, makes it quasi-uniform, and cuts the necks and tunnels narrower than d that
+    /// joining has left.
+    void cleanJoints(DabContext& context);
     /// Whether surfaces that may not be joined are about to meet at the context's bad vertices.
     bool isContact(const DabContext& context, const StepPlan& plan);
 
 private:
     double plan(DabContext& context);
+    bool optimiseJoints(DabContext& context, int smoothings);
     static bool canFacesFuse(const DabContext& context);
 
     TopologyFusion m_fusion;

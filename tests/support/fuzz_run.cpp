@@ -212,6 +212,7 @@ void FuzzRun::sculpt(Stroke stroke)
     }
     stroke.samples.resize(used);
     done(m_sculptor.endStroke(), std::move(stroke));
+    checkAfterSample(); // of the dabs that have waited for it
 }
 
 void FuzzRun::command(const core::ModelCommand& command)

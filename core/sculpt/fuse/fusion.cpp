@@ -35,6 +35,7 @@ void TopologyFusion::beginDab(MirrorMap* mirror, double detailShare)
     m_candidates.setMirror(mirror);
     m_separation.beginDab(detailShare);
     m_tunnels.clear();
+    m_joined.clear();
 }
 
 bool TopologyFusion::predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds)
@@ -55,7 +56,7 @@ std::uint64_t TopologyFusion::join(VerifiedMesh& surface, Region& region, Motion
         m_candidates.find(surface, region, limits, input);
         m_candidates.dropTunnelsBesideJoins(surface.mesh());
         m_candidates.sort();
-        const std::uint64_t joined = joinPairs(surface, region, input.bounds);
+        const std::uint64_t joined = joinPairs(surface, region, input);
         if (joined == 0)
             break;
         joins += joined;
@@ -63,7 +64,7 @@ std::uint64_t TopologyFusion::join(VerifiedMesh& surface, Region& region, Motion
     return joins;
 }
 
-std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds)
+std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, const FusionInput& input)
 {
     const Mesh& mesh = surface.mesh();
     std::uint64_t joined = 0;
@@ -74,15 +75,42 @@ std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, c
         if (!mayJoin(mesh, pair))
             continue;
         const Vec3 middle = 0.5 * (mesh.point(pair.p).cast<double>() + mesh.point(pair.q).cast<double>());
-        if (pair.startsTunnel && isBesideTunnel(middle, bounds.detail))
+        if (pair.startsTunnel && isBesideTunnel(middle, input.bounds.detail))
             continue;
-        if (!joinPair(surface, region, pair, bounds))
+        if (!joinPair(surface, region, pair, input.bounds))
             continue;
         ++joined;
         if (pair.startsTunnel)
             m_tunnels.push_back(middle);
     }
+    if (input.rest && joined > 0)
+        forgetDetail(mesh, *input.rest, input.bounds.thickness());
     return joined;
+}
+
+/// Where surfaces have joined the mesh may become as coarse as the brush makes it: else the next sub-steps, which are
+/// as long as the brush takes them, would leave gaps between the joins of a finer mesh. `reach`: from the joins, in mm.
+void TopologyFusion::forgetDetail(const Mesh& mesh, RestLengths& rest, double reach) const
+{
+    SlotSet seen;
+    std::vector<double> left; // of the reach, by position among them
+    const auto visit = [&](Slot v, double reachThere) {
+        if (reachThere < 0 || !seen.add(v))
+            return;
+        left.push_back(reachThere);
+        rest.noteNew(v);
+    };
+    for (Slot v : m_done.slots()) {
+        if (mesh.isVertex(v))
+            visit(v, reach);
+    }
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const Slot v = seen.slots()[i];
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            const Slot other = mesh.to(h);
+            visit(other, left[i] - (mesh.point(other) - mesh.point(v)).cast<double>().norm());
+        });
+    }
 }
 
 bool TopologyFusion::mayJoin(const Mesh& mesh, const FusionPair& pair) const
@@ -110,10 +138,12 @@ bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const Fusio
         }
         if (!created->empty()) // a vertex of several umbrellas was split: one part may be a speck
             m_separation.removeSpecks(surface, region, cornersLeft(mesh, around, *created), bounds);
-        for (Slot v : around)
-            m_done.add(v);
-        for (Slot v : *created)
-            m_done.add(v);
+        for (const std::vector<Slot>* vertices : {&around, &*created}) {
+            for (Slot v : *vertices) {
+                m_done.add(v);
+                m_joined.add(v);
+            }
+        }
         return true;
     }
     if (hasFailed) {
@@ -148,6 +178,28 @@ bool TopologyFusion::isBesideTunnel(const Vec3& middle, double detail) const
     const double beside = minTunnelDistance * detail;
     return std::ranges::any_of(m_tunnels,
                                [&](const Vec3& tunnel) { return (tunnel - middle).squaredNorm() < beside * beside; });
+}
+
+void TopologyFusion::addJoined(Region& region, const Mesh& mesh, const Vec3& center) const
+{
+    const MirrorMap* mirror = m_surgery.mirror();
+    for (Slot v : m_joined.slots()) {
+        if (mesh.isVertex(v) && !region.contains(v) && (!mirror || mirror->isInHalf(v)))
+            region.add(v, (mesh.point(v).cast<double>() - center).norm());
+    }
+}
+
+std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    SlotSet around;
+    for (Slot v : m_joined.slots()) {
+        if (!mesh.isVertex(v))
+            continue;
+        around.add(v);
+        mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
+    }
+    return m_separation.cutCycles(surface, region, around.slots(), bounds);
 }
 
 bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,

@@ -37,8 +37,18 @@ public:
         return m_separation.separate(surface, region, blocked, bounds);
     }
 
+    /// Whether this dab has joined anything.
+    bool hasJoined() const { return m_joined.size() > 0; }
+    /// Whether the vertex lies at a join of this dab.
+    bool isJoined(Slot v) const { return m_joined.contains(v); }
+    /// Adds what this dab has joined to the region: what it met besides.
+    void addJoined(Region& region, const Mesh& mesh, const Vec3& center) const;
+    /// See Separation::cutCycles(), around what this dab has joined.
+    std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
+
 private:
-    std::uint64_t joinPairs(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
+    std::uint64_t joinPairs(VerifiedMesh& surface, Region& region, const FusionInput& input);
+    void forgetDetail(const Mesh& mesh, RestLengths& rest, double reach) const;
     bool mayJoin(const Mesh& mesh, const FusionPair& pair) const;
     bool joinPair(VerifiedMesh& surface, Region& region, const FusionPair& pair, const EdgeBounds& bounds);
     std::optional<Surgery> joining(const VerifiedMesh& surface, const FusionPair& pair, Stepping stepping) const;
@@ -49,5 +59,6 @@ private:
     Separation m_separation{m_surgery};
     std::vector<Vec3> m_tunnels; ///< where this dab started tunnels; mm
     SlotSet m_done;              ///< vertices around the joins of this round
+    SlotSet m_joined;            ///< vertices around the joins of this dab; some may be gone
 };
 } // namespace core

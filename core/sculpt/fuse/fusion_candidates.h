@@ -12,8 +12,8 @@ struct FusionInput
 {
     bool pushes = false; ///< a wall whose two sides meet gets a hole
     EdgeBounds bounds;
-    double part = 1;                   ///< share of the plan that one sub-step does
-    const RestLengths* rest = nullptr; ///< of a stroke that keeps detail
+    double part = 1;             ///< share of the plan that one sub-step does
+    RestLengths* rest = nullptr; ///< of a stroke that keeps detail
     /// Returns d_detail at p and q, in mm: less than the brush's where the surface was finer before the stroke.
     double detail(Slot p, Slot q) const;
 };

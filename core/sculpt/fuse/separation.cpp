@@ -6,13 +6,29 @@ namespace core
 {
 namespace
 {
-/// A neck is cut when the edges around it are shorter than this together, in terms of d.
-constexpr double neckPerimeter = 3;
+/// A neck is cut when the edges around it are shorter than this together, in terms of d. One that a join has left is
+/// cut if no ball of diameter d fits through: 3 sqrt(3) of an even triangle.
+constexpr double neckPerimeter = 3, jointPerimeter = 5.2;
 /// The gaps to try between the two sides of a cut neck, in terms of d.
 constexpr double neckGaps[] = {0.5, 0.1};
 /// A speck: a component smaller than this, in terms of the brush's d; one of few faces may be a little larger.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
+/// A void that a join has closed is filled if it is smaller than this, in terms of the brush's d.
+constexpr double voidSize = 5;
+constexpr std::size_t voidFaces = 256;
+
+/// Six times the volume that the faces enclose, in mm3: negative for a void.
+double volume6(const Mesh& mesh, std::span<const Slot> faces)
+{
+    double sum = 0;
+    for (Slot f : faces) {
+        const Triangle& t = mesh.corners(f);
+        const auto point = [&](Slot v) -> Vec3 { return mesh.point(v).cast<double>(); };
+        sum += point(t[0]).dot(point(t[1]).cross(point(t[2])));
+    }
+    return sum;
+}
 
 /// Returns the third vertex of the shortest cycle of three edges that holds this edge and is no face; noSlot if there
 /// is none of that length.
@@ -48,15 +64,43 @@ std::uint64_t Separation::separate(VerifiedMesh& surface, Region& region, const 
     for (const VertexPair& edge : blocked) {
         if (!mesh.isVertex(edge[0]) || !mesh.isVertex(edge[1]) || mesh.findHalfedge(edge[0], edge[1]) == noSlot)
             continue;
-        separations += cutNeck(surface, region, edge, bounds) || removeSpeck(surface, region, edge[0], bounds);
+        separations += cutNeck(surface, region, edge, neckPerimeter * bounds.minimum, bounds) ||
+                       removeSpeck(surface, region, edge[0], bounds);
     }
     return separations;
 }
 
-bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds)
+std::uint64_t Separation::cutCycles(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
+                                    const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
-    const Slot third = neckAt(mesh, edge, neckPerimeter * bounds.minimum);
+    const MirrorMap* mirror = m_surgery.mirror();
+    std::uint64_t cuts = 0;
+    std::vector<Slot> neighbours;
+    for (Slot v : vertices) {
+        if (!mesh.isVertex(v) || (mirror && !mirror->isInHalf(v)))
+            continue;
+        neighbours.clear();
+        mesh.forEachOutgoing(v, [&](Slot h) { neighbours.push_back(mesh.to(h)); });
+        for (Slot other : neighbours) {
+            if (!mesh.isVertex(v))
+                break;
+            if (mesh.isVertex(other) && mesh.findHalfedge(v, other) != noSlot)
+                cuts += cutNeck(surface, region, {v, other}, jointPerimeter * bounds.minimum, bounds);
+        }
+    }
+    for (Slot v : vertices) {
+        if (mesh.isVertex(v) && (!mirror || mirror->isInHalf(v)))
+            cuts += removeSpeck(surface, region, v, bounds);
+    }
+    return cuts;
+}
+
+bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, double maxPerimeter,
+                         const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    const Slot third = neckAt(mesh, edge, maxPerimeter);
     if (third == noSlot || !m_surgery.mayTry(edge[0]) || !m_surgery.mayTry(edge[1]))
         return false;
     const Triangle cycle = {edge[0], edge[1], third};
@@ -99,8 +143,8 @@ void Separation::removeSpecks(VerifiedMesh& surface, Region& region, const std::
     }
 }
 
-/// Removes the component of a vertex, if it is small and not all there is. (One that holds another is not sound to
-/// remove.)
+/// Removes the component of a vertex, if it is small and not all there is: a speck, or a void. (One that holds another
+/// is not sound to remove.)
 bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
@@ -108,20 +152,23 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
     SlotSet& found = region.scratch();
     found.clear();
     found.add(mesh.face(mesh.outgoing(vertex)));
-    const auto isTooLarge = [&] { // and stays so: both only grow
-        const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
-        return found.size() > speckFaces ||
-               size > (found.size() < fewFaces ? crumbSize : speckSize) * bounds.minimum / m_detailShare;
+    const double d = bounds.minimum / m_detailShare;
+    const auto size = [&] { return (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit(); };
+    const auto isSpeck = [&] {
+        return found.size() <= speckFaces && size() <= (found.size() < fewFaces ? crumbSize : speckSize) * d;
     };
+    const auto mayBeVoid = [&] { return found.size() <= voidFaces && size() <= voidSize * d; };
     for (std::size_t i = 0; i < found.size(); ++i) {
         Slot h = mesh.faceHalfedge(found.slots()[i]);
         for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
             found.add(mesh.face(h ^ 1));
             box.extend(mesh.latticePoint(mesh.to(h)));
         }
-        if (isTooLarge())
+        if (!isSpeck() && !mayBeVoid()) // and stays so: both only grow
             return false;
     }
+    if (!isSpeck() && volume6(mesh, found.slots()) >= 0)
+        return false;
     Surgery surgery;
     surgery.removed = found.slots();
     surgery.near = vertex;

@@ -21,12 +21,19 @@ public:
     std::uint64_t separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
                            const EdgeBounds& bounds);
 
+    /// Cuts necks and fills tunnels at these vertices that are narrower than d: cycles of three edges whose ends are
+    /// capped, whichever side of the surface is the solid one. Removes specks and small voids there. Returns how many
+    /// of all these there were.
+    std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
+                            const EdgeBounds& bounds);
+
     /// Removes the components of these vertices that are specks.
     void removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
                       const EdgeBounds& bounds);
 
 private:
-    bool cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
+    bool cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, double maxPerimeter,
+                 const EdgeBounds& bounds);
     bool removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
     bool isOwnImage(const Mesh& mesh, const Triangle& cycle) const;
 

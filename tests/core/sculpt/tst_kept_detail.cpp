@@ -2,7 +2,7 @@
 #include "core/sculpt/deform/deform.h"
 #include "core/stroke/stroke_anchor.h"
 #include "core/stroke/stroke_path.h"
-#include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/test_main.h"
 
@@ -22,10 +22,10 @@ using core::Vec3;
 
 namespace
 {
-constexpr double ballRadius = 50; // mm
+using clay::ballRadius;
 
 /// A ball with waves of eight edges in all directions.
-core::TriangleMesh relief()
+core::TriangleMesh wavyBall()
 {
     core::TriangleMesh ball = core::icosphere(6, ballRadius);
     for (core::Vec3f& p : ball.points)
@@ -137,7 +137,7 @@ void TestKeptDetail::refine_movesEachVertexByTheField()
 {
     QFETCH(Tool, tool);
     QFETCH(double, radius);
-    Sculptor sculptor(mesh_asserts::sculptable(relief()));
+    Sculptor sculptor(mesh_asserts::sculptable(wavyBall()));
     const Stroke stroke = strokeOf(tool, radius);
     const Expected expected(sculptor.mesh(), stroke);
     std::vector<double> shortest;
@@ -170,7 +170,7 @@ void TestKeptDetail::keep_addsAndRemovesNothing()
 {
     QFETCH(Tool, tool);
     QFETCH(double, radius);
-    Sculptor sculptor(mesh_asserts::sculptable(relief()));
+    Sculptor sculptor(mesh_asserts::sculptable(wavyBall()));
     Stroke stroke = strokeOf(tool, radius);
     stroke.settings.topology = Topology::Keep;
     const core::SlotCounts before = sculptor.mesh().live();
@@ -213,7 +213,7 @@ void TestKeptDetail::refine_collapsesWhatTheStrokeSqueezed()
 /// The paper's topology, which this is compared with.
 void TestKeptDetail::adaptive_losesDetail()
 {
-    Sculptor sculptor(mesh_asserts::sculptable(relief()));
+    Sculptor sculptor(mesh_asserts::sculptable(wavyBall()));
     Stroke stroke = strokeOf(Tool::Pull, 18);
     stroke.settings.topology = Topology::Adaptive;
     const Slot before = sculptor.mesh().live().vertices;

@@ -31,7 +31,7 @@ StrokeSample through(double x, double y)
 }
 
 /// Samples on an arc of 120 degrees in the left half of the view.
-std::vector<StrokeSample> arc(double radius, int samples)
+std::vector<StrokeSample> leftArc(double radius, int samples)
 {
     std::vector<StrokeSample> path;
     for (int i = 0; i < samples; ++i) {
@@ -62,7 +62,7 @@ std::unique_ptr<Sculptor> draw(const StrokeSettings& settings, const std::vector
     return sculptor;
 }
 
-template <class Visit> void forEachPoint(const Sculptor& sculptor, Visit visit)
+template <class Visit> void forEachPlace(const Sculptor& sculptor, Visit visit)
 {
     for (Slot v = 0; v < sculptor.mesh().slots().vertices; ++v) {
         if (sculptor.mesh().isVertex(v))
@@ -74,7 +74,7 @@ template <class Visit> void forEachPoint(const Sculptor& sculptor, Visit visit)
 std::vector<double> heights(const Sculptor& sculptor)
 {
     std::map<int, double> highest;
-    forEachPoint(sculptor, [&](const Vec3& p) {
+    forEachPlace(sculptor, [&](const Vec3& p) {
         const int sector = static_cast<int>(std::lround((std::atan2(p.y(), p.x()) * 180 / M_PI + 360) / 5)) % 72;
         for (const int near : {sector - 1, sector, sector + 1})
             highest[near] = std::max(highest[near], p.norm() - ballRadius);
@@ -118,7 +118,7 @@ void TestStrokeOnSurface::ridge_isAsHighEverywhere()
     QFETCH(double, strength);
     StrokeSettings settings = brush(tool);
     settings.strength = strength;
-    const auto sculptor = draw(settings, arc(radius, 60));
+    const auto sculptor = draw(settings, leftArc(radius, 60));
     std::vector<double> ridge = heights(*sculptor);
     std::ranges::sort(ridge);
     const double middle = ridge[ridge.size() / 2];
@@ -141,7 +141,7 @@ void TestStrokeOnSurface::twelveSamplesOfACircle_makeACircle()
     const double onBall = clay::ball()->hit({eye, path[0].direction})->position.head<2>().norm();
     std::map<int, std::pair<double, double>>
         ridge; // by sector of 6 degrees: sums of heights, and of distances from the axis
-    forEachPoint(*sculptor, [&](const Vec3& p) {
+    forEachPlace(*sculptor, [&](const Vec3& p) {
         const double height = p.norm() - ballRadius;
         if (p.z() < 0 || height < 0.01 * settings.radius)
             return;

@@ -351,8 +351,7 @@ void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
     const std::vector<Vec3> back = arc(45, 30, 15);
     path.insert(path.end(), back.begin(), back.end());
     const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 20), path);
-    QVERIFY(
-        std::ranges::any_of(reports, [](const DabReport& report) { return report.outcome == DabOutcome::Fallback; }));
+    QVERIFY(sculptor->totals().rolledBack > 0);
     double asked = 0, reached = 0;
     for (std::size_t i = 1; i < 40; ++i) {
         asked += reports[i].asked;
@@ -395,7 +394,7 @@ void TestTools::snake_followsItsTip()
     stroke(*sculptor, settingsOf(Tool::SnakeHook, 12), path);
     double tip = 0;
     forEachPoint(sculptor->mesh(), [&](const Vec3& p) { tip = p.z() > 80 ? std::max(tip, p.y()) : tip; });
-    QVERIFY2(std::abs(tip - 40) < 4, qPrintable(QString::number(tip)));
+    QVERIFY2(tip > 38 && tip < 40 + 0.6 * 12, qPrintable(QString::number(tip))); // what the brush holds, half a radius
     QVERIFY(isSound(*sculptor));
 }
 
