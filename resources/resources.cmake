@@ -45,6 +45,7 @@ set(FETTLE_RESOURCE_FILES
     icons/inflate.svg
     icons/insert.svg
     icons/invert.svg
+    icons/keep.svg
     icons/key-hand.svg
     icons/keys.svg
     icons/larger.svg
@@ -99,6 +100,7 @@ set(FETTLE_RESOURCE_FILES
     icons/reference.svg
     icons/reference-choose.svg
     icons/reference-remove.svg
+    icons/refine.svg
     icons/remesh.svg
     icons/rename.svg
     icons/report.svg

@@ -3007,12 +3007,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Verfeinern</translation>
     </message>
     <message>
-        <source>Refine and coarsen</source>
-        <translation>Verfeinern und vergröbern</translation>
+        <source>Adaptive</source>
+        <translation>Anpassen</translation>
     </message>
     <message>
-        <source>Keep as they are</source>
-        <translation>Lassen, wie sie sind</translation>
+        <source>Keep</source>
+        <translation>Belassen</translation>
     </message>
     <message>
         <source>Uniform</source>
@@ -3049,6 +3049,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.</source>
         <translation>Der Pinsel hängt an einer so langen Schnur hinter dem Zeiger: eine zitternde Hand zeichnet glatte Linien.</translation>
+    </message>
+    <message>
+        <source>Airbrush</source>
+        <translation>Airbrush</translation>
+    </message>
+    <message>
+        <source>The tool goes on as long as you hold it in one place.</source>
+        <translation>Das Werkzeug arbeitet weiter, solange Sie es an einer Stelle halten.</translation>
     </message>
     <message>
         <source>Steady stroke</source>
@@ -7203,11 +7211,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Adaptive</source>
-        <translation>Angepasst</translation>
+        <translation>Anpassen</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation>Lassen</translation>
+        <translation>Belassen</translation>
     </message>
     <message>
         <source>Uniform</source>

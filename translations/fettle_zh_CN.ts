@@ -3001,12 +3001,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>细化</translation>
     </message>
     <message>
-        <source>Refine and coarsen</source>
-        <translation>细化并粗化</translation>
+        <source>Adaptive</source>
+        <translation>自适应</translation>
     </message>
     <message>
-        <source>Keep as they are</source>
-        <translation>保持原样</translation>
+        <source>Keep</source>
+        <translation>保持</translation>
     </message>
     <message>
         <source>Uniform</source>
@@ -3043,6 +3043,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.</source>
         <translation>笔刷由这么长的线拖在指针后面：颤抖的手也能画出平滑的线条。</translation>
+    </message>
+    <message>
+        <source>Airbrush</source>
+        <translation>喷枪</translation>
+    </message>
+    <message>
+        <source>The tool goes on as long as you hold it in one place.</source>
+        <translation>只要按住不动，工具就持续作用。</translation>
     </message>
     <message>
         <source>Steady stroke</source>

@@ -26,9 +26,9 @@ void DocumentStrokes::addSample(const core::StrokeSample& sample)
         [this, sample] { m_document->worker().strokes().addSample(Source::Desktop, sample); });
 }
 
-void DocumentStrokes::endStroke()
+void DocumentStrokes::endStroke(core::StrokeEnd how)
 {
-    m_document->queue().enqueueStroke([this] { m_document->worker().strokes().endStroke(Source::Desktop); });
+    m_document->queue().enqueueStroke([this, how] { m_document->worker().strokes().endStroke(Source::Desktop, how); });
     m_document->queue().endStroke();
 }
 

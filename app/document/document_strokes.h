@@ -6,6 +6,7 @@ namespace core
 {
 struct StrokeSample;
 struct StrokeSettings;
+enum class StrokeEnd;
 } // namespace core
 
 namespace app
@@ -25,7 +26,7 @@ public:
 public Q_SLOTS:
     void beginStroke(const core::StrokeSettings& settings);
     void addSample(const core::StrokeSample& sample);
-    void endStroke();
+    void endStroke(core::StrokeEnd how = {});
     /// A step of its own: adds a ball, or a notice says why not.
     void addSphere(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 

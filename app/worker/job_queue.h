@@ -30,7 +30,9 @@ struct Sample
     bool first = false;        ///< of its stroke; set by the queue
 };
 struct EndStroke
-{};
+{
+    core::StrokeEnd how = core::StrokeEnd::Kept;
+};
 /// Anything else that needs the mesh.
 using Task = std::function<void()>;
 using Job = std::variant<BeginStroke, Sample, EndStroke, Task>;

@@ -144,9 +144,9 @@ void SculptWorker::run(Sample& job)
     m_publisher.endSample();
 }
 
-void SculptWorker::run(EndStroke&)
+void SculptWorker::run(EndStroke& job)
 {
-    finish(m_runner.end());
+    finish(m_runner.end(job.how));
 }
 
 void SculptWorker::run(Task& job)

@@ -31,13 +31,13 @@ void StrokeGate::addSample(Source source, const core::StrokeSample& sample)
         m_queue->push(Sample{sample, steadyNs()});
 }
 
-void StrokeGate::endStroke(Source source)
+void StrokeGate::endStroke(Source source, core::StrokeEnd how)
 {
     const std::lock_guard lock(m_mutex);
     if (m_openSource != source)
         return;
     m_openSource.reset();
-    m_queue->push(EndStroke{});
+    m_queue->push(EndStroke{how});
 }
 
 bool StrokeGate::addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample)

@@ -23,7 +23,7 @@ public:
     /// like any other.
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
-    void endStroke(Source source);
+    void endStroke(Source source, core::StrokeEnd how = core::StrokeEnd::Kept);
     /// A stroke of one sample that adds a sphere at its position (settings.add) and does nothing else: where the brush
     /// would touch the surface it is refused as too close. As beginStroke().
     bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);

@@ -110,9 +110,12 @@ void StrokeRunner::note(const core::DabReport& dab)
     m_report.shortfall = std::max(m_report.shortfall, m_shortfall);
 }
 
-StrokeReport StrokeRunner::end()
+StrokeReport StrokeRunner::end(core::StrokeEnd how)
 {
-    if (m_sculptor) {
+    if (how == core::StrokeEnd::TakenBack) {
+        m_report = {};
+        takeBack();
+    } else if (m_sculptor) {
         auto delta =
             std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         if (!delta->empty()) {
@@ -123,6 +126,15 @@ StrokeReport StrokeRunner::end()
         m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
     }
     return std::exchange(m_report, {});
+}
+
+/// Makes the mesh what it was before the stroke in work.
+void StrokeRunner::takeBack()
+{
+    if (!m_sculptor || !m_sculptor->strokeOpen())
+        return;
+    core::MeshDelta delta = m_sculptor->endStroke();
+    m_sculptor->swap(delta);
 }
 
 StrokeReport StrokeRunner::replace(const StrokeReplacement& replacement)
@@ -139,10 +151,7 @@ StrokeReport StrokeRunner::replace(const StrokeReplacement& replacement)
             m_report.isReplacement = true;
             return end();
         }
-        if (m_sculptor && m_sculptor->strokeOpen()) {
-            core::MeshDelta delta = m_sculptor->endStroke();
-            m_sculptor->swap(delta);
-        }
+        takeBack();
     }
     StrokeReport report = replacement.before;
     report.isReplacement = true;

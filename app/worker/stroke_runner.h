@@ -25,8 +25,8 @@ public:
     void begin(const BeginStroke& stroke);
     /// Nothing if the stroke has nothing more to do.
     std::optional<Effect> add(const core::StrokeSample& sample);
-    /// Returns the report without facts.
-    StrokeReport end();
+    /// Returns the report without facts; of a stroke that is taken back, without a step.
+    StrokeReport end(core::StrokeEnd how = core::StrokeEnd::Kept);
     /// As begin(), add() and end(). If it is stopped, the mesh is as if it had not begun, and the stroke before comes
     /// back.
     StrokeReport replace(const StrokeReplacement& replacement);
@@ -42,6 +42,7 @@ private:
     bool isOver(const core::StrokeSample& sample);
     void apply(const core::StrokeSample& sample);
     void note(const core::DabReport& dab);
+    void takeBack();
     quint64 topologyChanges() const;
 
     core::Sculptor* m_sculptor = nullptr;

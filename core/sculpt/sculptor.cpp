@@ -127,6 +127,8 @@ std::vector<DabReport> Sculptor::Engine::applyDue()
     const auto center = [this](const Vec3& position, const Vec3& direction) { return centerOf(position, direction); };
     while (const auto due = path->next(center)) {
         reports.push_back(due->hasCenter ? apply(due->dab) : DabReport());
+        if (due->isResting)
+            displacements.clear(); // where the hand rests the brush follows what it raises
         if (afterDab)
             afterDab(reports.back());
     }

@@ -16,6 +16,13 @@ Vec3 bend(const Vec3& p0, const Vec3& p1, const Vec3& p2, double ratio)
 {
     return ((p1 - p0) / ratio - (p2 - p1)) / (1 + ratio);
 }
+
+/// Between two rotations, the short way; without trigonometry, whose last bits differ from machine to machine.
+Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double t)
+{
+    const Eigen::Vector4d end = a.dot(b) < 0 ? Eigen::Vector4d(-b.coeffs()) : b.coeffs();
+    return Eigen::Quaterniond(Eigen::Vector4d(a.coeffs() + t * (end - a.coeffs()))).normalized();
+}
 } // namespace
 
 SampleCurve::SampleCurve(const PlacedSample& from, const PlacedSample& to, const PlacedSample* before,
@@ -43,6 +50,7 @@ StrokeSample SampleCurve::at(double t) const
     s.time = mix(a.time, b.time);
     s.position = a.position + t * (b.position - a.position) + t * (1 - t) * m_bend;
     s.direction = a.direction + t * (b.direction - a.direction) + t * (1 - t) * m_directionBend;
+    s.rotation = between(a.rotation, b.rotation, t);
     s.pressure = mix(a.pressure, b.pressure);
     if (a.radius && b.radius)
         s.radius = mix(*a.radius, *b.radius);

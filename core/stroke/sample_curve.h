@@ -12,8 +12,8 @@ struct PlacedSample
 };
 
 /// The way of the hand from one sample to the next. Position and direction follow the parabola through a third sample
-/// beside these two, so that few samples of a curve make a curve; the rest is linear, except that rotation and up are
-/// those of the later sample.
+/// beside these two, so that few samples of a curve make a curve; the rest is linear, the model's rotation too (and
+/// then of unit length), except that up is the later sample's.
 class SampleCurve
 {
 public:

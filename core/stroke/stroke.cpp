@@ -48,6 +48,7 @@ bool isUsable(const StrokeSettings& settings, const StrokeSample& sample)
 {
     const bool settingsFit = isIn(settings.detail, Parameter::Detail) && isIn(settings.spacing, Parameter::Spacing) &&
                              isFalloff(settings.falloff) && settings.radial >= 1 && settings.radial <= maxRadial &&
+                             settings.airbrush >= 0 && settings.airbrush <= maxAirbrush &&
                              (settings.detailLength == 0 || isIn(settings.detailLength, Parameter::Radius));
     return settingsFit && isIn(sample.radius.value_or(settings.radius), Parameter::Radius) &&
            isIn(sample.strength.value_or(settings.strength), Parameter::Strength) && sample.pressure >= 0 &&

@@ -14,6 +14,7 @@ class BrushModel;
 
 /// Of sectors.
 inline constexpr int maxRadial = 32;
+inline constexpr double minAirbrush = 0.1, maxAirbrush = 60, defaultAirbrush = 10; ///< dabs a second
 
 /// What stays the same during a stroke. Lengths in the document's unit.
 struct StrokeSettings
@@ -33,6 +34,9 @@ struct StrokeSettings
     double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
     /// In radii, of Stamp at least 2; 0: each sample is exactly one dab.
     double spacing = info(Parameter::Spacing).defaultValue;
+    /// Dabs a second of a hand that rests, with a spacing and a tool that can (canAirbrush); 0: a hand that rests does
+    /// nothing. At most maxAirbrush.
+    double airbrush = 0;
     /// Surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact.
     bool fusion = true;
     /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills,
@@ -61,7 +65,7 @@ bool pushes(const StrokeSettings& settings);
 /// One reading of mouse, pen or wand. After this nobody asks which it was.
 struct StrokeSample
 {
-    double time = 0; ///< seconds; without influence on geometry
+    double time = 0; ///< seconds; without influence on geometry, except for StrokeSettings::airbrush
     Vec3 position = Vec3::Zero();
     Vec3 direction = -Vec3::UnitZ();
     double pressure = 1; ///< 0 to 1
@@ -97,6 +101,9 @@ struct Stroke
     std::vector<StrokeSample> samples;
     StrokeNeed alpha, model; ///< while settings have none
 };
+
+/// How an open stroke ends: it stays, or the model becomes again what it was before, and there is no step.
+enum class StrokeEnd { Kept, TakenBack };
 
 /// One application of the brush, in the model's space.
 struct Dab

@@ -10,6 +10,11 @@ namespace
 {
 /// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
 constexpr double minStampSpacing = 2;
+/// The hand rests as long as it has moved by less than this since the last dab, in radii: one that follows a path
+/// slowly does not. After this time its first dab comes: a click is one dab.
+constexpr double maxRestTravel = 0.05, minRestSeconds = 0.25;
+/// A longer rest between two samples counts as one of so many seconds: no hand is read so seldom.
+constexpr double maxRestSeconds = 10;
 /// Of a hand's direction across its up, squared, in lengths of it: what is less may be rounding.
 constexpr double minAcross2 = 1e-12;
 
@@ -30,7 +35,11 @@ void StrokePath::add(const StrokeSample& sample)
 
 std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
 {
-    while (m_target) {
+    while (true) {
+        if (const std::optional<Due> resting = nextResting(centerOf))
+            return resting;
+        if (!m_target)
+            return std::nullopt;
         const Due end = due(*m_target, centerOf);
         const bool everySample = m_settings.spacing == 0;
         if (everySample || !m_center || !end.hasCenter) {
@@ -39,9 +48,13 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
             const bool dabDue = everySample || (end.hasCenter && !isTooNear);
             if (m_settings.tool == Tool::Stamp && dabDue)
                 m_stamped = end.dab.position;
+            const double time = m_target->time;
             arriveAtTarget(end);
-            if (dabDue)
-                return end;
+            if (!dabDue)
+                continue;
+            m_dabTime = time;
+            m_isResting = false;
+            return end;
         } else if (m_settings.tool == Tool::Stamp) {
             if (const std::optional<Due> stamp = nextStamp(end, centerOf))
                 return stamp;
@@ -51,7 +64,22 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
             return dab;
         }
     }
-    return std::nullopt;
+}
+
+/// Returns a dab where the hand rests, if it is time for one.
+std::optional<StrokePath::Due> StrokePath::nextResting(const CenterOf& centerOf)
+{
+    if (!(m_settings.airbrush > 0) || m_settings.spacing == 0 || !canAirbrush(m_settings.tool) || !m_from)
+        return std::nullopt;
+    const double interval = 1 / m_settings.airbrush, wait = m_isResting ? interval : std::max(interval, minRestSeconds);
+    m_dabTime = std::max(m_dabTime, m_from->sample.time - maxRestSeconds);
+    if (m_from->sample.time - m_dabTime < wait || m_travelled > maxRestTravel * m_settings.radius)
+        return std::nullopt;
+    m_dabTime += wait;
+    m_isResting = true;
+    Due result = due(m_from->sample, centerOf);
+    result.isResting = true;
+    return result;
 }
 
 /// Returns the next dab on the way to the target, if there is another: else it arrives there.
@@ -75,7 +103,10 @@ std::optional<StrokePath::Due> StrokePath::nextOnCurve(const Due& end, const Cen
     const double part = segment > 0 ? (step - m_travelled) / segment : 1;
     const Vec3 between = *m_center + part * (end.dab.position - *m_center);
     m_at += part * (1 - m_at);
-    const Due result = due(m_curve.at(m_at), centerOf);
+    const StrokeSample sample = m_curve.at(m_at);
+    m_dabTime = sample.time;
+    m_isResting = false;
+    const Due result = due(sample, centerOf);
     m_center = result.hasCenter ? result.dab.position : between;
     m_travelled = 0;
     return result;

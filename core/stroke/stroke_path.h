@@ -25,7 +25,8 @@ public:
     struct Due
     {
         Dab dab;
-        bool hasCenter; ///< false: the sample's ray misses, the dab is empty
+        bool hasCenter;         ///< false: the sample's ray misses, the dab is empty
+        bool isResting = false; ///< by StrokeSettings::airbrush
     };
 
     explicit StrokePath(const StrokeSettings& settings) : m_settings(settings) {}
@@ -42,6 +43,7 @@ private:
     bool isWaiting() const { return !m_before && !m_after && !m_isFinished; }
     Due due(const StrokeSample& sample, const CenterOf& centerOf) const;
     void arriveAtTarget(const Due& due);
+    std::optional<Due> nextResting(const CenterOf& centerOf);
     std::optional<Due> nextOnCurve(const Due& end, const CenterOf& centerOf);
     SampleCurve curveTo(const Due& end, const CenterOf& centerOf) const;
     double stepOf(const Dab& dab) const;
@@ -56,6 +58,8 @@ private:
     double m_at = 0;                      ///< how far it was followed, 0 to 1
     std::optional<Vec3> m_center;         ///< of the last dab, or where the path has passed without one
     bool m_isFinished = false;
+    double m_dabTime = 0;          ///< of the last dab, by the samples' time
+    bool m_isResting = false;      ///< since the last dab that did not
     double m_travelled = 0;        ///< since the last dab
     std::optional<Vec3> m_stamped; ///< of Stamp: where the last dab stood
     std::optional<int> m_dabsLeft; ///< until the target is reached

@@ -57,6 +57,12 @@ constexpr bool sharpens(Tool tool)
 {
     return tool == Tool::Pinch || tool == Tool::Crease;
 }
+/// Goes on where the hand rests, if StrokeSettings::airbrush says so.
+constexpr bool canAirbrush(Tool tool)
+{
+    return tool == Tool::Pull || tool == Tool::Push || tool == Tool::Inflate || tool == Tool::Clay ||
+           tool == Tool::Smooth || tool == Tool::Pinch || tool == Tool::Paint;
+}
 /// Adds a ball, or the brush's model, where StrokeSettings::add wants it.
 constexpr bool canAddSolid(Tool tool)
 {

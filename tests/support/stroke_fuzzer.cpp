@@ -77,6 +77,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.falloff = falloffs[below(7)];
     s.detail = uniform(0.3, 3);
     s.spacing = below(2) == 0 ? 0 : uniform(0.05, 1);
+    s.airbrush = below(4) == 0 ? uniform(1, 20) : 0;
 
     if (below(5) == 0) {
         s.alpha = core::builtInAlpha(core::builtInAlphas()[below(core::builtInAlphas().size())]);
@@ -94,7 +95,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     const double longest = core::isDragTool(s.tool) && below(4) == 0 ? 3 : 0.6;
     for (std::uint64_t i = 0; i < samples; ++i) {
         core::StrokeSample sample;
-        sample.time = 0.01 * static_cast<double>(i);
+        sample.time = (s.airbrush > 0 ? 0.3 : 0.01) * static_cast<double>(i);
         sample.position = at;
         if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
             const bool staysPut =
@@ -104,7 +105,9 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
         }
         sample.pressure = below(2) == 0 ? 1 : uniform();
         stroke.samples.push_back(sample);
-        at += uniform(0, longest) * s.radius * (heading + 0.5 * direction());
+        const bool rests = s.airbrush > 0 && below(2) == 0;
+        if (!rests)
+            at += uniform(0, longest) * s.radius * (heading + 0.5 * direction());
     }
     return stroke;
 }

@@ -17,9 +17,9 @@ public:
     std::uint64_t below(std::uint64_t n) { return m_engine() % n; }
     core::Vec3 direction();
 
-    /// A stroke near the mesh as it is now: any tool, brush, topology, placement, fusion, spacing, falloff and detail
-    /// (0.3 to 3), one in three mirrored, one in five under an alpha, a radius from three edges to half the model's
-    /// size, a strength up to 10.
+    /// A stroke near the mesh as it is now: any tool, brush, topology, placement, fusion, spacing, airbrush, falloff
+    /// and detail (0.3 to 3), one in three mirrored, one in five under an alpha, a radius from three edges to half the
+    /// model's size, a strength up to 10.
     core::Stroke stroke(const core::Mesh& mesh);
 
 private:

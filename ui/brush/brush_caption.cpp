@@ -35,9 +35,9 @@ struct CaptionLine
         const int height = metrics.height(), space = static_cast<int>(captionGap * metrics.capHeight());
         int x = gap;
         const auto place = [&](int wide) {
-            const QRect place(x, 0, wide, height);
+            const QRect part(x, 0, wide, height);
             x += wide + space;
-            return place;
+            return part;
         };
         icon = place(height);
         tool = place(metrics.horizontalAdvance(words.tool));

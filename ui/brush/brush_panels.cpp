@@ -58,6 +58,7 @@ public:
     QDockWidget* const dock;
 
     void add(QWidget* row) const { m_form->addRow(row); }
+    void add(QLayout* row) const { m_form->addRow(row); }
     void addRow(const QString& text, QWidget* row) const { m_form->addRow(text, row); }
 
     void addNumber(core::Parameter parameter, const std::function<void()>& entered) const
@@ -87,13 +88,18 @@ public:
 
     void addCheck(const QString& name, const QString& text, bool core::StrokeSettings::*what) const
     {
+        m_form->addRow(makeCheck(name, text, what));
+    }
+
+    QCheckBox* makeCheck(const QString& name, const QString& text, bool core::StrokeSettings::*what) const
+    {
         auto* box = named(new QCheckBox(text), name);
         const auto show = [box, brush = m_brush, what] { box->setChecked(brush->stroke().*what); };
         QObject::connect(box, &QCheckBox::clicked, m_brush,
                          [brush = m_brush, what](bool checked) { brush->set(what, checked); });
         QObject::connect(m_brush, &BrushSettings::changed, box, show);
         show();
-        m_form->addRow(box);
+        return box;
     }
 
     /// Boxes of one width: what is before them ends at one line.
@@ -105,6 +111,22 @@ public:
             width = std::max(width, box->sizeHint().width());
         for (QAbstractSpinBox* box : boxes)
             box->setMinimumWidth(width);
+    }
+
+    QCheckBox* makeAirbrush() const
+    {
+        auto* check = named(new QCheckBox(BrushPanels::tr("Airbrush")), "airbrush",
+                            BrushPanels::tr("The tool goes on as long as you hold it in one place."));
+        const auto show = [check, brush = m_brush] {
+            check->setEnabled(core::canAirbrush(brush->tool()));
+            check->setChecked(brush->isAirbrush(brush->tool()));
+        };
+        QObject::connect(check, &QCheckBox::clicked, m_brush,
+                         [brush = m_brush](bool checked) { brush->setAirbrush(brush->tool(), checked); });
+        QObject::connect(m_brush, &BrushSettings::changed, check, show);
+        QObject::connect(m_brush, &BrushSettings::inputChanged, check, show);
+        show();
+        return check;
     }
 
     void addSteady(const std::function<void()>& entered) const
@@ -182,8 +204,11 @@ QDockWidget* brushPanel(BrushSettings* brush, BrushShapes* shapes, const std::fu
     panel.add(new FalloffCurve(brush));
     panel.addNumber(core::Parameter::Spacing, entered);
     panel.addRow(BrushPanels::tr("Alpha"), alphaChooser(brush, shapes));
-    panel.addCheck(QStringLiteral("alphaFollows"), BrushPanels::tr("Follows the stroke"),
-                   &core::StrokeSettings::alphaFollows);
+    auto* checks = new QHBoxLayout;
+    checks->addWidget(panel.makeCheck(QStringLiteral("alphaFollows"), BrushPanels::tr("Follows the stroke"),
+                                      &core::StrokeSettings::alphaFollows));
+    checks->addWidget(panel.makeAirbrush());
+    panel.add(checks);
     panel.addRow(BrushPanels::tr("Stamp"), modelChooser(brush, shapes));
     panel.addSteady(entered);
     panel.alignNumbers();
@@ -195,8 +220,8 @@ QDockWidget* topologyPanel(BrushSettings* brush, const std::function<void()>& en
     const Panel panel(brush, QStringLiteral("topologyPanel"), BrushPanels::tr("Topology"));
     panel.addChoice(QStringLiteral("topology"), BrushPanels::tr("Edges"), &core::StrokeSettings::topology,
                     Choices<core::Topology>{{BrushPanels::tr("Refine"), core::Topology::Refine},
-                                            {BrushPanels::tr("Refine and coarsen"), core::Topology::Adaptive},
-                                            {BrushPanels::tr("Keep as they are"), core::Topology::Keep},
+                                            {BrushPanels::tr("Adaptive"), core::Topology::Adaptive},
+                                            {BrushPanels::tr("Keep"), core::Topology::Keep},
                                             {BrushPanels::tr("Uniform"), core::Topology::Uniform}});
     panel.addNumber(core::Parameter::Detail, entered);
     panel.addCheck(QStringLiteral("fusion"), BrushPanels::tr("Surfaces that meet join"), &core::StrokeSettings::fusion);

@@ -98,7 +98,7 @@ void PointerInput::pointerLeft()
     Q_EMIT hoverChanged();
 }
 
-void PointerInput::finish()
+void PointerInput::finish(core::StrokeEnd how)
 {
     if (!m_pending.empty() && m_pending.back().event.kind != PointerEvent::Kind::Release) {
         PendingEvent release = m_pending.back();
@@ -106,7 +106,7 @@ void PointerInput::finish()
         release.event.button = m_pending.front().event.button;
         m_pending.push_back(release);
     }
-    end();
+    end(how);
 }
 
 void PointerInput::setModifiers(Qt::KeyboardModifiers modifiers)
@@ -147,6 +147,7 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
         stroke = core::opposite(stroke);
     if (core::isDragTool(stroke.tool))
         stroke.spacing = 0;
+    stroke.airbrush = m_brush->isAirbrush(stroke.tool) ? core::defaultAirbrush : 0;
     return stroke;
 }
 
@@ -180,9 +181,11 @@ void PointerInput::process(const PendingEvent& pending)
     m_last = pending.event.pixel;
 }
 
-/// A second button during a drag is ignored.
+/// The right button takes back the stroke that another one draws; else a second button during a drag is ignored.
 void PointerInput::press(const PendingEvent& pending)
 {
+    if (m_drag == Drag::Stroke && pending.event.button == Qt::RightButton)
+        return finish(core::StrokeEnd::TakenBack);
     if (m_drag != Drag::None)
         return;
     if (m_mode == PointerMode::Add && isForBrush(pending.event))
@@ -235,14 +238,14 @@ void PointerInput::begin(const PendingEvent& press, const std::optional<core::Su
     Q_EMIT hoverChanged();
 }
 
-void PointerInput::end()
+void PointerInput::end(core::StrokeEnd how)
 {
     const Drag ended = std::exchange(m_drag, Drag::None);
     m_dragButton = Qt::NoButton;
     if (ended == Drag::None)
         return;
     if (ended == Drag::Stroke)
-        m_stroke.end();
+        m_stroke.end(how);
     Q_EMIT hoverChanged();
     if (m_pending.empty())
         refreshHover();

@@ -40,8 +40,8 @@ public:
     void setGestureCenter(const OrbitCamera::Pixel& pixel);
     /// The pointer left the view.
     void pointerLeft();
-    /// Ends whatever drag is going on, as a release would.
-    void finish();
+    /// Ends whatever drag is going on, as a release would, except that a stroke may be taken back.
+    void finish(core::StrokeEnd how = core::StrokeEnd::Kept);
     /// The keys changed while the pointer rests.
     void setModifiers(Qt::KeyboardModifiers modifiers);
     /// The surface changed under the pointer.
@@ -102,7 +102,7 @@ Q_SIGNALS:
     /// Each event of mouse or pen, none left out. `time`: the event's own, seconds; `position`, `direction`: the ray
     /// through the pixel, in mm, not rounded to the lattice.
     void strokeSampled(const core::StrokeSample& sample);
-    void strokeEnded();
+    void strokeEnded(core::StrokeEnd how);
     void pressDecided();
     void modeChanged(ui::PointerMode mode);
     /// Nothing: the press was not on the model.
@@ -127,7 +127,7 @@ private:
     void press(const PendingEvent& pending);
     void move(const PendingEvent& pending);
     void begin(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit);
-    void end();
+    void end(core::StrokeEnd how = core::StrokeEnd::Kept);
     void processPending(const std::optional<core::SurfaceHit>& hit);
     core::StrokeSettings strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const;
     bool movesView() const;

@@ -1,6 +1,7 @@
 #include "ui/input/stroke_builder.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -9,14 +10,18 @@ namespace ui
 {
 namespace
 {
-constexpr double minPressureRadius = 0.1; ///< of the brush, under the lightest touch
+constexpr double minPressureRadius = 0.1;             ///< of the brush, under the lightest touch
+constexpr std::chrono::milliseconds restInterval(20); ///< of samples while the pointer rests
 } // namespace
 
 StrokeBuilder::StrokeBuilder(const BrushSettings* brush, const OrbitCamera* camera, QObject* parent)
     : QObject(parent)
     , m_brush(brush)
     , m_camera(camera)
-{}
+{
+    m_rest.setInterval(restInterval);
+    connect(&m_rest, &QTimer::timeout, this, &StrokeBuilder::rest);
+}
 
 void StrokeBuilder::begin(const Start& start)
 {
@@ -27,12 +32,25 @@ void StrokeBuilder::begin(const Start& start)
     m_brushAt = start.pointer.pixel;
     Q_EMIT began(start.settings);
     sample(start.ray);
+    if (m_settings.airbrush > 0)
+        m_rest.start();
+}
+
+/// The same sample again, later.
+void StrokeBuilder::rest()
+{
+    if (m_sinceSample.elapsed() < restInterval.count())
+        return;
+    m_pointer.time += static_cast<double>(m_sinceSample.nsecsElapsed()) * 1e-9;
+    sample(m_camera->ray(m_brushAt));
 }
 
 /// The pointer drags the brush once it is farther away than the length of the stabilizer.
 void StrokeBuilder::moveTo(const PointerEvent& pointer, const core::Ray& ray)
 {
+    const double time = std::max(pointer.time, m_pointer.time); // a sample of the resting pointer may be ahead
     m_pointer = pointer;
+    m_pointer.time = time;
     if (m_stabilizerLength == 0) {
         m_brushAt = pointer.pixel;
         return sample(ray);
@@ -50,13 +68,14 @@ void StrokeBuilder::setReleasePoint(const OrbitCamera::Pixel& pixel, double time
     m_pointer.time = time;
 }
 
-void StrokeBuilder::end()
+void StrokeBuilder::end(core::StrokeEnd how)
 {
     if (!std::exchange(m_isOpen, false))
         return;
-    if (m_stabilizerLength > 0 && m_brushAt != m_pointer.pixel)
+    m_rest.stop();
+    if (how == core::StrokeEnd::Kept && m_stabilizerLength > 0 && m_brushAt != m_pointer.pixel)
         sample(m_camera->ray(m_pointer.pixel));
-    Q_EMIT ended();
+    Q_EMIT ended(how);
 }
 
 void StrokeBuilder::turnModel(double angle, double seconds)
@@ -80,6 +99,7 @@ void StrokeBuilder::sample(const core::Ray& ray)
     if (m_preferences.pressureToRadius)
         sample.radius = std::max(m_brush->minOf(core::Parameter::Radius),
                                  m_settings.radius * std::max(pressure, minPressureRadius));
+    m_sinceSample.start();
     Q_EMIT sampled(sample);
 }
 

@@ -6,13 +6,15 @@
 
 #include "core/stroke/stroke.h"
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 
 namespace ui
 {
 /// Builds a stroke from pointer events. In a steady stroke the brush follows the pointer at the length of the
-/// stabilizer, and reaches it when the stroke ends. Where the model turns under a resting pointer the stroke goes on.
-/// Thread: gui.
+/// stabilizer, and reaches it when the stroke ends. Where the model turns under a resting pointer the stroke goes on,
+/// and so it does with an airbrush where the pointer rests. Thread: gui.
 class StrokeBuilder : public QObject
 {
     Q_OBJECT
@@ -37,7 +39,7 @@ public:
     void moveTo(const PointerEvent& pointer, const core::Ray& ray);
     /// The pointer is released there.
     void setReleasePoint(const OrbitCamera::Pixel& pixel, double time);
-    void end();
+    void end(core::StrokeEnd how = core::StrokeEnd::Kept);
 
     /// The model turned about the Y axis by so many radians in so many seconds, and the camera went with the hand.
     void turnModel(double angle, double seconds);
@@ -54,10 +56,11 @@ public:
 Q_SIGNALS:
     void began(const core::StrokeSettings& settings);
     void sampled(const core::StrokeSample& sample);
-    void ended();
+    void ended(core::StrokeEnd how);
 
 private:
     void sample(const core::Ray& ray);
+    void rest();
 
     const BrushSettings* m_brush;
     const OrbitCamera* m_camera;
@@ -67,7 +70,9 @@ private:
     double m_stabilizerLength = 0; ///< pixels
     PointerEvent m_pointer;        ///< its place and pressure now
     OrbitCamera::Pixel m_brushAt{0, 0};
-    double m_turned = 0; ///< of the model in the world, about Y; radians
+    QTimer m_rest;               ///< goes as long as a stroke with an airbrush is open
+    QElapsedTimer m_sinceSample; ///< on the wall
+    double m_turned = 0;         ///< of the model in the world, about Y; radians
 };
 
 /// Of a dab that is to add a ball and do nothing else.

@@ -67,6 +67,7 @@ void BrushSettings::reset()
     m_plane = first.m_plane;
     m_sectors = first.m_sectors;
     m_topology = first.m_topology;
+    m_withoutAirbrush.clear();
     m_isInverted = first.m_isInverted;
     m_isSteady = first.m_isSteady;
     m_stabilizerLength = first.m_stabilizerLength;
@@ -119,6 +120,17 @@ void BrushSettings::apply(const core::StrokeSettings& stroke)
     if (stroke.topology != core::Topology::Uniform)
         m_topology = stroke.topology;
     Q_EMIT changed();
+}
+
+void BrushSettings::setAirbrush(core::Tool tool, bool on)
+{
+    if (isAirbrush(tool) == on || !core::canAirbrush(tool))
+        return;
+    if (on)
+        m_withoutAirbrush.removeAll(tool);
+    else
+        m_withoutAirbrush.append(tool);
+    Q_EMIT inputChanged();
 }
 
 void BrushSettings::setInverted(bool inverted)

@@ -69,6 +69,9 @@ public:
     /// As a new user's, but for the radius, which is the model's; of the tools that are offered the first.
     void reset();
 
+    /// Whether strokes of a tool go on where the hand rests; each that can does so at first.
+    bool isAirbrush(core::Tool tool) const { return core::canAirbrush(tool) && !m_withoutAirbrush.contains(tool); }
+    void setAirbrush(core::Tool tool, bool on);
     /// Inverted strokes do the opposite of what their tool does; with the key that inverts they do what it does.
     bool isInverted() const { return m_isInverted; }
     void setInverted(bool inverted);
@@ -100,6 +103,7 @@ Q_SIGNALS:
 private:
     core::StrokeSettings m_stroke;
     QList<core::Tool> m_tools; ///< that are offered; none: all
+    QList<core::Tool> m_withoutAirbrush;
     bool m_isInverted = false;
     bool m_isSteady = false;
     double m_stabilizerLength = defaultStabilizerLength;

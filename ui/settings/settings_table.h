@@ -41,6 +41,7 @@ struct Setting
     int historyMegabytes = defaultHistoryMegabytes; ///< memory that the undo steps may take
     double radiusShare = 0.1; ///< the brush's radius as a share of the model's longest side: fits the next model
     bool isSteady = false;
+    QStringList withoutAirbrush;                       ///< names of tools
     double stabilizerLength = defaultStabilizerLength; ///< logical pixels
     double turnSpeed = defaultTurn;                    ///< of the turntable, degrees a second
     bool turnsClockwise = false;                       ///< seen from above
@@ -137,6 +138,7 @@ inline constexpr auto rows<Setting> = std::tuple{
     row(&Setting::historyMegabytes, "history/megabytes", {minHistoryMegabytes, maxHistoryMegabytes}),
     row(&Setting::radiusShare, "brush/radiusShare", {minRadiusShare, maxRadiusShare}),
     row(&Setting::isSteady, "hand/steady"),
+    row(&Setting::withoutAirbrush, "hand/withoutAirbrush"),
     row(&Setting::stabilizerLength, "hand/string", {minStabilizerLength, maxStabilizerLength}),
     row(&Setting::turnSpeed, "turntable/speed", {minTurn, maxTurn}),
     row(&Setting::turnsClockwise, "turntable/clockwise"),

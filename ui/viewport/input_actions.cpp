@@ -53,6 +53,30 @@ void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
     });
     show();
 }
+
+void rememberAirbrush(BrushSettings* brush, Settings* settings)
+{
+    const auto nameOf = [](core::Tool tool) { return QString::fromUtf8(core::name(tool)); };
+    const auto forEachTool = [](auto visit) {
+        for (std::size_t i = 0; i < core::toolNames().size(); ++i)
+            visit(static_cast<core::Tool>(i));
+    };
+    const auto applySettings = [=] {
+        const QStringList without = settings->get(&Setting::withoutAirbrush);
+        forEachTool([&](core::Tool tool) { brush->setAirbrush(tool, !without.contains(nameOf(tool))); });
+    };
+    applySettings();
+    settings->onReset(applySettings);
+    QObject::connect(brush, &BrushSettings::inputChanged, brush, [=] {
+        QStringList without;
+        forEachTool([&](core::Tool tool) {
+            if (core::canAirbrush(tool) && !brush->isAirbrush(tool))
+                without.append(nameOf(tool));
+        });
+        settings->set(&Setting::withoutAirbrush, without);
+    });
+}
+
 void connectAdding(QAction* action, const InputActionsContext& context)
 {
     QObject::connect(action, &QAction::triggered, context.viewport,
@@ -112,6 +136,7 @@ void connectInputActions(const InputActionsContext& context, BrushSettings* brus
 {
     connectDrags(actions, brush, context.viewport);
     connectSteady(actions.get(QStringLiteral("brush.steady")), brush, settings);
+    rememberAirbrush(brush, settings);
     connectInvert(actions.get(QStringLiteral("brush.invert")), brush);
     connectKeyboardCursor(actions.get(QStringLiteral("brush.keys")), context);
     connectAdding(actions.get(QStringLiteral("brush.add")), context);

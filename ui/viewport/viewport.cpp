@@ -577,6 +577,8 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         m_state->spotlight.setOn(false);
         m_state->input.setMode(PointerMode::Sculpt);
+        if (m_state->input.strokeOpen())
+            m_state->input.finish(core::StrokeEnd::TakenBack);
     }
     return QOpenGLWidget::eventFilter(watched, event);
 }

@@ -115,6 +115,9 @@ PanelLayout ToolPanel::layout() const
 {
     using core::BrushShape, core::Topology;
     PanelBuilder builder(PanelKind::Tools, toolWidth, toolDistance);
+    const auto choice = [this](const QString& text, Topology value) {
+        return PanelChoice{text, QLatin1StringView(name(value)), value, topology == value};
+    };
     builder.addTitle({tr("Tools"), isInverse ? tr("Inverted") : QString(), toolTitleWidth},
                      {{{.icon = QStringLiteral("undo")}, PanelCommand::Undo, canUndo},
                       {{.icon = QStringLiteral("redo")}, PanelCommand::Redo, canRedo}});
@@ -124,10 +127,9 @@ PanelLayout ToolPanel::layout() const
                       {{tr("Sphere"), QStringLiteral("sphere"), BrushShape::Sphere, brush == BrushShape::Sphere},
                        {tr("Ray"), QStringLiteral("ray"), BrushShape::Ray, brush == BrushShape::Ray}});
     builder.addChoice(tr("Topology"), toolNameWidth,
-                      {{tr("Refine"), QStringLiteral("refine"), Topology::Refine, topology == Topology::Refine},
-                       {tr("Adaptive"), QStringLiteral("adaptive"), Topology::Adaptive, topology == Topology::Adaptive},
-                       {tr("Keep"), QStringLiteral("keep"), Topology::Keep, topology == Topology::Keep},
-                       {tr("Uniform"), QStringLiteral("uniform"), Topology::Uniform, topology == Topology::Uniform}});
+                      {choice(tr("Refine"), Topology::Refine), choice(tr("Adaptive"), Topology::Adaptive)});
+    builder.addChoice(cells(builder.nextRow(theme::row), {toolNameWidth, 0}).back(),
+                      {choice(tr("Keep"), Topology::Keep), choice(tr("Uniform"), Topology::Uniform)});
     addSymmetry(builder);
     addMask(builder);
     builder.skip(groupGap);

@@ -152,6 +152,9 @@ void StrokeJsonReader::strokeNumber(double value)
     case SpacingKey:
         settings.spacing = inRange(value, minSpacing, info(Parameter::Spacing).max, true);
         break;
+    case AirbrushKey:
+        settings.airbrush = inRange(value, minAirbrush, maxAirbrush, true);
+        break;
     case RadialKey:
         settings.radial = static_cast<int>(inRange(value, 1, maxRadial));
         if (value != std::trunc(value))

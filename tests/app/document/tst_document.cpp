@@ -100,6 +100,7 @@ private Q_SLOTS:
     void jumps_goThere();
     void work_isCountedAndSaved();
     void stroke_thatDoesNothingIsNoStep();
+    void strokeTakenBack_leavesTheModelAsItWas();
     void strokeThatFellShort_isSaidOnce_data();
     void strokeThatFellShort_isSaidOnce();
     void sphere_isAStepOrAWordWhyNot();
@@ -328,6 +329,37 @@ void TestDocument::stroke_thatDoesNothingIsNoStep()
     session.settle();
     QCOMPARE(session.document.history().stack().count(), 0);
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo());
+}
+
+/// Whatever it did, and redo is still there.
+void TestDocument::strokeTakenBack_leavesTheModelAsItWas()
+{
+    Session s;
+    s.stroke({50, 0, 0});
+    s.stroke({0, 50, 0});
+    s.wait();
+    s.document.history().undo();
+    s.wait();
+    const std::uint64_t before = s.state();
+    const int steps = s.document.history().stack().count();
+    core::StrokeSettings settings;
+    settings.radius = 20;
+    s.document.strokes().beginStroke(settings);
+    core::StrokeSample sample;
+    for (int i = 0; i < 5; ++i) {
+        sample.position = {50, 2.0 * i, 0};
+        s.document.strokes().addSample(sample);
+    }
+    s.settle();
+    QVERIFY(s.state() != before);
+    s.document.strokes().endStroke(core::StrokeEnd::TakenBack);
+    s.wait();
+    QCOMPARE(s.state(), before);
+    QCOMPARE(s.document.history().stack().count(), steps);
+    s.document.history().redo();
+    s.wait();
+    QVERIFY(s.state() != before);
+    s.verifyWhole();
 }
 
 void TestDocument::strokeThatFellShort_isSaidOnce_data()

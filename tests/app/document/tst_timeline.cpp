@@ -359,7 +359,7 @@ void TestTimeline::edit_theNextStrokeEndsIt()
     Q_EMIT fixture.program.window.viewport()->input()->strokeBegan(across(core::Tool::Push).settings);
     for (const core::StrokeSample& sample : across().samples)
         Q_EMIT fixture.program.window.viewport()->input()->strokeSampled(sample);
-    Q_EMIT fixture.program.window.viewport()->input()->strokeEnded();
+    Q_EMIT fixture.program.window.viewport()->input()->strokeEnded(core::StrokeEnd::Kept);
     fixture.rest();
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
     QCOMPARE(fixture.count(), 2);

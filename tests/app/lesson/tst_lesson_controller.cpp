@@ -93,7 +93,8 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(
                 marks(program).contains(QStringLiteral("✓")) && !marks(program).contains(QStringLiteral("○")), 60'000);
             QCOMPARE(part<QPushButton>(program, "lessonNext")->isEnabled(), step < 4);
-            press(program, "lessonNext");
+            if (step < 4)
+                press(program, "lessonNext");
         }
     }
 

@@ -76,6 +76,7 @@ Stroke randomStroke(std::mt19937_64& random)
     stroke.settings.falloff = random() % 4 == 0 ? 0 : 3 + static_cast<int>(random() % 14);
     stroke.settings.detail = between(0.1, 4);
     stroke.settings.spacing = random() % 2 ? 0 : between(0.01, 1);
+    stroke.settings.airbrush = random() % 2 ? 0 : between(core::minAirbrush, core::maxAirbrush);
     for (int i = 0; i < 5; ++i) {
         StrokeSample sample;
         sample.time = between(0, 100);
@@ -149,6 +150,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
         strokesOf(file(
                       R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,
            "topology":"uniform","detail_length":0.125,"fusion":true,"symmetry":"z","radial":6,"spacing":0.25,
+           "airbrush":10,
            "place":"ray","add":true,"invert":true,"color":[200,120,80])",
                       R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],
            "radius":4,"strength":0,"up":[0,2,-1])"))
@@ -159,6 +161,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
     QCOMPARE(stroke.settings.falloff, 16);
     QCOMPARE(stroke.settings.detail, 0.5);
     QCOMPARE(stroke.settings.spacing, 0.25);
+    QCOMPARE(stroke.settings.airbrush, 10.0);
     QCOMPARE(stroke.settings.detailLength, 0.125);
     QVERIFY(stroke.settings.brush == BrushShape::Ray && stroke.settings.topology == Topology::Uniform);
     QVERIFY(stroke.settings.symmetry == Symmetry::Z);
@@ -345,6 +348,9 @@ void TestStrokeFile::refuses_data()
         stroke(R"("radial":)" + std::string(bad), Kind::OutOfRange, "radial");
     stroke(R"("radial":2.5)", Kind::WrongType, "radial");
     stroke(R"("radial":"6")", Kind::WrongType, "radial");
+    stroke(R"("airbrush":61)", Kind::OutOfRange, "airbrush");
+    stroke(R"("airbrush":-1)", Kind::OutOfRange, "airbrush");
+    stroke(R"("airbrush":true)", Kind::WrongType, "airbrush");
     stroke(R"("spacing":5)", Kind::OutOfRange, "spacing");
     stroke(R"("spacing":1e-12)", Kind::OutOfRange, "spacing");
     stroke(R"("spacing":-0.1)", Kind::OutOfRange, "spacing");

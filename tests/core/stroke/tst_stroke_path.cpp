@@ -70,10 +70,14 @@ private Q_SLOTS:
     void twoSamples_areStraight();
     void pressureAndRadius_areInterpolated();
     void rotation_turnsBack();
+    void turntable_hasEvenDabsHoweverFewTheSamples();
     void up_isTheHands();
     void up_alongTheDirection();
     void miss_isEmptyAndStartsAnew();
     void rest_makesNoDabs();
+    void airbrush_goesOnAtItsRateHoweverManyTheSamples();
+    void airbrush_leavesASlowPathAlone();
+    void airbrush_endsWhateverTheTimesAre();
     void longJump_ends();
     void surfaceThatRises_ends();
 };
@@ -191,6 +195,25 @@ void TestStrokePath::rotation_turnsBack()
     QVERIFY((dabs.front().direction - Vec3(1, 0, 0)).norm() < 1e-12);
 }
 
+/// A brush that rests beside a model that turns, by 15 degrees from one sample to the next.
+void TestStrokePath::turntable_hasEvenDabsHoweverFewTheSamples()
+{
+    StrokePath path(spaced(0.25));
+    std::vector<core::Dab> dabs;
+    for (int i = 0; i <= 24; ++i) {
+        StrokeSample sample = at({5, 0, 0});
+        sample.rotation = Eigen::AngleAxisd(i * M_PI / 12, Vec3::UnitY());
+        for (const core::Dab& dab : dabsOf(path, sample))
+            dabs.push_back(dab);
+    }
+    QVERIFY(dabs.size() > 120 && dabs.size() < 132); // 2 pi 5 / 0.25 = 125.7
+    for (std::size_t i = 1; i < dabs.size(); ++i) {
+        QVERIFY(std::abs(dabs[i].position.norm() - 5) < 1e-9);
+        const double step = (dabs[i].position - dabs[i - 1].position).norm();
+        QVERIFY2(step > 0.235 && step < 0.265, qPrintable(QString::number(step)));
+    }
+}
+
 /// In the model's space, and across it where the hand points; without it nothing changes.
 void TestStrokePath::up_isTheHands()
 {
@@ -247,6 +270,58 @@ void TestStrokePath::rest_makesNoDabs()
     dabsOf(path, at({1, 1, 1}));
     for (int i = 0; i < 100; ++i)
         QVERIFY(dabsOf(path, at({1, 1, 1})).empty());
+}
+
+/// Ten dabs a second, the first a quarter of a second after the press.
+void TestStrokePath::airbrush_goesOnAtItsRateHoweverManyTheSamples()
+{
+    for (const double samplesPerSecond : {5.0, 60.0, 250.0}) {
+        StrokeSettings settings = spaced(0.25);
+        settings.airbrush = 10;
+        StrokePath path(settings);
+        std::size_t dabs = 0;
+        for (int i = 0; i <= 2 * samplesPerSecond; ++i) {
+            StrokeSample sample = at({1, 1, 1});
+            sample.time = i / samplesPerSecond;
+            dabs += dabsOf(path, sample).size();
+            QVERIFY(sample.time > 0.24 || dabs == 1 || samplesPerSecond == 5);
+        }
+        QVERIFY2(dabs >= 18 && dabs <= 19, qPrintable(QString::number(dabs)));
+    }
+}
+
+/// A ring on a turntable stays even: a hand that moves does not rest, however slowly.
+void TestStrokePath::airbrush_leavesASlowPathAlone()
+{
+    StrokeSettings settings = spaced(0.25);
+    settings.airbrush = 10;
+    StrokePath path(settings);
+    std::vector<core::Dab> dabs;
+    for (int i = 0; i <= 1000; ++i) {
+        StrokeSample sample = at({0.003 * i, 0, 0});
+        sample.time = 0.01 * i;
+        for (const core::Dab& dab : dabsOf(path, sample))
+            dabs.push_back(dab);
+    }
+    QCOMPARE(dabs.size(), std::size_t(13));
+    for (std::size_t i = 0; i < dabs.size(); ++i)
+        QVERIFY(std::abs(dabs[i].position.x() - 0.25 * static_cast<double>(i)) < 1e-9);
+}
+
+void TestStrokePath::airbrush_endsWhateverTheTimesAre()
+{
+    for (const double gap : {core::maxSampleMagnitude, -core::maxSampleMagnitude, 0.0}) {
+        StrokeSettings settings = spaced(0.25);
+        settings.airbrush = core::maxAirbrush;
+        StrokePath path(settings);
+        std::size_t dabs = 0;
+        for (int i = 0; i < 3; ++i) {
+            StrokeSample sample = at({1, 1, 1});
+            sample.time = gap * i;
+            dabs += dabsOf(path, sample).size();
+        }
+        QVERIFY2(static_cast<double>(dabs) <= 1 + 2 * 10 * core::maxAirbrush, qPrintable(QString::number(dabs)));
+    }
 }
 
 void TestStrokePath::longJump_ends()

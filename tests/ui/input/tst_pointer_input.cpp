@@ -37,7 +37,9 @@ struct Recorder
             log << QStringLiteral("sample");
             samples.push_back(sample);
         });
-        QObject::connect(&input, &ui::PointerInput::strokeEnded, &input, [this] { log << QStringLiteral("ended"); });
+        QObject::connect(&input, &ui::PointerInput::strokeEnded, &input, [this](core::StrokeEnd how) {
+            log << (how == core::StrokeEnd::Kept ? QStringLiteral("ended") : QStringLiteral("taken back"));
+        });
     }
 
     void send(Kind kind, Pixel at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {})
@@ -413,6 +415,55 @@ private Q_SLOTS:
         QVERIFY((r.camera.project(grabbed) - Pixel(250, 380)).norm() < 1e-6);
     }
 
+    /// With an airbrush, samples come while it rests, and their times go on.
+    void restingPointer_isSampled()
+    {
+        for (const core::Tool tool : {core::Tool::Pull, core::Tool::Grab}) {
+            Recorder r;
+            r.brush.setTool(tool);
+            r.rest({400, 300}, somewhere);
+            r.send(Kind::Press, {400, 300});
+            QCOMPARE(r.samples.size(), std::size_t(1));
+            if (!r.brush.isAirbrush(tool)) {
+                QTest::qWait(100);
+                QCOMPARE(r.samples.size(), std::size_t(1));
+                continue;
+            }
+            QTRY_VERIFY(r.samples.size() > 5);
+            r.send(Kind::Move, {401, 300});
+            r.send(Kind::Release, {401, 300});
+            for (std::size_t i = 1; i < r.samples.size(); ++i)
+                QVERIFY(r.samples[i].time >= r.samples[i - 1].time);
+            const std::size_t count = r.samples.size();
+            QTest::qWait(100);
+            QCOMPARE(r.samples.size(), count);
+            r.brush.setAirbrush(tool, false);
+            r.rest({401, 300}, somewhere);
+            r.send(Kind::Press, {401, 300});
+            QCOMPARE(r.settings.airbrush, 0.0);
+        }
+    }
+
+    void rightButtonInAStroke_takesItBack()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Move, {410, 300});
+        r.send(Kind::Press, {410, 300}, Qt::RightButton);
+        const QStringList expected = strokeOf(2).mid(0, 3) + QStringList{QStringLiteral("taken back")};
+        QCOMPARE(r.log, expected);
+        r.send(Kind::Move, {420, 300});
+        r.send(Kind::Release, {420, 300}, Qt::RightButton);
+        r.send(Kind::Release, {420, 300});
+        QCOMPARE(r.log, expected);
+        r.rest({400, 300}, somewhere);
+        r.input.setHover(somewhere); // the answer to an earlier question came first
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Release, {400, 300});
+        QCOMPARE(r.log, expected + strokeOf(1));
+    }
+
     void altMeansNothingWhereItIsNotWanted()
     {
         Recorder r;
@@ -769,13 +820,13 @@ private Q_SLOTS:
         Recorder r;
         r.rest({400, 300}, somewhere);
         r.send(Kind::Press, {400, 300});
-        r.send(Kind::Press, {400, 300}, Qt::RightButton);
-        r.send(Kind::Release, {400, 300}, Qt::RightButton);
+        r.send(Kind::Press, {400, 300}, Qt::MiddleButton);
+        r.send(Kind::Release, {400, 300}, Qt::MiddleButton);
         QVERIFY(r.input.strokeOpen());
         r.send(Kind::Release, {400, 300});
         QCOMPARE(r.log, strokeOf(1));
     }
 };
 
-FETTLE_TEST(TestPointerInput)
+FETTLE_TEST(TestPointerInput, QCoreApplication)
 #include "tst_pointer_input.moc"

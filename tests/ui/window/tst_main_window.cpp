@@ -378,7 +378,20 @@ private Q_SLOTS:
         QCOMPARE(child<QComboBox>(window, "reach")->currentIndex(), 1);
         act(window, "topology.uniform")->trigger();
         QCOMPARE(stroke.topology, core::Topology::Uniform);
-        QCOMPARE(child<QComboBox>(window, "topology")->currentIndex(), 1);
+        QCOMPARE(child<QComboBox>(window, "topology")->currentIndex(), 3);
+        act(window, "topology.uniform")->trigger();
+        QCOMPARE(stroke.topology, core::Topology::Refine);
+        auto* topologies = child<QComboBox>(window, "topology");
+        topologies->setCurrentIndex(2);
+        Q_EMIT topologies->activated(2);
+        QCOMPARE(stroke.topology, core::Topology::Keep);
+        act(window, "topology.uniform")->trigger();
+        act(window, "topology.uniform")->trigger();
+        QCOMPARE(stroke.topology, core::Topology::Keep);
+        auto* airbrush = child<QCheckBox>(window, "airbrush");
+        QVERIFY(airbrush->isChecked() && airbrush->isEnabled());
+        airbrush->click();
+        QVERIFY(!window.brush()->isAirbrush(core::Tool::Pull) && window.brush()->isAirbrush(core::Tool::Push));
         child<QCheckBox>(window, "fusion")->click();
         QVERIFY(!stroke.fusion && !act(window, "topology.fusion")->isChecked());
 

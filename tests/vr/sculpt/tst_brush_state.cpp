@@ -33,7 +33,9 @@ ModelPlacement somePlacement()
 /// The dabs of a wand that goes straight from here to there in two seconds and rests before and after.
 std::vector<Vec3> dabsAt(double rate, const BrushState& brush, const ModelPlacement& placement)
 {
-    core::StrokePath path(vr::strokeSettings(brush, {}, placement));
+    core::StrokeSettings settings = vr::strokeSettings(brush, {}, placement);
+    settings.airbrush = 0; // of where it rests
+    core::StrokePath path(settings);
     std::vector<Vec3> dabs;
     for (const double time : frameTimes(3, rate)) {
         vr::StrokePoint point;
@@ -189,6 +191,31 @@ private Q_SLOTS:
         QVERIFY(std::abs(placement.lengthToRoom(*sample.radius) - brush.radius) < tolerance);
         placement.scale(2);
         QVERIFY(std::abs(*vr::strokeSample(brush, point, placement).radius - *sample.radius / 2) < tolerance);
+    }
+
+    void toolsThatCanGoOnWhereTheHandRests()
+    {
+        for (const core::Tool tool : {core::Tool::Pull, core::Tool::Smooth, core::Tool::Paint, core::Tool::Grab}) {
+            BrushState brush;
+            brush.stroke.tool = tool;
+            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).airbrush > 0, core::canAirbrush(tool));
+        }
+    }
+
+    /// The paper's preset adapts the mesh, the others keep its detail; panel and pad choose, and uniform is left again.
+    void topologyIsThePresetsUntilItIsChosen()
+    {
+        using core::Topology;
+        BrushState brush;
+        brush = vr::changed(brush, vr::PanelAction(vr::ButtonPreset::Studio));
+        QCOMPARE(brush.stroke.topology, Topology::Refine);
+        brush = vr::changed(brush, vr::PanelAction(Topology::Keep));
+        brush = after(brush, {vr::ToggleTopology{}});
+        QCOMPARE(brush.stroke.topology, Topology::Uniform);
+        brush = vr::changed(brush, vr::PanelAction(vr::ButtonPreset::Paper));
+        QCOMPARE(brush.stroke.topology, Topology::Uniform);
+        brush = after(brush, {vr::ToggleTopology{}});
+        QCOMPARE(brush.stroke.topology, Topology::Adaptive);
     }
 
     /// However the frames fall.
