@@ -3,6 +3,7 @@
 #include "core/journal/journal_base.h"
 #include "core/journal/journal_files.h"
 #include "core/journal/journal_recovery.h"
+#include "core/mesh/mesh.h"
 
 #include "core/util/file_error.h"
 

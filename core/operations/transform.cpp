@@ -8,6 +8,7 @@
 
 #include "core/geometry/lattice_placement.h"
 #include "core/mesh/lattice_fit.h"
+#include "core/mesh/mesh.h"
 
 namespace core
 {
