@@ -4,7 +4,7 @@
 
 namespace core
 {
-/// A tool that follows the hand has no path over the surface.
+/// Drag tools follow the hand: they have no path over the surface.
 bool StrokeDisplacements::areUsedBy(const StrokeSettings& settings)
 {
     const bool isOnSurface = settings.brush == BrushShape::Ray || settings.place != Placement::Point;

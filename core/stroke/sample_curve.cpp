@@ -11,13 +11,13 @@ constexpr double cornerCosine = 0.5;
 /// A parabola through samples whose distances differ by more than this factor would swing out.
 constexpr double maxRatio = 8;
 
-/// Bend of the parabola through p0, p1, p2 from p1 to p2, where p0 is at t = -ratio.
+/// Returns the bend of the parabola through p0, p1, p2 from p1 to p2, where p0 is at t = -ratio.
 Vec3 bend(const Vec3& p0, const Vec3& p1, const Vec3& p2, double ratio)
 {
     return ((p1 - p0) / ratio - (p2 - p1)) / (1 + ratio);
 }
 
-/// Between two rotations, the short way; without trigonometry, whose last bits differ from machine to machine.
+/// Interpolates between two rotations, the short way. Trigonometry would have other last bits on another machine.
 Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double t)
 {
     const Eigen::Vector4d end = a.dot(b) < 0 ? Eigen::Vector4d(-b.coeffs()) : b.coeffs();

@@ -32,11 +32,11 @@ public:
     explicit StrokePath(const StrokeSettings& settings) : m_settings(settings) {}
 
     void add(const StrokeSample& sample);
-    /// No sample follows.
+    /// Tells that no sample follows.
     void finish() { m_isFinished = true; }
-    /// The next dab that is due, or nothing until the next sample. Ask again after each dab, as it may have moved the
-    /// surface, and after finish(): dabs between the first two samples of a path wait for the third, which says how it
-    /// is curved.
+    /// Returns the next dab that is due, or nothing until the next sample. Ask again after each dab, as it may have
+    /// moved the surface, and after finish(): dabs between the first two samples of a path wait for the third, which
+    /// says how it is curved.
     std::optional<Due> next(const CenterOf& centerOf);
 
 private:

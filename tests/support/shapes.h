@@ -48,6 +48,6 @@ TriangleMesh reversed(TriangleMesh mesh);
 TriangleMesh together(TriangleMesh a, const TriangleMesh& b);
 /// Each coordinate moved by up to `amount`, by the seed.
 TriangleMesh noisy(TriangleMesh mesh, float amount, unsigned seed);
-/// The same surface: vertices and triangles in another order, triangles with another corner first.
+/// Returns the same surface with vertices and triangles in another order, triangles with another corner first.
 TriangleMesh shuffled(const TriangleMesh& mesh, StrokeFuzzer& random);
 } // namespace shapes

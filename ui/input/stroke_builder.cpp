@@ -36,7 +36,7 @@ void StrokeBuilder::begin(const Start& start)
         m_rest.start();
 }
 
-/// The same sample again, later.
+/// Samples the resting pointer again, with the time that has passed.
 void StrokeBuilder::rest()
 {
     if (m_sinceSample.elapsed() < restInterval.count())

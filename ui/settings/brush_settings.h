@@ -55,7 +55,7 @@ public:
     }
     /// In as many sectors as were chosen last; six at first.
     void setRadial(bool radial) { set(&core::StrokeSettings::radial, radial ? m_sectors : 1); }
-    /// Else of the topology that was chosen last; at first one that keeps detail.
+    /// Makes edges uniform, or goes back to the topology that was chosen before; at first to one that keeps detail.
     void setUniform(bool uniform)
     {
         set(&core::StrokeSettings::topology, uniform ? core::Topology::Uniform : m_topology);
@@ -69,7 +69,7 @@ public:
     /// As a new user's, but for the radius, which is the model's; of the tools that are offered the first.
     void reset();
 
-    /// Whether strokes of a tool go on where the hand rests; each that can does so at first.
+    /// Whether strokes of the tool go on where the hand rests. At first those of each tool that can.
     bool isAirbrush(core::Tool tool) const { return core::canAirbrush(tool) && !m_withoutAirbrush.contains(tool); }
     void setAirbrush(core::Tool tool, bool on);
     /// Inverted strokes do the opposite of what their tool does; with the key that inverts they do what it does.

@@ -9,7 +9,7 @@ class QVBoxLayout;
 
 namespace ui
 {
-// What the small dialogs have in common. Thread: gui.
+// Functions that the small dialogs share. Thread: gui.
 
 inline constexpr int dialogMargin = 16, dialogGap = 8; ///< of the window's spacing grid
 

@@ -15,8 +15,8 @@ public:
     WandBrush(DocumentPort* port, ButtonPreset preset) : m_port(port) { m_state.topology = firstTopology(preset); }
 
     const BrushState& state() const { return m_state; }
-    /// What the window changed of it. A radius in mm becomes that length on the model as it is shown. Whether edges are
-    /// uniform is the window's, too; else the headset has a topology of its own, as its preset has.
+    /// Takes what the window changed of the brush. A radius in mm becomes that length on the model as it is shown.
+    /// Whether edges are uniform is the window's, too; otherwise the headset keeps its own topology, as its preset has.
     void take(const DocumentUpdate& update, const ModelPlacement& placement);
     /// By a hand or a panel; the window hears of what it has, too.
     void change(const BrushState& state);

@@ -88,8 +88,8 @@ std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, c
     return joined;
 }
 
-/// Where surfaces have joined the mesh may become as coarse as the brush makes it: else the next sub-steps, which are
-/// as long as the brush takes them, would leave gaps between the joins of a finer mesh. `reach`: from the joins, in mm.
+/// Lets the mesh around the joins become as coarse as the brush makes it. Otherwise the next sub-steps, which are as
+/// long as the brush takes them, would leave gaps between the joins of a finer mesh. `reach`: from the joins, in mm.
 void TopologyFusion::forgetDetail(const Mesh& mesh, RestLengths& rest, double reach) const
 {
     SlotSet seen;

@@ -74,12 +74,17 @@ void TestHeadsetPaper::togglesTopology(double y)
     QVERIFY(v.brush().topology != core::Topology::Uniform);
     v.hand.pressPad(Side::Left, 0, y);
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, 60'000);
+    core::Topology drawn{};
+    QObject::connect(&v.program.document, &Document::stepped,
+                     [&drawn](const core::FileEntry& step) { drawn = std::get<core::Stroke>(step).settings.topology; });
     v.pull();
+    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Uniform, 60'000);
     QVERIFY(v.program.document.savedState().isModified());
     QVERIFY(v.program.document.modelInfo().vertices < vertices + 20);
     v.hand.pressPad(Side::Left, 0, y);
     QTRY_VERIFY_WITH_TIMEOUT(v.brush().topology != core::Topology::Uniform, 60'000);
     v.pull();
+    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Adaptive, 60'000);
     QVERIFY(v.program.document.modelInfo().vertices > vertices + 100);
 }
 

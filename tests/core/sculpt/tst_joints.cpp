@@ -1,4 +1,4 @@
-// What fusion leaves where surfaces meet: one seam, with no handle, tunnel or void beside it.
+// Tests the joints that fusion makes where surfaces meet: one seam, with no handle, tunnel or void beside it.
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/mesh_builder.h"
 #include "tests/support/clay.h"
@@ -114,7 +114,7 @@ void TestJoints::endsOfARing_joinInOneSeam()
              qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
 }
 
-/// At random places, each by 0.4 to 1 radii, so that what they raise meets.
+/// Dabs at random places, each of 0.4 to 1 radii, raise horns that meet.
 void TestJoints::strongDabs_leaveFewHandles()
 {
     Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(4, 1)));

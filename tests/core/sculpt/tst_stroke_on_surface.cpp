@@ -1,4 +1,4 @@
-// Where the dabs of a stroke stand that is drawn by rays, as with a mouse.
+// Tests where the dabs of a stroke stand that is drawn by rays, as with a mouse.
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/test_main.h"
@@ -96,7 +96,7 @@ private Q_SLOTS:
     void twelveSamplesOfACircle_makeACircle();
 };
 
-/// From the middle of the view to its outline, where the stroke stands in front of what it raises.
+/// Rows lead from the middle of the view to its outline, where the stroke stands in front of what it raises.
 void TestStrokeOnSurface::ridge_isAsHighEverywhere_data()
 {
     QTest::addColumn<Tool>("tool");

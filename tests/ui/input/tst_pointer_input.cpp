@@ -415,7 +415,7 @@ private Q_SLOTS:
         QVERIFY((r.camera.project(grabbed) - Pixel(250, 380)).norm() < 1e-6);
     }
 
-    /// With an airbrush, samples come while it rests, and their times go on.
+    /// An airbrush samples the pointer while it rests, with times that go on.
     void restingPointer_isSampled()
     {
         for (const core::Tool tool : {core::Tool::Pull, core::Tool::Grab}) {
