@@ -347,11 +347,12 @@ void TestTools::grab_alongRaysKeepsToThePlane()
 void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
 {
     const auto sculptor = ball();
-    std::vector<Vec3> path = arc(0, 46, 40);
-    const std::vector<Vec3> back = arc(45, 30, 15);
+    std::vector<Vec3> path = arc(0, 41, 40);
+    const std::vector<Vec3> back = arc(40, 25, 15);
     path.insert(path.end(), back.begin(), back.end());
-    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 20), path);
-    QVERIFY(sculptor->totals().rolledBack > 0);
+    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 18), path);
+    QVERIFY(
+        std::ranges::any_of(reports, [](const DabReport& report) { return report.outcome == DabOutcome::Fallback; }));
     double asked = 0, reached = 0;
     for (std::size_t i = 1; i < 40; ++i) {
         asked += reports[i].asked;
@@ -360,7 +361,7 @@ void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
     QVERIFY2(reached >= 0.95 * asked, qPrintable(QStringLiteral("%1 of %2").arg(reached).arg(asked)));
     for (std::size_t i = 40; i < reports.size(); ++i)
         QVERIFY2(reports[i].reached >= 0.99 * reports[i].asked, qPrintable(QString::number(i)));
-    const double longest = longestEdge(sculptor->mesh()), detail = core::edgeBounds(20, 1).detail;
+    const double longest = longestEdge(sculptor->mesh()), detail = core::edgeBounds(18, 1).detail;
     QVERIFY2(longest < 1.1 * detail, qPrintable(QStringLiteral("%1 for %2").arg(longest).arg(detail)));
     QVERIFY(isSound(*sculptor));
 }
@@ -394,7 +395,8 @@ void TestTools::snake_followsItsTip()
     stroke(*sculptor, settingsOf(Tool::SnakeHook, 12), path);
     double tip = 0;
     forEachPoint(sculptor->mesh(), [&](const Vec3& p) { tip = p.z() > 80 ? std::max(tip, p.y()) : tip; });
-    QVERIFY2(tip > 38 && tip < 40 + 0.6 * 12, qPrintable(QString::number(tip))); // what the brush holds, half a radius
+    constexpr double front = 40 + 0.5 * 12; // what lies within half a radius moves with the hand
+    QVERIFY2(std::abs(tip - front) < 4, qPrintable(QString::number(tip)));
     QVERIFY(isSound(*sculptor));
 }
 
