@@ -113,8 +113,8 @@ void StrokeRunner::note(const core::DabReport& dab)
 StrokeReport StrokeRunner::end(core::StrokeEnd how)
 {
     if (how == core::StrokeEnd::TakenBack) {
-        m_report = {};
         takeBack();
+        m_report = {};
     } else if (m_sculptor) {
         auto delta =
             std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
@@ -131,10 +131,8 @@ StrokeReport StrokeRunner::end(core::StrokeEnd how)
 /// Makes the mesh what it was before the stroke in work.
 void StrokeRunner::takeBack()
 {
-    if (!m_sculptor || !m_sculptor->strokeOpen())
-        return;
-    core::MeshDelta delta = m_sculptor->endStroke();
-    m_sculptor->swap(delta);
+    if (m_sculptor && m_sculptor->strokeOpen())
+        m_sculptor->endStroke(core::StrokeEnd::TakenBack);
 }
 
 StrokeReport StrokeRunner::replace(const StrokeReplacement& replacement)

@@ -174,11 +174,12 @@ void DabSteps::cleanJoints(DabContext& context)
     if (!m_fusion.hasJoined())
         return;
     m_fusion.addJoined(context.region, context.mesh(), context.dab.position);
-    if (!optimiseJoints(context, maxJointSmoothings))
+    if (context.settings.topology != Topology::Keep && !optimiseJoints(context, maxJointSmoothings))
         optimiseJoints(context, 0);
     separate(context);
     const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
-    context.request.totals.separations += m_fusion.cutCycles(context.surface, context.region, context.bounds);
+    context.request.totals.separations +=
+        m_fusion.cutCycles(context.surface, context.region, context.bounds, context.rest());
 }
 
 /// Smooths what was joined, so often, and optimises the region, in one transaction. Returns whether it verified.

@@ -8,11 +8,13 @@
 #include "core/stroke/stroke_path.h"
 #include "core/util/phase_timer.h"
 
+#include <utility>
+
 namespace core
 {
 namespace
 {
-/// A centre this near to its ray, in radii, is on it.
+/// A search for a centre ends when it is this near to its ray, or moves by no more, in radii.
 constexpr double centerTolerance = 0.02;
 constexpr int maxCenterSearches = 12;
 
@@ -26,11 +28,19 @@ bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 class Sculptor::Engine
 {
 public:
+    /// A place of the surface, before the stroke moved it and now.
+    struct SurfacePlace
+    {
+        Vec3 atRest, now;
+    };
+
     explicit Engine(Mesh& mesh) : surface(mesh) { warmUp(); }
 
     void beginStroke(const StrokeSettings& strokeSettings);
     std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
-    std::optional<Vec3> centerOnRay(const Ray& ray) const;
+    std::optional<SurfacePlace> placeOf(const Vec3& position, const Vec3& direction) const;
+    void placeResting(StrokePath::Due& due) const;
+    Placement placement() const { return settings.brush == BrushShape::Ray ? Placement::Ray : settings.place; }
     DabReport apply(Dab dab);
     std::vector<DabReport> applyDue();
     Footprint footprint(const StrokeSettings& strokeSettings, const Vec3& center);
@@ -76,40 +86,49 @@ std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3&
 {
     if (anchor->isSet())
         return anchor->placeOf(position, direction);
-    switch (settings.brush == BrushShape::Ray ? Placement::Ray : settings.place) {
-    case Placement::Point:
+    if (placement() == Placement::Point)
         return position;
-    case Placement::Nearest:
-        if (const std::optional<SurfaceHit> hit = nearestPoint(surface.mesh(), surface.octree(), position))
-            return displacements.atRest(*hit, surface.mesh());
-        return std::nullopt;
-    case Placement::Ray:
-        return centerOnRay({position, direction});
-    }
-    return std::nullopt;
+    const std::optional<SurfacePlace> place = placeOf(position, direction);
+    return place ? std::optional(place->atRest) : std::nullopt;
 }
 
-/// Returns where the ray met the surface before the stroke. Searches with a ray that is moved as far as the stroke has
-/// moved what it met.
-std::optional<Vec3> Sculptor::Engine::centerOnRay(const Ray& ray) const
+/// Moves a resting dab to where its place is now: what the hand holds in one place goes on growing.
+void Sculptor::Engine::placeResting(StrokePath::Due& due) const
 {
-    const Vec3 way = ray.direction.normalized();
-    std::optional<Vec3> center;
+    if (placement() == Placement::Point)
+        return;
+    if (const std::optional<SurfacePlace> place = placeOf(due.hand, due.dab.direction))
+        due.dab.position = place->now;
+}
+
+/// Returns the place that the ray met, or that was nearest, before the stroke. Searches with a hand that is moved as
+/// far as the stroke has moved what it met.
+std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOf(const Vec3& position,
+                                                                        const Vec3& direction) const
+{
+    const bool isRay = placement() == Placement::Ray;
+    const Vec3 way = direction.normalized();
+    const double tolerance = centerTolerance * settings.radius;
+    std::optional<SurfacePlace> found;
     double least = std::numeric_limits<double>::infinity();
     Vec3 moved = Vec3::Zero();
-    for (int i = 0; i < maxCenterSearches && least > centerTolerance * settings.radius; ++i) {
-        const auto hit = firstHit(surface.mesh(), surface.octree(), {ray.origin + moved, ray.direction});
-        if (!hit)
+    for (int i = 0; i < maxCenterSearches; ++i) {
+        const std::optional<SurfaceHit> hit =
+            isRay ? firstHit(surface.mesh(), surface.octree(), {position + moved, direction})
+                  : nearestPoint(surface.mesh(), surface.octree(), position + moved);
+        if (!hit || (isRay && (hit->position - position).dot(way) < 0)) // what is behind the eye is not worked on
             break;
-        const Vec3 atRest = displacements.atRest(*hit, surface.mesh());
-        const double beside = (atRest - ray.origin).cross(way).norm();
-        if (beside < least) {
-            least = beside;
-            center = atRest;
+        const Vec3 atRest = displacements.atRest(*hit, surface.mesh()), toHand = position - atRest;
+        const double distance = isRay ? toHand.cross(way).norm() : toHand.norm();
+        const Vec3 before = std::exchange(moved, hit->position - atRest);
+        if (distance < least) {
+            least = distance;
+            found = {atRest, hit->position};
         }
-        moved = hit->position - atRest;
+        if ((isRay ? least : (moved - before).norm()) <= tolerance)
+            break;
     }
-    return center;
+    return found;
 }
 
 DabReport Sculptor::Engine::apply(Dab dab)
@@ -125,10 +144,10 @@ std::vector<DabReport> Sculptor::Engine::applyDue()
 {
     std::vector<DabReport> reports;
     const auto center = [this](const Vec3& position, const Vec3& direction) { return centerOf(position, direction); };
-    while (const auto due = path->next(center)) {
-        reports.push_back(due->hasCenter ? apply(due->dab) : DabReport());
+    while (auto due = path->next(center)) {
         if (due->isResting)
-            displacements.clear(); // where the hand rests the brush follows what it raises
+            placeResting(*due);
+        reports.push_back(due->hasCenter ? apply(due->dab) : DabReport());
         if (afterDab)
             afterDab(reports.back());
     }
@@ -254,13 +273,19 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
     return m_engine->applyDue();
 }
 
-MeshDelta Sculptor::endStroke()
+MeshDelta Sculptor::endStroke(StrokeEnd how)
 {
-    m_engine->path->finish();
-    m_engine->applyDue();
+    if (how == StrokeEnd::Kept) {
+        m_engine->path->finish();
+        m_engine->applyDue();
+    }
     m_engine->path.reset();
     m_engine->anchor.reset();
-    return m_mesh->endStroke();
+    MeshDelta delta = m_mesh->endStroke();
+    if (how == StrokeEnd::Kept)
+        return delta;
+    swap(delta);
+    return {};
 }
 
 void Sculptor::swap(MeshDelta& delta)

@@ -39,8 +39,9 @@ public:
     /// counts as one empty dab, and is no part of the path.
     std::vector<DabReport> addSample(const StrokeSample& sample);
     /// Applies the dabs that still wait, whose reports only the hook after dabs gets, and closes the stroke. The delta
-    /// is already applied; it is empty if nothing changed.
-    MeshDelta endStroke();
+    /// is already applied; it is empty if nothing changed. A stroke that is taken back leaves the mesh as it was before
+    /// it, and does not apply what waits.
+    MeshDelta endStroke(StrokeEnd how = StrokeEnd::Kept);
 
     /// Applies a delta backwards, or forwards again: swaps its images with the mesh's. Cost: the delta's elements.
     void swap(MeshDelta& delta);

@@ -10,11 +10,6 @@ namespace
 {
 /// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
 constexpr double minStampSpacing = 2;
-/// The hand rests as long as it has moved by less than this since the last dab, in radii: one that follows a path
-/// slowly does not. After this time its first dab comes: a click is one dab.
-constexpr double maxRestTravel = 0.05, minRestSeconds = 0.25;
-/// A longer rest between two samples counts as one of so many seconds: no hand is read so seldom.
-constexpr double maxRestSeconds = 10;
 /// Of a hand's direction across its up, squared, in lengths of it: what is less may be rounding.
 constexpr double minAcross2 = 1e-12;
 
@@ -48,16 +43,19 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
             const bool dabDue = everySample || (end.hasCenter && !isTooNear);
             if (m_settings.tool == Tool::Stamp && dabDue)
                 m_stamped = end.dab.position;
-            const double time = m_target->time;
+            if (dabDue)
+                m_rest.follow(end.dab, end.hand, m_target->time);
             arriveAtTarget(end);
-            if (!dabDue)
-                continue;
-            m_dabTime = time;
-            m_isResting = false;
-            return end;
+            if (dabDue)
+                return end;
         } else if (m_settings.tool == Tool::Stamp) {
             if (const std::optional<Due> stamp = nextStamp(end, centerOf))
                 return stamp;
+        } else if (m_rest.isAtRest(end.dab, end.hand)) {
+            const auto [center, travelled] = std::pair(m_center, m_travelled); // a slow hand gets on, too
+            arriveAtTarget(end);
+            m_center = center;
+            m_travelled = travelled;
         } else if (isWaiting()) {
             return std::nullopt;
         } else if (const std::optional<Due> dab = nextOnCurve(end, centerOf)) {
@@ -69,16 +67,13 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
 /// Returns a dab where the hand rests, if it is time for one.
 std::optional<StrokePath::Due> StrokePath::nextResting(const CenterOf& centerOf)
 {
-    if (!(m_settings.airbrush > 0) || m_settings.spacing == 0 || !canAirbrush(m_settings.tool) || !m_from)
+    if (!(m_settings.airbrush > 0) || !m_from)
         return std::nullopt;
-    const double interval = 1 / m_settings.airbrush, wait = m_isResting ? interval : std::max(interval, minRestSeconds);
-    m_dabTime = std::max(m_dabTime, m_from->sample.time - maxRestSeconds);
-    if (m_from->sample.time - m_dabTime < wait || m_travelled > maxRestTravel * m_settings.radius)
-        return std::nullopt;
-    m_dabTime += wait;
-    m_isResting = true;
     Due result = due(m_from->sample, centerOf);
+    if (!result.hasCenter || !m_rest.takeDab(result.dab, result.hand, m_from->sample.time))
+        return std::nullopt;
     result.isResting = true;
+    m_travelled = 0;
     return result;
 }
 
@@ -104,9 +99,8 @@ std::optional<StrokePath::Due> StrokePath::nextOnCurve(const Due& end, const Cen
     const Vec3 between = *m_center + part * (end.dab.position - *m_center);
     m_at += part * (1 - m_at);
     const StrokeSample sample = m_curve.at(m_at);
-    m_dabTime = sample.time;
-    m_isResting = false;
     const Due result = due(sample, centerOf);
+    m_rest.follow(result.dab, result.hand, sample.time);
     m_center = result.hasCenter ? result.dab.position : between;
     m_travelled = 0;
     return result;
@@ -169,6 +163,7 @@ StrokePath::Due StrokePath::due(const StrokeSample& sample, const CenterOf& cent
     Due result;
     result.hasCenter = center.has_value();
     result.dab.position = center.value_or(position);
+    result.hand = position;
     result.dab.direction = direction;
     result.dab.up = inverse * Vec3::UnitY();
     result.dab.ahead = inverse * -Vec3::UnitZ();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/stroke/resting_hand.h"
 #include "core/stroke/sample_curve.h"
 
 #include <functional>
@@ -25,11 +26,12 @@ public:
     struct Due
     {
         Dab dab;
-        bool hasCenter;         ///< false: the sample's ray misses, the dab is empty
-        bool isResting = false; ///< by StrokeSettings::airbrush
+        bool hasCenter;           ///< false: the sample's ray misses, the dab is empty
+        bool isResting = false;   ///< by StrokeSettings::airbrush
+        Vec3 hand = Vec3::Zero(); ///< the sample's position, in the model's space
     };
 
-    explicit StrokePath(const StrokeSettings& settings) : m_settings(settings) {}
+    explicit StrokePath(const StrokeSettings& settings) : m_settings(settings), m_rest(settings) {}
 
     void add(const StrokeSample& sample);
     /// Tells that no sample follows.
@@ -58,8 +60,7 @@ private:
     double m_at = 0;                      ///< how far it was followed, 0 to 1
     std::optional<Vec3> m_center;         ///< of the last dab, or where the path has passed without one
     bool m_isFinished = false;
-    double m_dabTime = 0;          ///< of the last dab, by the samples' time
-    bool m_isResting = false;      ///< since the last dab that did not
+    RestingHand m_rest;
     double m_travelled = 0;        ///< since the last dab
     std::optional<Vec3> m_stamped; ///< of Stamp: where the last dab stood
     std::optional<int> m_dabsLeft; ///< until the target is reached

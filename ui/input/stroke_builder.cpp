@@ -65,7 +65,7 @@ void StrokeBuilder::moveTo(const PointerEvent& pointer, const core::Ray& ray)
 void StrokeBuilder::setReleasePoint(const OrbitCamera::Pixel& pixel, double time)
 {
     m_pointer.pixel = pixel;
-    m_pointer.time = time;
+    m_pointer.time = std::max(time, m_pointer.time);
 }
 
 void StrokeBuilder::end(core::StrokeEnd how)

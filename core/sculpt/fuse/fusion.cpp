@@ -189,7 +189,8 @@ void TopologyFusion::addJoined(Region& region, const Mesh& mesh, const Vec3& cen
     }
 }
 
-std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds)
+std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds,
+                                        const RestLengths* rest)
 {
     const Mesh& mesh = surface.mesh();
     SlotSet around;
@@ -199,7 +200,7 @@ std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, c
         around.add(v);
         mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
     }
-    return m_separation.cutCycles(surface, region, around.slots(), bounds);
+    return m_separation.cutCycles(surface, region, around.slots(), bounds, rest);
 }
 
 bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,

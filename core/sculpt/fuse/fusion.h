@@ -44,7 +44,7 @@ public:
     /// Adds what this dab has joined to the region: what it met besides.
     void addJoined(Region& region, const Mesh& mesh, const Vec3& center) const;
     /// See Separation::cutCycles(), around what this dab has joined.
-    std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
+    std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds, const RestLengths* rest);
 
 private:
     std::uint64_t joinPairs(VerifiedMesh& surface, Region& region, const FusionInput& input);

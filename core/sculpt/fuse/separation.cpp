@@ -2,6 +2,8 @@
 
 #include "core/sculpt/fuse/ring_join.h"
 
+#include <algorithm>
+
 namespace core
 {
 namespace
@@ -71,9 +73,12 @@ std::uint64_t Separation::separate(VerifiedMesh& surface, Region& region, const 
 }
 
 std::uint64_t Separation::cutCycles(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
-                                    const EdgeBounds& bounds)
+                                    const EdgeBounds& bounds, const RestLengths* rest)
 {
     const Mesh& mesh = surface.mesh();
+    const auto minimum = [&](Slot v, Slot w) {
+        return rest ? std::min({bounds.minimum, rest->of(v), rest->of(w)}) : bounds.minimum;
+    };
     const MirrorMap* mirror = m_surgery.mirror();
     std::uint64_t cuts = 0;
     std::vector<Slot> neighbours;
@@ -86,12 +91,12 @@ std::uint64_t Separation::cutCycles(VerifiedMesh& surface, Region& region, const
             if (!mesh.isVertex(v))
                 break;
             if (mesh.isVertex(other) && mesh.findHalfedge(v, other) != noSlot)
-                cuts += cutNeck(surface, region, {v, other}, jointPerimeter * bounds.minimum, bounds);
+                cuts += cutNeck(surface, region, {v, other}, jointPerimeter * minimum(v, other), bounds);
         }
     }
     for (Slot v : vertices) {
         if (mesh.isVertex(v) && (!mirror || mirror->isInHalf(v)))
-            cuts += removeSpeck(surface, region, v, bounds);
+            cuts += removeSpeck(surface, region, v, bounds, Voids::AreFilled);
     }
     return cuts;
 }
@@ -145,7 +150,7 @@ void Separation::removeSpecks(VerifiedMesh& surface, Region& region, const std::
 
 /// Removes the component of a vertex, if it is small and not all there is: a speck, or a void. (One that holds another
 /// is not sound to remove.)
-bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
+bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds, Voids voids)
 {
     const Mesh& mesh = surface.mesh();
     LatticeBox box;
@@ -157,7 +162,9 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
     const auto isSpeck = [&] {
         return found.size() <= speckFaces && size() <= (found.size() < fewFaces ? crumbSize : speckSize) * d;
     };
-    const auto mayBeVoid = [&] { return found.size() <= voidFaces && size() <= voidSize * d; };
+    const auto mayBeVoid = [&] {
+        return voids == Voids::AreFilled && found.size() <= voidFaces && size() <= voidSize * d;
+    };
     for (std::size_t i = 0; i < found.size(); ++i) {
         Slot h = mesh.faceHalfedge(found.slots()[i]);
         for (int k = 0; k < 3; ++k, h = mesh.next(h)) {

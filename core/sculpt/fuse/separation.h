@@ -22,19 +22,22 @@ public:
                            const EdgeBounds& bounds);
 
     /// Cuts necks and fills tunnels at these vertices that are narrower than d: cycles of three edges whose ends are
-    /// capped, whichever side of the surface is the solid one. Removes specks and small voids there. Returns how many
-    /// of all these there were.
+    /// capped, whichever side of the surface is the solid one. Removes specks and small voids there. `rest`: null, or
+    /// of a stroke that keeps detail, where d is less. Returns how many of all these there were.
     std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
-                            const EdgeBounds& bounds);
+                            const EdgeBounds& bounds, const RestLengths* rest);
 
     /// Removes the components of these vertices that are specks.
     void removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
                       const EdgeBounds& bounds);
 
 private:
+    enum class Voids { Stay, AreFilled };
+
     bool cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, double maxPerimeter,
                  const EdgeBounds& bounds);
-    bool removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
+    bool removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds,
+                     Voids voids = Voids::Stay);
     bool isOwnImage(const Mesh& mesh, const Triangle& cycle) const;
 
     FusionSurgery& m_surgery;

@@ -90,9 +90,9 @@ void TestHeadsetStudio::supportTrigger_smooths()
     const double height = v.box().max().y();
     v.hand.set(Side::Left, "trigger", 1);
     v.hand.frame();
-    v.hand.stroke({0, height - 1, 0}, {0, height - 2, 0}, 12);
+    v.hand.stroke({0, height - 1, 0}, {0, height - 1, 0}, 60); // held: what was pulled is finer now
     const double smoothed = v.box().max().y();
-    QVERIFY2(smoothed < height - 0.1, qPrintable(QStringLiteral("%1 %2").arg(height).arg(smoothed)));
+    QVERIFY2(smoothed < height - 0.2, qPrintable(QStringLiteral("%1 %2").arg(height).arg(smoothed)));
     QCOMPARE(v.changes(), 2);
     v.hand.set(Side::Left, "trigger", 0);
     v.hand.frame();

@@ -94,6 +94,9 @@ private Q_SLOTS:
     void ridge_isAsHighEverywhere_data();
     void ridge_isAsHighEverywhere();
     void twelveSamplesOfACircle_makeACircle();
+    void airbrush_goesOnWhereTheHandRests_data();
+    void airbrush_goesOnWhereTheHandRests();
+    void strokeTakenBack_leavesTheMeshAsItWas();
 };
 
 /// Rows lead from the middle of the view to its outline, where the stroke stands in front of what it raises.
@@ -155,6 +158,72 @@ void TestStrokeOnSurface::twelveSamplesOfACircle_makeACircle()
         QVERIFY2(std::abs(distance / onBall - 1) < 0.02,
                  qPrintable(QStringLiteral("%1 of %2").arg(distance).arg(onBall)));
     }
+}
+
+void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<core::Placement>("place");
+    QTest::addColumn<double>("strength");
+    QTest::addColumn<double>("tremor"); ///< radii
+    using core::Placement;
+    for (const Tool tool :
+         {Tool::Pull, Tool::Push, Tool::Inflate, Tool::Clay, Tool::Smooth, Tool::Pinch, Tool::Paint}) {
+        for (const Placement place : {Placement::Point, Placement::Nearest, Placement::Ray}) {
+            for (const double strength : {0.1, 1.0}) {
+                for (const double tremor : {0.0, 0.01})
+                    QTest::addRow("%s, %s, strength %g, tremor %g", std::string(name(tool)).c_str(),
+                                  std::string(name(place)).c_str(), strength, tremor)
+                        << tool << place << strength << tremor;
+            }
+        }
+    }
+}
+
+/// Ten dabs a second for two seconds at 90 samples a second, whatever the brush raises under the hand.
+void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests()
+{
+    QFETCH(Tool, tool);
+    QFETCH(core::Placement, place);
+    QFETCH(double, strength);
+    QFETCH(double, tremor);
+    StrokeSettings settings = brush(tool);
+    settings.place = place;
+    settings.strength = strength;
+    settings.airbrush = 10;
+    auto sculptor = clay::ball();
+    std::size_t dabs = 0;
+    sculptor->beginStroke(settings);
+    for (int i = 0; i <= 180; ++i) {
+        StrokeSample sample = through(i % 2 * tremor * settings.radius, 0);
+        if (place != core::Placement::Ray)
+            sample.position = Vec3(i % 2 * tremor * settings.radius, 0, ballRadius);
+        sample.time = i / 90.0;
+        dabs += sculptor->addSample(sample).size();
+    }
+    sculptor->endStroke();
+    QVERIFY2(dabs >= 18 && dabs <= 19, qPrintable(QString::number(dabs)));
+    QVERIFY(mesh_asserts::badFaces(sculptor->mesh()).empty());
+}
+
+/// Dabs that wait for another sample are not applied.
+void TestStrokeOnSurface::strokeTakenBack_leavesTheMeshAsItWas()
+{
+    auto sculptor = clay::ball();
+    const auto points = [&] { return mesh_asserts::surfaceOf(sculptor->mesh()).points; };
+    const auto before = points();
+    int dabs = 0;
+    sculptor->setAfterDab([&](const core::DabReport&) { ++dabs; });
+    sculptor->beginStroke(brush(Tool::Pull));
+    sculptor->addSample(through(0, 0));
+    sculptor->addSample(through(20, 0));
+    QCOMPARE(dabs, 1);
+    QVERIFY(points() != before);
+    QVERIFY(sculptor->endStroke(core::StrokeEnd::TakenBack).empty());
+    QCOMPARE(dabs, 1);
+    QVERIFY(!sculptor->strokeOpen());
+    QVERIFY(points() == before);
+    QVERIFY(sculptor->indexIsConsistent());
 }
 
 FETTLE_TEST(TestStrokeOnSurface)
