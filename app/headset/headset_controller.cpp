@@ -68,6 +68,7 @@ void HeadsetController::connectDocument()
         updateFolder();
     });
     connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetController::onBrushChanged);
+    connect(m_window->brush(), &ui::BrushSettings::inputChanged, this, &HeadsetController::scheduleUpdate);
     connect(m_window->viewport(), &ui::Viewport::appearanceChanged, this, &HeadsetController::scheduleUpdate);
     connect(m_colors, &ui::ColorPanel::swatchesChanged, this, &HeadsetController::scheduleUpdate);
 }
@@ -182,6 +183,7 @@ void HeadsetController::sendUpdate()
     update.shading = ui::shadingOf(viewport.appearance().material);
     update.isFlat = viewport.appearance().flat;
     update.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
+    update.withoutAirbrush = m_window->brush()->withoutAirbrush();
     update.reducesMotion = viewport.reducesMotion();
     update.canUndo = m_document->history().canUndo();
     update.canRedo = m_document->history().canRedo();

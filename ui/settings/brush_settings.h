@@ -72,6 +72,7 @@ public:
     /// Whether strokes of the tool go on where the hand rests. At first those of each tool that can.
     bool isAirbrush(core::Tool tool) const { return core::canAirbrush(tool) && !m_withoutAirbrush.contains(tool); }
     void setAirbrush(core::Tool tool, bool on);
+    const QList<core::Tool>& withoutAirbrush() const { return m_withoutAirbrush; }
     /// Inverted strokes do the opposite of what their tool does; with the key that inverts they do what it does.
     bool isInverted() const { return m_isInverted; }
     void setInverted(bool inverted);

@@ -111,7 +111,8 @@ core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& 
     settings.place = core::Placement::Point;
     settings.radius = radiusOn(brush, placement);
     settings.spacing = core::isDragTool(settings.tool) ? 0 : wandSpacing;
-    settings.airbrush = core::canAirbrush(settings.tool) ? core::defaultAirbrush : 0;
+    const bool goesOn = core::canAirbrush(settings.tool) && !brush.withoutAirbrush.contains(settings.tool);
+    settings.airbrush = goesOn ? core::defaultAirbrush : 0;
     settings.add = core::canAddSolid(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.continues;
     return settings;
 }

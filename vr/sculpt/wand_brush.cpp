@@ -18,6 +18,7 @@ bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 void WandBrush::take(const DocumentUpdate& update, const ModelPlacement& placement)
 {
     m_state.plane = update.plane;
+    m_state.withoutAirbrush = update.withoutAirbrush;
     m_smooths = update.smooths;
     if (std::exchange(m_seenRadius, update.radiusChange) != update.radiusChange)
         m_state.radius = std::clamp(placement.lengthToRoom(update.brush.radius), minRadius, maxRadius);

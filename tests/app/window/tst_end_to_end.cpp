@@ -1,4 +1,5 @@
 #include "app/headset/headset_settings_store.h"
+#include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 
@@ -34,6 +35,7 @@ class TestEndToEnd : public QObject
 
 private Q_SLOTS:
     void openPullUndoExport();
+    void heldPull_goesOnAndEscTakesItBack();
     void toolsByModifier();
     void sculptedByKeysAlone();
     void handsOfTheNextVisit_areChosenInTheMenu();
@@ -88,6 +90,34 @@ void TestEndToEnd::openPullUndoExport()
     const ui::ViewportStats stats = program.window.viewport()->stats();
     qInfo("input to patch %.1f ms, worst %.1f ms; to the screen %.1f ms", program.worker.stats().latencyMs,
           program.worker.stats().worstLatencyMs, stats.latencyMs);
+}
+
+/// Held in one place, without a move: a dab at the press, and ten a second.
+void TestEndToEnd::heldPull_goesOnAndEscTakesItBack()
+{
+    QTemporaryDir folder;
+    const QString ball = folder.filePath(QStringLiteral("ball.stl"));
+    core::writeMesh(ball.toStdString(), core::icosphere(5, 30));
+    Program program;
+    openFile(program, ball, {900, 700});
+    ui::Viewport* viewport = program.window.viewport();
+    const auto size = [&] { return program.document.modelInfo().box.sizes().maxCoeff(); };
+    const std::uint64_t before = meshHash(program.worker);
+    QTest::mousePress(viewport, Qt::LeftButton, {}, middle(viewport));
+    QTest::qWait(2000);
+    QTest::keyClick(viewport, Qt::Key_Escape);
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, middle(viewport));
+    QTRY_VERIFY(program.document.queue().isSettled());
+    QCOMPARE(meshHash(program.worker), before);
+    QCOMPARE(program.document.history().stack().count(), 0);
+
+    const double sizeBefore = size();
+    QTest::mousePress(viewport, Qt::LeftButton, {}, middle(viewport));
+    QTest::qWait(2000);
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, middle(viewport));
+    QTRY_COMPARE(program.document.history().stack().count(), 1);
+    const double radius = program.window.brush()->stroke().radius;
+    QTRY_VERIFY2(size() > sizeBefore + 0.5 * radius, qPrintable(QStringLiteral("%1 %2").arg(size()).arg(sizeBefore)));
 }
 
 void TestEndToEnd::toolsByModifier()

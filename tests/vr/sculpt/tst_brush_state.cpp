@@ -199,6 +199,8 @@ private Q_SLOTS:
             BrushState brush;
             brush.stroke.tool = tool;
             QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).airbrush > 0, core::canAirbrush(tool));
+            brush.withoutAirbrush = {tool};
+            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).airbrush, 0.0);
         }
     }
 
