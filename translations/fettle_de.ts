@@ -3102,6 +3102,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Stamp</source>
         <translation>Stempel</translation>
     </message>
+    <message>
+        <source>Same radius for all tools</source>
+        <translation>Ein Radius für alle Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Another tool leaves the radius as it is. Without it each tool has a radius of its own, as it has a strength of its own.</source>
+        <translation>Ein anderes Werkzeug lässt den Radius, wie er ist. Sonst hat jedes Werkzeug seinen eigenen Radius, so wie es seine eigene Stärke hat.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushShapes</name>

@@ -3096,6 +3096,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Stamp</source>
         <translation>图章</translation>
     </message>
+    <message>
+        <source>Same radius for all tools</source>
+        <translation>所有工具共用半径</translation>
+    </message>
+    <message>
+        <source>Another tool leaves the radius as it is. Without it each tool has a radius of its own, as it has a strength of its own.</source>
+        <translation>换工具时半径不变。关闭后，每个工具各有自己的半径，正如各有自己的强度。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushShapes</name>

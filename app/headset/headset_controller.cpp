@@ -183,7 +183,9 @@ void HeadsetController::sendUpdate()
     update.shading = ui::shadingOf(viewport.appearance().material);
     update.isFlat = viewport.appearance().flat;
     update.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
-    update.withoutAirbrush = m_window->brush()->withoutAirbrush();
+    for (std::size_t i = 0; i < update.airbrush.size(); ++i)
+        update.airbrush[i] = m_window->brush()->tools()->airbrush(static_cast<core::Tool>(i));
+    update.smoothStrength = m_window->brush()->tools()->of(core::Tool::Smooth).strength;
     update.reducesMotion = viewport.reducesMotion();
     update.canUndo = m_document->history().canUndo();
     update.canRedo = m_document->history().canRedo();

@@ -121,6 +121,13 @@ void PartnerView::announceChoice()
         Q_EMIT noticed(tr("Your partner chose a strength of %1 %.").arg(std::lround(brush.strength * 100)));
 }
 
+void PartnerView::setKnownBrush(const core::StrokeSettings& brush)
+{
+    m_knownBrush = brush;
+    if (!m_window->brush()->tools()->sharesRadius())
+        m_radiusShare = m_window->brush()->radiusShare();
+}
+
 void PartnerView::announceHistory(const QString& sentence)
 {
     if (m_isVisited)

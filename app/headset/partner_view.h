@@ -36,8 +36,9 @@ public:
 
     /// The brush was changed at the window.
     void startChoiceTimer() { m_choiceTimer.start(); }
-    /// The user in the headset knows that brush.
-    void setKnownBrush(const core::StrokeSettings& brush) { m_knownBrush = brush; }
+    /// The user in the headset chose the window's brush: knows it, and keeps the radius in the headset, whatever radius
+    /// the window has for that tool.
+    void setKnownBrush(const core::StrokeSettings& brush);
     void setAvatarRadius(double mm) { m_avatarRadius = mm; }
     bool isTakenOver() const { return m_isTakenOver; }
     /// Tells the user in the headset that only the window changes model and brush now.

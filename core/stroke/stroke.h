@@ -15,6 +15,16 @@ class BrushModel;
 /// Of sectors.
 inline constexpr int maxRadial = 32;
 inline constexpr double minAirbrush = 0.1, maxAirbrush = 60, defaultAirbrush = 10; ///< dabs a second
+/// Dabs a second of each tool's strokes where the hand rests; 0: none.
+using AirbrushRates = std::array<double, toolNames().size()>;
+/// Returns the default rate for each tool that can go on where the hand rests.
+constexpr AirbrushRates defaultAirbrushRates()
+{
+    AirbrushRates rates{};
+    for (std::size_t i = 0; i < rates.size(); ++i)
+        rates[i] = canAirbrush(static_cast<Tool>(i)) ? defaultAirbrush : 0;
+    return rates;
+}
 
 /// What stays the same during a stroke. Lengths in the document's unit.
 struct StrokeSettings

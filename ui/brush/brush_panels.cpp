@@ -119,14 +119,25 @@ public:
                             BrushPanels::tr("The tool goes on as long as you hold it in one place."));
         const auto show = [check, brush = m_brush] {
             check->setEnabled(core::canAirbrush(brush->tool()));
-            check->setChecked(brush->isAirbrush(brush->tool()));
+            check->setChecked(brush->tools()->isAirbrush(brush->tool()));
         };
         QObject::connect(check, &QCheckBox::clicked, m_brush,
-                         [brush = m_brush](bool checked) { brush->setAirbrush(brush->tool(), checked); });
+                         [brush = m_brush](bool checked) { brush->tools()->setAirbrush(brush->tool(), checked); });
         QObject::connect(m_brush, &BrushSettings::changed, check, show);
         QObject::connect(m_brush, &BrushSettings::inputChanged, check, show);
         show();
         return check;
+    }
+
+    void addSharing() const
+    {
+        auto* check = named(new QCheckBox(BrushPanels::tr("Same radius for all tools")), "sharesRadius",
+                            BrushPanels::tr("Another tool leaves the radius as it is. Without it each tool has a "
+                                            "radius of its own, as it has a strength of its own."));
+        check->setChecked(m_brush->tools()->sharesRadius());
+        QObject::connect(check, &QCheckBox::clicked, m_brush->tools(), &ToolMemory::setSharesRadius);
+        QObject::connect(m_brush->tools(), &ToolMemory::sharesRadiusChanged, check, &QCheckBox::setChecked);
+        m_form->addRow(check);
     }
 
     void addSteady(const std::function<void()>& entered) const
@@ -211,6 +222,7 @@ QDockWidget* brushPanel(BrushSettings* brush, BrushShapes* shapes, const std::fu
     panel.add(checks);
     panel.addRow(BrushPanels::tr("Stamp"), modelChooser(brush, shapes));
     panel.addSteady(entered);
+    panel.addSharing();
     panel.alignNumbers();
     return panel.dock;
 }

@@ -16,9 +16,9 @@ void putFirst(QStringList& files, const QString& path)
     files.resize(std::min<qsizetype>(files.size(), maxRecent));
 }
 
-template <class What> QString sourceOf(const std::shared_ptr<const What>& shape)
+QString sourceOf(const std::shared_ptr<const core::BrushModel>& model)
 {
-    return shape ? QString::fromStdString(shape->source()) : QString();
+    return model ? QString::fromStdString(model->source()) : QString();
 }
 } // namespace
 
@@ -27,8 +27,21 @@ BrushShapes::BrushShapes(BrushSettings* brush, Settings* settings, QObject* pare
     , m_brush(brush)
     , m_settings(settings)
     , m_stored(settings->get<StoredShapes>())
+    , m_alphas(brush->tools(), settings)
 {
     settings->onReset([this] { restore(); });
+    connect(&m_alphas, &ToolAlphas::fileRead, this,
+            [this](const QString& path, const std::shared_ptr<const core::Alpha>& alpha) {
+                putFirst(m_stored.alphas, path);
+                remember(path, alpha);
+                save();
+                Q_EMIT changed();
+            });
+    connect(&m_alphas, &ToolAlphas::fileRefused, this, [this](const QString& problem) {
+        save();
+        Q_EMIT refused(tr("The brush is without its alpha: %1", "a sentence that says why").arg(problem));
+        Q_EMIT changed();
+    });
 }
 
 BrushShapes::~BrushShapes() = default;
@@ -37,13 +50,9 @@ void BrushShapes::restore()
 {
     m_stored = m_settings->get<StoredShapes>();
     const StoredShapes wanted = m_stored;
-    m_brush->set(&core::StrokeSettings::alphaFollows, wanted.alphaFollows);
-    m_alpha.isRestoring = m_model.isRestoring = true; // neither goes while the other is taken
-    if (const auto builtIn = core::builtInAlpha(wanted.alpha.toStdString()))
-        setShape(m_alpha, builtIn);
-    else
-        choose(m_alpha, wanted.alpha, Origin::Restore);
-    choose(m_model, wanted.model, Origin::Restore);
+    ++m_alphaRequest;
+    m_alphas.restore({wanted.alpha, wanted.alphaFollows});
+    readModel(wanted.model, Origin::Restore);
     connect(m_brush, &BrushSettings::changed, this, &BrushShapes::save,
             Qt::UniqueConnection); // not before: what is stored would be lost
     Q_EMIT changed();
@@ -63,66 +72,78 @@ std::shared_ptr<const core::Alpha> BrushShapes::alpha(const QString& source) con
 
 void BrushShapes::chooseAlpha(const QString& source)
 {
-    if (const auto builtIn = core::builtInAlpha(source.toStdString()))
-        setShape(m_alpha, builtIn);
-    else
-        choose(m_alpha, source, Origin::User);
+    const core::Tool tool = m_brush->tool();
+    const int request = ++m_alphaRequest;
+    if (const auto builtIn = core::builtInAlpha(source.toStdString()); builtIn || source.isEmpty())
+        return setAlpha(tool, builtIn);
+    m_background.run([source] { return readAlpha(source); },
+                     [this, source, tool, request](const BrushFile<core::Alpha>& file) {
+                         if (request != m_alphaRequest)
+                             return;
+                         if (!file.what) {
+                             m_read.remove(source);
+                             return refuse(&StoredShapes::alphas, source, file.problem);
+                         }
+                         putFirst(m_stored.alphas, source);
+                         remember(source, file.what);
+                         setAlpha(tool, file.what);
+                     });
+}
+
+void BrushShapes::setAlpha(core::Tool tool, const std::shared_ptr<const core::Alpha>& alpha)
+{
+    m_alphas.forget(tool);
+    ToolValues values = m_brush->tools()->of(tool);
+    values.alpha = alpha;
+    m_brush->tools()->set(tool, values);
+    save();
+    Q_EMIT changed();
 }
 
 void BrushShapes::chooseModel(const QString& path)
 {
-    choose(m_model, path, Origin::User);
+    readModel(path, Origin::User);
 }
 
-template <class What> void BrushShapes::choose(ShapeSlot<What>& slot, const QString& path, Origin origin)
+void BrushShapes::readModel(const QString& path, Origin origin)
 {
+    const int request = ++m_modelRequest;
     if (path.isEmpty())
-        return setShape(slot, std::shared_ptr<const What>());
-    slot.isRestoring = origin == Origin::Restore;
-    const int request = ++slot.request;
-    m_background.run([path, read = slot.read] { return read(path); },
-                     [this, &slot, path, origin, request](const BrushFile<What>& file) {
-                         if (request != slot.request)
+        return setModel(nullptr);
+    m_isRestoringModel = origin == Origin::Restore;
+    m_background.run([path] { return readBrushModel(path); },
+                     [this, path, origin, request](const BrushFile<core::BrushModel>& file) {
+                         if (request != m_modelRequest)
                              return;
-                         if (!file.what)
-                             return refuse(slot, path, origin, file.problem);
-                         putFirst(m_stored.*slot.files, path);
-                         remember(path, file.what);
-                         setShape(slot, file.what);
+                         if (file.what) {
+                             putFirst(m_stored.models, path);
+                             return setModel(file.what);
+                         }
+                         m_isRestoringModel = false;
+                         if (origin == Origin::User)
+                             return refuse(&StoredShapes::models, path, file.problem);
+                         save();
+                         Q_EMIT refused(tr("Stamp has a ball again: %1", "a sentence that says why").arg(file.problem));
+                         Q_EMIT changed();
                      });
 }
 
-template <class What> void BrushShapes::setShape(ShapeSlot<What>& slot, const std::shared_ptr<const What>& what)
+void BrushShapes::setModel(const std::shared_ptr<const core::BrushModel>& model)
 {
-    ++slot.request;
-    slot.isRestoring = false;
-    m_brush->set(slot.inBrush, what);
+    ++m_modelRequest;
+    m_isRestoringModel = false;
+    m_brush->set(&core::StrokeSettings::model, model);
     save();
     Q_EMIT changed();
 }
 
-/// Drops a refused file that the user chose from the list; a stored file stays, as its disk may only be unmounted.
-template <class What>
-void BrushShapes::refuse(ShapeSlot<What>& slot, const QString& path, Origin origin, const QString& problem)
+/// Drops a refused file from the list; a stored file stays there, as its disk may only be unmounted.
+void BrushShapes::refuse(QStringList StoredShapes::*files, const QString& path, const QString& problem)
 {
-    slot.isRestoring = false;
-    if (origin == Origin::User) {
-        (m_stored.*slot.files).removeAll(path);
-        m_read.remove(path);
-    }
+    (m_stored.*files).removeAll(path);
     save();
-    Q_EMIT refused(origin == Origin::User ? problem : missingFileMessage(static_cast<What*>(nullptr)).arg(problem));
+    Q_EMIT refused(problem);
     Q_EMIT changed();
-}
-
-QString BrushShapes::missingFileMessage(const core::Alpha*) const
-{
-    return tr("The brush is without its alpha: %1", "a sentence that says why");
-}
-
-QString BrushShapes::missingFileMessage(const core::BrushModel*) const
-{
-    return tr("Stamp has a ball again: %1", "a sentence that says why");
 }
 
 void BrushShapes::remember(const QString& path, const std::shared_ptr<const core::Alpha>& alpha)
@@ -135,21 +156,24 @@ void BrushShapes::remember(const QString& path, const std::shared_ptr<const core
 
 /// While the stored file is being read the brush has none yet, and what is stored stays; whoever gives it one meanwhile
 /// has chosen later.
-template <class What> void BrushShapes::store(ShapeSlot<What>& slot)
+void BrushShapes::storeModel()
 {
-    const std::shared_ptr<const What>& shape = m_brush->stroke().*slot.inBrush;
-    if (slot.isRestoring && !shape)
+    const std::shared_ptr<const core::BrushModel>& model = m_brush->stroke().model;
+    if (m_isRestoringModel && !model)
         return;
-    if (std::exchange(slot.isRestoring, false))
-        ++slot.request;
-    m_stored.*slot.chosen = sourceOf(shape);
+    if (std::exchange(m_isRestoringModel, false))
+        ++m_modelRequest;
+    m_stored.model = sourceOf(model);
 }
 
+/// Programs that know one alpha only begin with Pull.
 void BrushShapes::save()
 {
-    store(m_alpha);
-    store(m_model);
-    m_stored.alphaFollows = m_brush->stroke().alphaFollows;
+    m_alphas.save();
+    const StoredToolAlpha& ofFirst = m_alphas.stored(core::Tool::Pull);
+    m_stored.alpha = ofFirst.alpha;
+    m_stored.alphaFollows = ofFirst.alphaFollows;
+    storeModel();
     if (m_stored != m_settings->get<StoredShapes>())
         m_settings->set(m_stored);
 }

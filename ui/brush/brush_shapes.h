@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/brush/brush_files.h"
+#include "ui/brush/tool_alphas.h"
 #include "ui/settings/settings.h"
 #include "ui/util/background_thread.h"
 
@@ -9,8 +10,8 @@
 
 namespace ui
 {
-/// Which alpha and which model the brush has: reads their files on a thread, and keeps what was chosen in the settings.
-/// Thread: gui.
+/// Which alpha each tool and which model the brush has: reads their files on a thread, and keeps what was chosen in the
+/// settings. Thread: gui.
 class BrushShapes : public QObject
 {
     Q_OBJECT
@@ -24,7 +25,8 @@ public:
     /// then.
     void restore();
 
-    /// A name of core::builtInAlphas(), or a path, which takes effect when it was read; empty: none.
+    /// Gives the tool that is in the hand a name of core::builtInAlphas(), or a path, which takes effect when it was
+    /// read; empty: none.
     void chooseAlpha(const QString& source);
     /// A path; empty: a ball.
     void chooseModel(const QString& path);
@@ -49,35 +51,22 @@ Q_SIGNALS:
 
 private:
     enum class Origin { User, Restore };
-    /// Of one kind of shape: where it stands in the brush and in the settings.
-    template <class What> struct ShapeSlot
-    {
-        std::shared_ptr<const What> core::StrokeSettings::*inBrush;
-        QString StoredShapes::*chosen;
-        QStringList StoredShapes::*files;
-        BrushFile<What> (*read)(const QString& path);
-        int request = 0;          ///< what was read for an earlier one is too late
-        bool isRestoring = false; ///< the stored file is being read
-    };
-    template <class What> void choose(ShapeSlot<What>& slot, const QString& path, Origin origin);
-    template <class What> void setShape(ShapeSlot<What>& slot, const std::shared_ptr<const What>& what);
-    template <class What>
-    void refuse(ShapeSlot<What>& slot, const QString& path, Origin origin, const QString& problem);
-    template <class What> void store(ShapeSlot<What>& slot);
-    QString missingFileMessage(const core::Alpha*) const;
-    QString missingFileMessage(const core::BrushModel*) const;
+    void setAlpha(core::Tool tool, const std::shared_ptr<const core::Alpha>& alpha);
+    void readModel(const QString& path, Origin origin);
+    void setModel(const std::shared_ptr<const core::BrushModel>& model);
+    void storeModel();
+    /// Refuses a file that the user chose.
+    void refuse(QStringList StoredShapes::*files, const QString& path, const QString& problem);
     void remember(const QString& path, const std::shared_ptr<const core::Alpha>& alpha);
-    void remember(const QString&, const std::shared_ptr<const core::BrushModel>&) {}
     void save();
 
     BrushSettings* m_brush;
     Settings* m_settings;
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
-    ShapeSlot<core::Alpha> m_alpha{&core::StrokeSettings::alpha, &StoredShapes::alpha, &StoredShapes::alphas,
-                                   readAlpha};
-    ShapeSlot<core::BrushModel> m_model{&core::StrokeSettings::model, &StoredShapes::model, &StoredShapes::models,
-                                        readBrushModel};
+    ToolAlphas m_alphas;
+    int m_alphaRequest = 0, m_modelRequest = 0; ///< what was read for an earlier one is too late
+    bool m_isRestoringModel = false;            ///< the stored file is being read
     bool m_mayLoad = true;
     BackgroundThread m_background; ///< last
 };

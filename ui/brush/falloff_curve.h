@@ -14,6 +14,9 @@ class FalloffCurve : public CurveWidget
 public:
     explicit FalloffCurve(BrushSettings* brush, QWidget* parent = nullptr);
 
+    /// Low: the panel has many rows.
+    QSize sizeHint() const override { return {200, 72}; }
+
 protected:
     double valueAt(double x) const override { return core::falloff(x, falloff()); }
     void bendTo(double x, double y) override;

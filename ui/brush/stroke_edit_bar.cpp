@@ -74,8 +74,11 @@ void StrokeEditBar::addTools(const QList<ToolOption>& tools)
     for (const auto& [tool, action] : tools)
         m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
-    connect(m_tools, &QComboBox::activated, this,
-            [this] { m_brush.setTool(static_cast<core::Tool>(m_tools->currentData().toInt())); });
+    connect(m_tools, &QComboBox::activated, this, [this] { // the stroke's strength, not that of the other tool
+        core::StrokeSettings stroke = m_brush.stroke();
+        stroke.tool = static_cast<core::Tool>(m_tools->currentData().toInt());
+        m_brush.apply(stroke);
+    });
     addWidget(m_tools);
 }
 

@@ -142,12 +142,12 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
 {
     modifiers.setFlag(Qt::ShiftModifier,
                       modifiers.testFlag(Qt::ShiftModifier) && m_brush->isOffered(core::Tool::Smooth));
-    core::StrokeSettings stroke = withModifiers(m_brush->stroke(), modifiers, m_preferences.modifiers.invert);
+    core::StrokeSettings stroke = withModifiers(*m_brush, modifiers, m_preferences.modifiers.invert);
     if (eraser != m_brush->isInverted())
         stroke = core::opposite(stroke);
     if (core::isDragTool(stroke.tool))
         stroke.spacing = 0;
-    stroke.airbrush = m_brush->isAirbrush(stroke.tool) ? core::defaultAirbrush : 0;
+    stroke.airbrush = m_brush->tools()->airbrush(stroke.tool);
     return stroke;
 }
 

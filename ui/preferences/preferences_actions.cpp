@@ -4,6 +4,7 @@
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/settings/brush_settings.h"
 #include "ui/settings/settings.h"
+#include "ui/settings/stored_brush.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/theme.h"
 
@@ -16,8 +17,7 @@ namespace
 {
 void resetBrush(BrushSettings* brush, const Settings& settings)
 {
-    for (const core::Parameter parameter : storedParameters)
-        brush->setValue(parameter, settings.value(parameter));
+    restoreBrush(settings, brush);
     brush->setRadiusShare(settings.get(&Setting::radiusShare));
 }
 } // namespace

@@ -46,12 +46,81 @@ double core::StrokeSettings::*numberOf(core::Parameter parameter)
 BrushSettings::BrushSettings(QObject* parent)
     : QObject(parent)
     , m_stroke(firstStroke())
+    , m_tools(new ToolMemory(this))
     , m_maxRadius(core::info(core::Parameter::Radius).max)
-{}
+{
+    connect(m_tools, &ToolMemory::changed, this, &BrushSettings::takeValues);
+    connect(m_tools, &ToolMemory::airbrushChanged, this, &BrushSettings::inputChanged);
+    connect(m_tools, &ToolMemory::sharesRadiusChanged, this, &BrushSettings::useSharing);
+}
+
+/// The values of the tool before are remembered already.
+void BrushSettings::changeTool(core::Tool tool)
+{
+    if (!isOffered(tool))
+        return;
+    m_stroke.tool = tool;
+    putInto(m_stroke, m_tools->of(tool));
+    if (const auto share = m_tools->of(tool).radiusShare; share && !m_tools->sharesRadius())
+        m_stroke.radius = std::clamp(*share * m_modelSize, minOf(core::Parameter::Radius), m_maxRadius);
+    Q_EMIT changed();
+}
+
+void BrushSettings::noteChange()
+{
+    if (m_stroke.symmetry != core::Symmetry::None)
+        m_plane = m_stroke.symmetry;
+    if (m_stroke.radial > 1)
+        m_sectors = m_stroke.radial;
+    if (m_stroke.topology != core::Topology::Uniform)
+        m_topology = m_stroke.topology;
+    remember();
+    Q_EMIT changed();
+}
+
+void BrushSettings::remember()
+{
+    ToolValues values = m_tools->of(m_stroke.tool);
+    takeFrom(m_stroke, values);
+    if (!m_tools->sharesRadius())
+        values.radiusShare = radiusShare();
+    m_tools->set(m_stroke.tool, values);
+}
+
+/// Somebody gave a tool other values. remember() did it, too: then nothing is new.
+void BrushSettings::takeValues(core::Tool tool)
+{
+    if (tool != m_stroke.tool)
+        return;
+    const ToolValues& values = m_tools->of(tool);
+    ToolValues own = values;
+    takeFrom(m_stroke, own);
+    const double share = m_tools->sharesRadius() ? radiusShare() : values.radiusShare.value_or(radiusShare());
+    if (own == values && share == radiusShare())
+        return;
+    putInto(m_stroke, values);
+    m_stroke.radius = std::clamp(share * m_modelSize, minOf(core::Parameter::Radius), m_maxRadius);
+    Q_EMIT changed();
+}
+
+/// From now on the tools have radii of their own: the present one's is what it was, so are those of tools that had
+/// none.
+void BrushSettings::useSharing(bool shares)
+{
+    for (std::size_t i = 0; !shares && i < core::toolNames().size(); ++i) {
+        const auto tool = static_cast<core::Tool>(i);
+        ToolValues values = m_tools->of(tool);
+        if (tool != m_stroke.tool && values.radiusShare)
+            continue;
+        values.radiusShare = radiusShare();
+        m_tools->set(tool, values);
+    }
+    Q_EMIT changed();
+}
 
 void BrushSettings::offerTools(const QList<core::Tool>& tools)
 {
-    m_tools = tools;
+    m_offered = tools;
     if (!tools.isEmpty())
         setTool(tools.constFirst());
     Q_EMIT changed();
@@ -60,14 +129,14 @@ void BrushSettings::offerTools(const QList<core::Tool>& tools)
 void BrushSettings::reset()
 {
     const double radius = m_stroke.radius;
+    m_tools->reset();
     m_stroke = firstStroke();
     m_stroke.radius = radius;
-    m_stroke.tool = m_tools.isEmpty() ? m_stroke.tool : m_tools.constFirst();
+    m_stroke.tool = m_offered.isEmpty() ? m_stroke.tool : m_offered.constFirst();
     const BrushSettings first;
     m_plane = first.m_plane;
     m_sectors = first.m_sectors;
     m_topology = first.m_topology;
-    m_withoutAirbrush.clear();
     m_isInverted = first.m_isInverted;
     m_isSteady = first.m_isSteady;
     m_stabilizerLength = first.m_stabilizerLength;
@@ -90,8 +159,10 @@ void BrushSettings::setValue(core::Parameter parameter, double value)
         m_stroke.*numberOf(parameter) = legal;
     if (parameter == core::Parameter::Detail) // finer edges under a small brush may be finer than the lattice
         m_stroke.radius = std::clamp(m_stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
-    if (this->value(parameter) != before)
+    if (this->value(parameter) != before) {
+        remember();
         Q_EMIT changed();
+    }
     if (legal != value)
         Q_EMIT clamped(parameter);
 }
@@ -107,30 +178,15 @@ void BrushSettings::apply(const core::StrokeSettings& stroke)
     m_stroke.place = own.place;
     m_stroke.add = own.add;
     m_stroke.model = own.model;
-    if (!stroke.alpha && own.alpha && !own.alpha->isBuiltIn())
-        m_stroke.alpha = own.alpha;
+    m_stroke.airbrush = own.airbrush;
     m_stroke.detailLength = own.detailLength;
     if (!isOffered(stroke.tool))
         m_stroke.tool = own.tool;
+    const std::shared_ptr<const core::Alpha>& alpha = m_tools->of(m_stroke.tool).alpha;
+    if (!stroke.alpha && alpha && !alpha->isBuiltIn())
+        m_stroke.alpha = alpha;
     m_stroke.radius = std::clamp(stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
-    if (stroke.symmetry != core::Symmetry::None)
-        m_plane = stroke.symmetry;
-    if (stroke.radial > 1)
-        m_sectors = stroke.radial;
-    if (stroke.topology != core::Topology::Uniform)
-        m_topology = stroke.topology;
-    Q_EMIT changed();
-}
-
-void BrushSettings::setAirbrush(core::Tool tool, bool on)
-{
-    if (isAirbrush(tool) == on || !core::canAirbrush(tool))
-        return;
-    if (on)
-        m_withoutAirbrush.removeAll(tool);
-    else
-        m_withoutAirbrush.append(tool);
-    Q_EMIT inputChanged();
+    noteChange();
 }
 
 void BrushSettings::setInverted(bool inverted)
@@ -190,11 +246,13 @@ double BrushSettings::maxOf(core::Parameter parameter) const
     return parameter == core::Parameter::Radius ? m_maxRadius : core::info(parameter).max;
 }
 
-core::StrokeSettings withModifiers(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
+core::StrokeSettings withModifiers(const BrushSettings& brush, Qt::KeyboardModifiers modifiers,
                                    Qt::KeyboardModifier invert)
 {
+    core::StrokeSettings stroke = brush.stroke();
     if (modifiers & Qt::ShiftModifier) {
         stroke.tool = core::Tool::Smooth;
+        putInto(stroke, brush.tools()->of(stroke.tool));
         stroke.alpha = nullptr; // evenly
         return stroke;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/settings/model_info.h"
+#include "ui/settings/tool_memory.h"
 
 #include "core/stroke/stroke.h"
 
@@ -15,7 +16,8 @@ namespace ui
 inline constexpr double minStabilizerLength = 4, maxStabilizerLength = 200, defaultStabilizerLength = 32;
 
 /// The brush in the user's hand: what the next stroke will be. Panels, cursor and viewport are views of it; it is read
-/// when a stroke begins and not during one. Thread: gui.
+/// when a stroke begins and not during one. A change of tool brings the values that the tool had (ToolMemory).
+/// Thread: gui.
 class BrushSettings : public QObject
 {
     Q_OBJECT
@@ -30,24 +32,19 @@ public:
     /// What has no range: tool, shape, topology, fusion, symmetry, colour.
     template <class T> void set(T core::StrokeSettings::*what, const T& value)
     {
-        if constexpr (std::is_same_v<T, core::Tool>)
-            if (!isOffered(value))
-                return;
         if (m_stroke.*what == value)
             return;
-        m_stroke.*what = value;
-        if (m_stroke.symmetry != core::Symmetry::None)
-            m_plane = m_stroke.symmetry;
-        if (m_stroke.radial > 1)
-            m_sectors = m_stroke.radial;
-        if (m_stroke.topology != core::Topology::Uniform)
-            m_topology = m_stroke.topology;
-        Q_EMIT changed();
+        if constexpr (std::is_same_v<T, core::Tool>) {
+            changeTool(value);
+        } else {
+            m_stroke.*what = value;
+            noteChange();
+        }
     }
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
     /// From now on these can be chosen and no others; the first is taken. At first it is all.
     void offerTools(const QList<core::Tool>& tools);
-    bool isOffered(core::Tool tool) const { return m_tools.isEmpty() || m_tools.contains(tool); }
+    bool isOffered(core::Tool tool) const { return m_offered.isEmpty() || m_offered.contains(tool); }
     /// About the plane that was chosen last; x = 0 at first.
     void setSymmetric(bool symmetric)
     {
@@ -66,13 +63,12 @@ public:
     /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where
     /// that one has none.
     void apply(const core::StrokeSettings& stroke);
-    /// As a new user's, but for the radius, which is the model's; of the tools that are offered the first.
+    /// As a new user's, the values of all tools included, but for the radius, which is the model's; of the tools that
+    /// are offered the first.
     void reset();
 
-    /// Whether strokes of the tool go on where the hand rests. At first those of each tool that can.
-    bool isAirbrush(core::Tool tool) const { return core::canAirbrush(tool) && !m_withoutAirbrush.contains(tool); }
-    void setAirbrush(core::Tool tool, bool on);
-    const QList<core::Tool>& withoutAirbrush() const { return m_withoutAirbrush; }
+    /// Returns what each tool has of its own, the present one included: both ways, what is set here is set there.
+    ToolMemory* tools() const { return m_tools; }
     /// Inverted strokes do the opposite of what their tool does; with the key that inverts they do what it does.
     bool isInverted() const { return m_isInverted; }
     void setInverted(bool inverted);
@@ -102,9 +98,15 @@ Q_SIGNALS:
     void clamped(core::Parameter parameter);
 
 private:
+    void changeTool(core::Tool tool);
+    void noteChange();
+    void remember();
+    void takeValues(core::Tool tool);
+    void useSharing(bool shares);
+
     core::StrokeSettings m_stroke;
-    QList<core::Tool> m_tools; ///< that are offered; none: all
-    QList<core::Tool> m_withoutAirbrush;
+    QList<core::Tool> m_offered; ///< none: all
+    ToolMemory* m_tools;
     bool m_isInverted = false;
     bool m_isSteady = false;
     double m_stabilizerLength = defaultStabilizerLength;
@@ -116,7 +118,8 @@ private:
     double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
 };
 
-/// What a stroke that begins with these keys held does: Shift smooths, `invert` does the opposite.
-core::StrokeSettings withModifiers(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers,
+/// What a stroke that begins with these keys held does: Shift smooths, as strongly as the tool Smooth, `invert` does
+/// the opposite.
+core::StrokeSettings withModifiers(const BrushSettings& brush, Qt::KeyboardModifiers modifiers,
                                    Qt::KeyboardModifier invert = Qt::ControlModifier);
 } // namespace ui

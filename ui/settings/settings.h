@@ -12,10 +12,6 @@
 
 namespace ui
 {
-/// The spacing of a new user's brush, in radii: dense enough for an even furrow, wide enough that a slow hand does not
-/// dig a hole.
-inline constexpr double defaultSpacing = 0.25;
-
 inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength, core::Parameter::Falloff,
                                                        core::Parameter::Detail, core::Parameter::Spacing};
 
@@ -45,9 +41,14 @@ public:
         });
     }
 
-    /// Returns settings that belong together: get<ViewAppearance>().
-    template <class S> S get() const { return readAll<S>({}); }
-    template <class S> void set(const S& settings) { writeAll({}, settings); }
+    /// Returns settings that belong together: get<ViewAppearance>(). `group`: a part of the settings that has them,
+    /// too, and ends in '/'. `otherwise` has the values of entries that are missing or invalid.
+    template <class S> S get(const QString& group = {}, const S& otherwise = {}) const
+    {
+        return readAll<S>(group, otherwise);
+    }
+    template <class S>
+    requires(std::is_class_v<S>) void set(const S& settings, const QString& group = {}) { writeAll(group, settings); }
 
     /// The latest first.
     QStringList recentFiles() const;
@@ -84,9 +85,8 @@ private:
             return false;
     }
 
-    template <class S> S readAll(const QString& group) const
+    template <class S> S readAll(const QString& group, S settings = {}) const
     {
-        S settings;
         forEachRow<S>([&](const auto& row) { read(group, row, settings); });
         return settings;
     }

@@ -40,6 +40,7 @@ struct Setting
     QString lastFolder;                             ///< of the last file opened or exported
     int historyMegabytes = defaultHistoryMegabytes; ///< memory that the undo steps may take
     double radiusShare = 0.1; ///< the brush's radius as a share of the model's longest side: fits the next model
+    bool sharesRadius = true; ///< a change of tool leaves the radius as it is
     bool isSteady = false;
     QStringList withoutAirbrush;                       ///< names of tools
     double stabilizerLength = defaultStabilizerLength; ///< logical pixels
@@ -68,6 +69,24 @@ struct StoredShapes
     QStringList alphas, models; ///< paths
 
     bool operator==(const StoredShapes&) const = default;
+};
+
+/// What a tool has of its own, without its alpha (ToolValues).
+struct StoredTool
+{
+    double strength = 1, falloff = 4;
+    double spacing = defaultSpacing;
+    double airbrush = core::defaultAirbrush; ///< dabs a second; 0: none
+    double radiusShare = 0;                  ///< 0: the tool never had a radius of its own
+};
+
+/// The alpha of a tool.
+struct StoredToolAlpha
+{
+    QString alpha; ///< as StoredShapes::alpha
+    bool alphaFollows = false;
+
+    bool operator==(const StoredToolAlpha&) const = default;
 };
 
 /// The choices of the print check.
@@ -137,6 +156,7 @@ inline constexpr auto rows<Setting> = std::tuple{
     keptRow(&Setting::lastFolder, "files/lastFolder"),
     row(&Setting::historyMegabytes, "history/megabytes", {minHistoryMegabytes, maxHistoryMegabytes}),
     row(&Setting::radiusShare, "brush/radiusShare", {minRadiusShare, maxRadiusShare}),
+    row(&Setting::sharesRadius, "brush/sharesRadius"),
     row(&Setting::isSteady, "hand/steady"),
     row(&Setting::withoutAirbrush, "hand/withoutAirbrush"),
     row(&Setting::stabilizerLength, "hand/string", {minStabilizerLength, maxStabilizerLength}),
@@ -193,6 +213,24 @@ inline constexpr auto rows<StoredShapes> = std::tuple{
     row(&StoredShapes::alpha, "brush/alpha"),           row(&StoredShapes::alphaFollows, "brush/alphaFollows"),
     row(&StoredShapes::model, "brush/model"),           keptRow(&StoredShapes::alphas, "brush/alphaFiles"),
     keptRow(&StoredShapes::models, "brush/modelFiles"),
+};
+
+/// Stored in a group for each tool.
+template <>
+inline constexpr auto rows<StoredTool> = std::tuple{
+    row(&StoredTool::strength, "strength",
+        {core::info(core::Parameter::Strength).min, core::info(core::Parameter::Strength).max}),
+    row(&StoredTool::falloff, "falloff", {0, core::info(core::Parameter::Falloff).max}),
+    row(&StoredTool::spacing, "spacing", {0, core::info(core::Parameter::Spacing).max}),
+    row(&StoredTool::airbrush, "airbrush", {0, core::maxAirbrush}),
+    row(&StoredTool::radiusShare, "radiusShare", {0, maxRadiusShare}),
+};
+
+/// Stored in the same groups.
+template <>
+inline constexpr auto rows<StoredToolAlpha> = std::tuple{
+    row(&StoredToolAlpha::alpha, "alpha"),
+    row(&StoredToolAlpha::alphaFollows, "alphaFollows"),
 };
 
 template <>

@@ -48,10 +48,11 @@ template <class T> QString wordFor(T value, Words<T> words)
     return QLatin1StringView(std::ranges::find(words, value, &Named<T>::value)->key);
 }
 
-/// Reads what QVariant knows: texts, lists of texts, bytes.
+/// Reads what QVariant knows: texts, lists of texts, bytes. Without an entry `value` stays.
 template <class T> void read(const QSettings& settings, const QString& key, T& value)
 {
-    value = settings.value(key).value<T>();
+    if (settings.contains(key))
+        value = settings.value(key).value<T>();
 }
 
 template <class T> void write(QSettings& settings, const QString& key, const T& value)

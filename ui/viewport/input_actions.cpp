@@ -63,14 +63,14 @@ void rememberAirbrush(BrushSettings* brush, Settings* settings)
     };
     const auto applySettings = [=] {
         const QStringList without = settings->get(&Setting::withoutAirbrush);
-        forEachTool([&](core::Tool tool) { brush->setAirbrush(tool, !without.contains(nameOf(tool))); });
+        forEachTool([&](core::Tool tool) { brush->tools()->setAirbrush(tool, !without.contains(nameOf(tool))); });
     };
     applySettings();
     settings->onReset(applySettings);
     QObject::connect(brush, &BrushSettings::inputChanged, brush, [=] {
         QStringList without;
         forEachTool([&](core::Tool tool) {
-            if (core::canAirbrush(tool) && !brush->isAirbrush(tool))
+            if (core::canAirbrush(tool) && !brush->tools()->isAirbrush(tool))
                 without.append(nameOf(tool));
         });
         settings->set(&Setting::withoutAirbrush, without);

@@ -23,6 +23,7 @@
 #include "ui/reference/reference_actions.h"
 #include "ui/scene/scene.h"
 #include "ui/settings/settings.h"
+#include "ui/settings/stored_brush.h"
 #include "ui/util/error_messages.h"
 #include "ui/viewport/appearance_actions.h"
 #include "ui/viewport/input_actions.h"
@@ -99,6 +100,7 @@ struct MainWindow::State
     void connectTools();
     void setBusy(bool isBusy);
     void showName();
+    double firstRadiusShare() const;
     void restore();
     void save();
 };
@@ -257,19 +259,25 @@ void MainWindow::State::showName()
     q->setWindowTitle(tr("%1[*] – Fettle").arg(model.name));
 }
 
+/// The radius with which another model begins.
+double MainWindow::State::firstRadiusShare() const
+{
+    const ToolMemory& tools = *brush.tools();
+    const double shared = settings.get(&Setting::radiusShare);
+    return tools.sharesRadius() ? shared : tools.of(brush.tool()).radiusShare.value_or(shared);
+}
+
 void MainWindow::State::restore()
 {
     restoreWindowGeometry(q, settings);
-    for (const core::Parameter parameter : storedParameters)
-        brush.setValue(parameter, settings.value(parameter));
+    restoreBrush(settings, &brush);
     shapes->restore();
 }
 
 void MainWindow::State::save()
 {
     saveWindowGeometry(*q, settings);
-    for (const core::Parameter parameter : storedParameters)
-        settings.setValue(parameter, brush.value(parameter));
+    storeBrush(brush, &settings);
     if (model.size.maxCoeff() > 0)
         settings.set(&Setting::radiusShare, brush.radiusShare());
 }
@@ -391,7 +399,7 @@ void MainWindow::setModel(const ModelInfo& modelInfo)
     m_state->showName();
     setWindowModified(false);
     if (modelInfo.size.maxCoeff() > 0)
-        m_state->brush.fitTo(modelInfo, m_state->settings.get(&Setting::radiusShare));
+        m_state->brush.fitTo(modelInfo, m_state->firstRadiusShare());
     m_state->files.setOpened(modelInfo);
     m_state->infoBar->setModelInfo(modelInfo);
     m_state->viewport->showModel(modelInfo.box);

@@ -37,6 +37,7 @@ core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin
     core::StrokeSettings settings = brush.stroke;
     if (begin.smooths) {
         settings.tool = core::Tool::Smooth;
+        settings.strength = brush.smoothStrength;
         settings.alpha = nullptr; // evenly
     }
     return brush.isInverse ? core::opposite(settings) : settings;
@@ -111,8 +112,7 @@ core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& 
     settings.place = core::Placement::Point;
     settings.radius = radiusOn(brush, placement);
     settings.spacing = core::isDragTool(settings.tool) ? 0 : wandSpacing;
-    const bool goesOn = core::canAirbrush(settings.tool) && !brush.withoutAirbrush.contains(settings.tool);
-    settings.airbrush = goesOn ? core::defaultAirbrush : 0;
+    settings.airbrush = brush.airbrush[static_cast<std::size_t>(settings.tool)];
     settings.add = core::canAddSolid(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.continues;
     return settings;
 }

@@ -5,8 +5,6 @@
 
 #include "core/stroke/stroke.h"
 
-#include <QList>
-
 namespace vr
 {
 // Of the brush, in the room; metres. A hand that trembles cannot use a smaller one, and a larger one hides the model.
@@ -22,9 +20,10 @@ struct BrushState
     bool isInverse = false;      ///< strokes do the opposite, where the tool has one
     core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is on; the paper's is the xz plane
     core::Topology topology =
-        core::Topology::Adaptive;      ///< of the headset when it is not uniform; at first the preset's
-    QList<core::Tool> withoutAirbrush; ///< as the window has it
-    double radius = defaultRadius;     ///< metres in the room
+        core::Topology::Adaptive; ///< of the headset when it is not uniform; at first the preset's
+    core::AirbrushRates airbrush = core::defaultAirbrushRates();                ///< as the window has them
+    double radius = defaultRadius;                                              ///< metres in the room
+    double smoothStrength = core::info(core::Parameter::Strength).defaultValue; ///< while the other hand smooths
 };
 
 /// Returns the topology, other than uniform, with which a preset begins: the paper's adapts to the brush, the others'

@@ -38,9 +38,10 @@ struct DocumentUpdate
     /// `brushChange` counts the window's own changes: what the headset requested is reported back without one.
     core::StrokeSettings brush;
     quint64 brushChange = 0;
-    QList<core::Tool> withoutAirbrush; ///< tools whose strokes do not go on where the hand rests
-    bool smooths = true;               ///< Smooth is offered: by a trigger, too, whatever the tool is
-    bool reducesMotion = false;        ///< nothing moves that nobody moves
+    core::AirbrushRates airbrush = core::defaultAirbrushRates();
+    bool smooths = true;        ///< Smooth is offered: by a trigger, too, whatever the tool is
+    double smoothStrength = 1;  ///< of that trigger
+    bool reducesMotion = false; ///< nothing moves that nobody moves
     /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose
     /// brush.radius for it, mm.
     quint64 radiusChange = 0;

@@ -13,15 +13,28 @@ bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
     return a.tool == b.tool && a.brush == b.brush && a.topology == b.topology && a.symmetry == b.symmetry &&
            a.radial == b.radial && a.color == b.color;
 }
+
+/// Takes what each tool has of its own, which is changed at the window only. A tool that was chosen in the headset gets
+/// its values so.
+void takeToolValues(const core::StrokeSettings& from, core::StrokeSettings& stroke)
+{
+    stroke.strength = from.strength;
+    stroke.falloff = from.falloff;
+    stroke.alpha = from.alpha;
+    stroke.alphaFollows = from.alphaFollows;
+}
 } // namespace
 
 void WandBrush::take(const DocumentUpdate& update, const ModelPlacement& placement)
 {
     m_state.plane = update.plane;
-    m_state.withoutAirbrush = update.withoutAirbrush;
+    m_state.airbrush = update.airbrush;
+    m_state.smoothStrength = update.smoothStrength;
     m_smooths = update.smooths;
     if (std::exchange(m_seenRadius, update.radiusChange) != update.radiusChange)
         m_state.radius = std::clamp(placement.lengthToRoom(update.brush.radius), minRadius, maxRadius);
+    if (update.brush.tool == m_state.stroke.tool)
+        takeToolValues(update.brush, m_state.stroke);
     if (update.brushChange == m_seenChange)
         return;
     m_seenChange = update.brushChange;

@@ -178,6 +178,8 @@ struct Beginning
 {
     explicit Beginning(const Class& c)
         : brush(c.program.window.brush()->stroke())
+        , smooth(c.program.window.brush()->tools()->of(core::Tool::Smooth))
+        , sharesRadius(c.program.window.brush()->tools()->sharesRadius())
         , swatches(c.program.window.findChild<ui::ColorPanel*>()->swatches())
         , switches(ui::switchesOf(c.program.window.commands()))
         , view(c.program.window.viewport()->camera().saved())
@@ -188,12 +190,15 @@ struct Beginning
             return std::tuple(s.tool, s.brush, s.topology, s.symmetry, s.radial, s.radius, s.strength, s.falloff,
                               s.detail, s.spacing, s.fusion, s.add, s.color, s.alpha, s.model);
         };
-        return parts(brush) == parts(other.brush) && swatches == other.swatches && switches == other.switches &&
-               view.yaw == other.view.yaw && view.pitch == other.view.pitch && view.target == other.view.target &&
+        return parts(brush) == parts(other.brush) && smooth == other.smooth && sharesRadius == other.sharesRadius &&
+               swatches == other.swatches && switches == other.switches && view.yaw == other.view.yaw &&
+               view.pitch == other.view.pitch && view.target == other.view.target &&
                view.distance == other.view.distance;
     }
 
     core::StrokeSettings brush;
+    ui::ToolValues smooth;
+    bool sharesRadius;
     QList<core::Rgb> swatches;
     QHash<QString, bool> switches;
     core::SavedView view;
@@ -209,6 +214,10 @@ void leaveTraces(Class& c)
     window.brush()->set(&core::StrokeSettings::color, core::Rgb{1, 2, 3});
     window.brush()->setValue(core::Parameter::Strength, 2);
     window.brush()->scaleRadius(2);
+    ui::ToolValues values = window.brush()->tools()->of(core::Tool::Smooth);
+    values.strength = 0.1;
+    window.brush()->tools()->set(core::Tool::Smooth, values);
+    window.brush()->tools()->setSharesRadius(false);
     window.findChild<ui::ColorPanel*>()->swap();
     window.findChild<ui::ColorPanel*>()->reset({{9, 9, 9}});
 }

@@ -139,6 +139,7 @@ private Q_SLOTS:
     void pointing_byAKeyThatIsHeld();
     void choices_comeToTheHand();
     void choices_areAnnounced();
+    void aToolChosenInTheHeadset_leavesTheRadiusThere();
     void takingOver_refusesTheHeadset();
     void takingOver_endsWithTheVisit();
     void takingOver_isTold();
@@ -323,6 +324,28 @@ void TestHeadsetPartner::choices_areAnnounced()
     QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner took back: Paint."), 60'000);
     fixture.trigger("edit.redo");
     QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner did again: Paint."), 60'000);
+}
+
+/// Whatever radius the window has for that tool.
+void TestHeadsetPartner::aToolChosenInTheHeadset_leavesTheRadiusThere()
+{
+    Listener listener;
+    ui::BrushSettings& brush = *listener.fixture.program.window.brush();
+    brush.tools()->setSharesRadius(false);
+    brush.setTool(core::Tool::Paint);
+    brush.scaleRadius(0.5);
+    brush.setTool(core::Tool::Pull);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Pull, 60'000);
+    QTest::qWait(200);
+    core::StrokeSettings paint = listener.update().brush;
+    const quint64 radiusChange = listener.last.radiusChange;
+    const double radius = brush.stroke().radius;
+    paint.tool = core::Tool::Paint;
+    listener.port->request(vr::ChooseBrush{paint});
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, 60'000);
+    QTest::qWait(200);
+    QVERIFY(brush.stroke().radius < radius);
+    QCOMPARE(listener.update().radiusChange, radiusChange);
 }
 
 void TestHeadsetPartner::takingOver_refusesTheHeadset()

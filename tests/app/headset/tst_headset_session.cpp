@@ -121,7 +121,7 @@ Played play()
     s.note("saved");
     hand.leave();
     ui::BrushSettings& brush = *s.program.window.brush();
-    brush.setAirbrush(brush.tool(), false); // its dabs follow the clock
+    brush.tools()->setAirbrush(brush.tool(), false); // its dabs follow the clock
     drag(s.program.window.viewport(), {30, 5});
     QTest::qWait(0);
     s.note("desktop");

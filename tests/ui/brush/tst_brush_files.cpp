@@ -73,6 +73,7 @@ private Q_SLOTS:
     void window_choosesModels();
     void window_takesItsOwnModel();
     void settings_keepTheAlpha();
+    void settings_keepTheAlphaOfEachTool();
     void settings_keepTheModel();
     void aModelThatIsGone_isSaidOnce_data();
     void aModelThatIsGone_isSaidOnce();
@@ -321,6 +322,46 @@ void TestBrushFiles::settings_keepTheAlpha()
     ui::MainWindow window;
     QTest::qWait(100);
     QVERIFY(!window.brush()->stroke().alpha);
+}
+
+/// Files and ours, and none where none was chosen; a file that is gone is said once for all its tools.
+void TestBrushFiles::settings_keepTheAlphaOfEachTool()
+{
+    QImage image(4, 4, QImage::Format_Grayscale8);
+    image.fill(200);
+    QVERIFY(image.save(path("each.png")));
+    {
+        ui::MainWindow window;
+        auto* shapes = window.findChild<ui::BrushShapes*>();
+        for (const Tool tool : {Tool::Clay, Tool::Layer}) {
+            window.brush()->setTool(tool);
+            shapes->chooseAlpha(path("each.png"));
+            QTRY_VERIFY(window.brush()->stroke().alpha);
+        }
+        window.brush()->setTool(Tool::Inflate);
+        shapes->chooseAlpha(QStringLiteral("star"));
+        window.brush()->setTool(Tool::Smooth);
+        QVERIFY(!window.brush()->stroke().alpha);
+    }
+    const auto alphaOf = [](const ui::MainWindow& window, Tool tool) {
+        return window.brush()->tools()->of(tool).alpha;
+    };
+    {
+        ui::MainWindow window;
+        QTRY_VERIFY(alphaOf(window, Tool::Clay) && alphaOf(window, Tool::Layer));
+        QCOMPARE(alphaOf(window, Tool::Clay)->source(), path("each.png").toStdString());
+        QCOMPARE(alphaOf(window, Tool::Inflate), core::builtInAlpha("star"));
+        QVERIFY(!alphaOf(window, Tool::Pull) && !alphaOf(window, Tool::Smooth));
+    }
+    QVERIFY(QFile::remove(path("each.png")));
+    for (const int times : {1, 0}) {
+        ui::MainWindow window;
+        QSignalSpy refused(window.findChild<ui::BrushShapes*>(), &ui::BrushShapes::refused);
+        QTest::qWait(200);
+        QCOMPARE(refused.count(), times);
+        QVERIFY(!alphaOf(window, Tool::Clay) && !alphaOf(window, Tool::Layer));
+        QCOMPARE(alphaOf(window, Tool::Inflate), core::builtInAlpha("star"));
+    }
 }
 
 /// Nor is it lost by what else is chosen while its file is being read.

@@ -424,7 +424,7 @@ private Q_SLOTS:
             r.rest({400, 300}, somewhere);
             r.send(Kind::Press, {400, 300});
             QCOMPARE(r.samples.size(), std::size_t(1));
-            if (!r.brush.isAirbrush(tool)) {
+            if (!r.brush.tools()->isAirbrush(tool)) {
                 QTest::qWait(100);
                 QCOMPARE(r.samples.size(), std::size_t(1));
                 continue;
@@ -437,7 +437,7 @@ private Q_SLOTS:
             const std::size_t count = r.samples.size();
             QTest::qWait(100);
             QCOMPARE(r.samples.size(), count);
-            r.brush.setAirbrush(tool, false);
+            r.brush.tools()->setAirbrush(tool, false);
             r.rest({401, 300}, somewhere);
             r.send(Kind::Press, {401, 300});
             QCOMPARE(r.settings.airbrush, 0.0);

@@ -165,9 +165,9 @@ private Q_SLOTS:
     {
         using core::Tool;
         const auto with = [](Tool tool, Qt::KeyboardModifiers keys) {
-            core::StrokeSettings stroke;
-            stroke.tool = tool;
-            return ui::withModifiers(stroke, keys);
+            ui::BrushSettings brush;
+            brush.setTool(tool);
+            return ui::withModifiers(brush, keys);
         };
         for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
             const auto tool = static_cast<Tool>(i);
@@ -178,6 +178,85 @@ private Q_SLOTS:
             QCOMPARE(with(tool, Qt::ControlModifier).inverted, core::hasInverse(tool));
             QVERIFY(!with(tool, Qt::ControlModifier | Qt::ShiftModifier).inverted);
         }
+    }
+
+    void eachToolHasItsOwnValues()
+    {
+        using core::Tool;
+        ui::BrushSettings brush;
+        brush.fitTo(model(100), 0.1);
+        const auto use = [&](Tool tool, double factor) {
+            brush.setTool(tool);
+            brush.setValue(Parameter::Strength, factor);
+            brush.setValue(Parameter::Falloff, 3 + 2 * factor);
+            brush.setValue(Parameter::Spacing, factor);
+            brush.set(&core::StrokeSettings::alpha, core::builtInAlpha(factor > 1 ? "star" : "ring"));
+            brush.set(&core::StrokeSettings::alphaFollows, factor > 1);
+            brush.tools()->setAirbrush(tool, factor > 1);
+        };
+        use(Tool::Clay, 2);
+        use(Tool::Inflate, 1);
+        brush.setTool(Tool::Crease);
+        const core::StrokeSettings crease = brush.stroke();
+        QVERIFY(crease.strength == 1 && crease.falloff == 4 && crease.spacing == ui::defaultSpacing && !crease.alpha);
+        for (const auto& [tool, factor] : {std::pair(Tool::Clay, 2.0), std::pair(Tool::Inflate, 1.0)}) {
+            brush.setTool(tool);
+            const core::StrokeSettings& stroke = brush.stroke();
+            QCOMPARE(stroke.strength, factor);
+            QCOMPARE(stroke.falloff, static_cast<int>(3 + 2 * factor));
+            QCOMPARE(stroke.spacing, factor);
+            QCOMPARE(stroke.alpha, core::builtInAlpha(factor > 1 ? "star" : "ring"));
+            QCOMPARE(stroke.alphaFollows, factor > 1);
+            QCOMPARE(brush.tools()->isAirbrush(tool), factor > 1);
+        }
+        brush.reset();
+        brush.setTool(Tool::Clay);
+        QVERIFY(brush.stroke().strength == 1 && !brush.stroke().alpha);
+    }
+
+    void theRadiusIsSharedUnlessEachToolHasItsOwn()
+    {
+        using core::Tool;
+        ui::BrushSettings brush;
+        brush.fitTo(model(100), 0.1);
+        brush.setValue(Parameter::Radius, 7);
+        brush.setTool(Tool::Clay);
+        QCOMPARE(brush.stroke().radius, 7.0);
+        brush.tools()->setSharesRadius(false);
+        brush.setValue(Parameter::Radius, 20);
+        brush.setTool(Tool::Smooth);
+        QVERIFY(qFuzzyCompare(brush.stroke().radius, 7.0)); // it never had one of its own
+        brush.setValue(Parameter::Radius, 3);
+        brush.setTool(Tool::Clay);
+        QVERIFY(qFuzzyCompare(brush.stroke().radius, 20.0));
+        brush.tools()->setSharesRadius(true);
+        brush.setTool(Tool::Smooth);
+        QVERIFY(qFuzzyCompare(brush.stroke().radius, 20.0));
+        brush.setTool(Tool::Clay);
+        brush.tools()->setSharesRadius(false);
+        brush.setTool(Tool::Smooth);
+        QVERIFY(qFuzzyCompare(brush.stroke().radius, 3.0));
+        brush.fitTo(model(1000), brush.radiusShare()); // the radii of all tools go with the model
+        brush.setTool(Tool::Clay);
+        QVERIFY(qFuzzyCompare(brush.stroke().radius, 200.0));
+    }
+
+    /// The tool that Shift makes of any other has what Smooth has, except the radius.
+    void shiftSmoothsAsStronglyAsSmooth()
+    {
+        ui::BrushSettings brush;
+        brush.setTool(core::Tool::Smooth);
+        brush.setValue(Parameter::Strength, 0.25);
+        brush.setTool(core::Tool::Clay);
+        brush.setValue(Parameter::Strength, 2);
+        brush.setValue(Parameter::Spacing, 1.5);
+        brush.setValue(Parameter::Radius, 12);
+        const core::StrokeSettings smooth = ui::withModifiers(brush, Qt::ShiftModifier);
+        QCOMPARE(smooth.strength, 0.25);
+        QCOMPARE(smooth.spacing, ui::defaultSpacing);
+        QCOMPARE(smooth.radius, 12.0);
+        QCOMPARE(ui::withModifiers(brush, Qt::NoModifier).strength, 2.0);
+        QCOMPARE(ui::withModifiers(brush, Qt::ControlModifier).strength, 2.0);
     }
 
     void smallerAndLargerUndoEachOther()

@@ -1,4 +1,5 @@
 #include "ui/settings/settings.h"
+#include "ui/settings/stored_brush.h"
 
 #include "tests/support/test_main.h"
 
@@ -52,6 +53,72 @@ private Q_SLOTS:
         QCOMPARE(settings.get(&ui::Setting::radiusShare), 0.2);
         QCOMPARE(settings.lastFolder(), m_home.path());
         QCOMPARE(settings.get(&ui::Setting::windowState), QByteArray("state"));
+    }
+
+    void theValuesOfAllToolsComeBack()
+    {
+        for (const bool shares : {true, false}) {
+            {
+                ui::BrushSettings brush;
+                brush.tools()->setSharesRadius(shares);
+                for (const auto& [tool, strength] :
+                     {std::pair(core::Tool::Clay, 2.0), std::pair(core::Tool::Smooth, 0.5)}) {
+                    brush.setTool(tool);
+                    brush.setValue(core::Parameter::Strength, strength);
+                    brush.setValue(core::Parameter::Falloff, 8 * strength);
+                    brush.setValue(core::Parameter::Spacing, strength / 4);
+                    brush.setValue(core::Parameter::Radius, 4 * strength);
+                }
+                ui::ToolValues pull = brush.tools()->of(core::Tool::Pull);
+                pull.airbrush = 25;
+                brush.tools()->set(core::Tool::Pull, pull);
+                ui::Settings settings;
+                ui::storeBrush(brush, &settings);
+            }
+            ui::BrushSettings brush;
+            ui::restoreBrush(ui::Settings(), &brush);
+            QCOMPARE(brush.tools()->sharesRadius(), shares);
+            QCOMPARE(brush.tools()->airbrush(core::Tool::Pull), 25.0);
+            for (const auto& [tool, strength] :
+                 {std::pair(core::Tool::Clay, 2.0), std::pair(core::Tool::Smooth, 0.5)}) {
+                brush.setTool(tool);
+                QCOMPARE(brush.stroke().strength, strength);
+                QCOMPARE(brush.stroke().falloff, static_cast<int>(8 * strength));
+                QCOMPARE(brush.stroke().spacing, strength / 4);
+                if (!shares)
+                    QVERIFY(qFuzzyCompare(brush.stroke().radius, 4 * strength));
+            }
+            brush.setTool(core::Tool::Crease);
+            QCOMPARE(brush.stroke().strength, 1.0);
+        }
+    }
+
+    /// Programs before knew one strength for all tools.
+    void whatWasStoredForAllToolsIsReadForEach()
+    {
+        ui::Settings settings;
+        settings.setValue(core::Parameter::Strength, 0.3);
+        settings.setValue(core::Parameter::Falloff, 7);
+        settings.setValue(core::Parameter::Spacing, 0.5);
+        settings.set(&ui::Setting::withoutAirbrush, QStringList(QStringLiteral("clay")));
+        ui::BrushSettings brush;
+        ui::restoreBrush(settings, &brush);
+        for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+            const auto tool = static_cast<core::Tool>(i);
+            brush.setTool(tool);
+            QVERIFY(brush.stroke().strength == 0.3 && brush.stroke().falloff == 7 && brush.stroke().spacing == 0.5);
+            QCOMPARE(brush.tools()->isAirbrush(tool), core::canAirbrush(tool) && tool != core::Tool::Clay);
+        }
+        QSettings raw;
+        raw.setValue(QStringLiteral("tool/clay/strength"), QStringLiteral("much"));
+        raw.setValue(QStringLiteral("tool/clay/falloff"), 1);
+        raw.setValue(QStringLiteral("tool/clay/radiusShare"), 17);
+        raw.sync();
+        ui::BrushSettings other;
+        ui::restoreBrush(ui::Settings(), &other);
+        QCOMPARE(other.tools()->of(core::Tool::Clay).strength, 0.3);
+        QVERIFY(core::isFalloff(other.tools()->of(core::Tool::Clay).falloff));
+        QVERIFY(!other.tools()->of(core::Tool::Clay).radiusShare);
     }
 
     void preferencesComeBack()

@@ -391,7 +391,8 @@ private Q_SLOTS:
         auto* airbrush = child<QCheckBox>(window, "airbrush");
         QVERIFY(airbrush->isChecked() && airbrush->isEnabled());
         airbrush->click();
-        QVERIFY(!window.brush()->isAirbrush(core::Tool::Pull) && window.brush()->isAirbrush(core::Tool::Push));
+        QVERIFY(!window.brush()->tools()->isAirbrush(core::Tool::Pull) &&
+                window.brush()->tools()->isAirbrush(core::Tool::Push));
         child<QCheckBox>(window, "fusion")->click();
         QVERIFY(!stroke.fusion && !act(window, "topology.fusion")->isChecked());
 

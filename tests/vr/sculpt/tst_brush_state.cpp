@@ -127,6 +127,16 @@ private Q_SLOTS:
                 same.isInverse == brush.isInverse);
     }
 
+    void theOtherHandSmoothsAsStronglyAsSmooth()
+    {
+        BrushState brush;
+        brush.stroke.strength = 2;
+        brush.smoothStrength = 0.25;
+        const core::StrokeSettings smooth = vr::strokeSettings(brush, {.smooths = true}, somePlacement());
+        QVERIFY(smooth.tool == core::Tool::Smooth && smooth.strength == 0.25);
+        QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).strength, 2.0);
+    }
+
     /// The ball where a ball that pulls begins in empty space.
     void onlyAPullThatBeginsMayAdd()
     {
@@ -199,7 +209,7 @@ private Q_SLOTS:
             BrushState brush;
             brush.stroke.tool = tool;
             QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).airbrush > 0, core::canAirbrush(tool));
-            brush.withoutAirbrush = {tool};
+            brush.airbrush.fill(0);
             QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).airbrush, 0.0);
         }
     }

@@ -1,5 +1,6 @@
 // What the client in the headset does with the document when frames stop: without a runtime, and without a picture.
 #include "vr/sculpt/sculpt_client.h"
+#include "vr/sculpt/wand_brush.h"
 
 #include "tests/support/test_main.h"
 
@@ -66,6 +67,7 @@ class TestSculptClient : public QObject
 private Q_SLOTS:
     void idle_endsTheStroke();
     void times_areTheVisits();
+    void aToolChosenHere_getsTheWindowsValues();
 };
 
 /// The trigger is pulled all the time: no frame has shown another, and none after does anything before it was let go.
@@ -104,6 +106,30 @@ void TestSculptClient::times_areTheVisits()
     person.frame(0);
     person.frame(1);
     QVERIFY(std::abs(person.port->last.time - 1.122) < 1e-5); // the visit's, not the stroke's
+}
+
+void TestSculptClient::aToolChosenHere_getsTheWindowsValues()
+{
+    RecordingPort port;
+    vr::WandBrush brush(&port, vr::ButtonPreset::Paper);
+    vr::DocumentUpdate update;
+    update.brushChange = 1;
+    brush.take(update, {});
+    vr::BrushState chosen = brush.state();
+    chosen.stroke.tool = core::Tool::Clay;
+    brush.change(chosen);
+    update.brush.strength = 3; // of the tool before: it was on its way
+    brush.take(update, {});
+    QCOMPARE(brush.state().stroke.strength, 1.0);
+    update.brush.tool = core::Tool::Clay;
+    update.brush.strength = 0.5;
+    update.brush.falloff = 9;
+    update.smoothStrength = 0.25;
+    const double radius = brush.state().radius;
+    brush.take(update, {}); // an answer, no change of the window's
+    QVERIFY(brush.state().stroke.tool == core::Tool::Clay && brush.state().stroke.strength == 0.5);
+    QVERIFY(brush.state().stroke.falloff == 9 && brush.state().smoothStrength == 0.25);
+    QCOMPARE(brush.state().radius, radius);
 }
 
 FETTLE_TEST(TestSculptClient, QCoreApplication)
