@@ -1,6 +1,22 @@
 # fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders, the user guide.
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
+    brushes/big-move.json
+    brushes/carve.json
+    brushes/clay-buildup.json
+    brushes/cracks.json
+    brushes/fine-line.json
+    brushes/horn.json
+    brushes/panel.json
+    brushes/plane-off.json
+    brushes/polish.json
+    brushes/pores.json
+    brushes/raked-clay.json
+    brushes/ridge.json
+    brushes/rough-stone.json
+    brushes/scales.json
+    brushes/swell.json
+    brushes/weave.json
     icons/about.svg
     icons/adaptive.svg
     icons/add.svg

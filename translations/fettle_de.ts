@@ -252,16 +252,16 @@
         <translation>%1 kann in einer Klasse nicht geöffnet werden: Sie beginnt mit ihren eigenen Modellen.</translation>
     </message>
     <message>
-        <source>There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.</source>
-        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind check, convert, lesson, replay, report und sheet.</translation>
-    </message>
-    <message>
         <source>The file to write.</source>
         <translation>Die Datei, die geschrieben wird.</translation>
     </message>
     <message>
         <source>%1: the file to write is missing; -o names it.</source>
         <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
+    </message>
+    <message>
+        <source>There is no help on %1: the commands are brush, check, convert, lesson, replay, report and sheet.</source>
+        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind brush, check, convert, lesson, replay, report und sheet.</translation>
     </message>
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
@@ -282,6 +282,8 @@
                                    drawings of models or folders to scale, a page each
   fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
+  fettle brush [PRESET] [--picture OUT.png]
+                                   say what a brush preset holds, or why it is none
   fettle help COMMAND              the options of one of them
   fettle --version
 
@@ -306,6 +308,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    maßstäbliche Zeichnungen von Modellen oder Ordnern, je eine Seite
   fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte
+  fettle brush [VORLAGE] [--picture OUT.png]
+                                   sagen, was eine Pinselvorlage enthält, oder warum es keine ist
   fettle help COMMAND              die Optionen eines dieser Befehle
   fettle --version
 
@@ -1619,96 +1623,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 is not what it was when this stroke was recorded.</source>
         <translation>%1 ist nicht mehr, was es war, als dieser Strich aufgezeichnet wurde.</translation>
-    </message>
-</context>
-<context>
-    <name>app::StrokeFileMessages</name>
-    <message>
-        <source>%1: %2</source>
-        <comment>file: reason</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1: %2: %3</source>
-        <comment>file: place: reason</comment>
-        <translation>%1: %2: %3</translation>
-    </message>
-    <message>
-        <source>line %1, byte %2</source>
-        <translation>Zeile %1, Byte %2</translation>
-    </message>
-    <message>
-        <source>stroke %1, sample %2 (strokes[%3].samples[%4])</source>
-        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
-        <translation>Strich %1, Messpunkt %2 (strokes[%3].samples[%4])</translation>
-    </message>
-    <message>
-        <source>stroke %1 (strokes[%2])</source>
-        <translation>Strich %1 (strokes[%2])</translation>
-    </message>
-    <message>
-        <source>this file cannot be read</source>
-        <translation>diese Datei ist nicht lesbar</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>diese Datei gibt es nicht</translation>
-    </message>
-    <message>
-        <source>this file cannot be read (%1)</source>
-        <translation>diese Datei ist nicht lesbar (%1)</translation>
-    </message>
-    <message>
-        <source>this file is too large for a stroke file: at most %1 are read</source>
-        <translation>diese Datei ist zu groß für eine Strichdatei: höchstens %1 werden gelesen</translation>
-    </message>
-    <message>
-        <source>this is not JSON</source>
-        <translation>das ist kein JSON</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; stands there twice</source>
-        <translation>„%1“ steht zweimal da</translation>
-    </message>
-    <message>
-        <source>this is no stroke file of version 1 (%1)</source>
-        <translation>das ist keine Strichdatei der Version 1 (%1)</translation>
-    </message>
-    <message>
-        <source>no object</source>
-        <translation>kein Objekt</translation>
-    </message>
-    <message>
-        <source>unknown key %1</source>
-        <translation>unbekannter Schlüssel %1</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is missing</source>
-        <translation>„%1“ fehlt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
-        <translation>„%1“ ist vom falschen Typ oder hat zu wenige oder zu viele Werte</translation>
-    </message>
-    <message>
-        <source>unknown value, %1</source>
-        <translation>unbekannter Wert, %1</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a finite number</source>
-        <translation>„%1“ ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is out of range, %2 to %3</source>
-        <translation>„%1“ liegt außerhalb des Bereichs, %2 bis %3</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is out of range</source>
-        <translation>„%1“ liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
-        <translation>„%1“ liegt außerhalb des Bereichs, 0 oder %2 bis %3</translation>
     </message>
 </context>
 <context>
@@ -3680,6 +3594,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Save the Lesson</source>
         <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>Import a Brush Preset</source>
+        <translation>Pinselvorlage importieren</translation>
+    </message>
+    <message>
+        <source>Brush presets (%1)</source>
+        <translation>Pinselvorlagen (%1)</translation>
+    </message>
+    <message>
+        <source>Export the Brush Preset</source>
+        <translation>Pinselvorlage exportieren</translation>
     </message>
 </context>
 <context>
@@ -7300,6 +7226,357 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Clear</source>
         <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>app::BrushCommand</name>
+    <message>
+        <source>%1: tool %2, strength %3, falloff %4, spacing %5</source>
+        <translation>%1: Werkzeug %2, Stärke %3, Abnahme %4, Abstand %5</translation>
+    </message>
+    <message>
+        <source>, alpha %1</source>
+        <translation>, Alpha %1</translation>
+    </message>
+    <message>
+        <source>%1: this picture cannot be written.</source>
+        <translation>%1: dieses Bild kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Says what a brush preset holds, or why it is none (status 2). Without a preset: lists those of the program.</source>
+        <translation>Sagt, was eine Pinselvorlage enthält, oder warum es keine ist (Status 2). Ohne Vorlage: zählt die des Programms auf.</translation>
+    </message>
+    <message>
+        <source>A preset file, or the name of a preset of the program.</source>
+        <translation>Eine Vorlagendatei oder der Name einer Vorlage des Programms.</translation>
+    </message>
+    <message>
+        <source>Where a picture of one stroke of the brush goes, PNG.</source>
+        <translation>Wohin ein Bild von einem Strich des Pinsels kommt, PNG.</translation>
+    </message>
+    <message>
+        <source>brush: one preset at a time can be read, not %1 as well.</source>
+        <translation>brush: nur eine Vorlage kann auf einmal gelesen werden, nicht auch noch %1.</translation>
+    </message>
+    <message>
+        <source>brush: no preset was given.</source>
+        <translation>brush: es wurde keine Vorlage angegeben.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetFiles</name>
+    <message>
+        <source>%1: there is not enough memory for this preset.</source>
+        <translation>%1: für diese Vorlage reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>%1: the alpha in this preset cannot be used: %2</source>
+        <comment>a sentence that says why</comment>
+        <translation>%1: das Alpha in dieser Vorlage ist nicht zu gebrauchen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetLibrary</name>
+    <message>
+        <source>A brush preset was left out: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>Eine Pinselvorlage wurde weggelassen: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n brush presets were left out. The first: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>
+            <numerusform>%n Pinselvorlage wurde weggelassen: %1</numerusform>
+            <numerusform>%n Pinselvorlagen wurden weggelassen. Die erste: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was not deleted: it cannot be put into the trash.</source>
+        <translation>%1 wurde nicht gelöscht: in den Papierkorb kann es nicht gelegt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetShelf</name>
+    <message>
+        <source>Brush presets</source>
+        <translation>Pinselvorlagen</translation>
+    </message>
+    <message>
+        <source>New Preset</source>
+        <translation>Neue Vorlage</translation>
+    </message>
+    <message>
+        <source>Keeps the brush as it is now as a preset, and asks for its name.</source>
+        <translation>Behält den Pinsel, wie er gerade ist, als Vorlage und fragt nach ihrem Namen.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Gives this preset another name (F2).</source>
+        <translation>Gibt dieser Vorlage einen anderen Namen (F2).</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Puts this preset into the trash.</source>
+        <translation>Legt diese Vorlage in den Papierkorb.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Takes a preset from a file.</source>
+        <translation>Nimmt eine Vorlage aus einer Datei.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Writes this preset to a file that others can import.</source>
+        <translation>Schreibt diese Vorlage in eine Datei, die andere importieren können.</translation>
+    </message>
+    <message>
+        <source>My brush</source>
+        <translation>Mein Pinsel</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetTexts</name>
+    <message>
+        <source>Clay Buildup</source>
+        <translation>Ton auftragen</translation>
+    </message>
+    <message>
+        <source>Lays clay on in thick rolls, more where you rest.</source>
+        <translation>Trägt Ton in dicken Wülsten auf, mehr davon, wo Sie verweilen.</translation>
+    </message>
+    <message>
+        <source>Raked Clay</source>
+        <translation>Gekämmter Ton</translation>
+    </message>
+    <message>
+        <source>Lays clay on in strips, as a rake leaves them.</source>
+        <translation>Trägt Ton in Streifen auf, wie sie ein Kamm lässt.</translation>
+    </message>
+    <message>
+        <source>Carve</source>
+        <translation>Schnitzen</translation>
+    </message>
+    <message>
+        <source>Cuts a groove with soft edges.</source>
+        <translation>Gräbt eine Rinne mit weichen Rändern.</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>Schwellen</translation>
+    </message>
+    <message>
+        <source>Blows up what is under it, with a soft edge.</source>
+        <translation>Bläht auf, was darunter liegt, mit weichem Rand.</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Raises a plate of one height, with steep sides.</source>
+        <translation>Hebt eine Platte von einer Höhe mit steilem Rand.</translation>
+    </message>
+    <message>
+        <source>Fine Line</source>
+        <translation>Feine Linie</translation>
+    </message>
+    <message>
+        <source>Scores a sharp line: wrinkles, eyelids, seams.</source>
+        <translation>Ritzt eine scharfe Linie: Falten, Lider, Nähte.</translation>
+    </message>
+    <message>
+        <source>Ridge</source>
+        <translation>Grat</translation>
+    </message>
+    <message>
+        <source>Raises a sharp edge.</source>
+        <translation>Hebt eine scharfe Kante.</translation>
+    </message>
+    <message>
+        <source>Polish</source>
+        <translation>Polieren</translation>
+    </message>
+    <message>
+        <source>Takes off bumps and keeps hollows.</source>
+        <translation>Nimmt Buckel ab und lässt Mulden.</translation>
+    </message>
+    <message>
+        <source>Plane Off</source>
+        <translation>Abhobeln</translation>
+    </message>
+    <message>
+        <source>Cuts flat faces, as a knife does.</source>
+        <translation>Schneidet ebene Flächen wie ein Messer.</translation>
+    </message>
+    <message>
+        <source>Big Move</source>
+        <translation>Großer Griff</translation>
+    </message>
+    <message>
+        <source>Moves large parts of the model, softly.</source>
+        <translation>Verschiebt große Teile des Modells, sanft.</translation>
+    </message>
+    <message>
+        <source>Horn</source>
+        <translation>Horn</translation>
+    </message>
+    <message>
+        <source>Draws out horns, tails and roots.</source>
+        <translation>Zieht Hörner, Schwänze und Wurzeln heraus.</translation>
+    </message>
+    <message>
+        <source>Pores</source>
+        <translation>Poren</translation>
+    </message>
+    <message>
+        <source>Prints the pores of skin.</source>
+        <translation>Drückt die Poren von Haut ein.</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>Schuppen</translation>
+    </message>
+    <message>
+        <source>Prints scales along the stroke.</source>
+        <translation>Setzt Schuppen entlang des Strichs.</translation>
+    </message>
+    <message>
+        <source>Cracks</source>
+        <translation>Risse</translation>
+    </message>
+    <message>
+        <source>Prints the cracks of dry earth.</source>
+        <translation>Drückt die Risse trockener Erde ein.</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Prints woven cloth along the stroke.</source>
+        <translation>Setzt gewebtes Tuch entlang des Strichs.</translation>
+    </message>
+    <message>
+        <source>Rough Stone</source>
+        <translation>Rauer Stein</translation>
+    </message>
+    <message>
+        <source>Roughens, as broken stone is rough.</source>
+        <translation>Raut auf wie gebrochener Stein.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StrokeFileMessages</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>file: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1: %2: %3</translation>
+    </message>
+    <message>
+        <source>line %1, byte %2</source>
+        <translation>Zeile %1, Byte %2</translation>
+    </message>
+    <message>
+        <source>stroke %1, sample %2 (strokes[%3].samples[%4])</source>
+        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
+        <translation>Strich %1, Messpunkt %2 (strokes[%3].samples[%4])</translation>
+    </message>
+    <message>
+        <source>stroke %1 (strokes[%2])</source>
+        <translation>Strich %1 (strokes[%2])</translation>
+    </message>
+    <message>
+        <source>this file cannot be read</source>
+        <translation>diese Datei ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>this file cannot be read (%1)</source>
+        <translation>diese Datei ist nicht lesbar (%1)</translation>
+    </message>
+    <message>
+        <source>this is not JSON</source>
+        <translation>das ist kein JSON</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice</source>
+        <translation>„%1“ steht zweimal da</translation>
+    </message>
+    <message>
+        <source>this is no stroke file of version 1 (%1)</source>
+        <translation>das ist keine Strichdatei der Version 1 (%1)</translation>
+    </message>
+    <message>
+        <source>no object</source>
+        <translation>kein Objekt</translation>
+    </message>
+    <message>
+        <source>unknown key %1</source>
+        <translation>unbekannter Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
+        <translation>„%1“ ist vom falschen Typ oder hat zu wenige oder zu viele Werte</translation>
+    </message>
+    <message>
+        <source>unknown value, %1</source>
+        <translation>unbekannter Wert, %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number</source>
+        <translation>„%1“ ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, %2 to %3</source>
+        <translation>„%1“ liegt außerhalb des Bereichs, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range</source>
+        <translation>„%1“ liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
+        <translation>„%1“ liegt außerhalb des Bereichs, 0 oder %2 bis %3</translation>
+    </message>
+    <message>
+        <source>this file is too large: at most %1 are read</source>
+        <translation>diese Datei ist zu groß: höchstens %1 werden gelesen</translation>
+    </message>
+    <message>
+        <source>this is no brush preset of version 1 (%1)</source>
+        <translation>das ist keine Pinselvorlage der Version 1 (%1)</translation>
+    </message>
+    <message>
+        <source>this brush preset was made by a newer version of Fettle</source>
+        <translation>diese Pinselvorlage stammt von einer neueren Version von Fettle</translation>
     </message>
 </context>
 </TS>

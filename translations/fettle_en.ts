@@ -195,4 +195,15 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ui::PresetLibrary</name>
+    <message numerus="yes">
+        <source>%n brush presets were left out. The first: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>
+            <numerusform>%n brush preset was left out: %1</numerusform>
+            <numerusform>%n brush presets were left out. The first: %1</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

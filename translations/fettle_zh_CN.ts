@@ -250,16 +250,16 @@
         <translation>课堂中无法打开 %1：课堂从自己的模型开始。</translation>
     </message>
     <message>
-        <source>There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.</source>
-        <translation>没有关于 %1 的帮助：可用命令为 check、convert、lesson、replay、report 和 sheet。</translation>
-    </message>
-    <message>
         <source>The file to write.</source>
         <translation>要写入的文件。</translation>
     </message>
     <message>
         <source>%1: the file to write is missing; -o names it.</source>
         <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
+    </message>
+    <message>
+        <source>There is no help on %1: the commands are brush, check, convert, lesson, replay, report and sheet.</source>
+        <translation>没有关于 %1 的帮助：可用命令为 brush、check、convert、lesson、replay、report 和 sheet。</translation>
     </message>
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
@@ -280,6 +280,8 @@
                                    drawings of models or folders to scale, a page each
   fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
+  fettle brush [PRESET] [--picture OUT.png]
+                                   say what a brush preset holds, or why it is none
   fettle help COMMAND              the options of one of them
   fettle --version
 
@@ -304,6 +306,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    按比例写出模型或文件夹的图纸，每个模型一页
   fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    播放课程到底来检查它，或按其中一步评判学生的模型
+  fettle brush [预设] [--picture OUT.png]
+                                   说明笔刷预设的内容，或为何不是预设
   fettle help COMMAND              以上某一命令的选项
   fettle --version
 
@@ -1614,96 +1618,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 is not what it was when this stroke was recorded.</source>
         <translation>%1 与录制这一笔时的内容不同。</translation>
-    </message>
-</context>
-<context>
-    <name>app::StrokeFileMessages</name>
-    <message>
-        <source>%1: %2</source>
-        <comment>file: reason</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1: %2: %3</source>
-        <comment>file: place: reason</comment>
-        <translation>%1：%2：%3</translation>
-    </message>
-    <message>
-        <source>line %1, byte %2</source>
-        <translation>第 %1 行，第 %2 字节</translation>
-    </message>
-    <message>
-        <source>stroke %1, sample %2 (strokes[%3].samples[%4])</source>
-        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
-        <translation>笔触 %1，采样点 %2 (strokes[%3].samples[%4])</translation>
-    </message>
-    <message>
-        <source>stroke %1 (strokes[%2])</source>
-        <translation>笔触 %1 (strokes[%2])</translation>
-    </message>
-    <message>
-        <source>this file cannot be read</source>
-        <translation>无法读取此文件</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>没有此文件</translation>
-    </message>
-    <message>
-        <source>this file cannot be read (%1)</source>
-        <translation>无法读取此文件 (%1)</translation>
-    </message>
-    <message>
-        <source>this file is too large for a stroke file: at most %1 are read</source>
-        <translation>此文件过大，不可能是笔触文件：最多读取 %1</translation>
-    </message>
-    <message>
-        <source>this is not JSON</source>
-        <translation>不是有效的 JSON</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; stands there twice</source>
-        <translation>“%1”重复出现</translation>
-    </message>
-    <message>
-        <source>this is no stroke file of version 1 (%1)</source>
-        <translation>不是版本 1 的笔触文件 (%1)</translation>
-    </message>
-    <message>
-        <source>no object</source>
-        <translation>不是对象</translation>
-    </message>
-    <message>
-        <source>unknown key %1</source>
-        <translation>未知的键 %1</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is missing</source>
-        <translation>缺少“%1”</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
-        <translation>“%1”类型有误，或值的数量过少或过多</translation>
-    </message>
-    <message>
-        <source>unknown value, %1</source>
-        <translation>未知的值 %1</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a finite number</source>
-        <translation>“%1”不是有限数</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is out of range, %2 to %3</source>
-        <translation>“%1”超出范围（%2 至 %3）</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is out of range</source>
-        <translation>“%1”超出范围</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
-        <translation>“%1”超出范围（0，或 %2 至 %3）</translation>
     </message>
 </context>
 <context>
@@ -3670,6 +3584,18 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Save the Lesson</source>
         <translation>保存课程</translation>
+    </message>
+    <message>
+        <source>Import a Brush Preset</source>
+        <translation>导入笔刷预设</translation>
+    </message>
+    <message>
+        <source>Brush presets (%1)</source>
+        <translation>笔刷预设 (%1)</translation>
+    </message>
+    <message>
+        <source>Export the Brush Preset</source>
+        <translation>导出笔刷预设</translation>
     </message>
 </context>
 <context>
@@ -7280,6 +7206,356 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Clear</source>
         <translation>清除</translation>
+    </message>
+</context>
+<context>
+    <name>app::BrushCommand</name>
+    <message>
+        <source>%1: tool %2, strength %3, falloff %4, spacing %5</source>
+        <translation>%1：工具 %2，强度 %3，衰减 %4，间距 %5</translation>
+    </message>
+    <message>
+        <source>, alpha %1</source>
+        <translation>，Alpha %1</translation>
+    </message>
+    <message>
+        <source>%1: this picture cannot be written.</source>
+        <translation>%1：无法写入此图片。</translation>
+    </message>
+    <message>
+        <source>Says what a brush preset holds, or why it is none (status 2). Without a preset: lists those of the program.</source>
+        <translation>说明笔刷预设的内容，或为何不是预设（状态 2）。不给预设时列出程序自带的预设。</translation>
+    </message>
+    <message>
+        <source>A preset file, or the name of a preset of the program.</source>
+        <translation>预设文件，或程序自带预设的名称。</translation>
+    </message>
+    <message>
+        <source>Where a picture of one stroke of the brush goes, PNG.</source>
+        <translation>该笔刷一笔的图片写到何处，PNG。</translation>
+    </message>
+    <message>
+        <source>brush: one preset at a time can be read, not %1 as well.</source>
+        <translation>brush：一次只能读取一个预设，不能再加上 %1。</translation>
+    </message>
+    <message>
+        <source>brush: no preset was given.</source>
+        <translation>brush：没有给出预设。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetFiles</name>
+    <message>
+        <source>%1: there is not enough memory for this preset.</source>
+        <translation>%1：内存不足，无法读取此预设。</translation>
+    </message>
+    <message>
+        <source>%1: the alpha in this preset cannot be used: %2</source>
+        <comment>a sentence that says why</comment>
+        <translation>%1：此预设中的 Alpha 无法使用：%2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetLibrary</name>
+    <message>
+        <source>A brush preset was left out: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>略过了一个笔刷预设：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n brush presets were left out. The first: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>
+            <numerusform>略过了 %n 个笔刷预设。第一个：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was not deleted: it cannot be put into the trash.</source>
+        <translation>%1 未删除：无法移入回收站。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetShelf</name>
+    <message>
+        <source>Brush presets</source>
+        <translation>笔刷预设</translation>
+    </message>
+    <message>
+        <source>New Preset</source>
+        <translation>新建预设</translation>
+    </message>
+    <message>
+        <source>Keeps the brush as it is now as a preset, and asks for its name.</source>
+        <translation>把当前的笔刷保存为预设，并询问其名称。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Gives this preset another name (F2).</source>
+        <translation>给此预设换一个名称（F2）。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Puts this preset into the trash.</source>
+        <translation>把此预设移入回收站。</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Takes a preset from a file.</source>
+        <translation>从文件取得预设。</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Writes this preset to a file that others can import.</source>
+        <translation>把此预设写成可供他人导入的文件。</translation>
+    </message>
+    <message>
+        <source>My brush</source>
+        <translation>我的笔刷</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PresetTexts</name>
+    <message>
+        <source>Clay Buildup</source>
+        <translation>堆泥</translation>
+    </message>
+    <message>
+        <source>Lays clay on in thick rolls, more where you rest.</source>
+        <translation>铺上厚厚的泥条，停留处更多。</translation>
+    </message>
+    <message>
+        <source>Raked Clay</source>
+        <translation>耙纹泥</translation>
+    </message>
+    <message>
+        <source>Lays clay on in strips, as a rake leaves them.</source>
+        <translation>铺上一条条的泥，如耙过一般。</translation>
+    </message>
+    <message>
+        <source>Carve</source>
+        <translation>雕刻</translation>
+    </message>
+    <message>
+        <source>Cuts a groove with soft edges.</source>
+        <translation>刻出边缘柔和的凹槽。</translation>
+    </message>
+    <message>
+        <source>Swell</source>
+        <translation>鼓起</translation>
+    </message>
+    <message>
+        <source>Blows up what is under it, with a soft edge.</source>
+        <translation>使笔下之处鼓起，边缘柔和。</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>平板</translation>
+    </message>
+    <message>
+        <source>Raises a plate of one height, with steep sides.</source>
+        <translation>抬起一块高度一致、边缘陡直的板。</translation>
+    </message>
+    <message>
+        <source>Fine Line</source>
+        <translation>细线</translation>
+    </message>
+    <message>
+        <source>Scores a sharp line: wrinkles, eyelids, seams.</source>
+        <translation>划出锐利的线：皱纹、眼睑、接缝。</translation>
+    </message>
+    <message>
+        <source>Ridge</source>
+        <translation>棱脊</translation>
+    </message>
+    <message>
+        <source>Raises a sharp edge.</source>
+        <translation>隆起锐利的棱。</translation>
+    </message>
+    <message>
+        <source>Polish</source>
+        <translation>抛光</translation>
+    </message>
+    <message>
+        <source>Takes off bumps and keeps hollows.</source>
+        <translation>磨去凸起，保留凹处。</translation>
+    </message>
+    <message>
+        <source>Plane Off</source>
+        <translation>刨平</translation>
+    </message>
+    <message>
+        <source>Cuts flat faces, as a knife does.</source>
+        <translation>像刀一样切出平面。</translation>
+    </message>
+    <message>
+        <source>Big Move</source>
+        <translation>大幅移动</translation>
+    </message>
+    <message>
+        <source>Moves large parts of the model, softly.</source>
+        <translation>柔和地移动模型的大块部分。</translation>
+    </message>
+    <message>
+        <source>Horn</source>
+        <translation>犄角</translation>
+    </message>
+    <message>
+        <source>Draws out horns, tails and roots.</source>
+        <translation>拉出角、尾巴和根须。</translation>
+    </message>
+    <message>
+        <source>Pores</source>
+        <translation>毛孔</translation>
+    </message>
+    <message>
+        <source>Prints the pores of skin.</source>
+        <translation>印出皮肤的毛孔。</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>鳞片</translation>
+    </message>
+    <message>
+        <source>Prints scales along the stroke.</source>
+        <translation>沿笔画印出鳞片。</translation>
+    </message>
+    <message>
+        <source>Cracks</source>
+        <translation>裂纹</translation>
+    </message>
+    <message>
+        <source>Prints the cracks of dry earth.</source>
+        <translation>印出干土的裂纹。</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>编织</translation>
+    </message>
+    <message>
+        <source>Prints woven cloth along the stroke.</source>
+        <translation>沿笔画印出织物纹理。</translation>
+    </message>
+    <message>
+        <source>Rough Stone</source>
+        <translation>粗石</translation>
+    </message>
+    <message>
+        <source>Roughens, as broken stone is rough.</source>
+        <translation>使表面如碎石般粗糙。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StrokeFileMessages</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>file: reason</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1：%2：%3</translation>
+    </message>
+    <message>
+        <source>line %1, byte %2</source>
+        <translation>第 %1 行，第 %2 字节</translation>
+    </message>
+    <message>
+        <source>stroke %1, sample %2 (strokes[%3].samples[%4])</source>
+        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
+        <translation>笔触 %1，采样点 %2 (strokes[%3].samples[%4])</translation>
+    </message>
+    <message>
+        <source>stroke %1 (strokes[%2])</source>
+        <translation>笔触 %1 (strokes[%2])</translation>
+    </message>
+    <message>
+        <source>this file cannot be read</source>
+        <translation>无法读取此文件</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有此文件</translation>
+    </message>
+    <message>
+        <source>this file cannot be read (%1)</source>
+        <translation>无法读取此文件 (%1)</translation>
+    </message>
+    <message>
+        <source>this is not JSON</source>
+        <translation>不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice</source>
+        <translation>“%1”重复出现</translation>
+    </message>
+    <message>
+        <source>this is no stroke file of version 1 (%1)</source>
+        <translation>不是版本 1 的笔触文件 (%1)</translation>
+    </message>
+    <message>
+        <source>no object</source>
+        <translation>不是对象</translation>
+    </message>
+    <message>
+        <source>unknown key %1</source>
+        <translation>未知的键 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>缺少“%1”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
+        <translation>“%1”类型有误，或值的数量过少或过多</translation>
+    </message>
+    <message>
+        <source>unknown value, %1</source>
+        <translation>未知的值 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number</source>
+        <translation>“%1”不是有限数</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, %2 to %3</source>
+        <translation>“%1”超出范围（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range</source>
+        <translation>“%1”超出范围</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
+        <translation>“%1”超出范围（0，或 %2 至 %3）</translation>
+    </message>
+    <message>
+        <source>this file is too large: at most %1 are read</source>
+        <translation>此文件过大：最多读取 %1</translation>
+    </message>
+    <message>
+        <source>this is no brush preset of version 1 (%1)</source>
+        <translation>这不是版本 1 的笔刷预设（%1）</translation>
+    </message>
+    <message>
+        <source>this brush preset was made by a newer version of Fettle</source>
+        <translation>此笔刷预设由更新版本的 Fettle 制作</translation>
     </message>
 </context>
 </TS>

@@ -18,6 +18,8 @@ using Command = ExitStatus (*)(const QStringList&);
 
 Command commandNamed(const QString& word)
 {
+    if (word == QLatin1String("brush"))
+        return brushCommand;
     if (word == QLatin1String("check"))
         return checkCommand;
     if (word == QLatin1String("convert"))
@@ -89,7 +91,7 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments)
     if (arguments.size() > 1) {
         if (const Command command = commandNamed(arguments.at(1)))
             return command({QStringLiteral("--help")});
-        fail(tr("There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.")
+        fail(tr("There is no help on %1: the commands are brush, check, convert, lesson, replay, report and sheet.")
                  .arg(arguments.at(1)));
     }
     print(help());
@@ -221,6 +223,8 @@ QString CommandLine::help()
               "FOLDER] [--out FILE]\n"
               "                                   check a lesson by playing it to its end, or a pupil's model by one "
               "of its steps\n"
+              "  fettle brush [PRESET] [--picture OUT.png]\n"
+              "                                   say what a brush preset holds, or why it is none\n"
               "  fettle help COMMAND              the options of one of them\n"
               "  fettle --version\n"
               "\n"

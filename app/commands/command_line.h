@@ -60,6 +60,7 @@ private:
     static QString help();
 };
 
+ExitStatus brushCommand(const QStringList& arguments);
 ExitStatus checkCommand(const QStringList& arguments);
 ExitStatus convertCommand(const QStringList& arguments);
 ExitStatus lessonCommand(const QStringList& arguments);

@@ -8,7 +8,6 @@
 #include "app/model/command_names.h"
 #include "app/model/model_change_job.h"
 #include "app/model/model_loader.h"
-#include "app/model/stroke_file_messages.h"
 #include "app/platform/process_usage.h"
 
 #include "core/analysis/mesh_check.h"
@@ -17,6 +16,7 @@
 #include "core/io/stroke/stroke_file.h"
 #include "core/mesh/mesh_builder.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/stroke_file_messages.h"
 
 #include <QFile>
 
@@ -136,7 +136,7 @@ std::vector<core::FileEntry> readStrokes(const QString& path)
     try {
         return core::readStrokes(QFile::encodeName(path).toStdString());
     } catch (const core::StrokeFileError& error) {
-        throw CommandFailure{StrokeFileMessages::sentence(path, error)};
+        throw CommandFailure{ui::StrokeFileMessages::sentence(path, error)};
     }
 }
 
@@ -160,7 +160,7 @@ void checkAgainst(const core::Lattice& lattice, const Entries& entries, std::siz
             core::requireFit(std::get<core::Stroke>(entries[i]), lattice);
         } catch (core::StrokeFileError& error) {
             error.stroke = i;
-            throw CommandFailure{StrokeFileMessages::sentence(path, error)};
+            throw CommandFailure{ui::StrokeFileMessages::sentence(path, error)};
         }
     }
 }

@@ -2,9 +2,9 @@
 
 #include "app/commands/command_line.h"
 #include "app/model/model_loader.h"
-#include "app/model/stroke_file_messages.h"
 
 #include "ui/brush/brush_files.h"
+#include "ui/util/stroke_file_messages.h"
 
 #include <map>
 
@@ -33,7 +33,7 @@ private:
         core::StrokeFileError place(core::StrokeFileError::Kind::UnknownValue);
         place.stroke = index;
         const QString sentence =
-            tr("%1: %2: %3", "file: place: reason").arg(m_strokes, StrokeFileMessages::place(place), reason);
+            tr("%1: %2: %3", "file: place: reason").arg(m_strokes, ui::StrokeFileMessages::place(place), reason);
         CommandLine::fail(sentence);
     }
 

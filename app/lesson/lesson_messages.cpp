@@ -1,8 +1,7 @@
 #include "app/lesson/lesson_messages.h"
 
-#include "app/model/stroke_file_messages.h"
-
 #include "ui/util/error_messages.h"
+#include "ui/util/stroke_file_messages.h"
 
 #include <QDir>
 #include <QLocale>
@@ -43,7 +42,7 @@ QString LessonMessages::place(const core::LessonError& error)
     if (error.line > 0)
         places << tr("line %1, byte %2").arg(error.line).arg(error.byte);
     if (error.strokes)
-        if (const QString stroke = StrokeFileMessages::place(*error.strokes); !stroke.isEmpty())
+        if (const QString stroke = ui::StrokeFileMessages::place(*error.strokes); !stroke.isEmpty())
             places << stroke;
     return places.join(QStringLiteral(", "));
 }
@@ -114,7 +113,7 @@ QString LessonMessages::files(const core::LessonError& error)
                    ? ui::ErrorMessages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
                    : ui::ErrorMessages::refusal(QString::fromStdString(error.file), error.report);
     case Kind::Strokes:
-        return error.strokes ? StrokeFileMessages::reason(*error.strokes) : QString();
+        return error.strokes ? ui::StrokeFileMessages::reason(*error.strokes) : QString();
     case Kind::NamesFiles:
         return tr("the strokes of a lesson cannot need other images or models");
     case Kind::Refused:

@@ -52,7 +52,8 @@ const FolderRule folderRules[] = {
     {"core/journal", "core/util core/mesh core/operations core/io/stroke core/io"},
     {"core/lesson", "core/util core/geometry core/analysis core/mesh core/sculpt core/operations core/io/stroke "
                     "core/io/mesh core/io"},
-    {"ui/util", "core/util core/geometry core/analysis core/stroke core/repair core/io"},
+    {"core/preset", "core/stroke core/mesh core/drawing core/sculpt/deform core/sculpt core/operations"},
+    {"ui/util", "core/util core/geometry core/analysis core/stroke core/repair core/io/stroke core/io"},
     {"ui/settings", "core/geometry core/analysis core/stroke core/sculpt/deform core/io ui/util"},
     {"ui/widgets", "ui/util ui/settings"},
     {"ui/actions", "ui/settings ui/widgets"},
@@ -63,7 +64,8 @@ const FolderRule folderRules[] = {
     {"ui/model", "core/analysis core/repair core/operations ui/settings ui/widgets ui/actions"},
     {"ui/files", "core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene "
                  "ui/model"},
-    {"ui/brush", "core/util core/geometry core/stroke core/sculpt/deform core/io ui/util ui/settings ui/widgets "
+    {"ui/brush", "core/util core/geometry core/stroke core/drawing core/sculpt/deform core/io/stroke core/io "
+                 "core/preset ui/util ui/settings ui/widgets "
                  "ui/actions ui/viewport"},
     {"ui/reference", "ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport ui/files"},
     {"ui/drawing", "core/util core/drawing ui/util ui/settings ui/widgets ui/actions"},

@@ -1,6 +1,8 @@
 // The reader of the format that FETTLE_FORMAT names (stl, obj, ...), fed with a stranger's bytes: it returns a mesh as
-// core/io/mesh_io.h promises, or throws a FileError; nothing else.
+// core/io/mesh_io.h promises, or throws a FileError; nothing else. "brush": the reader of presets
+// (core/io/stroke/brush_file.h), which throws a StrokeFileError.
 #include "core/io/mesh_io.h"
+#include "core/io/stroke/brush_file.h"
 #include "core/util/file_error.h"
 
 #include <cstdio>
@@ -27,6 +29,7 @@ public:
     }
     ~Folder() { std::filesystem::remove_all(m_path); }
 
+    bool isOfBrushes() const { return m_name == "model.brush"; }
     std::filesystem::path file() const { return m_path / m_name; }
 
 private:
@@ -52,11 +55,29 @@ void check(const core::TriangleMesh& mesh)
         for (const core::Slot v : t)
             require(v < mesh.points.size(), "indices in range");
 }
+
+/// What was read is in range, and what is written of it is read again, the same.
+void checkBrush(std::string_view text)
+{
+    try {
+        const core::BrushPreset preset = core::parseBrush(text);
+        require(!preset.name.empty() && preset.name.size() <= core::maxPresetName, "a name");
+        require(core::isFalloff(preset.stroke.falloff), "a falloff");
+        require(preset.stroke.strength >= 0 && preset.stroke.strength <= 10, "a strength");
+        const std::string written = core::toJson(preset);
+        require(core::toJson(core::parseBrush(written)) == written, "what is written is read");
+    } catch (const core::StrokeFileError&) {
+    }
+}
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
     static const Folder folder;
+    if (folder.isOfBrushes()) {
+        checkBrush({reinterpret_cast<const char*>(data), size});
+        return 0;
+    }
     std::ofstream(folder.file(), std::ios::binary)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
     try {

@@ -6,6 +6,7 @@
 #include "core/util/file_error.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 #include <QLocale>
@@ -91,7 +92,14 @@ BrushFile<core::Alpha> readAlpha(const QString& path)
 {
     if (!QFileInfo::exists(path))
         return refused<core::Alpha>(BrushFiles::tr("%1: there is no such file.").arg(path));
-    QImageReader reader(path);
+    QFile file(path);
+    file.open(QIODevice::ReadOnly); // else it cannot be read, which is said
+    return decodeAlpha(&file, path);
+}
+
+BrushFile<core::Alpha> decodeAlpha(QIODevice* device, const QString& path)
+{
+    QImageReader reader(device);
     reader.setAutoTransform(true);
     reader.setDecideFormatFromContent(true);
     if (!reader.canRead() || isDrawing(reader.format()))

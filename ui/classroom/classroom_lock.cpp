@@ -24,7 +24,8 @@ constexpr QLatin1StringView closedCommands[] = {
 /// What is new to the window is closed, until somebody has looked where it leads.
 constexpr QLatin1StringView openPanels[] = {QLatin1StringView("brushPanel"),     QLatin1StringView("topologyPanel"),
                                             QLatin1StringView("symmetryPanel"),  QLatin1StringView("colorPanel"),
-                                            QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel")};
+                                            QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel"),
+                                            QLatin1StringView("presetPanel")};
 
 template <std::size_t count> bool isAmong(const QLatin1StringView (&names)[count], const QString& name)
 {

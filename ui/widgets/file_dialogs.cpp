@@ -99,6 +99,20 @@ void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endi
     askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, endings, callback);
 }
 
+void askForPreset(QWidget* parent, PathCallback callback)
+{
+    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Import a Brush Preset")), "presetDialog");
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilter(FileDialogs::tr("Brush presets (%1)").arg(QStringLiteral("*.json")));
+    show(dialog, callback);
+}
+
+void askForPresetTarget(QWidget* parent, const QString& presetName, PathCallback callback)
+{
+    askForTarget(parent, FileDialogs::tr("Export the Brush Preset"), QStringLiteral("presetTargetDialog"), {},
+                 presetName, {QStringLiteral("json")}, callback);
+}
+
 void askForLesson(QWidget* parent, PathCallback callback)
 {
     auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Open a Lesson")), "lessonDialog");

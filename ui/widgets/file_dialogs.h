@@ -23,6 +23,10 @@ void askForExport(QWidget* parent, const QString& folder, const QString& modelNa
 
 /// `endings`, here and below: of the formats that are offered, the first one suggested.
 void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathCallback callback);
+/// Of a brush.
+void askForPreset(QWidget* parent, PathCallback callback);
+/// Where a preset of that name is to be written.
+void askForPresetTarget(QWidget* parent, const QString& presetName, PathCallback callback);
 /// A zip, or the lesson.json of a folder.
 void askForLesson(QWidget* parent, PathCallback callback);
 /// Where one is to be written: a zip, or a folder that is not there yet.

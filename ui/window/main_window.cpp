@@ -6,6 +6,7 @@
 #include "ui/brush/brush_panels.h"
 #include "ui/brush/brush_shapes.h"
 #include "ui/brush/color_panel.h"
+#include "ui/brush/preset_shelf.h"
 #include "ui/classroom/classroom.h"
 #include "ui/classroom/classroom_lock.h"
 #include "ui/drawing/preview_panel.h"
@@ -176,6 +177,8 @@ void MainWindow::State::buildPanels(QMenu* toggles)
                         actions);
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions,
                   [this](const QString& word) { q->showNotice(word); });
+    addPresetShelf({q, toggles, [this] { viewport->setFocus(); }, [this](const QString& word) { q->showNotice(word); }},
+                   &brush, shapes);
     history = addHistoryPanel(q, &settings, toggles);
     modelPanel = addModelPanel(q, toggles);
     addPrintPanel({q, toggles, viewport}, &settings, actions);

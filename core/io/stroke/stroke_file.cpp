@@ -32,27 +32,32 @@ std::vector<FileEntry> parseStrokes(std::string_view text)
 
 std::vector<FileEntry> readStrokes(const std::string& path)
 {
+    return parseStrokes(readStrokeText(path, maxFileBytes));
+}
+
+std::string readStrokeText(const std::string& path, std::size_t maxBytes)
+{
     StrokeFileError tooLarge(StrokeFileError::Kind::TooLarge);
-    tooLarge.max = static_cast<double>(maxFileBytes);
+    tooLarge.max = static_cast<double>(maxBytes);
     std::error_code noSize; // of a pipe
-    if (const auto size = std::filesystem::file_size(path, noSize); !noSize && size > maxFileBytes)
+    if (const auto size = std::filesystem::file_size(path, noSize); !noSize && size > maxBytes)
         throw tooLarge;
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     std::string text;
     std::array<char, 1 << 16> chunk;
-    while (file.good() && text.size() <= maxFileBytes) {
+    while (file.good() && text.size() <= maxBytes) {
         file.read(chunk.data(), chunk.size());
         text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
     }
-    if (text.size() > maxFileBytes)
+    if (text.size() > maxBytes)
         throw tooLarge;
     if (!file.eof()) {
         StrokeFileError error(StrokeFileError::Kind::CannotRead);
         error.systemError = errno;
         throw error;
     }
-    return parseStrokes(text);
+    return text;
 }
 
 void requireFit(const Stroke& stroke, const Lattice& lattice)

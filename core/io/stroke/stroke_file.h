@@ -49,7 +49,9 @@ struct StrokeFileError : std::runtime_error
         TooLarge,   ///< longer than the reader takes, `most` bytes
         Syntax,     ///< not JSON; `line`, `byte` say where
         DuplicateKey,
-        NotStrokes, ///< JSON, but not of this format or version
+        NotStrokes,   ///< JSON, but not of this format or version
+        NotBrush,     ///< JSON, but no preset file (brush_file.h)
+        NewerVersion, ///< a preset file that was made by a newer program
         UnknownKey,
         MissingKey,
         WrongType,
@@ -81,6 +83,8 @@ using FileEntry = std::variant<Stroke, FileCommand>;
 /// Throws StrokeFileError. Cost: linear in the text's length, whatever it holds.
 std::vector<FileEntry> parseStrokes(std::string_view text);
 std::vector<FileEntry> readStrokes(const std::string& path);
+/// Returns the bytes of a file or pipe. Throws StrokeFileError: CannotRead, or TooLarge.
+std::string readStrokeText(const std::string& path, std::size_t maxBytes);
 
 /// What only the model's lattice can check: throws StrokeFileError::OutOfRange, with the sample, unless it holds the
 /// stroke's brushes, and the hands are within the working volume. Where a ray comes from is free.

@@ -31,6 +31,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include <iostream>
 
@@ -227,7 +228,8 @@ bool isForTheHand(const QDockWidget* panel)
 {
     const QStringList names{QStringLiteral("brushPanel"),     QStringLiteral("topologyPanel"),
                             QStringLiteral("symmetryPanel"),  QStringLiteral("colorPanel"),
-                            QStringLiteral("turntablePanel"), QStringLiteral("modelPanel")};
+                            QStringLiteral("turntablePanel"), QStringLiteral("modelPanel"),
+                            QStringLiteral("presetPanel")};
     return names.contains(panel->objectName());
 }
 
@@ -553,6 +555,8 @@ void TestClassroom::noCommand_leadsOut()
     for (const QDockWidget* panel : window.findChildren<QDockWidget*>())
         QVERIFY2(isForTheHand(panel) || (!panel->isVisible() && !panel->toggleViewAction()->isEnabled()),
                  qPrintable(panel->objectName()));
+    for (const char* name : {"presets.new", "presets.rename", "presets.delete", "presets.import", "presets.export"})
+        QVERIFY2(window.findChild<QToolButton*>(QString::fromLatin1(name))->isHidden(), name);
     if (!isTurn) { // nobody gets at the clay
         const QPoint middle = window.viewport()->mapTo(&window, window.viewport()->rect().center() +
                                                                     QPoint(0, window.viewport()->height() / 4));

@@ -128,6 +128,13 @@ QStringList clippedTexts(const QWidget& window)
     }
     return clipped;
 }
+
+/// Whether the last preset has its picture.
+bool isDrawn(const QListWidget& presets)
+{
+    const QListWidgetItem* last = presets.item(presets.count() - 1);
+    return last && last->icon().pixmap(presets.iconSize()).toImage().pixelColor(32, 32).alpha() > 0;
+}
 } // namespace
 
 /// The main states of the window as pictures, to be looked at: build/<preset>/screenshots. What a test can see is seen
@@ -418,6 +425,8 @@ void TestScreenshots::takePanels(Program& program)
         panel->raise();
         if (auto* files = panel->findChild<ui::FileBrowser*>())
             showModels(files);
+        if (const auto* presets = panel->findChild<QListWidget*>(QStringLiteral("presets")))
+            QTRY_VERIFY_WITH_TIMEOUT(isDrawn(*presets), 60'000);
         if (auto* drawing = panel->findChild<ui::DrawingCanvas*>())
             QTRY_VERIFY(inked(drawing->picture()) > 0 &&
                         !panel->findChild<QLabel*>(QStringLiteral("preview.note"))->isVisible());

@@ -5,12 +5,12 @@
 #include <QCoreApplication>
 #include <QString>
 
-namespace app
+namespace ui
 {
-/// What is wrong with a stroke file, for people: one sentence with file, place and reason.
+/// What is wrong with a stroke file or a preset file, for people: one sentence with file, place and reason.
 class StrokeFileMessages
 {
-    Q_DECLARE_TR_FUNCTIONS(app::StrokeFileMessages)
+    Q_DECLARE_TR_FUNCTIONS(ui::StrokeFileMessages)
 
 public:
     static QString sentence(const QString& path, const core::StrokeFileError& error);
@@ -18,4 +18,4 @@ public:
     static QString place(const core::StrokeFileError& error);
     static QString reason(const core::StrokeFileError& error);
 };
-} // namespace app
+} // namespace ui

@@ -1,10 +1,10 @@
-#include "app/model/stroke_file_messages.h"
+#include "ui/util/stroke_file_messages.h"
 
 #include <QLocale>
 
 #include <cerrno>
 
-namespace app
+namespace ui
 {
 namespace
 {
@@ -51,7 +51,7 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
                    ? tr("there is no such file")
                    : tr("this file cannot be read (%1)").arg(qt_error_string(error.systemError));
     case Kind::TooLarge:
-        return tr("this file is too large for a stroke file: at most %1 are read")
+        return tr("this file is too large: at most %1 are read")
             .arg(QLocale().formattedDataSize(static_cast<qint64>(error.max.value_or(0))));
     case Kind::Syntax:
         return tr("this is not JSON");
@@ -59,6 +59,10 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
         return tr("\"%1\" stands there twice").arg(key);
     case Kind::NotStrokes:
         return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
+    case Kind::NotBrush:
+        return tr("this is no brush preset of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
+    case Kind::NewerVersion:
+        return tr("this brush preset was made by a newer version of Fettle");
     case Kind::UnknownKey:
         return tr("unknown key %1").arg(key);
     case Kind::MissingKey:
@@ -78,4 +82,4 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
     }
     return {};
 }
-} // namespace app
+} // namespace ui

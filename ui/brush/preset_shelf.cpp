@@ -1,0 +1,220 @@
+#include "ui/brush/preset_shelf.h"
+
+#include "ui/brush/brush_shapes.h"
+#include "ui/brush/preset_choice.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/panel_button.h"
+#include "ui/widgets/panel_layout.h"
+#include "ui/widgets/side_dock.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QMainWindow>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr int shelfPicture = 64;
+constexpr int drawnPixels = 2 * shelfPicture; ///< sharp at 200 %
+constexpr int pathRole = Qt::UserRole;
+} // namespace
+
+PresetShelf::PresetShelf(BrushSettings* brush, BrushShapes* shapes, QWidget* parent)
+    : QWidget(parent)
+    , m_brush(brush)
+    , m_shapes(shapes)
+    , m_list(named(new QListWidget, "presets", {}, tr("Brush presets")))
+{
+    build();
+    connect(&m_library, &PresetLibrary::loaded, this, &PresetShelf::fill);
+    connect(&m_library, &PresetLibrary::pictureMade, this, &PresetShelf::setPicture);
+    connect(&m_library, &PresetLibrary::refused, this, &PresetShelf::noticed);
+    connect(m_list, &QListWidget::itemClicked, this, &PresetShelf::take);
+    connect(m_list, &QListWidget::itemActivated, this, &PresetShelf::take);
+    connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
+        if (const PresetLibrary::Entry* entry = entryOf(item); entry && entry->name != item->text())
+            m_library.rename(PresetLibrary::Entry(*entry), item->text());
+    });
+    connect(m_list, &QListWidget::currentItemChanged, this, &PresetShelf::update);
+    connect(brush, &BrushSettings::changed, this, &PresetShelf::update);
+    connect(shapes, &BrushShapes::changed, this, &PresetShelf::update);
+}
+
+void PresetShelf::build()
+{
+    m_list->setViewMode(QListView::IconMode);
+    m_list->setMovement(QListView::Static);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setWordWrap(true);
+    m_list->setIconSize({shelfPicture, shelfPicture});
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else the columns jump
+    m_new = button(QStringLiteral("presets.new"), QStringLiteral("plus"), tr("New Preset"),
+                   tr("Keeps the brush as it is now as a preset, and asks for its name."), [this] { makeNew(); });
+    m_rename = button(QStringLiteral("presets.rename"), QStringLiteral("rename"), tr("Rename"),
+                      tr("Gives this preset another name (F2)."), [this] { m_list->editItem(m_list->currentItem()); });
+    m_delete = button(QStringLiteral("presets.delete"), QStringLiteral("trash"), tr("Delete"),
+                      tr("Puts this preset into the trash."), [this] {
+                          if (const auto* entry = entryOf(m_list->currentItem()))
+                              m_library.remove(*entry);
+                      });
+    m_import = button(QStringLiteral("presets.import"), QStringLiteral("open"), tr("Import"),
+                      tr("Takes a preset from a file."),
+                      [this] { askForPreset(window(), [this](const QString& path) { m_library.import(path); }); });
+    m_export = button(QStringLiteral("presets.export"), QStringLiteral("export"), tr("Export"),
+                      tr("Writes this preset to a file that others can import."), [this] { exportChosen(); });
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap / 2);
+    for (QToolButton* each : {m_new, m_rename, m_delete})
+        row->addWidget(each);
+    row->addStretch(1);
+    for (QToolButton* each : {m_import, m_export})
+        row->addWidget(each);
+    QVBoxLayout* column = panelLayout(this);
+    column->addWidget(m_list, 1);
+    column->addLayout(row);
+    m_list->viewport()->installEventFilter(this);
+    layCells();
+}
+
+QToolButton* PresetShelf::button(const QString& name, const QString& icon, const QString& text, const QString& tip,
+                                 const std::function<void()>& what)
+{
+    QToolButton* made = panelButton(name, icon, text, tip);
+    connect(made, &QToolButton::clicked, this, what);
+    return made;
+}
+
+/// The cells share the width; two lines are for the name.
+void PresetShelf::layCells()
+{
+    const QFontMetrics metrics = m_list->fontMetrics();
+    const int least = std::max(shelfPicture, metrics.averageCharWidth() * 12) + gap;
+    const int available = m_list->viewport()->width() - 1, columns = std::max(1, available / least);
+    m_list->setGridSize({std::max(least, available / columns), shelfPicture + 2 * metrics.lineSpacing() + 2 * gap});
+    m_list->setMinimumWidth(least + m_list->verticalScrollBar()->sizeHint().width() + 2 * m_list->frameWidth() + 2);
+}
+
+void PresetShelf::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!std::exchange(m_isLoaded, true))
+        m_library.load();
+}
+
+bool PresetShelf::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange)
+        layCells();
+    return QWidget::eventFilter(watched, event);
+}
+
+void PresetShelf::fill()
+{
+    const auto* chosen = m_list->currentItem();
+    const QString current = chosen ? chosen->data(pathRole).toString() : QString();
+    {
+        const QSignalBlocker quiet(m_list);
+        m_list->clear();
+        for (const PresetLibrary::Entry& entry : m_library.entries()) {
+            auto* item = new QListWidgetItem(entry.name, m_list);
+            item->setData(pathRole, entry.file.path);
+            item->setToolTip(entry.tip.isEmpty() ? entry.name : entry.tip);
+            if (!entry.isOurs)
+                item->setFlags(item->flags() | Qt::ItemIsEditable);
+            QPixmap blank(drawnPixels, drawnPixels);
+            blank.fill(Qt::transparent);
+            item->setIcon(m_pictures.value(entry.file.path, blank));
+            if (entry.file.path == (m_toEdit.isEmpty() ? current : m_toEdit))
+                m_list->setCurrentItem(item);
+        }
+    }
+    update();
+    m_library.draw(drawnPixels);
+    if (m_toEdit.isEmpty() || !m_list->currentItem())
+        return;
+    m_toEdit.clear();
+    m_list->setFocus();
+    m_list->scrollToItem(m_list->currentItem());
+    m_list->editItem(m_list->currentItem());
+}
+
+void PresetShelf::setPicture(const QString& path, const QImage& picture)
+{
+    m_pictures.insert(path, QPixmap::fromImage(picture));
+    const QSignalBlocker quiet(m_list); // itemChanged() is for names
+    for (int i = 0; i < m_list->count(); ++i)
+        if (m_list->item(i)->data(pathRole) == path)
+            m_list->item(i)->setIcon(m_pictures.value(path));
+}
+
+const PresetLibrary::Entry* PresetShelf::entryOf(const QListWidgetItem* item) const
+{
+    const auto& entries = m_library.entries();
+    const auto found = std::ranges::find_if(
+        entries, [item](const PresetLibrary::Entry& entry) { return item && item->data(pathRole) == entry.file.path; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+void PresetShelf::take(const QListWidgetItem* item)
+{
+    const PresetLibrary::Entry* entry = entryOf(item);
+    if (!entry || !m_brush->isOffered(entry->file.preset->stroke.tool))
+        return;
+    if (const QString problem = takePreset(entry->file, m_brush, m_shapes); !problem.isEmpty())
+        Q_EMIT noticed(problem);
+    Q_EMIT taken();
+}
+
+/// Shows what is offered, and no preset as chosen that the brush is not any more.
+void PresetShelf::update()
+{
+    for (int i = 0; i < m_list->count(); ++i) {
+        const PresetLibrary::Entry* entry = entryOf(m_list->item(i));
+        m_list->item(i)->setHidden(!entry || !m_brush->isOffered(entry->file.preset->stroke.tool));
+    }
+    const PresetLibrary::Entry* chosen = entryOf(m_list->currentItem());
+    if (chosen && !m_list->hasFocus() && !isInHand(*chosen->file.preset, *m_brush))
+        m_list->clearSelection();
+    const bool mayWrite = m_shapes->mayLoad();
+    m_list->setEditTriggers(mayWrite ? QAbstractItemView::EditKeyPressed : QAbstractItemView::NoEditTriggers);
+    for (QToolButton* each : {m_new, m_rename, m_delete, m_import, m_export})
+        each->setVisible(mayWrite);
+    m_export->setEnabled(chosen);
+    m_rename->setEnabled(chosen && !chosen->isOurs);
+    m_delete->setEnabled(chosen && !chosen->isOurs);
+}
+
+void PresetShelf::makeNew()
+{
+    m_toEdit = m_library.add(presetOf(*m_brush), tr("My brush"));
+}
+
+void PresetShelf::exportChosen()
+{
+    const PresetLibrary::Entry* chosen = entryOf(m_list->currentItem());
+    if (!chosen)
+        return;
+    askForPresetTarget(window(), chosen->name, [this, entry = PresetLibrary::Entry(*chosen)](const QString& path) {
+        m_library.exportTo(entry, path);
+    });
+}
+
+void addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes)
+{
+    auto* shelf = new PresetShelf(brush, shapes);
+    QObject::connect(shelf, &PresetShelf::taken, shelf, context.taken);
+    QObject::connect(shelf, &PresetShelf::noticed, shelf, context.notice);
+    addSideDock(context.window, context.toggles, QStringLiteral("presetPanel"), PresetShelf::tr("Presets"), shelf);
+}
+} // namespace ui
