@@ -28,6 +28,7 @@ set(FETTLE_RESOURCE_FILES
     icons/background-white.svg
     icons/brush-model.svg
     icons/caption.svg
+    icons/cavity.svg
     icons/classroom.svg
     icons/clay.svg
     icons/clock.svg
@@ -146,6 +147,7 @@ set(FETTLE_RESOURCE_FILES
     icons/symmetrize.svg
     icons/take-over.svg
     icons/time-lapse.svg
+    icons/tint.svg
     icons/trash.svg
     icons/turn-down.svg
     icons/turn-left.svg

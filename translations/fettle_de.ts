@@ -1996,6 +1996,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zeigt jedes Dreieck in einem Ton statt einer glatten Oberfläche.</translation>
     </message>
     <message>
+        <source>Cavit&amp;y Shade</source>
+        <translation>Vertie&amp;fungen abdunkeln</translation>
+    </message>
+    <message>
+        <source>Darkens what is hollow and lightens ridges, so that fine shapes stand out.</source>
+        <translation>Dunkelt Vertiefungen ab und hellt Grate auf, damit feine Formen hervortreten.</translation>
+    </message>
+    <message>
+        <source>Tint &amp;under the Brush</source>
+        <translation>Tönung unter dem Pi&amp;nsel</translation>
+    </message>
+    <message>
+        <source>Colours faintly what the next touch of the brush would move.</source>
+        <translation>Färbt schwach ein, was der Pinsel als Nächstes bewegen würde.</translation>
+    </message>
+    <message>
         <source>&amp;Ground Grid</source>
         <translation>Boden&amp;gitter</translation>
     </message>

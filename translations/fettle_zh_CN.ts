@@ -1990,6 +1990,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>每个三角形显示为一种明暗，而不是光滑的表面。</translation>
     </message>
     <message>
+        <source>Cavit&amp;y Shade</source>
+        <translation>凹处变暗(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Darkens what is hollow and lightens ridges, so that fine shapes stand out.</source>
+        <translation>使凹处变暗、凸脊变亮，让细小的形状更清楚。</translation>
+    </message>
+    <message>
+        <source>Tint &amp;under the Brush</source>
+        <translation>笔刷下的着色(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Colours faintly what the next touch of the brush would move.</source>
+        <translation>用淡色标出笔刷下一笔会移动的部分。</translation>
+    </message>
+    <message>
         <source>&amp;Ground Grid</source>
         <translation>地面网格(&amp;G)</translation>
     </message>

@@ -182,6 +182,8 @@ void HeadsetController::sendUpdate()
     update.box = m_document->modelInfo().box;
     update.shading = ui::shadingOf(viewport.appearance().material);
     update.isFlat = viewport.appearance().flat;
+    update.hasTint = viewport.appearance().tint;
+    update.hasCavity = viewport.appearance().cavity;
     update.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
     for (std::size_t i = 0; i < update.airbrush.size(); ++i)
         update.airbrush[i] = m_window->brush()->tools()->airbrush(static_cast<core::Tool>(i));

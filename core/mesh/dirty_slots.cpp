@@ -1,6 +1,6 @@
 #include "core/mesh/dirty_slots.h"
 
-#include "core/mesh/normals.h"
+#include "core/mesh/draw_vertex.h"
 #include "core/util/parallel.h"
 
 #include <algorithm>
@@ -26,20 +26,6 @@ std::vector<SlotSpan> spansOf(SlotSet& dirty, Slot length, Slot gap)
             spans.push_back({slot, 1});
     }
     return spans;
-}
-
-DrawVertex drawVertex(const Mesh& mesh, Slot v)
-{
-    if (!mesh.isVertex(v))
-        return {Vec3f::Zero(), {}, {}};
-    const Vec3 normal = vertexNormal(mesh, v);
-    const double length = normal.norm();
-    const Vec3 scaled = length > 0 ? Vec3(normal * (127 / length)) : Vec3::Zero();
-    const auto toByte = [](double x) { return static_cast<std::int8_t>(std::lrint(x)); };
-    const Rgb c = mesh.color(v);
-    return {mesh.point(v),
-            {toByte(scaled.x()), toByte(scaled.y()), toByte(scaled.z()), static_cast<std::int8_t>(mesh.mask(v) / 2)},
-            {c.r, c.g, c.b, 255}};
 }
 
 void fillValues(MeshPatch& patch, const Mesh& mesh)

@@ -46,8 +46,9 @@ DrawArrays drawArraysOf(const TriangleMesh& mesh)
         const double length = normals[v].norm();
         const Vec3 n = length > 0 ? Vec3(normals[v] * (longest / length)) : Vec3::Zero();
         const Rgb color = mesh.colors.empty() ? Rgb() : mesh.colors[v];
-        model.vertices.push_back(
-            {mesh.points[v], {toByte(n.x()), toByte(n.y()), toByte(n.z()), 0}, {color.r, color.g, color.b, 255}});
+        model.vertices.push_back({mesh.points[v],
+                                  {toByte(n.x()), toByte(n.y()), toByte(n.z()), 0},
+                                  {color.r, color.g, color.b, DrawVertex::flat}});
     }
     return model;
 }

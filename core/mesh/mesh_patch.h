@@ -6,14 +6,20 @@
 
 namespace core
 {
-/// A vertex as viewers draw it: 20 bytes.
+/// A vertex as viewers draw it: 24 bytes.
 struct DrawVertex
 {
+    /// The curvature of a surface that is neither hollow nor a ridge.
+    static constexpr std::uint8_t flat = 128;
+
     Vec3f position;
     std::array<std::int8_t, 4> normal; ///< unit normal x 127; the fourth is half of the mask (see Mesh::mask)
-    std::array<std::uint8_t, 4> color; ///< sRGB, alpha 255
+    std::array<std::uint8_t, 4> color; ///< sRGB; the fourth is the curvature: 1 a sharp valley, 255 a sharp ridge
+    /// Unit direction of the sharp edge through the vertex, x 127, to either side; zero where edges meet or turn. The
+    /// fourth is how sharp it is: 0 not at all, 127 by 45 degrees or more.
+    std::array<std::int8_t, 4> crease{};
 };
-static_assert(sizeof(DrawVertex) == 20);
+static_assert(sizeof(DrawVertex) == 24);
 
 /// `count` slots from `first` on; their values follow those of the spans before in the patch's value array.
 struct SlotSpan

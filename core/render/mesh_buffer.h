@@ -35,8 +35,8 @@ public:
     void shade(const Footprint* shades);
     bool isShaded() const { return m_isShaded; }
 
-    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour, 3 the footprint's
-    /// weight, 4 the shade.
+    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal and mask, 2 colour and
+    /// curvature, 3 the footprint's weight, 4 the shade, 5 the sharp edge.
     void draw() const;
 
     bool empty() const { return m_faceSlots == 0; }
@@ -189,11 +189,12 @@ template <class Gl> void MeshBuffer<Gl>::bindAttributes() const
     m_gl->glVertexAttribPointer(0, 3, gl::singleFloat, 0, stride, offset(offsetof(DrawVertex, position)));
     m_gl->glVertexAttribPointer(1, 4, gl::signedByte, 1, stride, offset(offsetof(DrawVertex, normal)));
     m_gl->glVertexAttribPointer(2, 4, gl::unsignedByte, 1, stride, offset(offsetof(DrawVertex, color)));
+    m_gl->glVertexAttribPointer(5, 4, gl::signedByte, 1, stride, offset(offsetof(DrawVertex, crease)));
     m_gl->glBindBuffer(gl::arrayBuffer, m_tint.id());
     m_gl->glVertexAttribPointer(3, 1, gl::unsignedByte, 1, 1, nullptr);
     m_gl->glBindBuffer(gl::arrayBuffer, m_shades.id());
     m_gl->glVertexAttribPointer(4, 1, gl::unsignedByte, 1, 1, nullptr);
-    for (unsigned int i = 0; i < 5; ++i)
+    for (unsigned int i = 0; i < 6; ++i)
         m_gl->glEnableVertexAttribArray(i);
     m_gl->glBindVertexArray(0);
 }

@@ -63,6 +63,13 @@ constexpr bool canAirbrush(Tool tool)
     return tool == Tool::Pull || tool == Tool::Push || tool == Tool::Inflate || tool == Tool::Clay ||
            tool == Tool::Smooth || tool == Tool::Pinch || tool == Tool::Paint;
 }
+/// Returns the part of the radius, 0 to 1, within which the tool moves everything alike; b(x) falls off from there to
+/// the rim. What Snake Hook has there keeps its shape and stays with the brush. With a falloff from the centre on, all
+/// but the tip would fall behind, and what is drawn out become a thread.
+constexpr double coreShare(Tool tool)
+{
+    return tool == Tool::SnakeHook ? 0.5 : 0;
+}
 /// Adds a ball, or the brush's model, where StrokeSettings::add wants it.
 constexpr bool canAddSolid(Tool tool)
 {

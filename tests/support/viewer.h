@@ -13,7 +13,7 @@ struct Viewer
 
     void apply(const core::MeshPatch& patch)
     {
-        vertices.resize(patch.vertexSlots, {core::Vec3f::Constant(-77), {1, 2, 3, 4}, {}}); // garbage until told
+        vertices.resize(patch.vertexSlots, {core::Vec3f::Constant(-77), {1, 2, 3, 4}, {}, {}}); // garbage until told
         faces.resize(patch.faceSlots, {7, 7, 7});
         put(patch.vertexSpans, patch.vertices, vertices);
         put(patch.faceSpans, patch.faces, faces);
@@ -36,7 +36,7 @@ struct Viewer
 private:
     static bool same(const core::DrawVertex& a, const core::DrawVertex& b)
     {
-        return a.position == b.position && a.normal == b.normal && a.color == b.color;
+        return a.position == b.position && a.normal == b.normal && a.color == b.color && a.crease == b.crease;
     }
 
     template <class Value>

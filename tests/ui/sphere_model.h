@@ -16,7 +16,7 @@ struct SphereModel
     {
         const core::Vec3f n = p.normalized() * 127;
         const auto byte = [](float x) { return static_cast<std::int8_t>(std::lround(x)); };
-        return {p, {byte(n.x()), byte(n.y()), byte(n.z()), 0}, {200, 200, 200, 255}};
+        return {p, {byte(n.x()), byte(n.y()), byte(n.z()), 0}, {200, 200, 200, core::DrawVertex::flat}};
     }
 
     core::Slot vertices() const { return static_cast<core::Slot>(mesh.points.size()); }

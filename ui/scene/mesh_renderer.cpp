@@ -2,8 +2,14 @@
 
 #include "ui/scene/gl_convert.h"
 
+#include "core/stroke/symmetry_plane.h"
+
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
+#include <QVector2D>
+
+#include <cmath>
+#include <numbers>
 
 namespace ui
 {
@@ -70,14 +76,20 @@ void MeshRenderer::destroy()
     m_gl = nullptr;
 }
 
-void MeshRenderer::setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror)
+void MeshRenderer::tintBall(const core::Vec3& center, const core::StrokeSettings& brush)
 {
-    const auto packed = [](const core::Vec3& center, double radius) {
-        return QVector4D(toQt(center), static_cast<float>(radius));
-    };
-    m_ball = packed(ball.center, ball.radius);
-    m_ballImage = packed(ball.center - 2 * mirror * mirror.dot(ball.center), mirror.isZero() ? 0 : ball.radius);
-    m_ballFalloff = static_cast<float>(falloff);
+    const core::Vec3 mirror = core::planeNormal(brush.symmetry);
+    m_ball = QVector4D(toQt(center), static_cast<float>(brush.radius));
+    m_ballImage = mirror.isZero() ? QVector4D()
+                                  : QVector4D(toQt(core::Vec3(center - 2 * mirror * mirror.dot(center))), m_ball.w());
+    m_ballFalloff = static_cast<float>(brush.falloff);
+    m_ballCore = static_cast<float>(core::coreShare(brush.tool));
+    m_sectors = static_cast<float>(brush.radial);
+}
+
+void MeshRenderer::tintNothing()
+{
+    m_ball = m_ballImage = {};
 }
 
 void MeshRenderer::draw(const OrbitCamera& camera, const MeshView& picture)
@@ -122,13 +134,24 @@ void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
     setShading(*m_meshProgram, picture.shading);
     m_meshProgram->setUniformValue("flatShading", picture.flat);
     m_meshProgram->setUniformValue("encodeSrgb", 1.0F);
-    m_meshProgram->setUniformValue("cutNormal", toQt(m_cutNormal));
+    const core::Vec3 cutNormal = camera.viewMatrix().topLeftCorner<3, 3>() * m_cutNormal;
+    const core::Vec3 origin = camera.viewMatrix().col(3).head<3>();
+    m_meshProgram->setUniformValue("cutPlane", QVector4D(toQt(cutNormal), static_cast<float>(-cutNormal.dot(origin))));
     m_meshProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
     m_meshProgram->setUniformValue("ball", m_ball);
     m_meshProgram->setUniformValue("ballImage", m_ballImage);
     m_meshProgram->setUniformValue("shaded", m_mesh.isShaded() ? 1.0F : 0.0F);
     m_meshProgram->setUniformValue("ballFalloff", m_ballFalloff);
+    m_meshProgram->setUniformValue("ballCore", m_ballCore);
     m_meshProgram->setUniformValue("sectors", m_sectors);
+    const float sector = 2 * std::numbers::pi_v<float> / m_sectors;
+    m_meshProgram->setUniformValue("sector", QVector2D(std::cos(sector), std::sin(sector)));
+    const QMatrix4x4 view = toQt(camera.viewMatrix());
+    const auto inEye = [&](const QVector4D& ball) { return QVector4D(view.map(ball.toVector3D()), ball.w()); };
+    m_meshProgram->setUniformValue("ballInEye", inEye(m_ball));
+    m_meshProgram->setUniformValue("imageInEye", inEye(m_ballImage));
+    m_meshProgram->setUniformValue("tinted", picture.tint ? 1.0F : 0.0F);
+    m_meshProgram->setUniformValue("cavity", picture.cavity && !m_mesh.isShaded() ? 1.0F : 0.0F);
     m_mesh.draw();
     m_meshProgram->release();
 }

@@ -4,6 +4,8 @@
 #include "ui/scene/mesh_buffer.h"
 #include "ui/scene/orbit_camera.h"
 
+#include "core/stroke/stroke.h"
+
 #include <QSize>
 #include <QVector4D>
 
@@ -20,6 +22,8 @@ struct MeshView
     core::Shading shading;
     bool flat = false;
     bool wireframe = false;
+    bool tint = true;      ///< shows what the brush would move
+    bool cavity = false;   ///< darkens valleys, lightens ridges
     QSize pixels;          ///< physical, of the framebuffer
     double pixelRatio = 1; ///< physical pixels to one logical pixel
 };
@@ -41,11 +45,9 @@ public:
     /// A line where the plane through the origin with that unit normal cuts the clay; zero: none.
     void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
 
-    /// The vertices in the ball are tinted as b(x) of that n weighs them; so are those in its image about the plane
-    /// through the origin with that unit normal, unless that is zero. Radius 0: none.
-    void setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror);
-    /// About y, in each of which that ball and its image are tinted; 1 at first.
-    void setSectors(int sectors) { m_sectors = static_cast<float>(sectors); }
+    /// Tints what a spherical brush at `center` would move, mm, by its weights, with mirror images and in all sectors.
+    void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
+    void tintNothing();
 
     /// Clears depth; leaves depth test, culling and blending as OpenGL starts with.
     void draw(const OrbitCamera& camera, const MeshView& picture);
@@ -60,7 +62,7 @@ private:
     unsigned int m_noVertices = 0;
     core::Vec3 m_cutNormal = core::Vec3::Zero();
     QVector4D m_ball, m_ballImage; ///< centre and radius
-    float m_ballFalloff = 0, m_sectors = 1;
+    float m_ballFalloff = 0, m_ballCore = 0, m_sectors = 1;
     MeshBuffer m_mesh;
 };
 } // namespace ui

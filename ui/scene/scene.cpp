@@ -262,13 +262,12 @@ void Scene::hideCursor()
 void Scene::tintBall(const core::Vec3& center, const core::StrokeSettings& brush)
 {
     tint(nullptr);
-    m_state->painter.setTintedBall({center, brush.radius}, brush.falloff, core::planeNormal(brush.symmetry));
-    m_state->painter.setSectors(brush.radial);
+    m_state->painter.tintBall(center, brush);
 }
 
 void Scene::tint(const std::shared_ptr<const core::Footprint>& footprint)
 {
-    m_state->painter.setTintedBall({}, 0, core::Vec3::Zero());
+    m_state->painter.tintNothing();
     if (footprint == m_state->footprint)
         return;
     m_state->footprint = footprint;
@@ -332,6 +331,8 @@ void Scene::setAppearance(const ViewAppearance& appearance, bool darkTheme)
     s.picture.backdrop = backdropOf(appearance.background, darkTheme);
     s.picture.shading = shadingOf(appearance.material);
     s.picture.flat = appearance.flat;
+    s.picture.tint = appearance.tint;
+    s.picture.cavity = appearance.cavity;
     s.picture.wireframe = appearance.wireframe;
     s.ground->setDark(isDark(s.picture.backdrop));
     s.plane->setDark(isDark(s.picture.backdrop));

@@ -176,6 +176,8 @@ inline constexpr auto rows<ViewAppearance> = std::tuple{
     row(&ViewAppearance::ground, "view/ground"),
     row(&ViewAppearance::scaleBar, "view/scaleBar"),
     row(&ViewAppearance::caption, "view/caption"),
+    row(&ViewAppearance::tint, "view/tint"),
+    row(&ViewAppearance::cavity, "view/cavity"),
 };
 
 template <>

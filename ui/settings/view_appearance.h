@@ -41,6 +41,8 @@ struct ViewAppearance
     bool ground = true;
     bool scaleBar = true;
     bool caption = true; ///< of the brush, while VR is worn
+    bool tint = true;    ///< colours what the brush would move
+    bool cavity = false; ///< darkens valleys, lightens ridges
 
     bool operator==(const ViewAppearance&) const = default;
 };

@@ -1,5 +1,8 @@
 #include "vr/scene/mesh_program.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace vr
 {
 void MeshProgram::useFor(const EyeUniforms& eye) const
@@ -14,7 +17,41 @@ void MeshProgram::useFor(const EyeUniforms& eye) const
     cut.set(0.0F);
     ball.set(Eigen::Vector4f(0, 0, 0, 0));
     ballImage.set(Eigen::Vector4f(0, 0, 0, 0));
-    sectors.set(1.0F);
+    ballInEye.set(Eigen::Vector4f(0, 0, 0, 0));
+    imageInEye.set(Eigen::Vector4f(0, 0, 0, 0));
+    setSectors(1);
+    tinted.set(0.0F);
+    cavity.set(0.0F);
+}
+
+void MeshProgram::tintBalls(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector4f& brush,
+                            const Eigen::Vector4f& image) const
+{
+    const Eigen::Matrix4f toEye = eye.view * toRoom;
+    const float scale = toEye.col(0).head<3>().norm();
+    const auto inEye = [&](const Eigen::Vector4f& of) {
+        const Eigen::Vector4f center = toEye * Eigen::Vector4f(of.x(), of.y(), of.z(), 1);
+        return Eigen::Vector4f(center.x(), center.y(), center.z(), scale * of.w());
+    };
+    ball.set(brush);
+    ballImage.set(image);
+    ballInEye.set(inEye(brush));
+    imageInEye.set(inEye(image));
+}
+
+void MeshProgram::cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector3f& normal) const
+{
+    const Eigen::Matrix4f toEye = eye.view * toRoom;
+    const Eigen::Vector3f inEye = toEye.topLeftCorner<3, 3>() * normal;
+    cut.set(normal.isZero() ? 0.0F : 1.0F);
+    cutPlane.set(Eigen::Vector4f(inEye.x(), inEye.y(), inEye.z(), -inEye.dot(toEye.col(3).head<3>())));
+}
+
+void MeshProgram::setSectors(float count) const
+{
+    const float angle = 2 * std::numbers::pi_v<float> / count;
+    sectors.set(count);
+    sector.set(Eigen::Vector2f(std::cos(angle), std::sin(angle)));
 }
 
 void MeshProgram::shade(const core::Shading& shading) const

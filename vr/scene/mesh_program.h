@@ -15,17 +15,23 @@ public:
 
     /// Puts it in use for an eye. Without cut, footprint and faults, each vertex in its own shade.
     void useFor(const EyeUniforms& eye) const;
-    /// From the vertices' own space to the room.
+    /// From the vertices' own space, scaled evenly, to the room.
     void place(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom) const
     {
         view.set(Eigen::Matrix4f(eye.view * toRoom));
     }
+    /// Tints what is in a ball and in its mirror image: centre and radius, in the vertices' own space. Radius 0: none.
+    void tintBalls(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector4f& ball,
+                   const Eigen::Vector4f& image) const;
+    /// Draws a line where the plane through the origin of the vertices' own space cuts. Zero: none.
+    void cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector3f& normal) const;
     void shade(const core::Shading& shading) const;
+    /// In how many sectors about the y axis the ball and its image are.
+    void setSectors(float count) const;
 
     Uniform flatShading{this, "flatShading"};
-    Uniform cut{this, "cut"}, cutNormal{this, "cutNormal"};
-    Uniform ball{this, "ball"}, ballImage{this, "ballImage"}, ballFalloff{this, "ballFalloff"},
-        sectors{this, "sectors"};
+    Uniform ballFalloff{this, "ballFalloff"}, ballCore{this, "ballCore"};
+    Uniform tinted{this, "tinted"}, cavity{this, "cavity"};
 
 private:
     Uniform view{this, "view"}, projection{this, "projection"};
@@ -34,5 +40,9 @@ private:
         rim{this, "rim"};
     Uniform through{this, "through"}, sheen{this, "sheen"};
     Uniform encodeSrgb{this, "encodeSrgb"}, shaded{this, "shaded"};
+    Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"};
+    Uniform ball{this, "ball"}, ballImage{this, "ballImage"};
+    Uniform ballInEye{this, "ballInEye"}, imageInEye{this, "imageInEye"};
+    Uniform sectors{this, "sectors"}, sector{this, "sector"};
 };
 } // namespace vr

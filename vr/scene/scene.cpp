@@ -25,10 +25,10 @@ struct MeshAppearance
 {
     Eigen::Matrix4f toRoom = Eigen::Matrix4f::Identity();
     core::Shading shading;
-    bool isFlat = false;
+    bool isFlat = false, hasTint = true, hasCavity = false;
     Eigen::Vector3f cutNormal = Eigen::Vector3f::Zero();
     Eigen::Vector4f ball = Eigen::Vector4f::Zero(), ballImage = Eigen::Vector4f::Zero(); ///< centre and radius, mm
-    float ballFalloff = 0, sectors = 1;
+    float ballFalloff = 0, ballCore = 0, sectors = 1;
 };
 
 namespace
@@ -43,6 +43,8 @@ MeshAppearance meshAppearance(const SceneState& state)
     look.toRoom = state.model.matrix().cast<float>();
     look.shading = state.shading;
     look.isFlat = state.isFlat;
+    look.hasTint = state.hasTint;
+    look.hasCavity = state.hasCavity;
     const core::Vec3 normal = core::planeNormal(state.symmetry);
     look.cutNormal = normal.cast<float>();
     look.sectors = static_cast<float>(state.radial);
@@ -53,6 +55,7 @@ MeshAppearance meshAppearance(const SceneState& state)
         look.ballImage << (center - 2 * normal * normal.dot(center)).cast<float>(),
             static_cast<float>(normal.isZero() ? 0 : radius);
         look.ballFalloff = static_cast<float>(brush->falloff);
+        look.ballCore = static_cast<float>(brush->core);
     }
     return look;
 }
@@ -129,12 +132,13 @@ void Scene::State::drawOpaque(const EyeUniforms& eye)
     for (const ShownWand& wand : wands)
         wandRenderer.draw(eye, meshProgram, wand);
     meshProgram.flatShading.set(look.isFlat ? 1 : 0);
-    meshProgram.cut.set(look.cutNormal.isZero() ? 0.0F : 1.0F);
-    meshProgram.cutNormal.set(look.cutNormal);
-    meshProgram.ball.set(look.ball);
-    meshProgram.ballImage.set(look.ballImage);
+    meshProgram.cutAlong(eye, look.toRoom, look.cutNormal);
+    meshProgram.tintBalls(eye, look.toRoom, look.ball, look.ballImage);
     meshProgram.ballFalloff.set(look.ballFalloff);
-    meshProgram.sectors.set(look.sectors);
+    meshProgram.ballCore.set(look.ballCore);
+    meshProgram.setSectors(look.sectors);
+    meshProgram.tinted.set(look.hasTint ? 1.0F : 0.0F);
+    meshProgram.cavity.set(look.hasCavity ? 1.0F : 0.0F);
     meshProgram.place(eye, look.toRoom);
     meshProgram.shade(look.shading);
     clock.run([&] { mesh.shown().draw(); });

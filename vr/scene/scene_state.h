@@ -42,6 +42,7 @@ struct BallBrush
     core::Vec3 center = core::Vec3::Zero();
     double radius = 0.03;
     int falloff = 4; ///< n of b(x), by which the mesh within the brush is tinted
+    double core = 0; ///< part of the radius within which its weight is 1
 };
 
 /// The ray brush. Units: metres, in room space.
@@ -86,7 +87,9 @@ struct SceneState
     Eigen::Affine3d model = Eigen::Affine3d(Eigen::UniformScaling(1e-3));
     core::Box box; ///< of the model, mm; empty: no model
     core::Shading shading;
-    bool isFlat = false; ///< shades each triangle evenly
+    bool isFlat = false;    ///< shades each triangle evenly
+    bool hasTint = true;    ///< colours what the brush would move
+    bool hasCavity = false; ///< darkens valleys, lightens ridges
     core::Symmetry symmetry = core::Symmetry::None;
     int radial = 1; ///< sectors about the model's y axis
     std::variant<std::monostate, BallBrush, RayBrush> brush;

@@ -33,7 +33,9 @@ struct DocumentUpdate
     quint64 model = 0; ///< counts the models that were opened: another one is placed before the head
     core::Box box;     ///< mm
     core::Shading shading;
-    bool isFlat = false; ///< each triangle in one shade
+    bool isFlat = false;    ///< each triangle in one shade
+    bool hasTint = true;    ///< what the brush would move is coloured
+    bool hasCavity = false; ///< valleys are darkened, ridges lightened
     /// Tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion as the window has them.
     /// `brushChange` counts the window's own changes: what the headset requested is reported back without one.
     core::StrokeSettings brush;

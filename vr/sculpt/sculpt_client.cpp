@@ -330,6 +330,8 @@ void SculptClient::updateScene(const FrameInput& input)
     m_state.box = m_update.box;
     m_state.shading = m_update.shading;
     m_state.isFlat = m_update.isFlat;
+    m_state.hasTint = m_update.hasTint;
+    m_state.hasCavity = m_update.hasCavity;
     m_state.symmetry = brush.stroke.symmetry;
     m_state.radial = brush.stroke.radial;
     m_state.hasFloor = m_settings.showsFloor;

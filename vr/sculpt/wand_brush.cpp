@@ -115,7 +115,7 @@ std::variant<std::monostate, BallBrush, RayBrush> WandBrush::shown(const ModelPl
     if (!m_tip)
         return {};
     if (!isRay())
-        return BallBrush{m_tip->position, m_state.radius, m_state.stroke.falloff};
+        return BallBrush{m_tip->position, m_state.radius, m_state.stroke.falloff, core::coreShare(m_state.stroke.tool)};
     RayBrush ray{{m_tip->position, m_tip->forward()}, {}};
     if (m_queryResult.hit)
         ray.hit = RayBrush::Hit{placement.toRoom(m_queryResult.hit->position),

@@ -21,9 +21,6 @@ constexpr double swellPerPeak = 0.6;
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, maxPinched = 0.5;
 /// The depth that a dab of Crease cuts at strength 1, in radii.
 constexpr double creaseDepth = 0.05;
-/// The part of the radius within which Snake Hook moves all alike: what is there keeps its shape, and stays with the
-/// brush. With a falloff from the centre on, all but the tip would fall behind, and what is drawn out become a thread.
-constexpr double hookCore = 0.5;
 constexpr std::size_t plannedPerChunk = 256;
 
 Vec3 unitNormal(const Mesh& mesh, Slot v)
@@ -232,9 +229,8 @@ Field fieldOf(const FieldInput& d)
 
 double weightAt(double distance, const StrokeSettings& settings, const Dab& dab)
 {
-    const double x = std::min(distance / dab.radius, 1.0);
-    return falloff(settings.tool == Tool::SnakeHook ? std::max(x - hookCore, 0.0) / (1 - hookCore) : x,
-                   settings.falloff);
+    const double x = std::min(distance / dab.radius, 1.0), inner = coreShare(settings.tool);
+    return falloff(std::max(x - inner, 0.0) / (1 - inner), settings.falloff);
 }
 
 Vec3 meanNormal(const Region& region, const Mesh& mesh)

@@ -425,6 +425,10 @@ void TestHeadsetControllerRequests::look_fromTheWindow()
     visit.program.window.action(QStringLiteral("view.flat"))->setChecked(true);
     QVERIFY(visit.update().shading == ui::shadingOf(ui::Material::Pearl));
     QVERIFY(visit.update().isFlat);
+    QVERIFY(visit.update().hasTint && !visit.update().hasCavity);
+    visit.program.window.action(QStringLiteral("view.tint"))->setChecked(false);
+    visit.program.window.action(QStringLiteral("view.cavity"))->setChecked(true);
+    QVERIFY(!visit.update().hasTint && visit.update().hasCavity);
 }
 
 void TestHeadsetControllerRequests::settings_areKept()

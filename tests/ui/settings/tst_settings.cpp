@@ -171,7 +171,8 @@ private Q_SLOTS:
     void resettingKeepsWhatAPersonMade()
     {
         ui::Settings settings;
-        settings.set(ui::ViewAppearance{ui::Material::Wax, ui::Background::Sky, true, true, false, false});
+        settings.set(
+            ui::ViewAppearance{ui::Material::Wax, ui::Background::Sky, true, true, false, false, false, false, true});
         settings.set(&ui::Setting::historyMegabytes, 99);
         settings.set(&ui::Setting::radiusShare, 0.3);
         settings.set(&ui::Setting::windowState, "state");
@@ -195,7 +196,8 @@ private Q_SLOTS:
         QCOMPARE(ui::Settings().get<ui::ViewAppearance>(), ui::ViewAppearance());
         for (const auto& material : ui::materials)
             for (const auto& background : ui::backgrounds) {
-                const ui::ViewAppearance appearance{material.value, background.value, true, true, false, false};
+                const ui::ViewAppearance appearance{
+                    material.value, background.value, true, true, false, false, false, false, true};
                 ui::Settings().set(appearance);
                 QCOMPARE(ui::Settings().get<ui::ViewAppearance>(), appearance);
             }

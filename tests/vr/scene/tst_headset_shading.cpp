@@ -55,6 +55,7 @@ private Q_SLOTS:
     void headsTurn_changesNoShade();
 
 private:
+    void show(bool isSharp);
     QImage desktop(const ui::MeshView& picture);
     /// The model shrunk to metres and put somewhere in the room, turned; the head where the desktop's camera is.
     vr::SceneState state(const core::Shading& shading) const;
@@ -78,12 +79,7 @@ void TestHeadsetShading::initTestCase()
     QVERIFY(m_painter.create(
         QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(QOpenGLContext::currentContext())));
     QVERIFY(m_scene.create(m_offscreen->gl()));
-    core::MeshPatch patch = m_model.whole();
-    for (std::size_t i = 0; i < patch.vertices.size(); ++i) // painted on one side
-        if (patch.vertices[i].position.x() > 20)
-            patch.vertices[i].color = {40, 90, 230, 255};
-    m_painter.meshBuffer().apply(patch);
-    m_scene.apply(patch);
+    show(false);
     m_camera.setViewport(size.width(), size.height());
     m_camera.frame(m_model.box());
 
@@ -96,6 +92,22 @@ void TestHeadsetShading::initTestCase()
             if (nearest < 49)
                 m_mask.setPixel(x, y, 0xFFFFFFFF);
         }
+}
+
+/// A ball painted on one side, with a hollow on the other; perhaps as if there were an edge at each vertex of its top.
+void TestHeadsetShading::show(bool isSharp)
+{
+    core::MeshPatch patch = m_model.whole();
+    for (core::DrawVertex& vertex : patch.vertices) {
+        if (vertex.position.x() > 20)
+            vertex.color = {40, 90, 230, core::DrawVertex::flat};
+        else if (vertex.position.x() < -20)
+            vertex.color[3] = 40;
+        if (isSharp && vertex.position.y() > 10)
+            vertex.crease = {127, 0, 0, 127};
+    }
+    m_painter.meshBuffer().apply(patch);
+    m_scene.apply(patch);
 }
 
 QImage TestHeadsetShading::desktop(const ui::MeshView& picture)
@@ -143,10 +155,14 @@ void TestHeadsetShading::clay_looksAsOnTheDesktop_data()
     QTest::addColumn<int>("material");
     QTest::addColumn<bool>("flat");
     QTest::addColumn<bool>("mirrored");
+    QTest::addColumn<bool>("cavity");
+    QTest::addColumn<bool>("sharp");
     for (const auto& row : ui::materials)
-        QTest::newRow(row.key) << static_cast<int>(row.value) << false << false;
-    QTest::newRow("flat") << 0 << true << false;
-    QTest::newRow("cut by the plane of symmetry") << 0 << false << true;
+        QTest::newRow(row.key) << static_cast<int>(row.value) << false << false << false << false;
+    QTest::newRow("flat") << 0 << true << false << false << false;
+    QTest::newRow("cut by the plane of symmetry") << 0 << false << true << false << false;
+    QTest::newRow("cavity") << 0 << false << false << true << false;
+    QTest::newRow("sharp edges") << 0 << false << false << false << true;
 }
 
 void TestHeadsetShading::clay_looksAsOnTheDesktop()
@@ -154,17 +170,23 @@ void TestHeadsetShading::clay_looksAsOnTheDesktop()
     QFETCH(int, material);
     QFETCH(bool, flat);
     QFETCH(bool, mirrored);
+    QFETCH(bool, cavity);
+    QFETCH(bool, sharp);
+    show(sharp);
     const core::Shading shading = ui::shadingOf(static_cast<ui::Material>(material));
     const core::Symmetry symmetry = mirrored ? core::Symmetry::X : core::Symmetry::None;
     m_painter.setCut(core::planeNormal(symmetry));
-    const QImage onDesktop = desktop({.backdrop = {}, .shading = shading, .flat = flat, .pixels = size});
+    const QImage onDesktop =
+        desktop({.backdrop = {}, .shading = shading, .flat = flat, .cavity = cavity, .pixels = size});
 
     vr::SceneState shown = state(shading);
     shown.isFlat = flat;
+    shown.hasCavity = cavity;
     shown.symmetry = symmetry;
     shown.box.setEmpty(); // no plane in front of the mesh
     const TestImage image(m_offscreen->gl(), size);
     const Difference found = difference(onDesktop, headset(shown, eye(shown.head, image), image), m_mask);
+    show(false);
     QVERIFY(found.compared > 5000);
     QVERIFY2(found.most <= 2, qPrintable(QString::number(found.most)));
 }

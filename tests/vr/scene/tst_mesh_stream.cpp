@@ -54,7 +54,7 @@ struct MemoryBuffer
     bool shows(const MemoryBuffer& other) const
     {
         const auto same = [](const core::DrawVertex& a, const core::DrawVertex& b) {
-            return a.position == b.position && a.normal == b.normal && a.color == b.color;
+            return a.position == b.position && a.normal == b.normal && a.color == b.color && a.crease == b.crease;
         };
         return std::ranges::equal(vertices, other.vertices, same) && faces == other.faces;
     }
