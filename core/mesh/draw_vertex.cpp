@@ -19,10 +19,11 @@ constexpr double straightCosine = 0.7660444431189780;
 constexpr double ridgeRadius = 0.025;
 constexpr double latticeSteps = 1 << 20; ///< of that coordinate
 
-/// How sharp the edge between two faces of these normals is, 0 to 1. Costs no square root where it is not at all.
-double sharpness(const Vec3& a, const Vec3& b)
+/// How sharp the edge between two faces of these normals is, 0 to 1. `squared`: the product of their squared lengths.
+/// Costs no square root where it is not at all.
+double sharpness(const Vec3& a, const Vec3& b, double squared)
 {
-    const double along = a.dot(b), squared = a.squaredNorm() * b.squaredNorm();
+    const double along = a.dot(b);
     if (along > 0 && along * along >= smoothCosine * smoothCosine * squared)
         return 0;
     return std::min((smoothCosine - along / std::sqrt(squared)) / (smoothCosine - sharpCosine), 1.0);
@@ -80,21 +81,23 @@ Star starOf(const Mesh& mesh, Slot v)
     const Slot first = mesh.outgoing(v);
     const Vec3 firstSpoke = spokeOf(first);
     Vec3 spoke = firstSpoke, before = Vec3::Zero(), firstFace = Vec3::Zero();
+    double squaredBefore = 0, squaredFirst = 0;
     int valence = 0;
     Slot h = first;
     do {
         h = mesh.rotate(h);
         const Vec3 next = spokeOf(h), face = spoke.cross(next);
+        const double squared = face.squaredNorm();
         star.normal += face;
         star.pull += spoke / spoke.squaredNorm();
         if (valence++ == 0)
-            firstFace = face;
+            firstFace = face, squaredFirst = squared;
         else
-            star.sharp.add(sharpness(before, face), spoke);
-        before = face;
+            star.sharp.add(sharpness(before, face, squaredBefore * squared), spoke);
+        before = face, squaredBefore = squared;
         spoke = next;
     } while (h != first);
-    star.sharp.add(sharpness(before, firstFace), firstSpoke);
+    star.sharp.add(sharpness(before, firstFace, squaredBefore * squaredFirst), firstSpoke);
     star.pull /= valence;
     return star;
 }
