@@ -5,6 +5,8 @@
 #include "core/sculpt/dab_selection.h"
 #include "core/sculpt/deform/deform.h"
 #include "core/sculpt/deform/mirrored_deform.h"
+#include "core/sculpt/deform/stamp_shape.h"
+#include "core/sculpt/remesh/outline_cut.h"
 #include "core/sculpt/select/selector.h"
 #include "core/sculpt/verify/mesh_transaction.h"
 #include "core/util/phase_timer.h"
@@ -76,6 +78,11 @@ RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEd
         if (rest)
             rest->measure(context.region, context.mesh());
     }
+    m_outline.clear();
+    if (context.settings.tool == Tool::Stamp && context.settings.topology != Topology::Keep) {
+        const PhaseTimer timer(context.report.optimiseMs);
+        counts += cutOutline(context, edit);
+    }
     const PhaseTimer timer(context.report.deformMs, context.report.fuseMs);
     context.report.asked = this->plan(context);
     const EdgeBounds fine = context.grab.bounds(context.settings, context.mesh(), context.bounds);
@@ -90,15 +97,38 @@ RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEd
     return counts;
 }
 
+/// Makes the outline of the stamp run along edges, so that its rim does.
+RemeshCounts DabSteps::cutOutline(DabContext& context, MeshEditor& edit)
+{
+    const Region* selected = &context.region;
+    if (context.mirror) {
+        selectBothSides(context, m_whole);
+        selected = &m_whole;
+    }
+    context.dab.normal = meanNormal(*selected, context.mesh());
+    const DabFrame frame = frameOn(*selected, context.mesh(), context.settings, context.dab);
+    const StampShape shape(frame, context.settings, context.dab);
+    const ShapeDepth depth = [&](const Vec3& p) { return shape.depthAt(p); };
+    RemeshPass pass(edit, context.region, context.bounds, context.rest());
+    m_outline = OutlineCut(pass, depth, context.ball).cut();
+    return pass.counts;
+}
+
 /// Returns the longest displacement planned, in mm.
 double DabSteps::plan(DabContext& context)
 {
     const StrokeSettings& settings = context.settings;
     if (settings.tool == Tool::Layer)
         context.request.displacements.recall(context.region, context.mesh());
+    Region& whole = context.mirror ? m_whole : context.region;
+    if (context.mirror)
+        selectBothSides(context, m_whole);
+    for (Slot v : m_outline.slots()) {
+        if (whole.contains(v))
+            whole.setCarried(v, 1);
+    }
     if (!context.mirror)
         return planDeformation(context.region, context.mesh(), settings, context.dab);
-    selectBothSides(context, m_whole);
     return planMirrored(context.region, m_whole, *context.mirror, context.mesh(), settings, context.dab);
 }
 

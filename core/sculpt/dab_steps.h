@@ -33,11 +33,13 @@ public:
     bool isContact(const DabContext& context, const StepPlan& plan);
 
 private:
+    RemeshCounts cutOutline(DabContext& context, MeshEditor& edit);
     double plan(DabContext& context);
     bool optimiseJoints(DabContext& context, int smoothings);
     static bool canFacesFuse(const DabContext& context);
 
     TopologyFusion m_fusion;
-    Region m_whole; ///< with a mirror: what the dab alone selects, on both sides
+    Region m_whole;    ///< with a mirror: what the dab alone selects, on both sides
+    SlotSet m_outline; ///< of Stamp: vertices on the outline that was cut
 };
 } // namespace core

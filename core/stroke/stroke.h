@@ -128,7 +128,8 @@ struct Dab
     Vec3 up = Vec3::UnitY();    ///< the world's, or the hand's, in the model's space; of unit length
     /// Away from who stands before the model, or holds the brush, there; the same, and across up.
     Vec3 ahead = -Vec3::UnitZ();
-    bool isMirrored = false; ///< the image of what the hand does
+    bool isMirrored = false;     ///< the image of what the hand does
+    Vec3 normal = Vec3::Zero();  ///< of Stamp: the surface's mean normal before its outline was cut, or zero
 };
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };

@@ -24,7 +24,7 @@ DabFrame frameOf(const Vec3& normal, const Vec3& way, bool isMirrored)
 
 DabFrame frameOn(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
 {
-    const Vec3 normal = meanNormal(region, mesh);
+    const Vec3 normal = dab.normal.isZero(0) ? meanNormal(region, mesh) : dab.normal;
     if (normal.isZero(0))
         return {};
     const Vec3 way = settings.alphaFollows ? alongPlane(dab.motion, normal) : Vec3(Vec3::Zero());

@@ -20,8 +20,6 @@ DabWeights::DabWeights(const Region& region, const Mesh& mesh, const StrokeSetti
 
 double DabWeights::at(const Vec3& p, double distance) const
 {
-    if (m_stamp)
-        return m_stamp->depthAt(p) != 0 ? 1 : 0;
     const double weight = weightAt(distance, m_settings, m_dab);
     if (!m_alpha || weight == 0)
         return weight;

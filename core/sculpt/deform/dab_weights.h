@@ -13,7 +13,13 @@ public:
     DabWeights(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 
     /// Precondition: the region holds v.
-    double of(Slot v) const { return at(m_mesh.point(v).cast<double>(), m_region.distance(v)); }
+    double of(Slot v) const
+    {
+        const Vec3 p = m_mesh.point(v).cast<double>();
+        if (m_stamp)
+            return m_region.carried(v) == 0 && m_stamp->depthAt(p) != 0 ? 1 : 0;
+        return at(p, m_region.distance(v));
+    }
 
 private:
     double at(const Vec3& p, double distance) const;

@@ -180,12 +180,17 @@ double longestEdge(const Mesh& mesh, Slot v)
     return std::sqrt(longest2);
 }
 
-/// Moves vertices to the surface of the stamp (StampShape). Smooths its outline over a square as wide as the longest
-/// edge at a vertex.
+/// Moves vertices to the surface of the stamp (StampShape); those on its outline stay. Where the mesh is kept, and so
+/// was not cut along the outline, smooths that over a square as wide as the longest edge at a vertex.
 Field stamp(const FieldInput& d)
 {
-    return [&d, stamp = StampShape(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](
-               Slot v, double) -> Vec3 { return stamp.field(d.point(v), 0.5 * longestEdge(d.mesh, v)); };
+    const bool isCut = d.settings.topology != Topology::Keep;
+    return [&d, isCut, stamp = StampShape(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](
+               Slot v, double) -> Vec3 {
+        if (d.region.carried(v) != 0)
+            return Vec3::Zero();
+        return stamp.field(d.point(v), isCut ? 0 : 0.5 * longestEdge(d.mesh, v));
+    };
 }
 
 Field fieldOf(const FieldInput& d)

@@ -33,6 +33,8 @@ Vec3 StampShape::field(const Vec3& p, double reach) const
         return depthAt(p + reach * (right * m_frame.right + up * m_frame.up));
     };
     const double middle = depthNear(0, 0);
+    if (reach == 0)
+        return m_share * middle * m_frame.normal;
     int inside = 0;
     double sum = 0;
     for (const double right : {-0.75, 0.75})

@@ -16,7 +16,8 @@ public:
     /// mm: negative where the surface sinks, 0 outside the stamp.
     double depthAt(const Vec3& p) const;
     /// Returns the displacement of p, in mm: the mean of depthAt() over the square of half side `reach` around p, times
-    /// the strength, at most 1. The mean makes the outline as smooth as edges of that length can show it.
+    /// the strength, at most 1. The mean makes the outline as smooth as edges of that length can show it; with 0 for
+    /// `reach` it is depthAt() alone.
     Vec3 field(const Vec3& p, double reach) const;
 
 private:

@@ -26,37 +26,37 @@ Vec3f MeshEditor::middle(Slot e) const
 
 // --- split
 
-Slot MeshEditor::split(Slot e)
+Slot MeshEditor::split(Slot e, const Vec3f& p)
 {
     Slot m = noSlot;
     const bool done = run([&] {
-        m = m_mirror ? splitPair(e) : m_mesh.splitEdge(e, middle(e));
+        m = m_mirror ? splitPair(e, p) : m_mesh.splitEdge(e, p);
         return m != noSlot;
     });
     return done ? m : noSlot;
 }
 
-Slot MeshEditor::splitPair(Slot e)
+Slot MeshEditor::splitPair(Slot e, const Vec3f& p)
 {
     if (m_mirror->isAcross(e))
-        return splitOnPlane(e);
+        return splitOnPlane(e, p);
     splitEdgesAcross(m_mesh.face(2 * e));
     splitEdgesAcross(m_mesh.face(2 * e + 1));
     const Slot image = m_mirror->imageOfHalfedge(2 * e);
     if (image == noSlot)
         return noSlot;
     if (image / 2 == e)
-        return splitOnPlane(e);
-    const Vec3f p = m_mirror->kept(middle(e), false);
-    const Slot m = m_mesh.splitEdge(e, p);
-    m_mirror->pair(m, m_mesh.splitEdge(image / 2, m_mirror->imageOf(p)));
+        return splitOnPlane(e, p);
+    const Vec3f kept = m_mirror->kept(p, false);
+    const Slot m = m_mesh.splitEdge(e, kept);
+    m_mirror->pair(m, m_mesh.splitEdge(image / 2, m_mirror->imageOf(kept)));
     return m;
 }
 
-/// An edge on the plane, or across it: its middle is its own image.
-Slot MeshEditor::splitOnPlane(Slot e)
+/// An edge on the plane, or across it: the new vertex is its own image.
+Slot MeshEditor::splitOnPlane(Slot e, const Vec3f& p)
 {
-    return m_mesh.splitEdge(e, m_mirror->kept(middle(e), true));
+    return m_mesh.splitEdge(e, m_mirror->kept(p, true));
 }
 
 /// A face that reaches across the plane is its own image; then two of its edges are each other's, and splitting them
@@ -66,7 +66,7 @@ void MeshEditor::splitEdgesAcross(Slot f)
     const Slot first = m_mesh.faceHalfedge(f);
     for (Slot h : {first, m_mesh.next(first), m_mesh.prev(first)}) {
         if (m_mirror->isAcross(h / 2)) {
-            splitOnPlane(h / 2);
+            splitOnPlane(h / 2, middle(h / 2));
             return;
         }
     }

@@ -41,7 +41,9 @@ public:
     }
 
     /// Puts a vertex into the middle of an edge. Returns it, or noSlot if it was rolled back.
-    Slot split(Slot e);
+    Slot split(Slot e) { return split(e, middle(e)); }
+    /// Puts a vertex at p, a place on the edge and on the lattice, into it.
+    Slot split(Slot e, const Vec3f& p);
 
     /// Returns the middle of the edge, on the lattice.
     Vec3f middle(Slot e) const;
@@ -60,9 +62,9 @@ private:
     template <class Operation> bool run(Operation operation);
     bool isFrozen(Slot v) const { return m_frozen && m_frozen->contains(v); }
     bool isFrozenAround(Slot e) const;
-    Slot splitPair(Slot e);
+    Slot splitPair(Slot e, const Vec3f& p);
     void splitEdgesAcross(Slot f);
-    Slot splitOnPlane(Slot e);
+    Slot splitOnPlane(Slot e, const Vec3f& p);
     bool collapsePair(Slot h, const Vec3f& p);
     bool flipPair(Slot e);
     bool movePair(Slot v, const Vec3f& p);

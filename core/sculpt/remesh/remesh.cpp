@@ -75,7 +75,7 @@ Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
     return step2 > longest2 ? Vec3(p + std::sqrt(longest2 / step2) * step) : Vec3(p + step);
 }
 
-Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
+bool isSharp(const Mesh& mesh, Slot v)
 {
     bool sharp = false;
     Vec3 right = faceNormal(mesh, mesh.face(mesh.outgoing(v) ^ 1));
@@ -84,7 +84,12 @@ Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
         sharp = sharp || left.dot(right) < sharpCosine * left.norm() * right.norm();
         right = left;
     });
-    return sharp ? Vec3(mesh.point(v).cast<double>()) : relaxedPlace(mesh, bounds, v);
+    return sharp;
+}
+
+Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
+{
+    return isSharp(mesh, v) ? Vec3(mesh.point(v).cast<double>()) : relaxedPlace(mesh, bounds, v);
 }
 
 RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)

@@ -47,7 +47,9 @@ RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBo
 void moveSoundly(MeshEditor& edit, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place);
 /// Returns a place half way towards the mean of the neighbours, along the surface, at most d/2 away.
 Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
-/// As relaxedPlace(), except that a vertex on an edge sharper than 40 degrees stays where it is.
+/// Whether an edge at v is sharper than 40 degrees.
+bool isSharp(const Mesh& mesh, Slot v);
+/// As relaxedPlace(), except that a vertex where the surface is sharp stays where it is.
 Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
 
 /// Only splits: restores the d_detail tight property after vertices moved.

@@ -109,7 +109,7 @@ bool RemeshPass::staysSound(Slot v, Slot ignored, const Vec3& target, const Face
         if (turn <= 0 || turn * turn <= minTurnCosine * minTurnCosine * before.area2 * after.area2 ||
             after.smallestSine2 <
                 std::min(limits.angleSine * limits.angleSine, limits.keptSliver2 * before.smallestSine2) ||
-            after2 > std::max(m_detail2, before2) || after2 < std::min(limits.shortest2, before2))
+            after2 > std::max(m_detail2, limits.grown2 * before2) || after2 < std::min(limits.shortest2, before2))
             sound = false;
     });
     return sound;

@@ -22,6 +22,7 @@ struct FaceLimits
     double angleSine;
     double shortest2;
     double keptSliver2 = 1; ///< share of a smaller angle's squared sine that must be left
+    double grown2 = 1;      ///< share of its squared length that an edge longer than d_detail may reach
 };
 
 /// The state that the steps of one remeshing share: the region, its bounds and rest lengths, the operations that are
