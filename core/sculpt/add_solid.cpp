@@ -4,10 +4,12 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/mesh/lattice_fit.h"
 #include "core/mesh/surface_query.h"
+#include "core/sculpt/boolean_dab.h"
 #include "core/sculpt/deform/brush_model.h"
 #include "core/sculpt/deform/dab_frame.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace core
 {
@@ -74,12 +76,92 @@ TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
     reverseOrientation(shell);
     return shell;
 }
+
+/// Adds the solid clear of the surface.
+void addApart(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror,
+              DabReport& report)
+{
+    Mesh& mesh = surface.mesh();
+    const Sphere ball = {dab.position, dab.radius};
+    const bool paired = mirror && mirror->imageOf(ball.center) != ball.center;
+    const Sphere image = {paired ? mirror->imageOf(ball.center) : ball.center, ball.radius};
+    report.outcome = DabOutcome::Refused;
+    report.refusal = refusalOf(surface, ball);
+    if (paired && report.refusal == Refusal::None)
+        report.refusal = (image.center - ball.center).norm() < 2 * ball.radius + clearanceOf(ball)
+                             ? Refusal::TooClose
+                             : refusalOf(surface, image);
+    if (report.refusal != Refusal::None)
+        return;
+    std::vector<Vec3> places;
+    TriangleMesh solid = solidAt(dab, model, places);
+    const Slot near = nearestVertex(surface, ball.center), nearImage = nearestVertex(surface, image.center);
+    const auto add = [&](const std::vector<LatticePoint>& points) {
+        std::ranges::transform(points, solid.points.begin(),
+                               [&](const LatticePoint& p) { return mesh.lattice().toPoint(p); });
+        return surface.tryOperation([&] {
+            mesh.replaceFaces(additionOf(solid, near));
+            if (paired)
+                mesh.replaceFaces(additionOf(imageOf(solid, *mirror), nearImage));
+        });
+    };
+    if (!add(snappedTo(mesh.lattice(), places))) {
+        const LatticeFit fit = model ? fitToLattice(mesh.lattice(), places, solid.triangles) : LatticeFit();
+        if (!model || fit.unsnappable > 0 || !add(fit.points)) {
+            report.refusal = model ? Refusal::Unfit : Refusal::TooClose;
+            return;
+        }
+    }
+    const std::uint32_t shells = paired ? 2 : 1;
+    report.outcome = DabOutcome::Added;
+    report.touchedVertices = shells * static_cast<std::uint32_t>(solid.points.size());
+    report.touchedFaces = shells * static_cast<std::uint32_t>(solid.triangles.size());
+}
+
+/// Unites the model with the solid, and then with its image: where both meet the same faces.
+BooleanOutcome joinOneByOne(DabContext& context, TriangleMesh solid, std::vector<Vec3> places)
+{
+    const MirrorMap& mirror = *std::exchange(context.mirror, nullptr);
+    context.report.asymmetric = true;
+    const BooleanOutcome first = applyBoolean(context, solid, places, BooleanOperation::Unite);
+    if (first != BooleanOutcome::Done || mirror.imageOf(context.dab.position) == context.dab.position)
+        return first;
+    reverseOrientation(solid);
+    std::ranges::transform(places, places.begin(), [&](const Vec3& p) { return mirror.imageOf(p); });
+    const BooleanOutcome second = applyBoolean(context, std::move(solid), places, BooleanOperation::Unite);
+    return second == BooleanOutcome::Apart ? BooleanOutcome::Failed : second;
+}
+
+/// Unites the model with the solid, if their surfaces cross. False if they do not; then nothing has changed.
+bool joinSolid(DabContext& context)
+{
+    std::vector<Vec3> places;
+    TriangleMesh solid = solidAt(context.dab, context.settings.model.get(), places);
+    const double wall = context.mesh().lattice().halfVolume();
+    const bool isInside = std::ranges::all_of(places, [&](const Vec3& p) { return p.cwiseAbs().maxCoeff() < wall; });
+    if (!isInside)
+        return false;
+    BooleanOutcome outcome = applyBoolean(context, solid, places, BooleanOperation::Unite);
+    if (outcome == BooleanOutcome::Apart)
+        return false;
+    if (outcome == BooleanOutcome::Failed && context.mirror)
+        outcome = joinOneByOne(context, solid, places);
+    const bool isDone = outcome == BooleanOutcome::Done;
+    context.report.outcome = isDone ? DabOutcome::Added : DabOutcome::Refused;
+    context.report.refusal = isDone ? Refusal::None : Refusal::Unfit;
+    context.report.touchedVertices = isDone ? context.touchedVertices() : 0;
+    return true;
+}
 } // namespace
 
 bool wantsSolid(const VerifiedMesh& surface, const StrokeSettings& settings, const Dab& dab, const Region& region)
 {
     if (!settings.add || !canAddSolid(settings.tool) || settings.brush != BrushShape::Sphere ||
-        settings.place != Placement::Point || !region.empty())
+        settings.place != Placement::Point)
+        return false;
+    if (settings.join)
+        return true;
+    if (!region.empty())
         return false;
     const std::optional<SurfaceHit> nearest = nearestPoint(surface.mesh(), surface.octree(), dab.position);
     return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
@@ -98,44 +180,10 @@ Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers,
     return Refusal::None;
 }
 
-DabReport addSolid(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror)
+void addSolid(DabContext& context)
 {
-    Mesh& mesh = surface.mesh();
-    const Sphere ball = {dab.position, dab.radius};
-    const bool paired = mirror && mirror->imageOf(ball.center) != ball.center;
-    const Sphere image = {paired ? mirror->imageOf(ball.center) : ball.center, ball.radius};
-    DabReport report;
-    report.outcome = DabOutcome::Refused;
-    report.refusal = refusalOf(surface, ball);
-    if (paired && report.refusal == Refusal::None)
-        report.refusal = (image.center - ball.center).norm() < 2 * ball.radius + clearanceOf(ball)
-                             ? Refusal::TooClose
-                             : refusalOf(surface, image);
-    if (report.refusal != Refusal::None)
-        return report;
-    std::vector<Vec3> places;
-    TriangleMesh solid = solidAt(dab, model, places);
-    const Slot near = nearestVertex(surface, ball.center), nearImage = nearestVertex(surface, image.center);
-    const auto add = [&](const std::vector<LatticePoint>& points) {
-        std::ranges::transform(points, solid.points.begin(),
-                               [&](const LatticePoint& p) { return mesh.lattice().toPoint(p); });
-        return surface.tryOperation([&] {
-            mesh.replaceFaces(additionOf(solid, near));
-            if (paired)
-                mesh.replaceFaces(additionOf(imageOf(solid, *mirror), nearImage));
-        });
-    };
-    if (!add(snappedTo(mesh.lattice(), places))) {
-        const LatticeFit fit = model ? fitToLattice(mesh.lattice(), places, solid.triangles) : LatticeFit();
-        if (!model || fit.unsnappable > 0 || !add(fit.points)) {
-            report.refusal = model ? Refusal::Unfit : Refusal::TooClose;
-            return report;
-        }
-    }
-    const std::uint32_t shells = paired ? 2 : 1;
-    report.outcome = DabOutcome::Added;
-    report.touchedVertices = shells * static_cast<std::uint32_t>(solid.points.size());
-    report.touchedFaces = shells * static_cast<std::uint32_t>(solid.triangles.size());
-    return report;
+    if (context.settings.join && context.settings.fusion && joinSolid(context))
+        return;
+    addApart(context.surface, context.settings.model.get(), context.dab, context.mirror, context.report);
 }
 } // namespace core

@@ -61,7 +61,7 @@ void DabPipeline::applyToRegion(DabContext& context)
 {
     const StrokeSettings& settings = context.settings;
     if (wantsSolid(context.surface, settings, context.dab, context.region))
-        context.report = addSolid(context.surface, settings.model.get(), context.dab, context.mirror);
+        addSolid(context);
     else if (paintsAttribute(settings.tool))
         m_attributeBrush.apply(context);
     else
@@ -83,6 +83,7 @@ void DabPipeline::begin(DabContext& context)
     if (grab.state.isOn)
         context.ball = grab.ball(context.mesh());
     m_foldSmoothing.clear();
+    m_mayStampSolid = context.settings.tool == Tool::Stamp;
     m_steps.begin(context);
     if (grab.isLimitedFor(context.dab)) {
         context.limits = std::move(context.grab.state.limits);
@@ -103,6 +104,11 @@ void DabPipeline::deform(DabContext& context)
         const Step result = isTooMuch ? Step::Failed : step(context, plan);
         if (result == Step::Retry)
             continue;
+        if (result == Step::Whole) {
+            report.substeps = 1;
+            report.reached = report.asked;
+            break;
+        }
         if (result == Step::Empty) { // from the start, or because everything under the brush has vanished
             if (report.substeps == 0)
                 report.outcome = DabOutcome::Empty;
@@ -135,6 +141,8 @@ DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
         if (result != Step::Failed)
             return result;
         context.limits = std::move(limits);
+        if (!isLimited && !plan.isCut() && std::exchange(m_mayStampSolid, false) && m_steps.stampSolid(context))
+            return Step::Whole;
         if (!isLimited && prepareRetry(context, plan))
             return Step::Retry;
     }
@@ -143,7 +151,8 @@ DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
     return hasMoved ? Step::Fallback : Step::Failed;
 }
 
-/// Does a sub-step in one transaction. The first one refines the mesh and makes the plan, too.
+/// Does a sub-step in one transaction. The first one refines the mesh and makes the plan, too. A stamp whose field
+/// cannot be done at once fails: as a solid it can.
 DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
 {
     MeshTransaction transaction(context.surface, context.region); // rolls back what is not committed
@@ -153,6 +162,10 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
         counts = m_steps.refineAndPlan(context, plan, context.editor()); // 3.2, 3.3
     if (context.region.empty())
         return Step::Empty;
+    if (m_mayStampSolid && !plan.isLast()) {
+        plan.discard();
+        return Step::Failed;
+    }
     context.badVertices.clear();
     const bool isInside = m_steps.displaceAndOptimise(context, plan.part(), counts); // 3.3, 3.2
     if (!isInside || !transaction.commit()) {

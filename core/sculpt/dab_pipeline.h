@@ -23,7 +23,7 @@ public:
     void warmUp(DabContext& context);
 
 private:
-    enum class Step { Direct, Fallback, Retry, Failed, Empty };
+    enum class Step { Direct, Whole, Fallback, Retry, Failed, Empty };
 
     void sculpt(DabContext& context);
     void begin(DabContext& context);
@@ -38,5 +38,6 @@ private:
     FallbackStep m_fallback{m_steps};
     FoldSmoothing m_foldSmoothing;
     AttributeBrush m_attributeBrush;
+    bool m_mayStampSolid = false; ///< a stamp that has not been tried as a solid yet
 };
 } // namespace core

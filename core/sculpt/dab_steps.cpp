@@ -1,6 +1,7 @@
 #include "core/sculpt/dab_steps.h"
 
 #include "core/mesh/normals.h"
+#include "core/sculpt/boolean_dab.h"
 #include "core/sculpt/dab_bounds.h"
 #include "core/sculpt/dab_selection.h"
 #include "core/sculpt/deform/deform.h"
@@ -10,6 +11,8 @@
 #include "core/sculpt/select/selector.h"
 #include "core/sculpt/verify/mesh_transaction.h"
 #include "core/util/phase_timer.h"
+
+#include <algorithm>
 
 namespace core
 {
@@ -97,8 +100,8 @@ RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEd
     return counts;
 }
 
-/// Makes the outline of the stamp run along edges, so that its rim does.
-RemeshCounts DabSteps::cutOutline(DabContext& context, MeshEditor& edit)
+/// Returns the stamp on what is selected. Notes the mean normal, which the dab keeps when its outline is cut.
+StampShape DabSteps::stampShape(DabContext& context)
 {
     const Region* selected = &context.region;
     if (context.mirror) {
@@ -106,12 +109,30 @@ RemeshCounts DabSteps::cutOutline(DabContext& context, MeshEditor& edit)
         selected = &m_whole;
     }
     context.dab.normal = meanNormal(*selected, context.mesh());
-    const DabFrame frame = frameOn(*selected, context.mesh(), context.settings, context.dab);
-    const StampShape shape(frame, context.settings, context.dab);
+    return {frameOn(*selected, context.mesh(), context.settings, context.dab), context.settings, context.dab};
+}
+
+/// Makes the outline of the stamp run along edges, so that its rim does.
+RemeshCounts DabSteps::cutOutline(DabContext& context, MeshEditor& edit)
+{
+    const StampShape shape = stampShape(context);
     const ShapeDepth depth = [&](const Vec3& p) { return shape.depthAt(p); };
     RemeshPass pass(edit, context.region, context.bounds, context.rest());
     m_outline = OutlineCut(pass, depth, context.ball).cut();
     return pass.counts;
+}
+
+bool DabSteps::stampSolid(DabContext& context)
+{
+    if (!context.settings.fusion || context.settings.brush != BrushShape::Sphere)
+        return false;
+    std::vector<Vec3> places;
+    TriangleMesh solid = stampShape(context).solid(context.bounds.detail, places);
+    const Lattice& lattice = context.mesh().lattice();
+    if (!std::ranges::all_of(places, [&](const Vec3& p) { return lattice.contains(p); }))
+        return false;
+    const BooleanOperation operation = context.settings.inverted ? BooleanOperation::Unite : BooleanOperation::Subtract;
+    return applyBoolean(context, std::move(solid), places, operation) == BooleanOutcome::Done;
 }
 
 /// Returns the longest displacement planned, in mm.

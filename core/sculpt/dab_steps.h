@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/sculpt/deform/stamp_shape.h"
 #include "core/sculpt/fuse/fusion.h"
 #include "core/sculpt/step_plan.h"
 
@@ -22,6 +23,10 @@ public:
     /// Displaces, and optimises unless a vertex would leave the working volume: false.
     bool displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts);
 
+    /// Presses the stamp in, or raises it, as a solid, by a boolean operation: for a surface with folds, which its
+    /// field would push into each other. False if that cannot be done; then nothing has changed.
+    bool stampSolid(DabContext& context);
+
     /// Joins what the next transaction of the plan would bring into contact. Returns whether anything was joined.
     bool join(DabContext& context, const StepPlan& plan);
     /// Cuts necks that have grown too thin to be collapsed, and removes specks.
@@ -33,6 +38,7 @@ public:
     bool isContact(const DabContext& context, const StepPlan& plan);
 
 private:
+    StampShape stampShape(DabContext& context);
     RemeshCounts cutOutline(DabContext& context, MeshEditor& edit);
     double plan(DabContext& context);
     bool optimiseJoints(DabContext& context, int smoothings);

@@ -17,6 +17,8 @@ public:
     void discard() { m_steps = 0; }
 
     bool isDone() const { return isCut() && m_ticksLeft == 0; }
+    /// Whether the next transaction does all that is left.
+    bool isLast() const { return m_ticks >= m_ticksLeft; }
     /// Whether there are more sub-steps than a dab may do.
     bool isTooLong() const;
     /// Returns the share of the plan that the next transaction does.

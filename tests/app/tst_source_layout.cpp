@@ -41,7 +41,7 @@ const FolderRule folderRules[] = {
     {"core/sculpt/fuse", "core/util core/geometry core/mesh core/sculpt/select core/sculpt/edit "
                          "core/sculpt/verify core/sculpt/remesh core/sculpt/deform"},
     {"core/sculpt/copy", "core/util core/geometry core/stroke core/mesh core/sculpt/verify"},
-    {"core/sculpt", "core/util core/geometry core/analysis core/stroke core/mesh core/sculpt/select "
+    {"core/sculpt", "core/util core/geometry core/analysis core/repair core/stroke core/mesh core/sculpt/select "
                     "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/sculpt/deform core/sculpt/fuse "
                     "core/sculpt/copy"},
     {"core/operations", "core/util core/geometry core/analysis core/stroke core/mesh core/sculpt/edit "

@@ -9,6 +9,9 @@ namespace core
 {
 namespace
 {
+/// The length of an icosahedron's edges, in radii of the ball around it.
+constexpr double firstEdge = 1.0515;
+
 std::optional<BrushModel::Span> spanOfBall(const Vec3& p)
 {
     if (p.squaredNorm() >= 1)
@@ -46,6 +49,22 @@ Vec3 StampShape::field(const Vec3& p, double reach) const
         for (const double up : {-0.75, -0.25, 0.25, 0.75})
             sum += depthNear(right, up);
     return m_share * (sum / 16) * m_frame.normal;
+}
+
+TriangleMesh StampShape::solid(double edge, std::vector<Vec3>& places) const
+{
+    const double perEdge = std::max(1.0, firstEdge * m_radius / edge);
+    const int subdivisions = std::clamp(static_cast<int>(std::ceil(std::log2(perEdge))), 2, 6);
+    TriangleMesh solid = m_model ? m_model->surface() : icosphere(subdivisions, 1);
+    for (const Vec3f& point : solid.points) {
+        const Vec3 p = m_radius * point.cast<double>();
+        places.push_back(m_center + p.x() * m_frame.right + m_share * p.y() * m_frame.normal - p.z() * m_frame.up);
+    }
+    if (m_frame.right.cross(m_frame.up).dot(m_frame.normal) < 0) {
+        for (Triangle& t : solid.triangles)
+            std::swap(t[1], t[2]);
+    }
+    return solid;
 }
 
 double StampShape::depthAt(const Vec3& p) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/triangle_mesh.h"
 #include "core/sculpt/deform/dab_frame.h"
 
 namespace core
@@ -19,6 +20,9 @@ public:
     /// the strength, at most 1. The mean makes the outline as smooth as edges of that length can show it; with 0 for
     /// `reach` it is depthAt() alone.
     Vec3 field(const Vec3& p, double reach) const;
+    /// Returns the stamp as a solid, flattened along the normal by the strength, with edges of about that length if it
+    /// is a ball, and in `places` where its points are, in mm.
+    TriangleMesh solid(double edge, std::vector<Vec3>& places) const;
 
 private:
     DabFrame m_frame;

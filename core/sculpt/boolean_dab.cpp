@@ -1,0 +1,122 @@
+#include "core/sculpt/boolean_dab.h"
+
+#include "core/sculpt/verify/mesh_transaction.h"
+#include "core/util/phase_timer.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// Tries, each with the solid shifted by some lattice units more: enough for it to lie in no plane of the model's.
+constexpr int maxTries = 6;
+const Vec3 shift(3, 5, 7);
+
+/// Returns the exchange on the other side of the mirror.
+Surgery imageOf(const Surgery& surgery, MirrorMap& mirror)
+{
+    Surgery image;
+    image.near = mirror.imageOf(surgery.near);
+    for (Slot f : surgery.removed)
+        image.removed.push_back(mirror.imageOfFace(f));
+    for (Surgery::Vertex vertex : surgery.vertices) {
+        vertex.point = mirror.imageOf(vertex.point);
+        image.vertices.push_back(vertex);
+    }
+    const auto imageOfCorner = [&](Slot corner) { return Surgery::isNew(corner) ? corner : mirror.imageOf(corner); };
+    for (const auto& [a, b, c] : surgery.faces)
+        image.faces.push_back({imageOfCorner(a), imageOfCorner(c), imageOfCorner(b)});
+    return image;
+}
+
+/// Exchanges the faces, on both sides of a mirror, and selects the vertices of the new ones. False if the result would
+/// not be a closed 2-manifold; then something may have changed.
+bool exchange(DabContext& context, const Surgery& surgery)
+{
+    Mesh& mesh = context.surface.mesh();
+    Region& region = context.region;
+    MirrorMap* mirror = context.mirror;
+    if (!isSurgeryOk(mesh, surgery))
+        return false;
+    const auto distance = [&](Slot v) { return (mesh.point(v).cast<double>() - context.ball.center).norm(); };
+    region.clear();
+    for (const Triangle& face : surgery.faces) {
+        for (Slot v : face) {
+            if (!Surgery::isNew(v))
+                region.add(v, distance(v));
+        }
+    }
+    if (context.rest())
+        context.rest()->measure(region, mesh);
+    std::optional<Surgery> image;
+    if (mirror)
+        image = imageOf(surgery, *mirror);
+    const std::vector<Slot> added = mesh.replaceFaces(surgery);
+    if (image) {
+        if (!isSurgeryOk(mesh, *image))
+            return false;
+        const std::vector<Slot> images = mesh.replaceFaces(*image);
+        for (std::size_t i = 0; i < added.size(); ++i)
+            mirror->pair(added[i], images[i]);
+    }
+    region.forEach([&](Slot v) {
+        if (!mesh.isVertex(v))
+            region.remove(v);
+    });
+    for (Slot v : added) {
+        region.add(v, distance(v));
+        if (context.rest())
+            context.rest()->noteNew(v);
+    }
+    return true;
+}
+
+/// Whether the faces lie in the mirror's half, and have images of their own.
+bool canMirror(DabContext& context, const std::vector<Slot>& faces)
+{
+    MirrorMap& mirror = *context.mirror;
+    return std::ranges::all_of(faces, [&](Slot f) { return mirror.isInHalf(context.mesh().corners(f)); }) &&
+           mirror.learn(faces, context.surface.octree());
+}
+
+void optimiseAround(DabContext& context)
+{
+    if (context.settings.topology == Topology::Keep)
+        return;
+    const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
+    MeshTransaction transaction(context.surface, context.region);
+    MeshEditor edit = context.editor();
+    const auto place = [&](Slot v) { return relaxedAlongSharp(context.mesh(), context.bounds, v); };
+    const RemeshCounts counts = optimiseKeepingShape(edit, context.region, context.bounds, place, context.rest());
+    if (transaction.commit())
+        context.count(counts);
+}
+} // namespace
+
+BooleanOutcome applyBoolean(DabContext& context, TriangleMesh solid, const std::vector<Vec3>& points,
+                            BooleanOperation operation)
+{
+    const Lattice& lattice = context.mesh().lattice();
+    for (int i = 0; i < maxTries; ++i) {
+        std::ranges::transform(points, solid.points.begin(),
+                               [&](const Vec3& p) { return lattice.snap(p + i * lattice.unit() * shift); });
+        std::optional<Surgery> surgery;
+        {
+            const PhaseTimer timer(context.report.deformMs);
+            const SolidBoolean boolean(context.surface, solid);
+            if (!boolean.areCrossing())
+                return BooleanOutcome::Apart;
+            if (context.mirror && !canMirror(context, boolean.candidates()))
+                return BooleanOutcome::Failed;
+            surgery = boolean.surgery(operation);
+        }
+        MeshTransaction transaction(context.surface, context.region);
+        if (surgery && exchange(context, *surgery) && transaction.commit()) {
+            optimiseAround(context);
+            return BooleanOutcome::Done;
+        }
+    }
+    return BooleanOutcome::Failed;
+}
+} // namespace core
