@@ -25,7 +25,8 @@ public:
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source, core::StrokeEnd how = core::StrokeEnd::Kept);
     /// A stroke of one sample that adds a sphere at its position (settings.add) and does nothing else: where the brush
-    /// would touch the surface it is refused as too close. As beginStroke().
+    /// would touch the surface it is refused as too close, or with settings.join becomes part of the model. As
+    /// beginStroke().
     bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
     /// From now on strokes are refused: the mesh stays as it is except for jobs. False if a stroke is open.

@@ -57,13 +57,14 @@ bool StrokeRunner::touches(const core::StrokeSample& sample) const
 void StrokeRunner::decide(const core::StrokeSample& first)
 {
     const bool isTouching = touches(first);
-    if (isTouching && m_stroke.onlyAdds) {
+    const bool joins = m_stroke.settings.join && m_stroke.settings.fusion;
+    if (isTouching && m_stroke.onlyAdds && !joins) {
         m_report.shortfall = core::Shortfall::TooClose;
         m_course = Course::Over;
         return;
     }
     m_course = Course::Open;
-    m_stroke.settings.add = !isTouching;
+    m_stroke.settings.add = !isTouching || joins;
     m_sculptor->beginStroke(m_stroke.settings);
 }
 

@@ -113,6 +113,7 @@ BooleanOutcome applyBoolean(DabContext& context, TriangleMesh solid, const std::
         }
         MeshTransaction transaction(context.surface, context.region);
         if (surgery && exchange(context, *surgery) && transaction.commit()) {
+            ++context.request.totals.fusions;
             optimiseAround(context);
             return BooleanOutcome::Done;
         }

@@ -189,7 +189,7 @@ void PointerInput::press(const PendingEvent& pending)
     if (m_drag != Drag::None)
         return;
     if (m_mode == PointerMode::Add && isForBrush(pending.event))
-        addSphere(pending);
+        addSphere(pending, m_query.hit());
     else
         begin(pending, m_query.hit());
 }
@@ -200,11 +200,12 @@ bool PointerInput::isForBrush(const PointerEvent& press) const
     return press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers, m_preferences) == Drag::None;
 }
 
-void PointerInput::addSphere(const PendingEvent& press)
+/// On the surface, or beside the model across the middle of what is seen.
+void PointerInput::addSphere(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit)
 {
     core::StrokeSample sample;
     sample.time = press.event.time;
-    sample.position = m_camera->acrossPivot(press.ray);
+    sample.position = hit ? hit->position : m_camera->acrossPivot(press.ray);
     sample.direction = press.ray.direction;
     setMode(PointerMode::Sculpt);
     Q_EMIT sphereRequested(addingDab(press.settings), sample);

@@ -136,7 +136,7 @@ private:
     void setTargetDepthAt(const OrbitCamera::Pixel& pixel);
     void sendQuery(const HoverQuery::Request& request);
     bool isForBrush(const PointerEvent& press) const;
-    void addSphere(const PendingEvent& press);
+    void addSphere(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit);
     void moveView(const OrbitCamera::Pixel& delta);
     void emitViewMovedByUser();
 

@@ -110,7 +110,7 @@ core::StrokeSettings addingDab(core::StrokeSettings settings)
     settings.place = core::Placement::Point;
     settings.strength = core::info(core::Parameter::Strength).defaultValue;
     settings.spacing = 0;
-    settings.add = true;
+    settings.add = settings.join = true;
     return settings;
 }
 } // namespace ui

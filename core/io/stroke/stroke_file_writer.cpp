@@ -95,6 +95,8 @@ void write(std::ostream& out, const Stroke& stroke)
         << name(settings.symmetry) << "\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
         << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false")
         << ",\"color\":" << list(settings.color);
+    if (settings.join)
+        out << ",\"join\":true";
     if (settings.airbrush > 0)
         out << ",\"airbrush\":" << shortest(settings.airbrush);
     if (settings.radial > 1)

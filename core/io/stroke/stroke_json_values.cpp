@@ -197,13 +197,15 @@ bool StrokeJsonReader::boolean(bool value)
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
     if (m_level != Level::Stroke || m_inVector ||
-        (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != InvertKey &&
+        (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != JoinKey && m_key != InvertKey &&
          m_key != AlphaFollowsKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
         stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
     if (m_key == AddKey)
         stroke().settings.add = value;
+    else if (m_key == JoinKey)
+        stroke().settings.join = value;
     else if (m_key == AlphaFollowsKey)
         stroke().settings.alphaFollows = value;
     else if (m_key == InvertKey)

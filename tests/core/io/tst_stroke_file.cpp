@@ -61,6 +61,7 @@ Stroke randomStroke(std::mt19937_64& random)
     stroke.settings.symmetry = static_cast<Symmetry>(random() % 4);
     stroke.settings.radial = random() % 2 == 0 ? 1 : 1 + static_cast<int>(random() % 32);
     stroke.settings.add = random() % 2 == 0;
+    stroke.settings.join = random() % 2 == 0;
     if (random() % 2)
         stroke.settings.alpha = builtInAlpha(builtInAlphas()[random() % builtInAlphas().size()]);
     else if (random() % 2)
