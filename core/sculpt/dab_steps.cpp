@@ -43,7 +43,8 @@ FusionInput fusionInput(const DabContext& context, const StepPlan& plan)
 
 void DabSteps::begin(DabContext& context)
 {
-    m_fusion.beginDab(context.mirror, detailShare(context.settings));
+    m_fusion.beginDab(context.mirror, detailShare(context.settings),
+                      isDragTool(context.settings.tool) ? context.dab.radius : 0);
     const PhaseTimer timer(context.report.fuseMs);
     context.canFuse = canFacesFuse(context);
 }
@@ -177,8 +178,17 @@ RemeshCounts DabSteps::optimise(DabContext& context, MeshEditor edit)
     EdgeBounds bounds = context.bounds;
     if (context.settings.topology == Topology::Keep)
         bounds.detail = std::numeric_limits<double>::max();
-    if (!keepsShape(context.settings.tool))
-        return core::optimise(edit, context.region, bounds, context.rest());
+    if (!keepsShape(context.settings.tool)) {
+        const RemeshCounts counts = core::optimise(edit, context.region, bounds, context.rest());
+        if (const RestLengths* rest = context.rest(); rest && isDragTool(context.settings.tool)) {
+            const auto evened = [&](Slot v) {
+                return rest->wasSharp(v) ? Vec3(context.mesh().point(v).cast<double>())
+                                         : evenedAlongLine(context.mesh(), v);
+            };
+            moveSoundly(edit, context.region, bounds, evened);
+        }
+        return counts;
+    }
     const auto place = [&](Slot v) { return relaxedAlongSharp(context.mesh(), bounds, v); };
     return optimiseKeepingShape(edit, context.region, bounds, place, context.rest());
 }

@@ -29,11 +29,11 @@ std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, cons
 }
 } // namespace
 
-void TopologyFusion::beginDab(MirrorMap* mirror, double detailShare)
+void TopologyFusion::beginDab(MirrorMap* mirror, double detailShare, double shredSize)
 {
     m_surgery.beginDab(mirror);
     m_candidates.setMirror(mirror);
-    m_separation.beginDab(detailShare);
+    m_separation.beginDab(detailShare, shredSize);
     m_tunnels.clear();
     m_joined.clear();
 }

@@ -12,9 +12,9 @@ class TopologyFusion
 {
 public:
     /// Begins a dab: forgets the tunnels and the failures of the one before. `mirror`: null, or on; then the regions
-    /// are of the half, and each operation is done to the half and its image. `detailShare`: see
+    /// are of the half, and each operation is done to the half and its image. `detailShare`, `shredSize`: see
     /// Separation::beginDab().
-    void beginDab(MirrorMap* mirror, double detailShare);
+    void beginDab(MirrorMap* mirror, double detailShare, double shredSize);
 
     /// Whether the whole plan would bring surfaces into contact that are near each other now. A guess, since surfaces
     /// that are far apart now may come near: the change has to be verified all the same.

@@ -16,6 +16,8 @@ constexpr double neckGaps[] = {0.5, 0.1};
 /// A speck: a component smaller than this, in terms of the brush's d; one of few faces may be a little larger.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
+/// The share of the model's faces that a shred has at most.
+constexpr double shredFaces = 0.1;
 /// A void that a join has closed is filled if it is smaller than this, in terms of the brush's d.
 constexpr double voidSize = 5;
 constexpr std::size_t voidFaces = 256;
@@ -96,7 +98,7 @@ std::uint64_t Separation::cutCycles(VerifiedMesh& surface, Region& region, const
     }
     for (Slot v : vertices) {
         if (mesh.isVertex(v) && (!mirror || mirror->isInHalf(v)))
-            cuts += removeSpeck(surface, region, v, bounds, Voids::AreFilled);
+            cuts += removeSpeck(surface, region, v, bounds, Also::Voids);
     }
     return cuts;
 }
@@ -116,7 +118,10 @@ bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair
             return false;
         if (const auto created = m_surgery.operate(surface, region, *surgery)) {
             // a copy of the cycle's vertex on each side
-            removeSpecks(surface, region, {(*created)[0], (*created)[3]}, bounds);
+            for (Slot v : {(*created)[0], (*created)[3]}) {
+                if (mesh.isVertex(v)) // else it went with the other
+                    removeSpeck(surface, region, v, bounds, Also::Shreds);
+            }
             return true;
         }
     }
@@ -148,9 +153,9 @@ void Separation::removeSpecks(VerifiedMesh& surface, Region& region, const std::
     }
 }
 
-/// Removes the component of a vertex, if it is small and not all there is: a speck, or a void. (One that holds another
-/// is not sound to remove.)
-bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds, Voids voids)
+/// Removes the component of a vertex, if it is small and not all there is: a speck, a void or a shred. (One that holds
+/// another is not sound to remove.)
+bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds, Also also)
 {
     const Mesh& mesh = surface.mesh();
     LatticeBox box;
@@ -162,8 +167,9 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
     const auto isSpeck = [&] {
         return found.size() <= speckFaces && size() <= (found.size() < fewFaces ? crumbSize : speckSize) * d;
     };
-    const auto mayBeVoid = [&] {
-        return voids == Voids::AreFilled && found.size() <= voidFaces && size() <= voidSize * d;
+    const auto mayBeVoid = [&] { return also == Also::Voids && found.size() <= voidFaces && size() <= voidSize * d; };
+    const auto isShred = [&] {
+        return also == Also::Shreds && size() <= m_shredSize && found.size() <= shredFaces * mesh.live().faces;
     };
     for (std::size_t i = 0; i < found.size(); ++i) {
         Slot h = mesh.faceHalfedge(found.slots()[i]);
@@ -171,10 +177,10 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
             found.add(mesh.face(h ^ 1));
             box.extend(mesh.latticePoint(mesh.to(h)));
         }
-        if (!isSpeck() && !mayBeVoid()) // and stays so: both only grow
+        if (!isSpeck() && !isShred() && !mayBeVoid()) // and stays so: both only grow
             return false;
     }
-    if (!isSpeck() && volume6(mesh, found.slots()) >= 0)
+    if (!isSpeck() && !isShred() && volume6(mesh, found.slots()) >= 0)
         return false;
     Surgery surgery;
     surgery.removed = found.slots();

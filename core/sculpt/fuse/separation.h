@@ -14,7 +14,13 @@ public:
 
     /// `detailShare`: the tool's own d in terms of the brush's. A speck is small against the brush, however fine the
     /// mesh.
-    void beginDab(double detailShare) { m_detailShare = detailShare; }
+    /// `shredSize`: the longest side of what is removed when it comes off at a neck, in mm, a shred that a drag has
+    /// drawn out too thin; 0: only specks are.
+    void beginDab(double detailShare, double shredSize)
+    {
+        m_detailShare = detailShare;
+        m_shredSize = shredSize;
+    }
 
     /// Cuts necks that have grown as thin as a triangle, and removes specks smaller than 2 of the brush's d. `blocked`:
     /// edges shorter than d that could not be collapsed. Returns how many separations there were.
@@ -32,15 +38,15 @@ public:
                       const EdgeBounds& bounds);
 
 private:
-    enum class Voids { Stay, AreFilled };
+    enum class Also { Nothing, Voids, Shreds };
 
     bool cutNeck(VerifiedMesh& surface, Region& region, const VertexPair& edge, double maxPerimeter,
                  const EdgeBounds& bounds);
     bool removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds,
-                     Voids voids = Voids::Stay);
+                     Also also = Also::Nothing);
     bool isOwnImage(const Mesh& mesh, const Triangle& cycle) const;
 
     FusionSurgery& m_surgery;
-    double m_detailShare = 1;
+    double m_detailShare = 1, m_shredSize = 0;
 };
 } // namespace core

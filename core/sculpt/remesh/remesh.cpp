@@ -28,6 +28,7 @@ namespace
 constexpr double relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
 constexpr double sharpCosine = 0.766; ///< of 40 degrees between two faces
+constexpr double lineCosine = 0.5;    ///< of 60 degrees
 
 /// Moves the vertex to the place, as far as its mask lets it, where its faces stay sound by that.
 void moveVertex(RemeshPass& pass, Slot v, const Vec3& place)
@@ -90,6 +91,23 @@ bool isSharp(const Mesh& mesh, Slot v)
 Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
 {
     return isSharp(mesh, v) ? Vec3(mesh.point(v).cast<double>()) : relaxedPlace(mesh, bounds, v);
+}
+
+Vec3 evenedAlongLine(const Mesh& mesh, Slot v)
+{
+    Vec3 sum = Vec3::Zero();
+    int n = 0;
+    Vec3 right = faceNormal(mesh, mesh.face(mesh.outgoing(v) ^ 1));
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        const Vec3 left = faceNormal(mesh, mesh.face(h));
+        if (left.dot(right) < lineCosine * left.norm() * right.norm()) {
+            sum += mesh.point(mesh.to(h)).cast<double>();
+            ++n;
+        }
+        right = left;
+    });
+    const Vec3 p = mesh.point(v).cast<double>();
+    return n > 1 ? Vec3(0.5 * (p + sum / n)) : p;
 }
 
 RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)

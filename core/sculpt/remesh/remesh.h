@@ -52,6 +52,10 @@ bool isSharp(const Mesh& mesh, Slot v);
 /// As relaxedPlace(), except that a vertex where the surface is sharp stays where it is.
 Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
 
+/// Returns a place that makes the line even along which the surface is sharper than 60 degrees at v: half way to the
+/// mean of v's neighbours on it. Where no such line runs through v, returns its own place.
+Vec3 evenedAlongLine(const Mesh& mesh, Slot v);
+
 /// Only splits: restores the d_detail tight property after vertices moved.
 RemeshCounts splitLongEdges(MeshEditor& edit, Region& region, const EdgeBounds& bounds);
 } // namespace core

@@ -1,5 +1,7 @@
 #include "core/sculpt/remesh/rest_lengths.h"
 
+#include "core/sculpt/remesh/remesh.h"
+
 #include <algorithm>
 
 namespace core
@@ -8,6 +10,7 @@ void RestLengths::clear()
 {
     m_vertices.clear();
     m_lengths.clear();
+    m_sharp.clear();
 }
 
 void RestLengths::measure(const Region& region, const Mesh& mesh)
@@ -19,14 +22,16 @@ void RestLengths::measure(const Region& region, const Mesh& mesh)
         float shortest2 = std::numeric_limits<float>::infinity();
         mesh.forEachOutgoing(
             v, [&](Slot h) { shortest2 = std::min(shortest2, (mesh.point(mesh.to(h)) - p).squaredNorm()); });
-        set(v, std::sqrt(shortest2));
+        set(v, std::sqrt(shortest2), isSharp(mesh, v));
     });
 }
 
-void RestLengths::set(Slot v, double length)
+void RestLengths::set(Slot v, double length, bool isSharp)
 {
     const Slot i = m_vertices.add(v);
     m_lengths.resize(m_vertices.size());
     m_lengths[i] = length;
+    m_sharp.resize(m_vertices.size());
+    m_sharp[i] = isSharp;
 }
 } // namespace core

@@ -7,7 +7,8 @@
 
 namespace core
 {
-/// How long the edges were before a stroke moved them: the shortest one at each vertex, in mm. A stroke that keeps
+/// How long the edges were before a stroke moved them: the shortest one at each vertex, in mm, and where the surface
+/// was sharp. A stroke that keeps
 /// detail (keepsDetail) compares with that what it has squeezed.
 class RestLengths
 {
@@ -20,7 +21,13 @@ public:
     /// O(region).
     void measure(const Region& region, const Mesh& mesh);
     /// Notes that the stroke has made this vertex, maybe in the slot of one that it has removed.
-    void noteNew(Slot v) { set(v, none); }
+    void noteNew(Slot v) { set(v, none, false); }
+    /// Whether the surface was sharp at v (isSharp()) before the stroke moved it.
+    bool wasSharp(Slot v) const
+    {
+        const Slot i = m_vertices.find(v);
+        return i != noSlot && m_sharp[i];
+    }
 
     double of(Slot v) const
     {
@@ -29,9 +36,10 @@ public:
     }
 
 private:
-    void set(Slot v, double length);
+    void set(Slot v, double length, bool isSharp);
 
     SparseIndex m_vertices;
     std::vector<double> m_lengths; ///< by position among them
+    std::vector<bool> m_sharp;     ///< likewise
 };
 } // namespace core

@@ -69,6 +69,8 @@ class TestJoints : public QObject
 
 private Q_SLOTS:
     void snakeHook_isRound();
+    void grabAlongTheSurface_staysInOnePiece_data();
+    void grabAlongTheSurface_staysInOnePiece();
     void endsOfARing_joinInOneSeam_data();
     void endsOfARing_joinInOneSeam();
     void strongDabs_leaveFewHandles();
@@ -90,6 +92,44 @@ void TestJoints::snakeHook_isRound()
         QVERIFY2(least > 0.66 * first, qPrintable(QStringLiteral("%1 after %2").arg(least).arg(first)));
     }
     QVERIFY(mesh_asserts::badFaces(sculptor.mesh()).empty());
+}
+
+void TestJoints::grabAlongTheSurface_staysInOnePiece_data()
+{
+    QTest::addColumn<core::TriangleMesh>("model");
+    QTest::addColumn<Vec3>("start");
+    QTest::addColumn<Vec3>("way");
+    for (const double radii : {0.5, 1.0, 2.0, 4.0})
+        QTest::addRow("ball, %g radii", radii) << core::icosphere(5, 1) << Vec3(0, 0, 1) << Vec3(0, 0.46 * radii, 0);
+    for (const double radii : {0.5, 1.0, 2.0})
+        QTest::addRow("plate, %g radii", radii)
+            << clay::slab(4, 0.5, 40) << Vec3(0.1, 0.25, 0.5) << Vec3(0, 0, -0.46 * radii);
+}
+
+/// What it draws out stays one part, however thin, and has no edge longer than 1.5 d_detail.
+void TestJoints::grabAlongTheSurface_staysInOnePiece()
+{
+    QFETCH(core::TriangleMesh, model);
+    QFETCH(Vec3, start);
+    QFETCH(Vec3, way);
+    constexpr double radius = 0.46;
+    Sculptor sculptor(mesh_asserts::sculptable(model));
+    drag(sculptor, Tool::Grab, radius, line(start, start + way, 0.05 * radius));
+    const core::MeshReport report = judged(sculptor);
+    QVERIFY(report.printReady());
+    QVERIFY2(report.genus.value() == 0 && report.components == 1,
+             qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
+    const core::Mesh& mesh = sculptor.mesh();
+    const double longest = 1.5 * core::edgeBounds(radius, 1).detail;
+    for (core::Slot e = 0; e < mesh.slots().edges; ++e) {
+        if (!mesh.isEdge(e))
+            continue;
+        const Vec3 a = mesh.point(mesh.to(2 * e)).cast<double>(), b = mesh.point(mesh.to(2 * e + 1)).cast<double>();
+        const Vec3 middle = 0.5 * (a + b) - start;
+        const double share = std::clamp(middle.dot(way) / way.squaredNorm(), 0.0, 1.0);
+        if ((middle - share * way).norm() < 0.9 * radius)
+            QVERIFY2((a - b).norm() <= longest, qPrintable(QString::number((a - b).norm() / longest)));
+    }
 }
 
 void TestJoints::endsOfARing_joinInOneSeam_data()

@@ -53,6 +53,8 @@ class TestStampRim : public QObject
 private Q_SLOTS:
     void followsTheCurve_data();
     void followsTheCurve();
+    void onFolds_isDoneWhole_data();
+    void onFolds_isDoneWhole();
 };
 
 void TestStampRim::followsTheCurve_data()
@@ -124,6 +126,33 @@ void TestStampRim::followsTheCurve()
     }
     const double expected = isCube ? 8 * half : 2 * std::numbers::pi * radius;
     QVERIFY2(std::abs(rim.length - expected) < 0.05 * expected, qPrintable(QString::number(rim.length)));
+}
+
+void TestStampRim::onFolds_isDoneWhole_data()
+{
+    QTest::addColumn<core::TriangleMesh>("model");
+    QTest::addRow("bowl") << clay::bowl();
+    QTest::addRow("spiral") << clay::spiral();
+    QTest::addRow("fingers") << clay::twoFingers(0.05);
+}
+
+/// Where a stamp holds several folds of the surface, the outcome is that of a solid that is cut out or added.
+void TestStampRim::onFolds_isDoneWhole()
+{
+    QFETCH(core::TriangleMesh, model);
+    for (std::size_t i = 0; i < 12; ++i) {
+        core::Sculptor sculptor(mesh_asserts::sculptable(model));
+        StrokeSettings settings;
+        settings.tool = core::Tool::Stamp;
+        settings.radius = 0.3;
+        settings.inverted = i % 2 == 1;
+        settings.topology = core::Topology::Refine;
+        const Vec3 center = model.points[i * model.points.size() / 12].cast<double>();
+        QCOMPARE(clay::dabOnce(sculptor, settings, center).outcome, core::DabOutcome::Committed);
+        QVERIFY(mesh_asserts::isSound(sculptor));
+        if (!settings.inverted) // nothing is left inside
+            QVERIFY(sculptor.nearest(center, 0.75 * settings.radius) == std::nullopt);
+    }
 }
 
 FETTLE_TEST(TestStampRim)
