@@ -166,7 +166,7 @@ void PointerInput::process(const PendingEvent& pending)
 {
     switch (pending.event.kind) {
     case PointerEvent::Kind::Press:
-        press(pending);
+        press(pending, m_query.hit());
         break;
     case PointerEvent::Kind::Move:
         move(pending);
@@ -182,16 +182,16 @@ void PointerInput::process(const PendingEvent& pending)
 }
 
 /// The right button takes back the stroke that another one draws; else a second button during a drag is ignored.
-void PointerInput::press(const PendingEvent& pending)
+void PointerInput::press(const PendingEvent& pending, const std::optional<core::SurfaceHit>& hit)
 {
     if (m_drag == Drag::Stroke && pending.event.button == Qt::RightButton)
         return finish(core::StrokeEnd::TakenBack);
     if (m_drag != Drag::None)
         return;
     if (m_mode == PointerMode::Add && isForBrush(pending.event))
-        addSphere(pending, m_query.hit());
+        addSphere(pending, hit);
     else
-        begin(pending, m_query.hit());
+        begin(pending, hit);
 }
 
 /// True unless the press moves the view wherever it is.
@@ -344,7 +344,7 @@ void PointerInput::processPending(const std::optional<core::SurfaceHit>& hit)
 {
     std::deque<PendingEvent> events;
     events.swap(m_pending);
-    begin(events.front(), hit);
+    press(events.front(), hit);
     events.pop_front();
     while (!events.empty()) {
         const PendingEvent pending = events.front();
@@ -362,13 +362,15 @@ void PointerInput::processPending(const std::optional<core::SurfaceHit>& hit)
 bool PointerInput::isUndecided(const PointerEvent& event) const
 {
     return event.kind == PointerEvent::Kind::Press && isForBrush(event) && m_drag == Drag::None &&
-           m_mode != PointerMode::Add && !m_query.isAbout(event.pixel);
+           !m_query.isAbout(event.pixel);
 }
 
 std::optional<core::SurfaceHit> PointerInput::hover() const
 {
     if (!m_inside || movesView())
         return {};
+    if (m_mode == PointerMode::Add && m_query.hit())
+        return m_query.hit();
     if (m_mode == PointerMode::Add)
         return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0,
                                 core::noSlot};

@@ -124,7 +124,7 @@ private:
     };
 
     void process(const PendingEvent& pending);
-    void press(const PendingEvent& pending);
+    void press(const PendingEvent& pending, const std::optional<core::SurfaceHit>& hit);
     void move(const PendingEvent& pending);
     void begin(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit);
     void end(core::StrokeEnd how = core::StrokeEnd::Kept);

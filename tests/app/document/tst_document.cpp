@@ -452,6 +452,13 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
     QCOMPARE(noticed.size(), 1);
     session.document.history().undo();
     QCOMPARE(session.state(), start);
+
+    noticed.clear();
+    brush.join = true; // on the surface it becomes part of the model
+    add({0, 45, 0});
+    QVERIFY(noticed.isEmpty() && session.state() != start);
+    QCOMPARE(session.document.history().undoText(), StrokeStep::textOfAdding(false));
+    session.verifyWhole();
 }
 
 void TestDocument::mirroredStroke_saysWhereTheModelIsNotSymmetric()

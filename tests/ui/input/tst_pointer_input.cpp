@@ -163,8 +163,7 @@ private Q_SLOTS:
         }
     }
 
-    /// In the plane that faces the camera, through the last stroke's place if there was one; once, and wherever the
-    /// pointer is.
+    /// Beside the model in the plane that faces the camera, through the last stroke's place if there was one; once.
     void anArmedPressAsksForASphere()
     {
         Recorder r;
@@ -180,7 +179,7 @@ private Q_SLOTS:
         r.brush.setValue(core::Parameter::Strength, 0);
         const auto click = [&](const Pixel& at) {
             r.input.setMode(ui::PointerMode::Add);
-            r.send(Kind::Move, at);
+            r.rest(at, std::nullopt);
             QVERIFY(r.input.hover());
             const core::Vec3 shown = r.input.hover()->position;
             r.send(Kind::Press, at);
@@ -206,6 +205,25 @@ private Q_SLOTS:
         r.send(Kind::Release, {400, 300}, Qt::MiddleButton);
         QVERIFY(r.input.mode() == ui::PointerMode::Add);
         QCOMPARE(places.size(), 2);
+    }
+
+    /// As soon as it is known where that is.
+    void anArmedPressOnTheModelAsksForASphereThere()
+    {
+        Recorder r;
+        QList<core::Vec3> places;
+        QObject::connect(&r.input, &ui::PointerInput::sphereRequested, &r.input,
+                         [&](const core::StrokeSettings& settings, const core::StrokeSample& sample) {
+                             QVERIFY(settings.add && settings.join);
+                             places << sample.position;
+                         });
+        r.input.setMode(ui::PointerMode::Add);
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Release, {400, 300});
+        QVERIFY(places.isEmpty() && r.input.mode() == ui::PointerMode::Add);
+        r.input.setHover(somewhere);
+        QCOMPARE(places, QList<core::Vec3>{somewhere.position});
+        QVERIFY(r.input.mode() == ui::PointerMode::Sculpt && r.log.isEmpty());
     }
 
     /// In the world the hand rests and the model turns; in the model's space the hand goes round it.
