@@ -55,7 +55,7 @@ struct StrokeSettings
     bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
     /// With `add`: the sphere is added wherever it is, and becomes part of the model where their surfaces cross.
     bool join = false;
-    Rgb color;        ///< of Paint
+    Rgb color;                          ///< of Paint
     std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none
     bool alphaFollows = false; ///< up in the alpha, or in Stamp's model, is the stroke's way; else it stands upright
     std::shared_ptr<const BrushModel> model; ///< of Stamp, and of what `add` adds; null: a ball
@@ -130,8 +130,8 @@ struct Dab
     Vec3 up = Vec3::UnitY();    ///< the world's, or the hand's, in the model's space; of unit length
     /// Away from who stands before the model, or holds the brush, there; the same, and across up.
     Vec3 ahead = -Vec3::UnitZ();
-    bool isMirrored = false;     ///< the image of what the hand does
-    Vec3 normal = Vec3::Zero();  ///< of Stamp: the surface's mean normal before its outline was cut, or zero
+    bool isMirrored = false;    ///< the image of what the hand does
+    Vec3 normal = Vec3::Zero(); ///< of Stamp: the surface's mean normal before its outline was cut, or zero
 };
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };
