@@ -8,6 +8,8 @@ namespace ui
 namespace
 {
 constexpr int maxRecent = 6;
+/// The spacing at which prints of an alpha stand side by side, in radii.
+constexpr double printSpacing = 2;
 
 void putFirst(QStringList& files, const QString& path)
 {
@@ -70,14 +72,14 @@ std::shared_ptr<const core::Alpha> BrushShapes::alpha(const QString& source) con
     return builtIn ? builtIn : m_read.value(source);
 }
 
-void BrushShapes::chooseAlpha(const QString& source)
+void BrushShapes::chooseAlpha(const QString& source, AlphaSpacing spacing)
 {
     const core::Tool tool = m_brush->tool();
     const int request = ++m_alphaRequest;
     if (const auto builtIn = core::builtInAlpha(source.toStdString()); builtIn || source.isEmpty())
-        return setAlpha(tool, builtIn);
+        return setAlpha(tool, builtIn, spacing);
     m_background.run([source] { return readAlpha(source); },
-                     [this, source, tool, request](const BrushFile<core::Alpha>& file) {
+                     [this, source, tool, request, spacing](const BrushFile<core::Alpha>& file) {
                          if (request != m_alphaRequest)
                              return;
                          if (!file.what) {
@@ -86,14 +88,18 @@ void BrushShapes::chooseAlpha(const QString& source)
                          }
                          putFirst(m_stored.alphas, source);
                          remember(source, file.what);
-                         setAlpha(tool, file.what);
+                         setAlpha(tool, file.what, spacing);
                      });
 }
 
-void BrushShapes::setAlpha(core::Tool tool, const std::shared_ptr<const core::Alpha>& alpha)
+void BrushShapes::setAlpha(core::Tool tool, const std::shared_ptr<const core::Alpha>& alpha, AlphaSpacing spacing)
 {
     m_alphas.forget(tool);
     ToolValues values = m_brush->tools()->of(tool);
+    if (spacing == AlphaSpacing::Readable && alpha && !values.alpha)
+        values.spacing = printSpacing;
+    if (spacing == AlphaSpacing::Readable && !alpha && values.alpha && values.spacing == printSpacing)
+        values.spacing = defaultSpacing;
     values.alpha = alpha;
     m_brush->tools()->set(tool, values);
     save();

@@ -10,6 +10,10 @@
 
 namespace ui
 {
+/// What a choice of an alpha does to the tool's spacing. Readable: with the tool's first alpha prints stand side by
+/// side, and without one dabs are dense again.
+enum class AlphaSpacing { Readable, Kept };
+
 /// Which alpha each tool and which model the brush has: reads their files on a thread, and keeps what was chosen in the
 /// settings. Thread: gui.
 class BrushShapes : public QObject
@@ -27,7 +31,7 @@ public:
 
     /// Gives the tool that is in the hand a name of core::builtInAlphas(), or a path, which takes effect when it was
     /// read; empty: none.
-    void chooseAlpha(const QString& source);
+    void chooseAlpha(const QString& source, AlphaSpacing spacing = AlphaSpacing::Readable);
     /// A path; empty: a ball.
     void chooseModel(const QString& path);
     /// The document's model as it is now: ownModelRequested().
@@ -51,7 +55,7 @@ Q_SIGNALS:
 
 private:
     enum class Origin { User, Restore };
-    void setAlpha(core::Tool tool, const std::shared_ptr<const core::Alpha>& alpha);
+    void setAlpha(core::Tool tool, const std::shared_ptr<const core::Alpha>& alpha, AlphaSpacing spacing);
     void readModel(const QString& path, Origin origin);
     void setModel(const std::shared_ptr<const core::BrushModel>& model);
     void storeModel();

@@ -53,9 +53,10 @@ QString takePreset(const PresetFile& file, BrushSettings* brush, BrushShapes* sh
         brush->set(&StrokeSettings::color, stroke.color);
     brush->setInverted(stroke.inverted);
     if (stroke.alpha)
-        shapes->chooseAlpha(QString::fromStdString(stroke.alpha->source()));
+        shapes->chooseAlpha(QString::fromStdString(stroke.alpha->source()), AlphaSpacing::Kept);
     else
-        shapes->chooseAlpha(preset.alpha.file.empty() || !problem.isEmpty() ? QString() : alphaPath(file));
+        shapes->chooseAlpha(preset.alpha.file.empty() || !problem.isEmpty() ? QString() : alphaPath(file),
+                            AlphaSpacing::Kept);
     return problem;
 }
 

@@ -246,8 +246,16 @@ void TestBrushFiles::window_choosesAlphas()
     QTRY_COMPARE(box->currentData().toString(), path("mine.png"));
     QCOMPARE(box->currentText(), QStringLiteral("mine.png"));
     QCOMPARE(window.brush()->stroke().alpha->at(0, 0), 200.0 / 255);
+    QCOMPARE(window.brush()->stroke().spacing, 2.0); // prints stand side by side
     choose({});
     QVERIFY(!window.brush()->stroke().alpha);
+    QCOMPARE(window.brush()->stroke().spacing, ui::defaultSpacing);
+    choose(QStringLiteral("star"));
+    window.brush()->setValue(core::Parameter::Spacing, 0.5);
+    choose(QStringLiteral("ring"));
+    QCOMPARE(window.brush()->stroke().spacing, 0.5); // the user's own
+    choose({});
+    QCOMPARE(window.brush()->stroke().spacing, 0.5);
     QVERIFY(box->findData(path("mine.png")) > 0); // still at hand
 }
 
