@@ -178,19 +178,18 @@ RemeshCounts DabSteps::optimise(DabContext& context, MeshEditor edit)
     EdgeBounds bounds = context.bounds;
     if (context.settings.topology == Topology::Keep)
         bounds.detail = std::numeric_limits<double>::max();
-    if (!keepsShape(context.settings.tool)) {
-        const RemeshCounts counts = core::optimise(edit, context.region, bounds, context.rest());
-        if (const RestLengths* rest = context.rest(); rest && isDragTool(context.settings.tool)) {
-            const auto evened = [&](Slot v) {
-                return rest->wasSharp(v) ? Vec3(context.mesh().point(v).cast<double>())
-                                         : evenedAlongLine(context.mesh(), v);
-            };
-            moveSoundly(edit, context.region, bounds, evened);
-        }
-        return counts;
-    }
-    const auto place = [&](Slot v) { return relaxedAlongSharp(context.mesh(), bounds, v); };
-    return optimiseKeepingShape(edit, context.region, bounds, place, context.rest());
+    const Mesh& mesh = context.mesh();
+    const RestLengths* rest = context.rest();
+    const auto relaxed = [&](Slot v) { return relaxedAlongSharp(mesh, bounds, v); };
+    const RemeshCounts counts = keepsShape(context.settings.tool)
+                                    ? optimiseKeepingShape(edit, context.region, bounds, relaxed, context.rest())
+                                    : core::optimise(edit, context.region, bounds, context.rest());
+    const auto evened = [&](Slot v) {
+        return rest->wasSharp(v) ? Vec3(mesh.point(v).cast<double>()) : evenedAlongLine(mesh, v);
+    };
+    if (rest && isDragTool(context.settings.tool))
+        moveSoundly(edit, context.region, bounds, evened);
+    return counts;
 }
 
 bool DabSteps::displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts)

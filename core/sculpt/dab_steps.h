@@ -18,7 +18,8 @@ public:
     RemeshCounts refineAndPlan(DabContext& context, StepPlan& plan, MeshEditor edit);
     /// Moves each vertex of the region by a part of its plan. False if one would leave the working volume.
     bool displace(DabContext& context, double part);
-    /// Makes the mesh under the brush quasi-uniform. Keeps edges that the tool has made sharp.
+    /// Makes the mesh under the brush quasi-uniform. Keeps edges that the tool has made sharp; of a drag it evens the
+    /// lines of those that were not sharp before.
     RemeshCounts optimise(DabContext& context, MeshEditor edit);
     /// Displaces, and optimises unless a vertex would leave the working volume: false.
     bool displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts);
