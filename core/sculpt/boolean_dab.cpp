@@ -80,6 +80,14 @@ bool canMirror(DabContext& context, const std::vector<Slot>& faces)
            mirror.learn(faces, context.surface.octree());
 }
 
+/// Whether a face that would go is masked, be it in part.
+bool touchesMask(const Mesh& mesh, const Surgery& surgery)
+{
+    return std::ranges::any_of(surgery.removed, [&](Slot f) {
+        return std::ranges::any_of(mesh.corners(f), [&](Slot v) { return mesh.mask(v) > 0; });
+    });
+}
+
 void optimiseAround(DabContext& context)
 {
     if (context.settings.topology == Topology::Keep)
@@ -110,6 +118,8 @@ BooleanOutcome applyBoolean(DabContext& context, TriangleMesh solid, const std::
             if (context.mirror && !canMirror(context, boolean.candidates()))
                 return BooleanOutcome::Failed;
             surgery = boolean.surgery(operation);
+            if (surgery && touchesMask(context.mesh(), *surgery))
+                return BooleanOutcome::Failed;
         }
         MeshTransaction transaction(context.surface, context.region);
         if (surgery && exchange(context, *surgery) && transaction.commit()) {

@@ -75,6 +75,7 @@ private Q_SLOTS:
     void withoutFusion_isRefused();
     void joinedBall_isSymmetric();
     void joinedBall_isUndone();
+    void maskedSurface_stays();
 };
 
 void TestSolidBoolean::volumesAddUp_data()
@@ -207,6 +208,19 @@ void TestSolidBoolean::joinedBall_isUndone()
     QCOMPARE(sculptor->mesh().stateHash(), before);
     sculptor->swap(delta);
     QCOMPARE(sculptor->mesh().stateHash(), after);
+}
+
+void TestSolidBoolean::maskedSurface_stays()
+{
+    const auto sculptor = clay::ball();
+    StrokeSettings mask;
+    mask.tool = core::Tool::Mask;
+    mask.radius = 6;
+    clay::dabOnce(*sculptor, mask, {0, 0, clay::ballRadius});
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    QCOMPARE(clay::dabOnce(*sculptor, joining(10), {4, 0, clay::ballRadius}).outcome, DabOutcome::Refused);
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+    QCOMPARE(clay::dabOnce(*sculptor, joining(10), {0, 30, 40}).outcome, DabOutcome::Added);
 }
 
 FETTLE_TEST(TestSolidBoolean)
