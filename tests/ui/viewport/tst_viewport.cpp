@@ -113,7 +113,8 @@ private Q_SLOTS:
         QVERIFY(clay != backdrop);
         QVERIFY(clay.red() > clay.blue() + 20);
         QCOMPARE(s.viewport.stats().wholeUploads, quint64(1));
-        QCOMPARE(s.viewport.stats().uploadedBytes, quint64(s.model.vertices() * 20 + s.model.faces() * 12));
+        QCOMPARE(s.viewport.stats().uploadedBytes,
+                 quint64(s.model.vertices() * sizeof(core::DrawVertex) + s.model.faces() * 12));
     }
 
     void aSmallPatchSendsAndChangesOnlyWhatItSays()
@@ -130,7 +131,7 @@ private Q_SLOTS:
         patch.vertices = {SphereModel::draw(s.model.mesh.points[v] * 1.06F)};
         s.give(std::move(patch));
 
-        QCOMPARE(s.viewport.stats().uploadedBytes - sent, quint64(20));
+        QCOMPARE(s.viewport.stats().uploadedBytes - sent, quint64(sizeof(core::DrawVertex)));
         QCOMPARE(s.viewport.stats().wholeUploads, quint64(1));
         const QRect area = changed(before, s.viewport.grabFramebuffer());
         QVERIFY(area.isValid());
@@ -152,7 +153,8 @@ private Q_SLOTS:
         patch.faceSlots *= 3;
         const quint64 sent = s.viewport.stats().uploadedBytes;
         s.give(std::move(patch));
-        QCOMPARE(s.viewport.stats().uploadedBytes - sent, quint64(more * 20 + 2 * s.model.faces() * 12));
+        QCOMPARE(s.viewport.stats().uploadedBytes - sent,
+                 quint64(more * sizeof(core::DrawVertex) + 2 * s.model.faces() * 12));
         QVERIFY(!changed(before, s.viewport.grabFramebuffer()).isValid());
     }
 
