@@ -74,6 +74,8 @@ Played play()
     Session s;
     HeadsetHand& hand = s.hand;
     const Vec3 out = Vec3(0.6, 0.8, 0);
+    for (const core::Tool tool : {core::Tool::Pull, core::Tool::Paint}) // dabs of a hand that rests follow the clock
+        s.program.window.brush()->tools()->setAirbrush(tool, false);
     hand.enter();
     s.note("entered");
 
@@ -120,8 +122,6 @@ Played play()
     hand.hold(Side::Left, "squeeze");
     s.note("saved");
     hand.leave();
-    ui::BrushSettings& brush = *s.program.window.brush();
-    brush.tools()->setAirbrush(brush.tool(), false); // its dabs follow the clock
     drag(s.program.window.viewport(), {30, 5});
     QTest::qWait(0);
     s.note("desktop");
