@@ -180,6 +180,7 @@ private Q_SLOTS:
         const auto click = [&](const Pixel& at) {
             r.input.setMode(ui::PointerMode::Add);
             r.rest(at, std::nullopt);
+            r.input.setHover(std::nullopt); // the answer before may have been about another place
             QVERIFY(r.input.hover());
             const core::Vec3 shown = r.input.hover()->position;
             r.send(Kind::Press, at);
