@@ -145,6 +145,10 @@ double DabSteps::plan(DabContext& context)
     Region& whole = context.mirror ? m_whole : context.region;
     if (context.mirror)
         selectBothSides(context, m_whole);
+    context.region.forEach([&](Slot v) { // what the cut has added lies past a brush along the surface
+        if (!whole.contains(v))
+            whole.add(v, context.region.distance(v));
+    });
     for (Slot v : m_outline.slots()) {
         if (whole.contains(v))
             whole.setCarried(v, 1);
@@ -181,15 +185,14 @@ RemeshCounts DabSteps::optimise(DabContext& context, MeshEditor edit)
     const Mesh& mesh = context.mesh();
     const RestLengths* rest = context.rest();
     const auto relaxed = [&](Slot v) { return relaxedAlongSharp(mesh, bounds, v); };
-    const RemeshCounts counts = keepsShape(context.settings.tool)
-                                    ? optimiseKeepingShape(edit, context.region, bounds, relaxed, context.rest())
-                                    : core::optimise(edit, context.region, bounds, context.rest());
     const auto evened = [&](Slot v) {
         return rest->wasSharp(v) ? Vec3(mesh.point(v).cast<double>()) : evenedAlongLine(mesh, v);
     };
     if (rest && isDragTool(context.settings.tool))
         moveSoundly(edit, context.region, bounds, evened);
-    return counts;
+    return keepsShape(context.settings.tool)
+               ? optimiseKeepingShape(edit, context.region, bounds, relaxed, context.rest())
+               : core::optimise(edit, context.region, bounds, context.rest());
 }
 
 bool DabSteps::displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts)
