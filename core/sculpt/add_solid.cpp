@@ -122,8 +122,8 @@ void addApart(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, co
 BooleanOutcome joinOneByOne(DabContext& context, TriangleMesh solid, std::vector<Vec3> places)
 {
     const MirrorMap& mirror = *std::exchange(context.mirror, nullptr);
-    context.report.asymmetric = true;
     const BooleanOutcome first = applyBoolean(context, solid, places, BooleanOperation::Unite);
+    context.report.asymmetric = first == BooleanOutcome::Done;
     if (first != BooleanOutcome::Done || mirror.imageOf(context.dab.position) == context.dab.position)
         return first;
     reverseOrientation(solid);

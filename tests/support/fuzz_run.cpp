@@ -158,6 +158,8 @@ Stroke FuzzRun::nextStroke()
     Stroke stroke = m_fuzzer.stroke(m_sculptor.mesh());
     if (m_start.plane != Symmetry::None)
         stroke.settings.symmetry = m_start.plane;
+    if (stroke.settings.symmetry != core::Symmetry::None)
+        stroke.settings.join = false; // balls that meet at the plane are not joined exactly
     return stroke;
 }
 

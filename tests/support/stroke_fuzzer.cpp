@@ -78,7 +78,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.detail = uniform(0.3, 3);
     s.spacing = below(2) == 0 ? 0 : uniform(0.05, 1);
     s.airbrush = below(4) == 0 ? uniform(1, 20) : 0;
-    s.join = below(4) == 0 && s.symmetry == core::Symmetry::None; // a pair that meets is not joined exactly
+    s.join = below(4) == 0;
 
     if (below(5) == 0) {
         s.alpha = core::builtInAlpha(core::builtInAlphas()[below(core::builtInAlphas().size())]);
