@@ -10,7 +10,7 @@ namespace core
 namespace
 {
 /// Tries, each with the solid shifted by some lattice units more: enough for it to lie in no plane of the model's.
-constexpr int maxTries = 6;
+constexpr int maxTries = 3;
 const Vec3 shift(3, 5, 7);
 
 /// Returns the exchange on the other side of the mirror.

@@ -37,6 +37,8 @@ namespace
 constexpr int maxAttempts = 4 * 4096;
 /// Vertices of the warm-up dab at most: where the mesh is far finer than elsewhere there is none.
 constexpr Slot maxWarmUpVertices = 1024;
+/// The depth of a stamp from which it is rather done as a solid than in several sub-steps, in radii.
+constexpr double deepStamp = 0.3;
 /// Sub-steps after which motion limits are lifted for one try, at the latest.
 constexpr unsigned maxLimitedSteps = 8;
 
@@ -162,7 +164,7 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
         counts = m_steps.refineAndPlan(context, plan, context.editor()); // 3.2, 3.3
     if (context.region.empty())
         return Step::Empty;
-    if (m_mayStampSolid && !plan.isLast()) {
+    if (m_mayStampSolid && !plan.isLast() && context.report.asked > deepStamp * context.dab.radius) {
         plan.discard();
         return Step::Failed;
     }

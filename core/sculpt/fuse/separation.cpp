@@ -16,8 +16,8 @@ constexpr double neckGaps[] = {0.5, 0.1};
 /// A speck: a component smaller than this, in terms of the brush's d; one of few faces may be a little larger.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
-/// The share of the model's faces that a shred has at most.
-constexpr double shredFaces = 0.1;
+/// The faces of a shred at most, and how many times as many the part has at least from which it came off.
+constexpr std::size_t maxShredFaces = 2048, bodyPerShred = 10;
 /// A void that a join has closed is filled if it is smaller than this, in terms of the brush's d.
 constexpr double voidSize = 5;
 constexpr std::size_t voidFaces = 256;
@@ -118,10 +118,9 @@ bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair
             return false;
         if (const auto created = m_surgery.operate(surface, region, *surgery)) {
             // a copy of the cycle's vertex on each side
-            for (Slot v : {(*created)[0], (*created)[3]}) {
-                if (mesh.isVertex(v)) // else it went with the other
-                    removeSpeck(surface, region, v, bounds, Also::Shreds);
-            }
+            removeSpecks(surface, region, {(*created)[0], (*created)[3]}, bounds);
+            removeShred(surface, region, (*created)[0], (*created)[3], bounds);
+            removeShred(surface, region, (*created)[3], (*created)[0], bounds);
             return true;
         }
     }
@@ -153,6 +152,28 @@ void Separation::removeSpecks(VerifiedMesh& surface, Region& region, const std::
     }
 }
 
+/// Removes the component of a vertex, if it is a shred and the one that it came off is far larger.
+void Separation::removeShred(VerifiedMesh& surface, Region& region, Slot vertex, Slot body, const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    if (m_shredSize == 0 || !mesh.isVertex(vertex) || !mesh.isVertex(body))
+        return;
+    const auto facesUpTo = [&](Slot v, std::size_t max) {
+        SlotSet& found = region.scratch();
+        found.clear();
+        found.add(mesh.face(mesh.outgoing(v)));
+        for (std::size_t i = 0; i < found.size() && found.size() <= max; ++i) {
+            Slot h = mesh.faceHalfedge(found.slots()[i]);
+            for (int k = 0; k < 3; ++k, h = mesh.next(h))
+                found.add(mesh.face(h ^ 1));
+        }
+        return found.size();
+    };
+    const std::size_t faces = facesUpTo(vertex, maxShredFaces);
+    if (faces <= maxShredFaces && facesUpTo(body, bodyPerShred * faces) > bodyPerShred * faces)
+        removeSpeck(surface, region, vertex, bounds, Also::Shreds);
+}
+
 /// Removes the component of a vertex, if it is small and not all there is: a speck, a void or a shred. (One that holds
 /// another is not sound to remove.)
 bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds, Also also)
@@ -168,9 +189,7 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
         return found.size() <= speckFaces && size() <= (found.size() < fewFaces ? crumbSize : speckSize) * d;
     };
     const auto mayBeVoid = [&] { return also == Also::Voids && found.size() <= voidFaces && size() <= voidSize * d; };
-    const auto isShred = [&] {
-        return also == Also::Shreds && size() <= m_shredSize && found.size() <= shredFaces * mesh.live().faces;
-    };
+    const auto isShred = [&] { return also == Also::Shreds && size() <= m_shredSize && found.size() <= maxShredFaces; };
     for (std::size_t i = 0; i < found.size(); ++i) {
         Slot h = mesh.faceHalfedge(found.slots()[i]);
         for (int k = 0; k < 3; ++k, h = mesh.next(h)) {

@@ -44,6 +44,7 @@ private:
                  const EdgeBounds& bounds);
     bool removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds,
                      Also also = Also::Nothing);
+    void removeShred(VerifiedMesh& surface, Region& region, Slot vertex, Slot body, const EdgeBounds& bounds);
     bool isOwnImage(const Mesh& mesh, const Triangle& cycle) const;
 
     FusionSurgery& m_surgery;
