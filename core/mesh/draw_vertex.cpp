@@ -19,8 +19,8 @@ constexpr double straightCosine = 0.7660444431189780;
 constexpr double ridgeRadius = 0.025;
 constexpr double latticeSteps = 1 << 20; ///< of that coordinate
 
-/// How sharp the edge between two faces of these normals is, 0 to 1. `squared`: the product of their squared lengths.
-/// Costs no square root where it is not at all.
+/// Returns how sharp the edge between two faces of these normals is, 0 to 1. `squared`: the product of their squared
+/// lengths. Costs no square root where it is not at all.
 double sharpness(const Vec3& a, const Vec3& b, double squared)
 {
     const double along = a.dot(b);
@@ -64,7 +64,7 @@ private:
     std::array<Edge, 3> m_edges;
 };
 
-/// What a round over the faces of a vertex finds.
+/// The result of a round over the faces of a vertex.
 struct Star
 {
     Vec3 normal =

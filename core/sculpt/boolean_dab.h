@@ -5,7 +5,7 @@
 
 namespace core
 {
-/// What came of a boolean dab. Apart: the surfaces do not meet, and nothing has changed.
+/// The outcome of a boolean dab. Apart: the surfaces do not meet. Apart and Failed leave everything as it was.
 enum class BooleanOutcome { Done, Apart, Failed };
 
 /// Unites the model with a solid, or subtracts the solid from it, as one step, and makes the mesh there quasi-uniform;

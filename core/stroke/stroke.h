@@ -53,7 +53,7 @@ struct StrokeSettings
     /// pinch spreads, crease raises a ridge, twist turns back, stamp raises, mask is wiped away.
     bool inverted = false;
     bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
-    /// With `add`: the sphere is added wherever it is, and becomes part of the model where their surfaces cross.
+    /// Lets `add` add the sphere wherever it is; it becomes part of the model where their surfaces cross.
     bool join = false;
     Rgb color;                          ///< of Paint
     std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none

@@ -137,7 +137,8 @@ void main()
     float shadowEdge = 1.0 / (1.0 + 2.25 * key * key); // to the fourth power
     shadowEdge *= shadowEdge;
     shadowEdge *= shadowEdge;
-    vec3 color = mix(albedoAndMeasure.rgb * tint, faultColor(), shaded) * light + keyColor * highlight * step(0.0, key) + skyColor * edge;
+    vec3 color = mix(albedoAndMeasure.rgb * tint, faultColor(), shaded) * light
+        + keyColor * highlight * step(0.0, key) + skyColor * edge;
     color += through * shadowEdge + sheen * away * (0.4 + 0.6 * sky);
 
     color = withCut(withFootprint(withMask(withCavity(soften(color)))));

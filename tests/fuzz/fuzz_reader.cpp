@@ -56,7 +56,7 @@ void check(const core::TriangleMesh& mesh)
             require(v < mesh.points.size(), "indices in range");
 }
 
-/// What was read is in range, and what is written of it is read again, the same.
+/// Checks that a preset is in range, and that what is written of it is read again, the same.
 void checkBrush(std::string_view text)
 {
     try {

@@ -20,7 +20,7 @@ template <class What> struct BrushFile
 /// An image in grey: bright is much; where it is transparent, nothing; a black shape on transparent ground is taken for
 /// white. Of more than core::Alpha::maxSide pixels a side nothing is decoded; SVG is refused. Any thread.
 BrushFile<core::Alpha> readAlpha(const QString& path);
-/// The same of what a device holds; `path`: what the sentence and the alpha call it.
+/// Reads an alpha from a device; `path`: what the sentence and the alpha call it.
 BrushFile<core::Alpha> decodeAlpha(QIODevice* device, const QString& path);
 /// Of files that readAlpha takes.
 QStringList alphaEndings();

@@ -10,8 +10,8 @@
 
 namespace ui
 {
-/// What a choice of an alpha does to the tool's spacing. Readable: with the tool's first alpha prints stand side by
-/// side, and without one dabs are dense again.
+/// The effect that choosing an alpha has on the tool's spacing. Readable: with the tool's first alpha prints stand side
+/// by side, and without one dabs are dense again.
 enum class AlphaSpacing { Readable, Kept };
 
 /// Which alpha each tool and which model the brush has: reads their files on a thread, and keeps what was chosen in the

@@ -46,8 +46,8 @@ QByteArray imageOf(const core::BrushPreset& preset)
     return QByteArray::fromBase64(QByteArray::fromStdString(preset.alphaImage));
 }
 
-/// Where the image of a preset is laid down as a file, which strokes and settings can name: in the user's data, in a
-/// folder that is called as its content.
+/// Returns the path at which the image of a preset is laid down as a file, which strokes and settings can name: in the
+/// user's data, in a folder that is called as its content.
 QString extractedPath(const core::BrushPreset& preset, const QByteArray& image)
 {
     const QByteArray hash = QCryptographicHash::hash(image, QCryptographicHash::Sha256).toHex().left(16);

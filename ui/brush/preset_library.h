@@ -54,7 +54,7 @@ Q_SIGNALS:
     void loaded();
     /// `path`: of the preset's file.
     void pictureMade(const QString& path, const QImage& picture);
-    /// In one sentence.
+    /// Says in one sentence why a preset is left out.
     void refused(const QString& sentence);
 
 private:

@@ -24,7 +24,7 @@ class PresetShelf : public QWidget
     Q_OBJECT
 
 public:
-    /// Both must outlive the shelf.
+    /// Keeps both pointers: they must outlive the shelf.
     PresetShelf(BrushSettings* brush, BrushShapes* shapes, QWidget* parent = nullptr);
 
 Q_SIGNALS:
@@ -68,6 +68,6 @@ struct PresetShelfContext
     std::function<void(const QString&)> notice;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles.
+/// Adds the shelf as a dock behind the brush's, with its entry among the toggles.
 void addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

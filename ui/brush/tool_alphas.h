@@ -16,7 +16,7 @@ class ToolAlphas : public QObject
     Q_OBJECT
 
 public:
-    /// Both must outlive this.
+    /// Keeps both: they must outlive this.
     ToolAlphas(ToolMemory* tools, Settings* settings, QObject* parent = nullptr);
 
     /// Gives each tool the alpha that is stored for it, or `otherwise` if none is. Files are read on a thread.

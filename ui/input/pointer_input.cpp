@@ -200,7 +200,7 @@ bool PointerInput::isForBrush(const PointerEvent& press) const
     return press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers, m_preferences) == Drag::None;
 }
 
-/// On the surface, or beside the model across the middle of what is seen.
+/// Asks for a ball on the surface, or beside the model across the middle of what is seen.
 void PointerInput::addSphere(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit)
 {
     core::StrokeSample sample;

@@ -103,7 +103,7 @@ void BrushSettings::takeValues(core::Tool tool)
     Q_EMIT changed();
 }
 
-/// From now on the tools have radii of their own: the present one's is what it was, so are those of tools that had
+/// Gives the tools radii of their own: the present one's is what it was, so are those of tools that had
 /// none.
 void BrushSettings::useSharing(bool shares)
 {

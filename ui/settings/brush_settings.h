@@ -63,8 +63,8 @@ public:
     /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where
     /// that one has none.
     void apply(const core::StrokeSettings& stroke);
-    /// As a new user's, the values of all tools included, but for the radius, which is the model's; of the tools that
-    /// are offered the first.
+    /// Sets all to a new user's, the values of all tools included, but for the radius, which is the model's; of the
+    /// tools that are offered the first.
     void reset();
 
     /// Returns what each tool has of its own, the present one included: both ways, what is set here is set there.
@@ -118,8 +118,8 @@ private:
     double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
 };
 
-/// What a stroke that begins with these keys held does: Shift smooths, as strongly as the tool Smooth, `invert` does
-/// the opposite.
+/// Returns what a stroke that begins with these keys held does: Shift smooths, as strongly as the tool Smooth, `invert`
+/// does the opposite.
 core::StrokeSettings withModifiers(const BrushSettings& brush, Qt::KeyboardModifiers modifiers,
                                    Qt::KeyboardModifier invert = Qt::ControlModifier);
 } // namespace ui

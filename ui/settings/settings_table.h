@@ -71,7 +71,7 @@ struct StoredShapes
     bool operator==(const StoredShapes&) const = default;
 };
 
-/// What a tool has of its own, without its alpha (ToolValues).
+/// A tool's own values, without its alpha (ToolValues).
 struct StoredTool
 {
     double strength = 1, falloff = 4;

@@ -14,7 +14,7 @@ namespace ui
 /// dig a hole.
 inline constexpr double defaultSpacing = 0.25;
 
-/// What each tool has of its own, in the ranges of stroke files.
+/// The values that each tool has of its own, in the ranges of stroke files.
 struct ToolValues
 {
     double strength = core::info(core::Parameter::Strength).defaultValue;

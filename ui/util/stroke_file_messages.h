@@ -7,7 +7,7 @@
 
 namespace ui
 {
-/// What is wrong with a stroke file or a preset file, for people: one sentence with file, place and reason.
+/// Says what is wrong with a stroke file or a preset file, for people: one sentence with file, place and reason.
 class StrokeFileMessages
 {
     Q_DECLARE_TR_FUNCTIONS(ui::StrokeFileMessages)

@@ -23,9 +23,9 @@ void askForExport(QWidget* parent, const QString& folder, const QString& modelNa
 
 /// `endings`, here and below: of the formats that are offered, the first one suggested.
 void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathCallback callback);
-/// Of a brush.
+/// Asks for a preset of a brush.
 void askForPreset(QWidget* parent, PathCallback callback);
-/// Where a preset of that name is to be written.
+/// Asks where a preset of that name is to be written.
 void askForPresetTarget(QWidget* parent, const QString& presetName, PathCallback callback);
 /// A zip, or the lesson.json of a folder.
 void askForLesson(QWidget* parent, PathCallback callback);

@@ -15,7 +15,7 @@ public:
 
     /// Puts it in use for an eye. Without cut, footprint and faults, each vertex in its own shade.
     void useFor(const EyeUniforms& eye) const;
-    /// From the vertices' own space, scaled evenly, to the room.
+    /// The transform from the vertices' own space, scaled evenly, to the room.
     void place(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom) const
     {
         view.set(Eigen::Matrix4f(eye.view * toRoom));
@@ -26,7 +26,7 @@ public:
     /// Draws a line where the plane through the origin of the vertices' own space cuts. Zero: none.
     void cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector3f& normal) const;
     void shade(const core::Shading& shading) const;
-    /// In how many sectors about the y axis the ball and its image are.
+    /// The number of sectors about the y axis in which the ball and its image are.
     void setSectors(float count) const;
 
     Uniform flatShading{this, "flatShading"};

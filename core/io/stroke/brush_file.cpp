@@ -61,7 +61,7 @@ public:
         --m_depth;
         return true;
     }
-    /// What is no JSON is told by the reader after this one.
+    /// Leaves it to the reader after this one to refuse what is no JSON.
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
 
 private:

@@ -13,7 +13,7 @@ inline constexpr double minPresetRadius = 0.002, maxPresetRadius = 0.5;
 /// A tool with its values, under a name.
 struct BrushPreset
 {
-    /// What a preset may leave to the brush that is there.
+    /// Names the values that a preset may leave to the brush that is there.
     struct Choices
     {
         bool reach = false, topology = false, detail = false, color = false;

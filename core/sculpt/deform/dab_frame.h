@@ -12,8 +12,9 @@ struct DabFrame
     Vec3 right = Vec3::Zero(), up = Vec3::Zero(), normal = Vec3::Zero();
 };
 
-/// On the region's mean plane, or across the dab's normal if it has one. Up is the world's, and where the plane is
-/// nearly level, away from who stands before it; with StrokeSettings::alphaFollows the stroke's way, once there is one.
+/// Returns the axes on the region's mean plane, or across the dab's normal if it has one. Up is the world's, and where
+/// the plane is nearly level, away from who stands before it; with StrokeSettings::alphaFollows the stroke's way, once
+/// there is one.
 DabFrame frameOn(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 /// In empty space: the normal is up.
 DabFrame uprightFrame(const Dab& dab);

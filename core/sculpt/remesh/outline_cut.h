@@ -12,7 +12,7 @@ using ShapeDepth = std::function<double(const Vec3&)>;
 /// Makes the outline of a shape on the surface run along edges. Edges that cross it are split there; an end that lies
 /// close to it moves onto it, along an edge and where the surface is not sharp. Where the shape is deep beside its
 /// outline, the edges that lead inwards are split once more, close to it: the foot of the wall that is to stand there.
-/// With a mirror the outlines of the shape and of its image are cut, on both sides.
+/// A mirror has the outlines of the shape and of its image cut, on both sides.
 class OutlineCut
 {
 public:

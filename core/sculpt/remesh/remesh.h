@@ -49,7 +49,7 @@ void moveSoundly(MeshEditor& edit, Region& region, const EdgeBounds& bounds, con
 Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
 /// Whether an edge at v is sharper than 40 degrees.
 bool isSharp(const Mesh& mesh, Slot v);
-/// As relaxedPlace(), except that a vertex where the surface is sharp stays where it is.
+/// Returns relaxedPlace(), or its own place for a vertex where the surface is sharp.
 Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
 
 /// Returns a place that makes the line even along which the surface is sharper than 60 degrees at v: half way to the

@@ -7,7 +7,7 @@
 
 namespace core
 {
-/// How long the edges were before a stroke moved them: the shortest one at each vertex, in mm, and where the surface
+/// The lengths of edges before a stroke moved them: the shortest one at each vertex, in mm, and where the surface
 /// was sharp. A stroke that keeps
 /// detail (keepsDetail) compares with that what it has squeezed.
 class RestLengths

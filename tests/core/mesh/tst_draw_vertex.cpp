@@ -1,4 +1,4 @@
-// What viewers are told of a vertex besides place and colour: sharp edges and curvature.
+// Tests what viewers are told of a vertex besides place and colour: sharp edges and curvature.
 #include "core/mesh/dirty_slots.h"
 #include "core/mesh/draw_vertex.h"
 #include "core/sculpt/sculptor.h"
@@ -101,7 +101,7 @@ void TestDrawVertex::edge_isSharpFrom45Degrees()
     QVERIFY(seen >= 6);
 }
 
-/// On a cylinder the two rims, each along its own circle; the sides bend by 15 degrees from face to face and are
+/// A cylinder has two rims, each along its own circle; the sides bend by 15 degrees from face to face and are
 /// smooth.
 void TestDrawVertex::roundSolid_isSharpAlongItsRims()
 {

@@ -106,7 +106,7 @@ void TestJoints::grabAlongTheSurface_staysInOnePiece_data()
             << clay::slab(4, 0.5, 40) << Vec3(0.1, 0.25, 0.5) << Vec3(0, 0, -0.46 * radii);
 }
 
-/// What it draws out stays one part, however thin, and has no edge longer than 1.5 d_detail.
+/// A Grab along the surface leaves one part, however thin, with no edge longer than 1.5 d_detail.
 void TestJoints::grabAlongTheSurface_staysInOnePiece()
 {
     QFETCH(core::TriangleMesh, model);

@@ -136,7 +136,7 @@ void TestStampRim::onFolds_isDoneWhole_data()
     QTest::addRow("fingers") << clay::twoFingers(0.05);
 }
 
-/// Where a stamp holds several folds of the surface, the outcome is that of a solid that is cut out or added.
+/// A stamp that holds several folds of the surface has the outcome that of a solid that is cut out or added.
 void TestStampRim::onFolds_isDoneWhole()
 {
     QFETCH(core::TriangleMesh, model);

@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(brush.stroke().strength == 1 && !brush.stroke().alpha);
     }
 
-    /// Where tools share it the radius stays.
+    /// A preset leaves the radius where tools share it.
     void theRadius_onlyComesWhereEachToolHasItsOwn()
     {
         ui::MainWindow window;

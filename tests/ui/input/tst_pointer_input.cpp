@@ -163,7 +163,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Beside the model in the plane that faces the camera, through the last stroke's place if there was one; once.
+    /// The ball comes, beside the model, in the plane that faces the camera, through the last stroke's place if there
+    /// was one; once.
     void anArmedPressAsksForASphere()
     {
         Recorder r;
@@ -208,7 +209,7 @@ private Q_SLOTS:
         QCOMPARE(places.size(), 2);
     }
 
-    /// As soon as it is known where that is.
+    /// The ball waits until it is known where the surface is.
     void anArmedPressOnTheModelAsksForASphereThere()
     {
         Recorder r;

@@ -27,7 +27,7 @@ int differing(const QImage& a, const QImage& b)
     return count;
 }
 
-/// How many pixels differ by more than so much.
+/// Returns how many pixels differ by more than so much.
 int unlike(const QImage& a, const QImage& b, int most)
 {
     int count = 0;

@@ -54,7 +54,7 @@ int difference(const QColor& a, const QColor& b)
     return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
 }
 
-/// How much the colours of these places differ among themselves.
+/// Returns how much the colours of these places differ among themselves.
 int spread(const QImage& picture, const ui::OrbitCamera& camera, const std::vector<core::Vec3>& places)
 {
     int most = 0;
