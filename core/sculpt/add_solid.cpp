@@ -118,34 +118,26 @@ void addApart(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, co
     report.touchedFaces = shells * static_cast<std::uint32_t>(solid.triangles.size());
 }
 
-/// Unites the model with the solid, and then with its image: where both meet the same faces.
-BooleanOutcome joinOneByOne(DabContext& context, TriangleMesh solid, std::vector<Vec3> places)
-{
-    const MirrorMap& mirror = *std::exchange(context.mirror, nullptr);
-    const BooleanOutcome first = applyBoolean(context, solid, places, BooleanOperation::Unite);
-    context.report.asymmetric = first == BooleanOutcome::Done;
-    if (first != BooleanOutcome::Done || mirror.imageOf(context.dab.position) == context.dab.position)
-        return first;
-    reverseOrientation(solid);
-    std::ranges::transform(places, places.begin(), [&](const Vec3& p) { return mirror.imageOf(p); });
-    const BooleanOutcome second = applyBoolean(context, std::move(solid), places, BooleanOperation::Unite);
-    return second == BooleanOutcome::Apart ? BooleanOutcome::Failed : second;
-}
-
-/// Unites the model with the solid, if their surfaces cross. False if they do not; then nothing has changed.
+/// Unites the model with the solid, and with its image, if their surfaces cross. False if they do not; then nothing has
+/// changed.
 bool joinSolid(DabContext& context)
 {
     std::vector<Vec3> places;
-    TriangleMesh solid = solidAt(context.dab, context.settings.model.get(), places);
-    const double wall = context.mesh().lattice().halfVolume();
-    const bool isInside = std::ranges::all_of(places, [&](const Vec3& p) { return p.cwiseAbs().maxCoeff() < wall; });
-    if (!isInside)
+    TriangleMesh mesh = solidAt(context.dab, context.settings.model.get(), places);
+    const Lattice& lattice = context.mesh().lattice();
+    if (!std::ranges::all_of(places, [&](const Vec3& p) { return lattice.contains(p); }))
         return false;
-    BooleanOutcome outcome = applyBoolean(context, solid, places, BooleanOperation::Unite);
+    PlacedSolid solid(std::move(mesh), std::move(places), context.dab.position);
+    BooleanOutcome outcome = applyBoolean(context, solid, BooleanOperation::Unite);
     if (outcome == BooleanOutcome::Apart)
         return false;
-    if (outcome == BooleanOutcome::Failed && context.mirror)
-        outcome = joinOneByOne(context, solid, places);
+    if (outcome == BooleanOutcome::Failed && context.mirror) { // both at once, but not each as the other's image
+        const MirrorMap& mirror = *std::exchange(context.mirror, nullptr);
+        if (mirror.imageOf(context.dab.position) != context.dab.position)
+            solid.addImage(mirror);
+        outcome = applyBoolean(context, std::move(solid), BooleanOperation::Unite);
+        context.report.asymmetric = outcome == BooleanOutcome::Done;
+    }
     const bool isDone = outcome == BooleanOutcome::Done;
     context.report.outcome = isDone ? DabOutcome::Added : DabOutcome::Refused;
     context.report.refusal = isDone ? Refusal::None : Refusal::Unfit;

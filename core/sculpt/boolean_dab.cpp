@@ -9,9 +9,9 @@ namespace core
 {
 namespace
 {
-/// Tries, each with the solid shifted by some lattice units more: enough for it to lie in no plane of the model's.
+/// Tries, each with the solid grown by some lattice units more: enough for it to lie in no plane of the model's.
 constexpr int maxTries = 3;
-const Vec3 shift(3, 5, 7);
+const Vec3 growth(3, 5, 7);
 
 /// Returns the exchange on the other side of the mirror.
 Surgery imageOf(const Surgery& surgery, MirrorMap& mirror)
@@ -102,17 +102,43 @@ void optimiseAround(DabContext& context)
 }
 } // namespace
 
-BooleanOutcome applyBoolean(DabContext& context, TriangleMesh solid, const std::vector<Vec3>& points,
-                            BooleanOperation operation)
+PlacedSolid::PlacedSolid(TriangleMesh ofMesh, std::vector<Vec3> ofPlaces, const Vec3& center)
+    : mesh(std::move(ofMesh))
+    , places(std::move(ofPlaces))
+{
+    for (const Vec3& p : places)
+        outward.push_back((p - center).cwiseSign());
+}
+
+void PlacedSolid::addImage(const MirrorMap& mirror)
+{
+    const std::size_t count = places.size(), faces = mesh.triangles.size();
+    for (std::size_t v = 0; v < count; ++v) {
+        mesh.points.push_back(mesh.points[v]);
+        places.push_back(mirror.imageOf(places[v]));
+        outward.push_back(2 * mirror.imageOf(outward[v])); // else they would meet in corners and along edges
+    }
+    const auto first = static_cast<Slot>(count);
+    for (std::size_t f = 0; f < faces; ++f) {
+        const auto [a, b, c] = mesh.triangles[f];
+        mesh.triangles.push_back({first + a, first + c, first + b});
+    }
+}
+
+BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation)
 {
     const Lattice& lattice = context.mesh().lattice();
     for (int i = 0; i < maxTries; ++i) {
-        std::ranges::transform(points, solid.points.begin(),
-                               [&](const Vec3& p) { return lattice.snap(p + i * lattice.unit() * shift); });
+        for (std::size_t v = 0; v < solid.places.size(); ++v) {
+            const Vec3 p = solid.places[v] + i * lattice.unit() * growth.cwiseProduct(solid.outward[v]);
+            if (!lattice.contains(p))
+                return BooleanOutcome::Failed;
+            solid.mesh.points[v] = lattice.snap(p);
+        }
         std::optional<Surgery> surgery;
         {
             const PhaseTimer timer(context.report.deformMs);
-            const SolidBoolean boolean(context.surface, solid);
+            const SolidBoolean boolean(context.surface, solid.mesh);
             if (!boolean.areCrossing())
                 return BooleanOutcome::Apart;
             if (context.mirror && !canMirror(context, boolean.candidates()))

@@ -8,11 +8,22 @@ namespace core
 /// The outcome of a boolean dab. Apart: the surfaces do not meet. Apart and Failed leave everything as it was.
 enum class BooleanOutcome { Done, Apart, Failed };
 
-/// Unites the model with a solid, or subtracts the solid from it, as one step, and makes the mesh there quasi-uniform;
-/// the curves in which the surfaces met stay sharp. With a mirror the solid's image, too, where the two are changing
-/// different faces, else it fails; where it would take masked faces away it fails, too. Counts as one fusion. The
-/// context's region becomes what was changed. `points`: where the solid's points are to be, in mm, within the working
-/// volume.
-BooleanOutcome applyBoolean(DabContext& context, TriangleMesh solid, const std::vector<Vec3>& points,
-                            BooleanOperation operation);
+/// A solid of one or two shells, and where a dab wants it.
+struct PlacedSolid
+{
+    /// `places`: of its points, in mm. `center`: it grows away from there.
+    PlacedSolid(TriangleMesh ofMesh, std::vector<Vec3> ofPlaces, const Vec3& center);
+    /// Adds its mirror image as a second shell, which may meet the first.
+    void addImage(const MirrorMap& mirror);
+
+    TriangleMesh mesh;
+    std::vector<Vec3> places;
+    std::vector<Vec3> outward; ///< for each point the signs of the coordinates of the way out
+};
+
+/// Unites the model with a solid, or subtracts the solid from it, as one step that counts as one fusion, and makes the
+/// mesh there quasi-uniform; the curves in which the surfaces met stay sharp. The context's region becomes what was
+/// changed. A mirror has the solid's image done, too; then it fails where the solid and its image change the same
+/// faces. It fails where masked faces would go, too, and beyond the working volume.
+BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation);
 } // namespace core

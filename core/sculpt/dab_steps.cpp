@@ -20,6 +20,8 @@ namespace
 {
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double maxImageDistance = 4;
+/// The depth from which a stamp has an outline, in d_detail.
+constexpr double leastDepth = 0.05;
 /// Rounds of smoothing at what was joined (paper, section 3.4).
 constexpr int maxJointSmoothings = 3;
 
@@ -117,7 +119,11 @@ StampShape DabSteps::stampShape(DabContext& context)
 RemeshCounts DabSteps::cutOutline(DabContext& context, MeshEditor& edit)
 {
     const StampShape shape = stampShape(context);
-    const ShapeDepth depth = [&](const Vec3& p) { return shape.depthAt(p); };
+    const double least = leastDepth * context.bounds.detail; // what is there already needs no rim
+    const ShapeDepth depth = [&](const Vec3& p) {
+        const double deep = shape.depthAt(p);
+        return std::abs(deep) < least ? 0 : deep;
+    };
     RemeshPass pass(edit, context.region, context.bounds, context.rest());
     m_outline = OutlineCut(pass, depth, context.ball).cut();
     return pass.counts;
@@ -128,12 +134,10 @@ bool DabSteps::stampSolid(DabContext& context)
     if (!context.settings.fusion || context.settings.brush != BrushShape::Sphere)
         return false;
     std::vector<Vec3> places;
-    TriangleMesh solid = stampShape(context).solid(context.bounds.detail, places);
-    const Lattice& lattice = context.mesh().lattice();
-    if (!std::ranges::all_of(places, [&](const Vec3& p) { return lattice.contains(p); }))
-        return false;
+    TriangleMesh mesh = stampShape(context).solid(context.bounds.detail, places);
+    PlacedSolid solid(std::move(mesh), std::move(places), context.dab.position);
     const BooleanOperation operation = context.settings.inverted ? BooleanOperation::Unite : BooleanOperation::Subtract;
-    return applyBoolean(context, std::move(solid), places, operation) == BooleanOutcome::Done;
+    return applyBoolean(context, std::move(solid), operation) == BooleanOutcome::Done;
 }
 
 /// Returns the longest displacement planned, in mm.

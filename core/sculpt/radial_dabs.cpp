@@ -62,7 +62,9 @@ DabReport RadialDabs::apply(DabRequest& request, const Dab& dab, SectorGrabs& gr
     const StrokeSettings& settings = request.settings;
     DabReport report;
     const bool adds = addsSolids(request, dab, grabs.first().own.region);
-    report.refusal = adds ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
+    const bool joins = settings.join && settings.fusion;
+    report.refusal =
+        adds && !joins ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
     if (report.refusal != Refusal::None) {
         report.outcome = DabOutcome::Refused;
         return report;

@@ -7,6 +7,9 @@
 #include "core/repair/edge_faces.h"
 #include "core/util/disjoint_sets.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -16,6 +19,9 @@ namespace core
 {
 namespace
 {
+/// Points of the model at most among which the colour of a point of the solid is looked for.
+constexpr std::size_t maxColorSample = 2048;
+
 Vec3 middleOf(const repair::Arrangement& arrangement, Slot face)
 {
     const auto& [a, b, c] = arrangement.faces[face].corners;
@@ -99,10 +105,11 @@ SolidBoolean::SolidBoolean(const VerifiedMesh& surface, const TriangleMesh& soli
         }
         m_soup.triangles.push_back(corners);
     }
-    const Rgb color = m_soup.colors.empty() ? Rgb() : m_soup.colors.front();
     const auto first = static_cast<Slot>(m_soup.points.size());
+    const bool isOneColor = std::ranges::adjacent_find(m_soup.colors, std::not_equal_to()) == m_soup.colors.end();
     for (const Vec3f& p : solid.points) {
         m_soup.points.push_back(mesh.lattice().toLattice(p));
+        const Rgb color = first == 0 ? Rgb() : isOneColor ? m_soup.colors[0] : colorNear(m_soup.points.back(), first);
         m_soup.colors.push_back(color);
     }
     for (const auto& [a, b, c] : solid.triangles)
@@ -110,6 +117,28 @@ SolidBoolean::SolidBoolean(const VerifiedMesh& surface, const TriangleMesh& soli
     m_pairs =
         selfIntersections<LatticePredicates>(m_soup.points, m_soup.triangles, std::numeric_limits<std::size_t>::max())
             .pairs;
+}
+
+bool SolidBoolean::areCrossing() const
+{
+    return std::ranges::any_of(
+        m_pairs, [&](const FacePair& pair) { return isSolidFace(pair.first) != isSolidFace(pair.second); });
+}
+
+/// Returns the colour of the nearest of the first `count` points, or of a sample of them.
+Rgb SolidBoolean::colorNear(const LatticePoint& p, std::size_t count) const
+{
+    const std::size_t step = 1 + count / maxColorSample;
+    std::size_t nearest = 0;
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (std::size_t i = 0; i < count; i += step) {
+        const auto way = (m_soup.points[i] - p).cast<std::int64_t>();
+        if (const std::int64_t squared = way.squaredNorm(); squared < least) {
+            least = squared;
+            nearest = i;
+        }
+    }
+    return m_soup.colors[nearest];
 }
 
 std::optional<Surgery> SolidBoolean::surgery(BooleanOperation operation) const
@@ -127,11 +156,15 @@ std::optional<Surgery> SolidBoolean::surgery(BooleanOperation operation) const
             continue;
         }
         const Vec3 middle = middleOf(pieces.arrangement, pieces.largest[root]);
-        if (isSolidFace(pieces.arrangement.faces[f].original))
-            isKept[f] =
-                isInside(m_surface, middle.array().round().cast<int>()) == (operation == BooleanOperation::Subtract);
-        else
+        const Slot original = pieces.arrangement.faces[pieces.largest[root]].original;
+        if (!isSolidFace(original)) {
             isKept[f] = winding.at(middle) < 0.5;
+            continue;
+        }
+        const std::array<Slot, 1> own = {original - static_cast<Slot>(m_candidates.size())};
+        const bool isInModel = isInside(m_surface, middle.array().round().cast<int>());
+        const bool isInOtherShell = winding.at(middle, own) > 1; // its own counts as a half
+        isKept[f] = !isInOtherShell && isInModel == (operation == BooleanOperation::Subtract);
     }
     return surgeryOf(pieces, isKept, operation);
 }

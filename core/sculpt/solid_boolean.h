@@ -17,11 +17,12 @@ enum class BooleanOperation { Unite, Subtract };
 class SolidBoolean
 {
 public:
-    /// `solid`: closed, its points on the mesh's lattice.
+    /// `solid`: closed shells, which may meet each other, of points on the mesh's lattice. Its points take the colour
+    /// of the model near them.
     SolidBoolean(const VerifiedMesh& surface, const TriangleMesh& solid);
 
     /// Whether the two surfaces meet.
-    bool areCrossing() const { return !m_pairs.empty(); }
+    bool areCrossing() const;
     /// Returns the exchange of faces, with the places of new vertices rounded to the lattice, so that it is still to be
     /// verified. Nothing where faces lie in one plane, or the surfaces touch without crossing: then the solid has to
     /// be shifted by some lattice units. Precondition: areCrossing().
@@ -32,6 +33,7 @@ public:
 private:
     struct Pieces;
 
+    Rgb colorNear(const LatticePoint& p, std::size_t count) const;
     bool isSolidFace(Slot face) const { return face >= m_candidates.size(); }
     Surgery surgeryOf(const Pieces& pieces, const std::vector<bool>& isKept, BooleanOperation operation) const;
 

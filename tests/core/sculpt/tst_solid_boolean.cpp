@@ -76,6 +76,10 @@ private Q_SLOTS:
     void joinedBall_isSymmetric();
     void joinedBall_isUndone();
     void maskedSurface_stays();
+    void radialBalls_joinInAllSectors_data();
+    void radialBalls_joinInAllSectors();
+    void flushCube_joinsOnEverySide();
+    void joinedBall_hasTheColorBesideIt();
 };
 
 void TestSolidBoolean::volumesAddUp_data()
@@ -179,7 +183,7 @@ void TestSolidBoolean::withoutFusion_isRefused()
 
 void TestSolidBoolean::joinedBall_isSymmetric()
 {
-    for (const double x : {20.0, 3.0}) { // clear of its image, and meeting it
+    for (const double x : {20.0, 3.0, 0.5, 0.0}) { // clear of its image, meeting it, and itself
         const auto sculptor = clay::ball();
         StrokeSettings settings = joining(8);
         settings.symmetry = core::Symmetry::X;
@@ -221,6 +225,72 @@ void TestSolidBoolean::maskedSurface_stays()
     QCOMPARE(clay::dabOnce(*sculptor, joining(10), {4, 0, clay::ballRadius}).outcome, DabOutcome::Refused);
     QCOMPARE(sculptor->mesh().stateHash(), before);
     QCOMPARE(clay::dabOnce(*sculptor, joining(10), {0, 30, 40}).outcome, DabOutcome::Added);
+}
+
+void TestSolidBoolean::radialBalls_joinInAllSectors_data()
+{
+    QTest::addColumn<int>("sectors");
+    QTest::addColumn<double>("radius");
+    for (const int sectors : {2, 3, 4, 6}) {
+        QTest::addRow("%d apart", sectors) << sectors << 6.0;
+        QTest::addRow("%d meeting each other", sectors) << sectors << 40.0;
+    }
+}
+
+void TestSolidBoolean::radialBalls_joinInAllSectors()
+{
+    QFETCH(int, sectors);
+    QFETCH(double, radius);
+    const auto sculptor = clay::ball(4);
+    StrokeSettings settings = joining(radius);
+    settings.radial = sectors;
+    QCOMPARE(clay::dabOnce(*sculptor, settings, {0, 10, 49}).outcome, DabOutcome::Added);
+    const core::MeshReport judged = core::checkMesh(core::extractMesh(sculptor->mesh()));
+    QVERIFY(judged.printReady() && judged.components == 1);
+    for (int i = 0; i < sectors; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sectors;
+        const Vec3 out(std::sin(angle), 0, std::cos(angle));
+        const auto hit = sculptor->hit({200 * out + Vec3(0, 10, 0), -out});
+        QVERIFY(hit && hit->position.dot(out) > 49 + 0.95 * radius);
+    }
+}
+
+/// Half of it inside, with four of its faces' planes the model's own.
+void TestSolidBoolean::flushCube_joinsOnEverySide()
+{
+    const TriangleMesh cube = core::starterModel(core::Starter::Cube);
+    core::Box box;
+    for (const core::Vec3f& p : cube.points)
+        box.extend(p.cast<double>());
+    const double half = 0.5 * box.sizes().maxCoeff();
+    const Vec3 middle = box.center();
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            core::Sculptor sculptor(mesh_asserts::sculptable(cube));
+            StrokeSettings settings = joining(half * std::sqrt(3.0));
+            settings.model = core::BrushModel::of(cube, {}).model;
+            const Vec3 center = middle + side * half * Vec3::Unit(axis);
+            QCOMPARE(clay::dabOnce(sculptor, settings, center).outcome, DabOutcome::Added);
+            const core::MeshReport judged = core::checkMesh(core::extractMesh(sculptor.mesh()));
+            QVERIFY(judged.printReady() && judged.components == 1);
+            QVERIFY(std::abs(judged.volume.value() / std::pow(2 * half, 3) - 1.5) < 0.01);
+        }
+    }
+}
+
+void TestSolidBoolean::joinedBall_hasTheColorBesideIt()
+{
+    TriangleMesh model = core::icosphere(4, 50);
+    for (const core::Vec3f& p : model.points)
+        model.colors.push_back(p.y() > 0 ? core::Rgb{255, 0, 0} : core::Rgb{0, 0, 255});
+    core::Sculptor sculptor(mesh_asserts::sculptable(model));
+    QCOMPARE(clay::dabOnce(sculptor, joining(12), {0, 0, 50}).outcome, DabOutcome::Added);
+    const core::Mesh& mesh = sculptor.mesh();
+    for (core::Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (!mesh.isVertex(v) || std::abs(mesh.point(v).y()) < 4)
+            continue;
+        QCOMPARE(mesh.color(v).r > mesh.color(v).b, mesh.point(v).y() > 0);
+    }
 }
 
 FETTLE_TEST(TestSolidBoolean)

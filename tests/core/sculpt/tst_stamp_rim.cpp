@@ -53,6 +53,7 @@ class TestStampRim : public QObject
 private Q_SLOTS:
     void followsTheCurve_data();
     void followsTheCurve();
+    void again_changesLittle();
     void onFolds_isDoneWhole_data();
     void onFolds_isDoneWhole();
 };
@@ -126,6 +127,24 @@ void TestStampRim::followsTheCurve()
     }
     const double expected = isCube ? 8 * half : 2 * std::numbers::pi * radius;
     QVERIFY2(std::abs(rim.length - expected) < 0.05 * expected, qPrintable(QString::number(rim.length)));
+}
+
+/// A second stamp where one has been finds hardly anything to do, and no outline.
+void TestStampRim::again_changesLittle()
+{
+    core::Sculptor sculptor(mesh_asserts::sculptable(clay::slab(120, 40, 40)));
+    StrokeSettings settings;
+    settings.tool = core::Tool::Stamp;
+    settings.radius = 15;
+    settings.topology = core::Topology::Refine;
+    clay::dabOnce(sculptor, settings, {1, 20, 2});
+    const core::SlotCounts once = sculptor.mesh().live();
+    for (int i = 0; i < 3; ++i)
+        clay::dabOnce(sculptor, settings, {1, 20, 2});
+    QVERIFY(mesh_asserts::isSound(sculptor));
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 2);
+    QVERIFY2(sculptor.mesh().live().faces < 1.1 * once.faces,
+             qPrintable(QStringLiteral("%1 %2").arg(sculptor.mesh().live().faces).arg(once.faces)));
 }
 
 void TestStampRim::onFolds_isDoneWhole_data()
