@@ -37,7 +37,8 @@ namespace
 constexpr int maxAttempts = 4 * 4096;
 /// Vertices of the warm-up dab at most: where the mesh is far finer than elsewhere there is none.
 constexpr Slot maxWarmUpVertices = 1024;
-/// The depth of a stamp from which it is rather done as a solid than in several sub-steps, in radii.
+/// The depth from which a stamp is done as a solid where it cannot be done at once, in radii. A shallower one lies
+/// close to the surface, where a stamp has been, and would meet it everywhere.
 constexpr double deepStamp = 0.3;
 /// Sub-steps after which motion limits are lifted for one try, at the latest.
 constexpr unsigned maxLimitedSteps = 8;
@@ -47,6 +48,11 @@ constexpr unsigned maxLimitedSteps = 8;
 bool shouldLiftLimits(const DabContext& context)
 {
     return std::has_single_bit(context.fallbackSteps) || context.fallbackSteps % maxLimitedSteps == 0;
+}
+
+bool isDeep(const DabContext& context)
+{
+    return context.report.asked > deepStamp * context.dab.radius;
 }
 } // namespace
 
@@ -143,7 +149,8 @@ DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
         if (result != Step::Failed)
             return result;
         context.limits = std::move(limits);
-        if (!isLimited && !plan.isCut() && std::exchange(m_mayStampSolid, false) && m_steps.stampSolid(context))
+        if (!isLimited && !plan.isCut() && isDeep(context) && std::exchange(m_mayStampSolid, false) &&
+            m_steps.stampSolid(context))
             return Step::Whole;
         if (!isLimited && prepareRetry(context, plan))
             return Step::Retry;
@@ -164,7 +171,7 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
         counts = m_steps.refineAndPlan(context, plan, context.editor()); // 3.2, 3.3
     if (context.region.empty())
         return Step::Empty;
-    if (m_mayStampSolid && !plan.isLast() && context.report.asked > deepStamp * context.dab.radius) {
+    if (m_mayStampSolid && !plan.isLast() && isDeep(context)) {
         plan.discard();
         return Step::Failed;
     }
