@@ -47,7 +47,7 @@ std::vector<PresetTexts::Row> PresetTexts::rows()
 
 PresetLibrary::Entry entryOf(const PresetFile& file)
 {
-    static const std::vector<PresetTexts::Row> rows = PresetTexts::rows();
+    const std::vector<PresetTexts::Row> rows = PresetTexts::rows();
     PresetLibrary::Entry entry{file, QString::fromStdString(file.preset->name), {}, file.path.startsWith(u':')};
     const QString stem = QFileInfo(file.path).completeBaseName();
     const auto row = std::ranges::find(rows, stem, &PresetTexts::Row::file);
