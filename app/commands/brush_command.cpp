@@ -3,6 +3,7 @@
 
 #include "ui/brush/preset_file.h"
 
+#include <QFile>
 #include <QImage>
 #include <QLocale>
 

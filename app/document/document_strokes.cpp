@@ -1,6 +1,7 @@
 #include "app/document/document_strokes.h"
 
 #include "app/document/document.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "ui/util/error_messages.h"
 

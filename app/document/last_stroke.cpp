@@ -2,6 +2,7 @@
 
 #include "app/document/document.h"
 #include "app/document/stroke_command.h"
+#include "app/worker/sculpt_worker.h"
 
 #include <utility>
 

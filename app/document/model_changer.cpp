@@ -3,6 +3,7 @@
 #include "app/document/document.h"
 #include "app/model/command_names.h"
 #include "app/model/model_change_job.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "core/journal/journal.h"
 #include "core/sculpt/sculptor.h"

@@ -6,6 +6,7 @@
 #include "app/model/model_change_job.h"
 #include "app/model/model_export.h"
 #include "app/model/model_saving.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"

@@ -1,5 +1,6 @@
 #include "ui/brush/preset_library.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>

@@ -5,6 +5,7 @@
 #include "core/sculpt/deform/brush_model.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
+#include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
