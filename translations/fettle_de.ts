@@ -2989,6 +2989,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Das Werkzeug arbeitet weiter, solange Sie es an einer Stelle halten.</translation>
     </message>
     <message>
+        <source>Drag out size and direction</source>
+        <translation>Größe und Richtung aufziehen</translation>
+    </message>
+    <message>
+        <source>Press where the alpha or the stamp belongs, and drag: the way is its radius, and up is where you drag. A click leaves it as large as the brush.</source>
+        <translation>Drücken Sie, wo das Alpha oder der Stempel hin soll, und ziehen Sie: Der Weg ist sein Radius, und oben ist, wohin Sie ziehen. Ein Klick lässt ihn so groß wie den Pinsel.</translation>
+    </message>
+    <message>
         <source>Steady stroke</source>
         <translation>Ruhiger Strich</translation>
     </message>

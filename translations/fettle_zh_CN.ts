@@ -2983,6 +2983,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>只要按住不动，工具就持续作用。</translation>
     </message>
     <message>
+        <source>Drag out size and direction</source>
+        <translation>拖出大小和方向</translation>
+    </message>
+    <message>
+        <source>Press where the alpha or the stamp belongs, and drag: the way is its radius, and up is where you drag. A click leaves it as large as the brush.</source>
+        <translation>在放置 Alpha 或图章的地方按下并拖动：拖动的距离是半径，拖动的方向朝上。只点一下则与笔刷一样大。</translation>
+    </message>
+    <message>
         <source>Steady stroke</source>
         <translation>平稳笔画</translation>
     </message>

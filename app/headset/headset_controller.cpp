@@ -23,7 +23,7 @@ auto sharedSettings(const core::StrokeSettings& brush)
 {
     return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.radial, brush.color.r,
                       brush.color.g, brush.color.b, brush.falloff, brush.strength, brush.detail, brush.fusion,
-                      brush.alpha, brush.alphaFollows, brush.model);
+                      brush.alpha, brush.alphaFollows, brush.anchored, brush.model);
 }
 } // namespace
 

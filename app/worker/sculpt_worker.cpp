@@ -134,7 +134,7 @@ void SculptWorker::run(BeginStroke& job)
 void SculptWorker::run(Sample& job)
 {
     m_publisher.beginSample(job.postedNs);
-    if (const auto effect = m_runner.add(job.sample)) {
+    if (const auto effect = m_runner.add(job.sample, !m_queue.hasSample())) {
         if (m_runner.source() == Source::Headset)
             Q_EMIT sampledHeadset(effect->topologyChanges, effect->shortfall);
         m_publisher.countSample();

@@ -30,17 +30,21 @@ void StrokeRunner::setSculptor(core::Sculptor* sculptor)
 
 void StrokeRunner::begin(const BeginStroke& stroke)
 {
-    m_report = {};
-    m_report.tool = stroke.settings.tool;
-    m_report.hasModel = stroke.settings.model != nullptr;
     m_stroke = stroke;
     m_course = canAdd(stroke.settings) ? Course::Undecided : Course::Open;
     m_samples.clear();
-    if (!m_sculptor)
-        return;
-    m_fusionsBefore = m_sculptor->totals().fusions;
-    if (m_course == Course::Open)
+    forgetDabs();
+    if (m_sculptor && m_course == Course::Open)
         m_sculptor->beginStroke(stroke.settings);
+}
+
+void StrokeRunner::forgetDabs()
+{
+    m_report = {};
+    m_report.tool = m_stroke.settings.tool;
+    m_report.hasModel = m_stroke.settings.model != nullptr;
+    if (m_sculptor)
+        m_fusionsBefore = m_sculptor->totals().fusions;
 }
 
 /// Whether a pull here would move something instead of adding a sphere, at this place, in another sector or at a mirror
@@ -85,20 +89,24 @@ quint64 StrokeRunner::topologyChanges() const
     return totals.fusions + totals.separations;
 }
 
-std::optional<StrokeRunner::Effect> StrokeRunner::add(const core::StrokeSample& sample)
+std::optional<StrokeRunner::Effect> StrokeRunner::add(const core::StrokeSample& sample, bool isNewest)
 {
     if (isOver(sample))
         return std::nullopt;
     const quint64 before = topologyChanges();
-    apply(sample);
+    apply(sample, isNewest);
     return Effect{topologyChanges() - before, m_shortfall};
 }
 
-void StrokeRunner::apply(const core::StrokeSample& sample)
+/// `isShown`: an anchored stroke shows what it would be now, and the report becomes that dab's.
+void StrokeRunner::apply(const core::StrokeSample& sample, bool isShown)
 {
+    using core::Sculptor;
     m_samples.push_back(sample);
     m_shortfall = core::Shortfall::None;
-    m_sculptor->addSample(sample);
+    if (isShown && core::isAnchored(m_stroke.settings))
+        forgetDabs();
+    m_sculptor->addSample(sample, isShown ? Sculptor::Anchored::Shown : Sculptor::Anchored::Waits);
 }
 
 void StrokeRunner::note(const core::DabReport& dab)
@@ -117,6 +125,8 @@ StrokeReport StrokeRunner::end(core::StrokeEnd how)
         takeBack();
         m_report = {};
     } else if (m_sculptor) {
+        if (core::isAnchored(m_stroke.settings))
+            forgetDabs();
         auto delta =
             std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         if (!delta->empty()) {
@@ -144,7 +154,7 @@ StrokeReport StrokeRunner::replace(const StrokeReplacement& replacement)
             if (replacement.stop.stop_requested())
                 break;
             if (!isOver(sample))
-                apply(sample);
+                apply(sample, false);
         }
         if (!replacement.stop.stop_requested()) {
             m_report.isReplacement = true;

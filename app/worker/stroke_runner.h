@@ -23,8 +23,9 @@ public:
     void setSculptor(core::Sculptor* sculptor);
 
     void begin(const BeginStroke& stroke);
-    /// Nothing if the stroke has nothing more to do.
-    std::optional<Effect> add(const core::StrokeSample& sample);
+    /// Returns nothing if the stroke has nothing more to do. `isNewest`: no other sample waits, so an anchored stroke
+    /// shows what it would be now.
+    std::optional<Effect> add(const core::StrokeSample& sample, bool isNewest = true);
     /// Returns the report without facts; of a stroke that is taken back, without a step.
     StrokeReport end(core::StrokeEnd how = core::StrokeEnd::Kept);
     /// As begin(), add() and end(). If it is stopped, the mesh is as if it had not begun, and the stroke before comes
@@ -40,7 +41,8 @@ private:
     bool touches(const core::StrokeSample& sample) const;
     void decide(const core::StrokeSample& first);
     bool isOver(const core::StrokeSample& sample);
-    void apply(const core::StrokeSample& sample);
+    void apply(const core::StrokeSample& sample, bool isShown);
+    void forgetDabs();
     void note(const core::DabReport& dab);
     void takeBack();
     quint64 topologyChanges() const;

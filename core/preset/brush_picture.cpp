@@ -18,7 +18,8 @@ constexpr double ballRadius = 50;
 constexpr double extent = 112; ///< what the picture shows, mm
 /// A small picture shows brushes larger than they are, in these bounds.
 constexpr double magnification = 1.6, minRadius = 8, maxRadius = 32;
-constexpr double printStep = 1; ///< a spacing from which on dabs are prints side by side
+constexpr double draggedRadius = 0.7 * ballRadius; ///< of an anchored dab
+constexpr double printStep = 1;                    ///< a spacing from which on dabs are prints side by side
 constexpr int samples = 48;
 constexpr double pi = 3.14159265358979323846;
 
@@ -67,6 +68,16 @@ std::vector<StrokeSample> horn()
         sample.position = from + at * way + 0.12 * ballRadius * std::sin(pi * at) * Vec3(-1, 1, 0);
         path.push_back(sample);
     }
+    return path;
+}
+
+/// Returns a ray through the middle, and one where the hand has dragged a dab of that radius out to.
+std::vector<StrokeSample> drag(double radius)
+{
+    std::vector<StrokeSample> path(2);
+    path[0].position = Vec3(0, 0, 4 * ballRadius);
+    path[1].position = path[0].position + radius * Vec3(0.5, 0.87, 0);
+    path[0].direction = path[1].direction = -Vec3::UnitZ();
     return path;
 }
 
@@ -123,7 +134,10 @@ std::optional<ModelThumbnail> drawBrush(const StrokeSettings& brush, int pixels,
     if (evensOut(brush.tool))
         roughen(sculptor, stop);
     const bool isEven = brush.spacing >= printStep || brush.tool == Tool::Layer; // of one height
-    play(sculptor, onBall(brush), isDragTool(brush.tool) ? horn() : wave(!isEven), stop);
+    const std::vector<StrokeSample> path = isAnchored(brush)        ? drag(draggedRadius)
+                                           : isDragTool(brush.tool) ? horn()
+                                                                    : wave(!isEven);
+    play(sculptor, onBall(brush), path, stop);
     if (stop.stop_requested())
         return std::nullopt;
     return drawThumbnail(extractMesh(sculptor.mesh()), frontView(pixels), stop);

@@ -37,12 +37,15 @@ public:
     explicit Engine(Mesh& mesh) : surface(mesh) { warmUp(); }
 
     void beginStroke(const StrokeSettings& strokeSettings);
+    void startOver();
+    void takeBackShown();
+    void swap(MeshDelta& delta);
     std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
     std::optional<SurfacePlace> placeOf(const Vec3& position, const Vec3& direction) const;
     void placeResting(StrokePath::Due& due) const;
     Placement placement() const { return settings.brush == BrushShape::Ray ? Placement::Ray : settings.place; }
     DabReport apply(Dab dab);
-    std::vector<DabReport> applyDue();
+    std::vector<DabReport> applyDue(StrokePath& dabs);
     Footprint footprint(const StrokeSettings& strokeSettings, const Vec3& center);
 
     VerifiedMesh surface;
@@ -73,10 +76,32 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
 {
     settings = strokeSettings;
     path.emplace(settings);
+    startOver();
+}
+
+/// Forgets what the dabs of the stroke have done.
+void Sculptor::Engine::startOver()
+{
     anchor.emplace(settings);
     grabs.beginStroke();
     displacements.clear();
     rest.clear();
+}
+
+/// Makes the mesh what it was when the stroke began, and leaves the stroke open.
+void Sculptor::Engine::takeBackShown()
+{
+    MeshDelta shown = surface.mesh().endStroke();
+    swap(shown);
+    startOver();
+    surface.mesh().beginStroke();
+}
+
+void Sculptor::Engine::swap(MeshDelta& delta)
+{
+    surface.mesh().swap(delta);
+    surface.follow(delta);
+    lastBounds.reset(); // the last selection may be gone
 }
 
 /// Returns a dab's centre as the stroke places it (StrokeSettings::place); nothing where a ray misses. On the surface
@@ -139,12 +164,12 @@ DabReport Sculptor::Engine::apply(Dab dab)
     return report;
 }
 
-/// Applies the dabs that are due on the path. Returns their reports.
-std::vector<DabReport> Sculptor::Engine::applyDue()
+/// Applies the dabs that are due on a path. Returns their reports.
+std::vector<DabReport> Sculptor::Engine::applyDue(StrokePath& dabs)
 {
     std::vector<DabReport> reports;
     const auto center = [this](const Vec3& position, const Vec3& direction) { return centerOf(position, direction); };
-    while (auto due = path->next(center)) {
+    while (auto due = dabs.next(center)) {
         if (due->isResting)
             placeResting(*due);
         reports.push_back(due->hasCenter ? apply(due->dab) : DabReport());
@@ -262,7 +287,7 @@ void Sculptor::beginStroke(const StrokeSettings& settings)
     m_mesh->beginStroke();
 }
 
-std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
+std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample, Anchored anchored)
 {
     if (!isUsable(m_engine->settings, sample)) {
         if (m_engine->afterDab)
@@ -270,14 +295,21 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
         return {DabReport()};
     }
     m_engine->path->add(sample);
-    return m_engine->applyDue();
+    if (!isAnchored(m_engine->settings) || anchored == Anchored::Waits)
+        return m_engine->applyDue(*m_engine->path);
+    m_engine->takeBackShown();
+    StrokePath ended = *m_engine->path;
+    ended.finish();
+    return m_engine->applyDue(ended);
 }
 
 MeshDelta Sculptor::endStroke(StrokeEnd how)
 {
     if (how == StrokeEnd::Kept) {
+        if (isAnchored(m_engine->settings))
+            m_engine->takeBackShown();
         m_engine->path->finish();
-        m_engine->applyDue();
+        m_engine->applyDue(*m_engine->path);
     }
     m_engine->path.reset();
     m_engine->anchor.reset();
@@ -290,9 +322,7 @@ MeshDelta Sculptor::endStroke(StrokeEnd how)
 
 void Sculptor::swap(MeshDelta& delta)
 {
-    m_mesh->swap(delta);
-    m_engine->surface.follow(delta);
-    m_engine->lastBounds.reset(); // the last selection may be gone
+    m_engine->swap(delta);
 }
 
 std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const

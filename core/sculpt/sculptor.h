@@ -32,12 +32,17 @@ public:
     /// The hook is called after each dab, outside the times of the report. Thread: that of addSample().
     void setAfterDab(std::function<void(const DabReport&)> hook);
 
+    enum class Anchored { Waits, Shown };
+
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
     /// Places the dabs of the path up to this sample, and applies them. Returns their reports. Those that wait for
     /// another sample (StrokePath::next) come with it, or with endStroke(). A sample that is not usable (isUsable)
     /// counts as one empty dab, and is no part of the path.
-    std::vector<DabReport> addSample(const StrokeSample& sample);
+    ///
+    /// The dab of an anchored stroke waits for its end. Anchored::Shown applies it as if that came now, in place of the
+    /// one shown before; the stroke ends as it would without.
+    std::vector<DabReport> addSample(const StrokeSample& sample, Anchored anchored = Anchored::Waits);
     /// Applies the dabs that still wait, whose reports only the hook after dabs gets, and closes the stroke. The delta
     /// is already applied; it is empty if nothing changed. A stroke that is taken back leaves the mesh as it was before
     /// it, and does not apply what waits.

@@ -17,7 +17,7 @@ constexpr double maxRestSeconds = 10;
 
 RestingHand::RestingHand(const StrokeSettings& settings)
     : m_rate(settings.spacing > 0 && canAirbrush(settings.tool) ? settings.airbrush : 0)
-    , m_isRay(settings.brush == BrushShape::Ray || settings.place == Placement::Ray)
+    , m_isRay(isByRay(settings))
 {}
 
 void RestingHand::follow(const Dab& dab, const Vec3& hand, double time)

@@ -58,8 +58,24 @@ struct StrokeSettings
     Rgb color;                          ///< of Paint
     std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none
     bool alphaFollows = false; ///< up in the alpha, or in Stamp's model, is the stroke's way; else it stands upright
+    /// Of a tool that can (canAnchor): the stroke is one dab, where its first sample is. The hand drags out its radius,
+    /// the way since then, and its up, the direction of that way. A hand that stays there leaves both as they are.
+    bool anchored = false;
     std::shared_ptr<const BrushModel> model; ///< of Stamp, and of what `add` adds; null: a ball
 };
+
+/// Whether samples are rays that lead the hand, and not the hand's own places.
+constexpr bool isByRay(const StrokeSettings& settings)
+{
+    return settings.brush == BrushShape::Ray || settings.place == Placement::Ray;
+}
+constexpr bool isAnchored(const StrokeSettings& settings)
+{
+    return settings.anchored && canAnchor(settings.tool);
+}
+
+/// The shortest way, in radii of the brush, by which the hand drags an anchored dab out: less is a click.
+inline constexpr double minDragged = 0.05;
 
 /// What Ctrl makes of them: Pull becomes Push and Push Pull, others are inverted where that has a meaning.
 StrokeSettings opposite(StrokeSettings settings);

@@ -11,11 +11,6 @@ namespace
 constexpr double maxTurn = 1;
 /// Of a ray against the plane's normal: else a trembling hand would be kilometres away.
 constexpr double minAcross = 0.05;
-
-bool isByRay(const StrokeSettings& settings)
-{
-    return settings.brush == BrushShape::Ray || settings.place == Placement::Ray;
-}
 } // namespace
 
 std::optional<Vec3> StrokeAnchor::placeOf(const Vec3& position, const Vec3& direction) const

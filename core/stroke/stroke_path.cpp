@@ -1,5 +1,7 @@
 #include "core/stroke/stroke_path.h"
 
+#include "core/stroke/stroke_anchor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,11 +27,15 @@ Vec3 acrossUp(const Vec3& way, const Vec3& up)
 void StrokePath::add(const StrokeSample& sample)
 {
     (m_target ? m_after : m_target) = sample;
+    if (isAnchored(m_settings)) // a pen presses less and less as it is lifted
+        m_target->pressure = std::max(m_target->pressure, sample.pressure);
     m_dabsLeft.reset();
 }
 
 std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
 {
+    if (isAnchored(m_settings))
+        return nextAnchored(centerOf);
     while (true) {
         if (const std::optional<Due> resting = nextResting(centerOf))
             return resting;
@@ -62,6 +68,37 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
             return dab;
         }
     }
+}
+
+/// Returns the one dab of an anchored stroke that has ended.
+std::optional<StrokePath::Due> StrokePath::nextAnchored(const CenterOf& centerOf)
+{
+    if (!m_isFinished || !m_target)
+        return std::nullopt;
+    Due result = due(*std::exchange(m_target, std::nullopt), centerOf);
+    if (m_after && result.hasCenter)
+        dragOut(result, *m_after);
+    return result;
+}
+
+/// Gives the dab the radius and the up that the hand has dragged out. A ray leads the hand as it leads a drag tool's.
+void StrokePath::dragOut(Due& due, const StrokeSample& last) const
+{
+    const Eigen::Quaterniond inverse = last.rotation.conjugate();
+    const Vec3 hand = inverse * last.position;
+    Vec3 way = hand - due.hand;
+    if (isByRay(m_settings)) {
+        StrokeAnchor anchor(m_settings);
+        anchor.place(due.dab);
+        const std::optional<Vec3> place = anchor.placeOf(hand, inverse * last.direction);
+        way = place ? Vec3(*place - due.dab.position) : Vec3(Vec3::Zero());
+    }
+    if (!(way.norm() > minDragged * due.dab.radius))
+        return;
+    const ParameterInfo& range = info(Parameter::Radius);
+    due.dab.radius = std::clamp(way.norm(), range.min, range.max);
+    due.dab.up = way.normalized();
+    due.dab.ahead = acrossUp(due.dab.direction, due.dab.up);
 }
 
 /// Returns a dab where the hand rests, if it is time for one.

@@ -9,7 +9,7 @@
 namespace core
 {
 /// Turns the samples of a stroke into dabs: one a sample with spacing 0, else evenly along the path of dab centres,
-/// which is curved (SampleCurve); that of Stamp is straight.
+/// which is curved (SampleCurve); that of Stamp is straight. An anchored stroke is one dab, due at its end.
 class StrokePath
 {
 public:
@@ -42,6 +42,8 @@ public:
     std::optional<Due> next(const CenterOf& centerOf);
 
 private:
+    std::optional<Due> nextAnchored(const CenterOf& centerOf);
+    void dragOut(Due& due, const StrokeSample& last) const;
     bool isWaiting() const { return !m_before && !m_after && !m_isFinished; }
     Due due(const StrokeSample& sample, const CenterOf& centerOf) const;
     void arriveAtTarget(const Due& due);

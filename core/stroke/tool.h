@@ -57,6 +57,11 @@ constexpr bool sharpens(Tool tool)
 {
     return tool == Tool::Pinch || tool == Tool::Crease;
 }
+/// Can be one dab that the hand drags out (StrokeSettings::anchored): what has an image or a model of its own to show.
+constexpr bool canAnchor(Tool tool)
+{
+    return tool == Tool::Stamp || (usesAlpha(tool) && !isDragTool(tool));
+}
 /// Goes on where the hand rests, if StrokeSettings::airbrush says so.
 constexpr bool canAirbrush(Tool tool)
 {

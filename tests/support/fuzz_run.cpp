@@ -199,21 +199,24 @@ core::ModelCommand FuzzRun::nextCommand()
 void FuzzRun::sculpt(Stroke stroke)
 {
     ++m_tally.strokes;
+    m_sculptor.setAfterDab([&](const DabReport& report) {
+        m_tally.add(stroke.settings, report, m_start.shape);
+        ++m_dabs;
+        if (m_trace)
+            trace(stroke.settings, report);
+        if (report.asymmetric && m_start.plane != Symmetry::None)
+            fail("taken for asymmetric");
+    });
     m_sculptor.beginStroke(stroke.settings);
     std::size_t used = 0;
     while (used < stroke.samples.size() && mayGoOn()) {
-        for (const DabReport& report : m_sculptor.addSample(stroke.samples[used++])) {
-            m_tally.add(stroke.settings, report, m_start.shape);
-            ++m_dabs;
-            if (m_trace)
-                trace(stroke.settings, report);
-            if (report.asymmetric && m_start.plane != Symmetry::None)
-                fail("taken for asymmetric");
-        }
+        m_sculptor.addSample(stroke.samples[used++], Sculptor::Anchored::Shown); // replay() lets them wait
         checkAfterSample();
     }
     stroke.samples.resize(used);
-    done(m_sculptor.endStroke(), std::move(stroke));
+    MeshDelta delta = m_sculptor.endStroke();
+    m_sculptor.setAfterDab({});
+    done(std::move(delta), std::move(stroke));
     checkAfterSample(); // of the dabs that have waited for it
 }
 

@@ -79,6 +79,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.spacing = below(2) == 0 ? 0 : uniform(0.05, 1);
     s.airbrush = below(4) == 0 ? uniform(1, 20) : 0;
     s.join = below(4) == 0;
+    s.anchored = below(6) == 0;
 
     if (below(5) == 0) {
         s.alpha = core::builtInAlpha(core::builtInAlphas()[below(core::builtInAlphas().size())]);

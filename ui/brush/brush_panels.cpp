@@ -113,6 +113,19 @@ public:
             box->setMinimumWidth(width);
     }
 
+    QCheckBox* makeAnchored() const
+    {
+        QCheckBox* check = makeCheck(QStringLiteral("anchored"), BrushPanels::tr("Drag out size and direction"),
+                                     &core::StrokeSettings::anchored);
+        check->setToolTip(
+            BrushPanels::tr("Press where the alpha or the stamp belongs, and drag: the way is its radius, "
+                            "and up is where you drag. A click leaves it as large as the brush."));
+        const auto show = [check, brush = m_brush] { check->setEnabled(core::canAnchor(brush->tool())); };
+        QObject::connect(m_brush, &BrushSettings::changed, check, show);
+        show();
+        return check;
+    }
+
     QCheckBox* makeAirbrush() const
     {
         auto* check = named(new QCheckBox(BrushPanels::tr("Airbrush")), "airbrush",
@@ -220,6 +233,7 @@ QDockWidget* brushPanel(BrushSettings* brush, BrushShapes* shapes, const std::fu
                                       &core::StrokeSettings::alphaFollows));
     checks->addWidget(panel.makeAirbrush());
     panel.add(checks);
+    panel.add(panel.makeAnchored());
     panel.addRow(BrushPanels::tr("Stamp"), modelChooser(brush, shapes));
     panel.addSteady(entered);
     panel.addSharing();

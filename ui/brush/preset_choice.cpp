@@ -11,7 +11,8 @@ namespace
 {
 auto valuesOf(const core::StrokeSettings& stroke)
 {
-    return std::tuple(stroke.tool, stroke.strength, stroke.falloff, stroke.spacing, stroke.alphaFollows);
+    return std::tuple(stroke.tool, stroke.strength, stroke.falloff, stroke.spacing, stroke.alphaFollows,
+                      stroke.anchored);
 }
 } // namespace
 
@@ -39,6 +40,7 @@ QString takePreset(const PresetFile& file, BrushSettings* brush, BrushShapes* sh
     values.falloff = stroke.falloff;
     values.spacing = stroke.spacing;
     values.alphaFollows = stroke.alphaFollows;
+    values.anchored = stroke.anchored;
     values.airbrush = core::canAirbrush(stroke.tool) ? stroke.airbrush : values.airbrush;
     if (preset.radiusShare && !brush->tools()->sharesRadius())
         values.radiusShare = preset.radiusShare;

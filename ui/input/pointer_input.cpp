@@ -119,7 +119,9 @@ void PointerInput::setModifiers(Qt::KeyboardModifiers modifiers)
 
 std::optional<PointerInput::Stabilizer> PointerInput::stabilizer() const
 {
-    return strokeOpen() ? std::optional(Stabilizer{m_stroke.pointerAt(), m_stroke.brushAt()}) : std::nullopt;
+    if (!strokeOpen())
+        return std::nullopt;
+    return Stabilizer{m_stroke.pointerAt(), m_anchor ? m_pressed : m_stroke.brushAt()};
 }
 
 void PointerInput::setMode(PointerMode mode, bool on)
@@ -147,7 +149,7 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
         stroke = core::opposite(stroke);
     if (core::isDragTool(stroke.tool))
         stroke.spacing = 0;
-    stroke.airbrush = m_brush->tools()->airbrush(stroke.tool);
+    stroke.airbrush = core::isAnchored(stroke) ? 0 : m_brush->tools()->airbrush(stroke.tool);
     return stroke;
 }
 
@@ -232,7 +234,8 @@ void PointerInput::begin(const PendingEvent& press, const std::optional<core::Su
     if (m_drag == Drag::Stroke) {
         m_camera->setPivot(hit->position);
         m_query.clearFootprint();
-        m_stroke.begin({press.event, press.ray, press.settings, press.stabilizerLength});
+        m_anchor = core::isAnchored(press.settings) ? hit : std::nullopt;
+        m_stroke.begin({press.event, press.ray, press.settings, m_anchor ? 0 : press.stabilizerLength});
     } else if (m_drag != Drag::Orbit) {
         setTargetDepthAt(m_pressed);
     }
@@ -367,6 +370,8 @@ bool PointerInput::isUndecided(const PointerEvent& event) const
 
 std::optional<core::SurfaceHit> PointerInput::hover() const
 {
+    if (strokeOpen() && m_anchor)
+        return m_anchor;
     if (!m_inside || movesView())
         return {};
     if (m_mode == PointerMode::Add && m_query.hit())

@@ -71,13 +71,13 @@ public:
     /// Returns the place that the pointer shows to others; nothing beside the model and in other modes.
     std::optional<core::SurfaceHit> pointed() const;
     /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view; if armed, where the
-    /// sphere would be.
+    /// sphere would be; in an anchored stroke where it began.
     std::optional<core::SurfaceHit> hover() const;
     /// A press there would begin a stroke.
     bool wouldStroke() const;
     /// What it would take first, if that was asked about: of the ray brush.
     std::shared_ptr<const core::Footprint> footprint() const;
-    /// Of a steady stroke that is open.
+    /// Of a steady stroke that is open: the string. Of an anchored one: the way that was dragged.
     struct Stabilizer
     {
         OrbitCamera::Pixel pointer, brush;
@@ -147,7 +147,8 @@ private:
 
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;
-    OrbitCamera::Pixel m_pressed{0, 0}; ///< where the drag began
+    OrbitCamera::Pixel m_pressed{0, 0};       ///< where the drag began
+    std::optional<core::SurfaceHit> m_anchor; ///< of an anchored stroke: there
     OrbitCamera::Pixel m_last{0, 0};
     bool m_inside = false;
     bool m_isGesture = false; ///< fingers are inside, no pointer

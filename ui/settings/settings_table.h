@@ -78,6 +78,7 @@ struct StoredTool
     double spacing = defaultSpacing;
     double airbrush = core::defaultAirbrush; ///< dabs a second; 0: none
     double radiusShare = 0;                  ///< 0: the tool never had a radius of its own
+    bool anchored = false;
 };
 
 /// The alpha of a tool.
@@ -226,6 +227,7 @@ inline constexpr auto rows<StoredTool> = std::tuple{
     row(&StoredTool::spacing, "spacing", {0, core::info(core::Parameter::Spacing).max}),
     row(&StoredTool::airbrush, "airbrush", {0, core::maxAirbrush}),
     row(&StoredTool::radiusShare, "radiusShare", {0, maxRadiusShare}),
+    row(&StoredTool::anchored, "anchored"),
 };
 
 /// Stored in the same groups.

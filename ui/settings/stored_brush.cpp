@@ -51,6 +51,7 @@ void restoreBrush(const Settings& settings, BrushSettings* brush)
         values.radiusShare.reset();
         if (stored.radiusShare > 0)
             values.radiusShare = stored.radiusShare;
+        values.anchored = stored.anchored;
         brush->tools()->set(tool, values);
     });
     brush->setValue(core::Parameter::Detail, settings.value(core::Parameter::Detail));
@@ -61,7 +62,7 @@ void storeBrush(const BrushSettings& brush, Settings* settings)
     forEachTool([&](core::Tool tool) {
         const ToolValues& values = brush.tools()->of(tool);
         settings->set(StoredTool{values.strength, double(values.falloff), values.spacing, values.airbrush,
-                                 values.radiusShare.value_or(0)},
+                                 values.radiusShare.value_or(0), values.anchored},
                       groupOf(tool));
     });
     settings->set(&Setting::sharesRadius, brush.tools()->sharesRadius());

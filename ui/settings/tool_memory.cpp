@@ -11,6 +11,7 @@ void putInto(core::StrokeSettings& stroke, const ToolValues& values)
     stroke.spacing = values.spacing;
     stroke.alpha = values.alpha;
     stroke.alphaFollows = values.alphaFollows;
+    stroke.anchored = values.anchored;
 }
 
 void takeFrom(const core::StrokeSettings& stroke, ToolValues& values)
@@ -20,6 +21,7 @@ void takeFrom(const core::StrokeSettings& stroke, ToolValues& values)
     values.spacing = stroke.spacing;
     values.alpha = stroke.alpha;
     values.alphaFollows = stroke.alphaFollows;
+    values.anchored = stroke.anchored;
 }
 
 void ToolMemory::set(core::Tool tool, const ToolValues& values)

@@ -23,13 +23,14 @@ struct ToolValues
     double airbrush = core::defaultAirbrush; ///< dabs a second where the hand rests, if the tool can; 0: none
     std::shared_ptr<const core::Alpha> alpha;
     bool alphaFollows = false;
+    bool anchored = false; ///< as StrokeSettings::anchored
     /// The radius as a share of the model's longest side; nothing: the tool never had a radius of its own.
     std::optional<double> radiusShare;
 
     bool operator==(const ToolValues&) const = default;
 };
 
-/// Puts strength, falloff, spacing and alpha into a stroke.
+/// Puts strength, falloff, spacing, alpha and the anchor into a stroke.
 void putInto(core::StrokeSettings& stroke, const ToolValues& values);
 /// Takes them from a stroke.
 void takeFrom(const core::StrokeSettings& stroke, ToolValues& values);

@@ -109,6 +109,7 @@ struct Viewport::State
 
     bool applyPatch();
     void placeGround();
+    double cursorRadius() const;
     void placeCursor();
     void placeKeys();
     void placeMark();
@@ -153,11 +154,22 @@ bool Viewport::State::applyPatch()
     return true;
 }
 
+/// Returns the brush's radius, in mm, or what the open anchored stroke has dragged out.
+double Viewport::State::cursorRadius() const
+{
+    const double radius = brush->value(core::Parameter::Radius);
+    const auto drag = input.stabilizer();
+    if (!drag || !core::isAnchored(input.stroke()))
+        return radius;
+    const double dragged = (drag->pointer - drag->brush).norm() / input.pixelsPerMm();
+    return dragged > core::minDragged * radius ? dragged : radius;
+}
+
 void Viewport::State::placeCursor()
 {
     const std::optional<core::SurfaceHit> hit = input.hover();
     if (hit)
-        scene->placeCursor(*hit, brush->value(core::Parameter::Radius), cursorColor(input.stroke()));
+        scene->placeCursor(*hit, cursorRadius(), cursorColor(input.stroke()));
     else
         scene->hideCursor();
     const core::StrokeSettings settings = brush->stroke();

@@ -39,6 +39,7 @@ core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin
         settings.tool = core::Tool::Smooth;
         settings.strength = brush.smoothStrength;
         settings.alpha = nullptr; // evenly
+        settings.anchored = false;
     }
     return brush.isInverse ? core::opposite(settings) : settings;
 }

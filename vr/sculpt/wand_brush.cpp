@@ -22,6 +22,7 @@ void takeToolValues(const core::StrokeSettings& from, core::StrokeSettings& stro
     stroke.falloff = from.falloff;
     stroke.alpha = from.alpha;
     stroke.alphaFollows = from.alphaFollows;
+    stroke.anchored = from.anchored;
 }
 } // namespace
 

@@ -111,6 +111,8 @@ nlohmann::ordered_json strokeOf(const BrushPreset& preset)
         stroke["alpha"] = alpha;
     if (settings.alphaFollows)
         stroke["alpha_follows"] = true;
+    if (settings.anchored)
+        stroke["anchored"] = true;
     if (preset.chosen.color)
         stroke["color"] = {settings.color.r, settings.color.g, settings.color.b};
     return stroke;

@@ -22,8 +22,8 @@ struct BrushPreset
     };
 
     std::string name; ///< for people; one line of UTF-8, 1 to maxPresetName bytes
-    /// Tool, strength, falloff, spacing, airbrush, inverted, alphaFollows, and an alpha of ours; brush, topology,
-    /// detail and color as far as they are chosen.
+    /// Tool, strength, falloff, spacing, airbrush, inverted, alphaFollows, anchored, and an alpha of ours; brush,
+    /// topology, detail and color as far as they are chosen.
     StrokeSettings stroke;
     Choices chosen;
     std::optional<double> radiusShare; ///< the radius as a share of the model's longest side
@@ -35,7 +35,8 @@ struct BrushPreset
 ///
 ///     {"format":"fettle-brush","version":1,"name":"Pores","radius_share":0.1,
 ///      "stroke":{"tool":"clay","brush":"ray","strength":0.4,"falloff":4,"detail":1,"topology":"refine","spacing":2,
-///                "airbrush":0,"invert":true,"alpha":"pores","alpha_follows":true,"color":[200,120,80]},
+///                "airbrush":0,"invert":true,"alpha":"pores","alpha_follows":true,"anchored":true,
+///                "color":[200,120,80]},
 ///      "alpha_image":"…"}
 ///
 /// Required: format, version, name, stroke, and in it tool. "brush", "detail", "topology" and "color" change nothing

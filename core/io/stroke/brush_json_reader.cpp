@@ -10,9 +10,9 @@ constexpr std::array<std::string_view, 6> brushFileKeys{"format", "version",    
                                                         "stroke", "radius_share", "alpha_image"};
 constexpr std::size_t requiredKeys = 4;
 /// The keys of a stroke that a preset may have.
-constexpr std::array<std::string_view, 12> presetKeys{"tool",   "brush",    "strength",      "falloff",
-                                                      "detail", "topology", "spacing",       "airbrush",
-                                                      "invert", "alpha",    "alpha_follows", "color"};
+constexpr std::array<std::string_view, 13> presetKeys{"tool",          "brush",    "strength", "falloff", "detail",
+                                                      "topology",      "spacing",  "airbrush", "invert",  "alpha",
+                                                      "alpha_follows", "anchored", "color"};
 
 template <class List> bool contains(const List& list, std::string_view what)
 {

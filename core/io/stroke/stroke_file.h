@@ -25,8 +25,8 @@ namespace core
 ///
 /// Required: format, version, strokes, and in a stroke tool, radius and samples, and in a sample position; with
 /// "place":"ray" also direction. The rest has the defaults above (time: 0; a sample's radius and strength: the
-/// stroke's). A stroke may have "airbrush": StrokeSettings::airbrush, and "join": StrokeSettings::join. "topology" is
-/// refine, adaptive, keep or uniform (core::Topology).
+/// stroke's). A stroke may have "airbrush": StrokeSettings::airbrush, "join": StrokeSettings::join, and "anchored":
+/// StrokeSettings::anchored. "topology" is refine, adaptive, keep or uniform (core::Topology).
 ///
 /// A stroke may have "alpha": a name of builtInAlphas(), or an image's path; "alpha_follows": true; "model": a model's
 /// path. A path is absolute or starts from the stroke file. Records have "alpha_hash" and "model_hash", too:

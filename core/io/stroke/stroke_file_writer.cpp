@@ -97,6 +97,8 @@ void write(std::ostream& out, const Stroke& stroke)
         << ",\"color\":" << list(settings.color);
     if (settings.join)
         out << ",\"join\":true";
+    if (settings.anchored)
+        out << ",\"anchored\":true";
     if (settings.airbrush > 0)
         out << ",\"airbrush\":" << shortest(settings.airbrush);
     if (settings.radial > 1)

@@ -198,7 +198,7 @@ bool StrokeJsonReader::boolean(bool value)
         refuse(Kind::NotStrokes);
     if (m_level != Level::Stroke || m_inVector ||
         (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != JoinKey && m_key != InvertKey &&
-         m_key != AlphaFollowsKey))
+         m_key != AlphaFollowsKey && m_key != AnchoredKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
         stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
@@ -208,6 +208,8 @@ bool StrokeJsonReader::boolean(bool value)
         stroke().settings.join = value;
     else if (m_key == AlphaFollowsKey)
         stroke().settings.alphaFollows = value;
+    else if (m_key == AnchoredKey)
+        stroke().settings.anchored = value;
     else if (m_key == InvertKey)
         stroke().settings.inverted = value;
     else if (m_key == FusionKey)

@@ -7,6 +7,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/mesh/mesh_hash.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
 #include "tests/support/test_main.h"
@@ -48,6 +49,13 @@ struct Session
     {
         settle();
         return stateHash(worker);
+    }
+
+    /// Of the faces only, wherever they are kept, and of an open stroke, too.
+    std::uint64_t surface()
+    {
+        settle();
+        return ask(worker, [](core::Sculptor& sculptor) { return wholeHash(sculptor.mesh()); });
     }
 
     /// The whole mesh is in order.
@@ -101,6 +109,7 @@ private Q_SLOTS:
     void work_isCountedAndSaved();
     void stroke_thatDoesNothingIsNoStep();
     void strokeTakenBack_leavesTheModelAsItWas();
+    void anchoredStroke_showsWhatItLeaves();
     void strokeThatFellShort_isSaidOnce_data();
     void strokeThatFellShort_isSaidOnce();
     void sphere_isAStepOrAWordWhyNot();
@@ -360,6 +369,45 @@ void TestDocument::strokeTakenBack_leavesTheModelAsItWas()
     s.wait();
     QVERIFY(s.state() != before);
     s.verifyWhole();
+}
+
+/// Each sample shows the dab that the stroke would be; it is one step, of one dab.
+void TestDocument::anchoredStroke_showsWhatItLeaves()
+{
+    Session s;
+    s.wait();
+    const std::uint64_t before = s.surface();
+    core::StrokeSettings settings;
+    settings.tool = core::Tool::Stamp;
+    settings.radius = 5;
+    settings.anchored = true;
+    const auto drag = [&](std::initializer_list<core::Vec3> hands, core::StrokeEnd how) {
+        s.document.strokes().beginStroke(settings);
+        std::vector<std::uint64_t> shown;
+        for (const core::Vec3& hand : hands) {
+            core::StrokeSample sample;
+            sample.position = hand;
+            s.document.strokes().addSample(sample);
+            s.settle();
+            shown.push_back(s.surface());
+        }
+        s.document.strokes().endStroke(how);
+        s.wait();
+        return shown;
+    };
+    const auto shown = drag({{50, 0, 0}, {50, 12, 0}, {50, 0, 8}}, core::StrokeEnd::Kept);
+    QVERIFY(shown[0] != before && shown[1] != shown[0] && shown[2] != shown[1]);
+    QCOMPARE(s.surface(), shown[2]);
+    QCOMPARE(s.document.history().stack().count(), 1);
+    s.verifyWhole();
+    s.document.history().undo();
+    s.wait();
+    QCOMPARE(s.surface(), before);
+    const auto again = drag({{50, 0, 0}, {50, 0, 8}}, core::StrokeEnd::Kept);
+    QVERIFY(again == std::vector({shown[0], shown[2]}));
+    s.document.history().undo();
+    drag({{50, 0, 0}, {50, 12, 0}}, core::StrokeEnd::TakenBack);
+    QCOMPARE(s.surface(), before);
 }
 
 void TestDocument::strokeThatFellShort_isSaidOnce_data()

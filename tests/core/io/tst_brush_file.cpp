@@ -54,6 +54,7 @@ core::BrushPreset randomPreset(std::mt19937& random)
     made.stroke.airbrush = coin() ? 0 : core::minAirbrush + 30 * share();
     made.stroke.inverted = coin();
     made.stroke.alphaFollows = coin();
+    made.stroke.anchored = coin();
     made.chosen = {coin(), coin(), coin(), coin()};
     if (made.chosen.reach)
         made.stroke.brush = core::BrushShape::Ray;
@@ -88,6 +89,7 @@ void TestBrushFile::whatIsWrittenIsRead()
         QVERIFY(a.tool == b.tool && a.brush == b.brush && a.strength == b.strength && a.falloff == b.falloff);
         QVERIFY(a.detail == b.detail && a.topology == b.topology && a.spacing == b.spacing);
         QVERIFY(a.airbrush == b.airbrush && a.inverted == b.inverted && a.alphaFollows == b.alphaFollows);
+        QCOMPARE(a.anchored, b.anchored);
         QVERIFY(a.color == b.color);
     }
 }

@@ -67,6 +67,7 @@ Stroke randomStroke(std::mt19937_64& random)
     else if (random() % 2)
         stroke.alpha = {"marks/\"a\".png", random() % 2 ? "0123456789abcdef" : ""};
     stroke.settings.alphaFollows = random() % 2 == 0;
+    stroke.settings.anchored = random() % 2 == 0;
     if (random() % 2)
         stroke.model = {"models/a.stl", "fedcba9876543210"};
     stroke.settings.detailLength = random() % 2 ? 0 : between(0.01, 1);
@@ -361,6 +362,7 @@ void TestStrokeFile::refuses_data()
     stroke(R"("alpha":"")", Kind::UnknownValue, "alpha: \"\"");
     stroke(R"("alpha":3)", Kind::WrongType, "alpha");
     stroke(R"("alpha_follows":"yes")", Kind::WrongType, "alpha_follows");
+    stroke(R"("anchored":1)", Kind::WrongType, "anchored");
     stroke(R"("model":"")", Kind::UnknownValue, "model: \"\"");
     stroke(R"("model":true)", Kind::WrongType, "model");
     stroke(R"("color":[1,2])", Kind::WrongType, "color");

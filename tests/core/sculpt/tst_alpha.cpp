@@ -83,6 +83,7 @@ private Q_SLOTS:
     void stroke_movesWhereItIsBright();
     void stroke_paintsWhereItIsBright();
     void stroke_followsItsWay();
+    void anchored_isDraggedOut();
     void stroke_standsUprightOnATurntable();
     void stroke_isSymmetric_data();
     void stroke_isSymmetric();
@@ -177,6 +178,26 @@ void TestAlpha::stroke_followsItsWay()
     alphaStroke(*sculptor, settings, {front(-25, 0), front(0, 0)});
     QVERIFY(raisedAt(*sculptor, 3, 0) > 0.1);
     QVERIFY(std::abs(raisedAt(*sculptor, -4, 0)) < 0.05);
+}
+
+/// Up in the image is where the hand was dragged, and the way its radius; what was shown on the way is gone.
+void TestAlpha::anchored_isDraggedOut()
+{
+    const auto sculptor = ball(), once = ball();
+    StrokeSettings settings = alphaSettings(Tool::Pull, upperHalf(), 4);
+    settings.anchored = true;
+    sculptor->beginStroke(settings);
+    for (const Vec3& hand : {front(0, 0), front(0, 9), front(-7, 3), front(12, 0)}) {
+        core::StrokeSample sample;
+        sample.position = hand;
+        sculptor->addSample(sample, core::Sculptor::Anchored::Shown);
+    }
+    sculptor->endStroke();
+    alphaStroke(*once, settings, {front(0, 0), front(12, 0)});
+    QCOMPARE(sculptor->mesh().stateHash(), once->mesh().stateHash());
+    QVERIFY(raisedAt(*sculptor, 4, 0) > 0.1);
+    QVERIFY(std::abs(raisedAt(*sculptor, -4, 0)) < 0.05);
+    QVERIFY(isSound(*sculptor));
 }
 
 void TestAlpha::stroke_standsUprightOnATurntable()

@@ -73,6 +73,10 @@ private Q_SLOTS:
     void turntable_hasEvenDabsHoweverFewTheSamples();
     void up_isTheHands();
     void up_alongTheDirection();
+    void anchored_isOneDabThatTheHandDragsOut();
+    void anchored_byRaysIsDraggedAcrossTheFirst();
+    void anchored_clickIsAsLargeAsTheBrush();
+    void anchored_isNothingToADragTool();
     void miss_isEmptyAndStartsAnew();
     void rest_makesNoDabs();
     void airbrush_goesOnAtItsRateHoweverManyTheSamples();
@@ -243,6 +247,70 @@ void TestStrokePath::up_alongTheDirection()
         const core::Dab dab = dabsOf(path, sample).at(0);
         QVERIFY(std::abs(dab.ahead.norm() - 1) < 1e-12 && std::abs(dab.ahead.dot(dab.up)) < 1e-12);
     }
+}
+
+/// Whatever lies between, it is one dab, where the hand pressed and as large as the way from there. It waits for the
+/// end of the stroke.
+void TestStrokePath::anchored_isOneDabThatTheHandDragsOut()
+{
+    StrokeSettings settings = spaced(0.1);
+    settings.tool = core::Tool::Stamp;
+    settings.anchored = true;
+    StrokePath path(settings);
+    QVERIFY(dabsOf(path, at({1, 2, 3})).empty() && dabsOf(path, at({9, 2, 3})).empty());
+    StrokeSample last = at({1, 6, 0});
+    last.pressure = 0.1; // the pen is lifted
+    const auto dabs = dabsOfLast(path, last);
+    QCOMPARE(dabs.size(), std::size_t(1));
+    QCOMPARE(dabs.front().position, Vec3(1, 2, 3));
+    QVERIFY(std::abs(dabs.front().radius - 5) < 1e-12 && dabs.front().strength == settings.strength);
+    QVERIFY(dabs.front().up.isApprox(Vec3(0, 0.8, -0.6), 1e-12));
+}
+
+/// By a ray the hand moves over the plane across the first ray, and not on the surface.
+void TestStrokePath::anchored_byRaysIsDraggedAcrossTheFirst()
+{
+    const StrokePath::CenterOf onPlane = [](const Vec3& p, const Vec3& way) {
+        return std::optional<Vec3>(p - p.z() / way.z() * way);
+    };
+    StrokeSettings settings = spaced(0.1);
+    settings.tool = core::Tool::Stamp;
+    settings.place = core::Placement::Ray;
+    settings.anchored = true;
+    StrokePath path(settings);
+    StrokeSample sample = at({0, 0, 10});
+    sample.direction = -Vec3::UnitZ();
+    QVERIFY(dabsOf(path, sample, onPlane).empty());
+    sample.direction = Vec3(0.3, 0.4, -1);
+    const auto dabs = dabsOfLast(path, sample, onPlane);
+    QCOMPARE(dabs.size(), std::size_t(1));
+    QVERIFY(dabs.front().position.norm() < 1e-12 && std::abs(dabs.front().radius - 5) < 1e-12);
+    QVERIFY(dabs.front().up.isApprox(Vec3(0.6, 0.8, 0), 1e-12));
+}
+
+/// A click, and a hand that trembles, leave the dab as the brush is.
+void TestStrokePath::anchored_clickIsAsLargeAsTheBrush()
+{
+    StrokeSettings settings = spaced(0.1, 2);
+    settings.tool = core::Tool::Paint;
+    settings.anchored = true;
+    for (const Vec3& last : {Vec3(1, 2, 3), Vec3(1, 2.09, 3)}) {
+        StrokePath path(settings);
+        QVERIFY(dabsOf(path, at({1, 2, 3})).empty());
+        const auto dabs = dabsOfLast(path, at(last));
+        QCOMPARE(dabs.size(), std::size_t(1));
+        QVERIFY(dabs.front().radius == 2 && dabs.front().up == Vec3::UnitY());
+    }
+}
+
+/// A tool that follows the hand is not anchored, whatever the settings say.
+void TestStrokePath::anchored_isNothingToADragTool()
+{
+    StrokeSettings settings = spaced(0);
+    settings.tool = core::Tool::Grab;
+    settings.anchored = true;
+    StrokePath path(settings);
+    QCOMPARE(dabsOf(path, at({1, 2, 3})).size(), std::size_t(1));
 }
 
 void TestStrokePath::miss_isEmptyAndStartsAnew()

@@ -132,6 +132,7 @@ private Q_SLOTS:
         brush.setValue(core::Parameter::Detail, 0.5);
         brush.set(&core::StrokeSettings::brush, core::BrushShape::Ray);
         brush.set(&core::StrokeSettings::alphaFollows, true);
+        brush.set(&core::StrokeSettings::anchored, true);
         brush.tools()->setAirbrush(Tool::Clay, false);
         brush.setInverted(true);
         shapes->chooseAlpha(QStringLiteral("scales"));
@@ -150,7 +151,7 @@ private Q_SLOTS:
         const core::StrokeSettings& now = brush.stroke();
         QVERIFY(now.tool == kept.tool && now.strength == kept.strength && now.falloff == kept.falloff);
         QVERIFY(now.spacing == kept.spacing && now.detail == kept.detail && now.brush == kept.brush);
-        QVERIFY(now.alpha == kept.alpha && now.alphaFollows && brush.isInverted());
+        QVERIFY(now.alpha == kept.alpha && now.alphaFollows && now.anchored && brush.isInverted());
         QVERIFY(!brush.tools()->isAirbrush(Tool::Clay));
         brush.setTool(Tool::Pull); // which has kept its own
         QVERIFY(brush.stroke().strength == 1 && !brush.stroke().alpha);

@@ -755,6 +755,25 @@ private Q_SLOTS:
         QCOMPARE(free.input.stabilizer()->pointer, free.input.stabilizer()->brush);
     }
 
+    /// The cursor stays where the drag began. Neither string nor airbrush have a part in it.
+    void anAnchoredStrokeIsDraggedOutOfItsPlace()
+    {
+        Recorder r;
+        r.brush.setTool(core::Tool::Inflate);
+        r.brush.set(&core::StrokeSettings::anchored, true);
+        r.brush.setSteady(true);
+        r.rest({400, 300}, somewhere);
+        r.send(Kind::Press, {400, 300});
+        QVERIFY(r.settings.anchored && r.settings.airbrush == 0);
+        r.send(Kind::Move, {401, 300});
+        QCOMPARE(r.samples.size(), std::size_t(2)); // without a string
+        r.send(Kind::Move, {400, 380});
+        QCOMPARE(r.input.stabilizer()->brush, Pixel(400, 300));
+        QCOMPARE(r.input.stabilizer()->pointer, Pixel(400, 380));
+        QCOMPARE(r.input.hover()->position, somewhere.position);
+        r.send(Kind::Release, {400, 380});
+    }
+
     void onlyOneQuestionIsInFlight()
     {
         Recorder r;

@@ -71,6 +71,7 @@ private Q_SLOTS:
                 }
                 ui::ToolValues pull = brush.tools()->of(core::Tool::Pull);
                 pull.airbrush = 25;
+                pull.anchored = true;
                 brush.tools()->set(core::Tool::Pull, pull);
                 ui::Settings settings;
                 ui::storeBrush(brush, &settings);
@@ -79,6 +80,7 @@ private Q_SLOTS:
             ui::restoreBrush(ui::Settings(), &brush);
             QCOMPARE(brush.tools()->sharesRadius(), shares);
             QCOMPARE(brush.tools()->airbrush(core::Tool::Pull), 25.0);
+            QVERIFY(brush.tools()->of(core::Tool::Pull).anchored && !brush.tools()->of(core::Tool::Clay).anchored);
             for (const auto& [tool, strength] :
                  {std::pair(core::Tool::Clay, 2.0), std::pair(core::Tool::Smooth, 0.5)}) {
                 brush.setTool(tool);

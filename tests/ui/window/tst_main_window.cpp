@@ -393,6 +393,14 @@ private Q_SLOTS:
         airbrush->click();
         QVERIFY(!window.brush()->tools()->isAirbrush(core::Tool::Pull) &&
                 window.brush()->tools()->isAirbrush(core::Tool::Push));
+        auto* anchored = child<QCheckBox>(window, "anchored");
+        QVERIFY(!anchored->isChecked() && anchored->isEnabled());
+        anchored->click();
+        QVERIFY(stroke.anchored);
+        window.brush()->setTool(core::Tool::Grab);
+        QVERIFY(!anchored->isChecked() && !anchored->isEnabled());
+        window.brush()->setTool(core::Tool::Pull);
+        QVERIFY(anchored->isChecked());
         child<QCheckBox>(window, "fusion")->click();
         QVERIFY(!stroke.fusion && !act(window, "topology.fusion")->isChecked());
 
