@@ -46,23 +46,24 @@ Rgb colorAt(const Mesh& mesh, Slot f, const Corners& t, const Vec3& position)
             static_cast<std::uint8_t>(mean.z())};
 }
 
-SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Vec3& position, double distance)
+SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Corners& t, const Vec3& position, double distance)
 {
-    const Corners t = cornersOf(mesh, f);
     return {position, (t[1] - t[0]).cross(t[2] - t[0]).normalized(), distance, f, colorAt(mesh, f, t, position)};
 }
-} // namespace
 
-std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray)
+template <class Of>
+std::optional<SurfaceHit> firstHitOf(const Mesh& mesh, const FaceOctree& octree, const Ray& ray, const Of& cornersOf,
+                                     double farthest)
 {
     const double unit = mesh.lattice().unit();
+    const Vec3 margin = Vec3::Constant(farthest);
     double first = std::numeric_limits<double>::infinity();
     Slot face = noSlot;
     const auto enter = [&](const LatticeBox& box) {
-        return meetsBox(ray, {box.min.cast<double>() * unit, box.max.cast<double>() * unit});
+        return meetsBox(ray, {box.min.cast<double>() * unit - margin, box.max.cast<double>() * unit + margin});
     };
     octree.traverse(enter, [&](Slot f) {
-        const double t = hitTriangle(ray, cornersOf(mesh, f));
+        const double t = hitTriangle(ray, cornersOf(f));
         if (t >= 0 && (t < first || (t == first && f < face))) {
             first = t;
             face = f;
@@ -70,7 +71,20 @@ std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, c
     });
     if (face == noSlot)
         return std::nullopt;
-    return surfaceHit(mesh, face, ray.origin + first * ray.direction, first * ray.direction.norm());
+    return surfaceHit(mesh, face, cornersOf(face), ray.origin + first * ray.direction, first * ray.direction.norm());
+}
+} // namespace
+
+std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray)
+{
+    return firstHitOf(
+        mesh, octree, ray, [&](Slot f) { return cornersOf(mesh, f); }, 0);
+}
+
+std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray,
+                                   const CornersOf& cornersOf, double farthest)
+{
+    return firstHitOf(mesh, octree, ray, cornersOf, farthest);
 }
 
 std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octree, const Vec3& point, double within)
@@ -93,7 +107,7 @@ std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octre
             }
         });
         if (face != noSlot && nearest2 <= radius * radius)
-            return surfaceHit(mesh, face, position, std::sqrt(nearest2));
+            return surfaceHit(mesh, face, cornersOf(mesh, face), position, std::sqrt(nearest2));
         if (!(radius < max))
             return std::nullopt; // nothing there, or no point
         radius = std::min(2 * radius, max);

@@ -3,6 +3,8 @@
 #include "core/mesh/face_octree.h"
 #include "core/mesh/surface_hit.h"
 
+#include <array>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -10,6 +12,12 @@ namespace core
 {
 /// The first face from the ray's origin on that faces it. Cost: the faces near the ray.
 std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray);
+
+/// Returns the corners of a face.
+using CornersOf = std::function<std::array<Vec3, 3>(Slot f)>;
+/// The same on a surface of the same faces whose corners lie elsewhere, by at most `farthest`, in mm.
+std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray,
+                                   const CornersOf& cornersOf, double farthest);
 
 /// The nearest point of the surface, if it is no farther than `within`. Cost: the faces in the ball that reaches it,
 /// which of a point in empty space may be all.

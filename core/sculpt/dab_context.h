@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/sculpt/deform/stroke_displacements.h"
 #include "core/sculpt/edit/mesh_editor.h"
 #include "core/sculpt/grab.h"
 #include "core/sculpt/remesh/remesh.h"
 #include "core/sculpt/sculptor_totals.h"
-#include "core/sculpt/stroke_displacements.h"
 #include "core/sculpt/verify/verified_mesh.h"
 
 #include <functional>

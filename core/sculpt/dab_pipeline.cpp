@@ -93,6 +93,8 @@ void DabPipeline::begin(DabContext& context)
     m_foldSmoothing.clear();
     m_mayStampSolid = context.settings.tool == Tool::Stamp;
     m_steps.begin(context);
+    if (StrokeDisplacements::areUsedBy(context.settings))
+        context.request.displacements.meet(context.region, context.mirror);
     if (grab.isLimitedFor(context.dab)) {
         context.limits = std::move(context.grab.state.limits);
         context.fallbackSteps = grab.state.fallbackSteps;

@@ -48,12 +48,10 @@ bool isGrabMirrored(DabContext& context)
 /// Lets the vertices of the half and of the whole carry what the tool has to know of them.
 void carryToBothSides(DabContext& context, Region& whole)
 {
-    const bool isLayer = context.settings.tool == Tool::Layer;
     context.region.forEach([&](Slot v) {
         const Slot image = context.mirror->imageOf(v);
         const bool hasImage = image != noSlot && whole.contains(image);
-        if (!isLayer)
-            context.region.setCarried(v, hasImage ? whole.distance(image) : 2 * context.dab.radius);
+        context.region.setCarried(v, hasImage ? whole.distance(image) : 2 * context.dab.radius);
         for (Slot side : {v, image}) {
             if (side != noSlot && whole.contains(side))
                 whole.setCarried(side, context.region.carried(v));
@@ -83,7 +81,6 @@ bool selectMirroredRegion(DabContext& context)
 
 void selectBothSides(DabContext& context, Region& whole)
 {
-    const Tool tool = context.settings.tool;
     const bool isGrabbed = context.grab.state.isOn;
     if (isGrabbed)
         selectWholeGrabbed(whole, context.region, *context.mirror, context.dab.radius);
@@ -91,7 +88,7 @@ void selectBothSides(DabContext& context, Region& whole)
         selectRefined(context, whole);
     else
         selectWhole(whole, context.region, *context.mirror, context.mesh(), context.ball);
-    if (tool == Tool::Layer || (keepsSelection(tool) && !isGrabbed))
+    if (keepsSelection(context.settings.tool) && !isGrabbed)
         carryToBothSides(context, whole);
 }
 

@@ -145,7 +145,7 @@ double DabSteps::plan(DabContext& context)
 {
     const StrokeSettings& settings = context.settings;
     if (settings.tool == Tool::Layer)
-        context.request.displacements.recall(context.region, context.mesh());
+        context.request.displacements.fill(context.region, context.mesh(), context.mirror);
     Region& whole = context.mirror ? m_whole : context.region;
     if (context.mirror)
         selectBothSides(context, m_whole);
@@ -157,9 +157,9 @@ double DabSteps::plan(DabContext& context)
         if (whole.contains(v))
             whole.setCarried(v, 1);
     }
-    if (!context.mirror)
-        return planDeformation(context.region, context.mesh(), settings, context.dab);
-    return planMirrored(context.region, m_whole, *context.mirror, context.mesh(), settings, context.dab);
+    const DeformInput input = {context.mesh(), settings, context.dab, context.request.displacements};
+    return context.mirror ? planMirrored(context.region, m_whole, *context.mirror, input)
+                          : planDeformation(context.region, input);
 }
 
 bool DabSteps::displace(DabContext& context, double part)

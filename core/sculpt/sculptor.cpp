@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// A search for a centre ends when it is this near to its ray, or moves by no more, in radii.
+/// A search for the nearest place ends when the hand moves by no more, in radii.
 constexpr double centerTolerance = 0.02;
 constexpr int maxCenterSearches = 12;
 
@@ -42,6 +42,8 @@ public:
     void swap(MeshDelta& delta);
     std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
     std::optional<SurfacePlace> placeOf(const Vec3& position, const Vec3& direction) const;
+    std::optional<SurfacePlace> placeOnRay(const Ray& ray) const;
+    std::optional<SurfacePlace> nearestPlace(const Vec3& hand) const;
     void placeResting(StrokePath::Due& due) const;
     Placement placement() const { return settings.brush == BrushShape::Ray ? Placement::Ray : settings.place; }
     DabReport apply(Dab dab);
@@ -126,31 +128,39 @@ void Sculptor::Engine::placeResting(StrokePath::Due& due) const
         due.dab.position = place->now;
 }
 
-/// Returns the place that the ray met, or that was nearest, before the stroke. Searches with a hand that is moved as
-/// far as the stroke has moved what it met.
+/// Returns the place that the ray met, or that was nearest, before the stroke.
 std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOf(const Vec3& position,
                                                                         const Vec3& direction) const
 {
-    const bool isRay = placement() == Placement::Ray;
-    const Vec3 way = direction.normalized();
-    const double tolerance = centerTolerance * settings.radius;
+    return placement() == Placement::Ray ? placeOnRay({position, direction}) : nearestPlace(position);
+}
+
+/// Returns nothing where the ray only meets what the stroke has raised.
+std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOnRay(const Ray& ray) const
+{
+    const Mesh& mesh = surface.mesh();
+    const auto cornersAtRest = [&](Slot f) { return displacements.cornersAtRest(f, mesh); };
+    const auto hit = firstHit(mesh, surface.octree(), ray, cornersAtRest, displacements.longest());
+    return hit ? std::optional(SurfacePlace{hit->position, displacements.now(*hit, mesh)}) : std::nullopt;
+}
+
+/// Searches with a hand that is moved as far as the stroke has moved what was nearest.
+std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::nearestPlace(const Vec3& hand) const
+{
     std::optional<SurfacePlace> found;
     double least = std::numeric_limits<double>::infinity();
     Vec3 moved = Vec3::Zero();
     for (int i = 0; i < maxCenterSearches; ++i) {
-        const std::optional<SurfaceHit> hit =
-            isRay ? firstHit(surface.mesh(), surface.octree(), {position + moved, direction})
-                  : nearestPoint(surface.mesh(), surface.octree(), position + moved);
-        if (!hit || (isRay && (hit->position - position).dot(way) < 0)) // what is behind the eye is not worked on
+        const std::optional<SurfaceHit> hit = nearestPoint(surface.mesh(), surface.octree(), hand + moved);
+        if (!hit)
             break;
-        const Vec3 atRest = displacements.atRest(*hit, surface.mesh()), toHand = position - atRest;
-        const double distance = isRay ? toHand.cross(way).norm() : toHand.norm();
+        const Vec3 atRest = displacements.atRest(*hit, surface.mesh());
         const Vec3 before = std::exchange(moved, hit->position - atRest);
-        if (distance < least) {
+        if (const double distance = (hand - atRest).norm(); distance < least) {
             least = distance;
             found = {atRest, hit->position};
         }
-        if ((isRay ? least : (moved - before).norm()) <= tolerance)
+        if ((moved - before).norm() <= centerTolerance * settings.radius)
             break;
     }
     return found;

@@ -34,12 +34,9 @@ Vec3 unitNormal(const Mesh& mesh, Slot v)
 using Field = std::function<Vec3(Slot v, double weight)>;
 
 /// The input of a field.
-struct FieldInput
+struct FieldInput : DeformInput
 {
     const Region& region;
-    const Mesh& mesh;
-    const StrokeSettings& settings;
-    const Dab& dab;
 
     /// Returns the peak of the dab, in mm.
     double peak() const { return peakPerRadius * dab.radius * dab.strength; }
@@ -102,11 +99,14 @@ Field clay(const FieldInput& d)
     };
 }
 
-/// Raises a layer: n_i h min(1, sum w) over the surface at the beginning of the stroke, with the peak for h.
+/// Raises a layer: n_i h min(1, sum w) over the surface at the beginning of the stroke, with its normals n_i and the
+/// peak for h.
 Field layer(const FieldInput& d)
 {
     return [&d, up = d.sign(), h = d.peak()](Slot v, double w) -> Vec3 {
-        return up * std::clamp(h - d.region.carried(v), 0.0, w * h) * unitNormal(d.mesh, v);
+        const Vec3 normal = d.displacements.normalAtRest(v, d.mesh);
+        const double raised = up * d.displacements.of(v).value_or(Vec3::Zero()).dot(normal);
+        return up * std::clamp(h - raised, 0.0, w * h) * normal;
     };
 }
 
@@ -246,11 +246,12 @@ Vec3 meanNormal(const Region& region, const Mesh& mesh)
     return length > 0 ? Vec3(normal / length) : Vec3::Zero();
 }
 
-double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
+double planDeformation(Region& region, const DeformInput& input)
 {
-    const FieldInput input = {region, mesh, settings, dab};
-    const Field field = fieldOf(input);
-    const DabWeights weights(region, mesh, settings, dab);
+    const Mesh& mesh = input.mesh;
+    const FieldInput fieldInput = {input, region};
+    const Field field = fieldOf(fieldInput);
+    const DabWeights weights(region, mesh, input.settings, input.dab);
     const std::vector<Slot>& slots = region.slots();
     std::vector<double> longest2(1 + chunksOf(slots.size(), plannedPerChunk), 0.0);
     forEachChunk(slots.size(), plannedPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/sculpt/deform/stroke_displacements.h"
 #include "core/sculpt/select/region.h"
+#include "core/stroke/stroke.h"
 
 namespace core
 {
@@ -12,10 +14,19 @@ double weightAt(double distance, const StrokeSettings& settings, const Dab& dab)
 /// they cancel out.
 Vec3 meanNormal(const Region& region, const Mesh& mesh);
 
+/// What the tool's field depends on, besides the vertices that it moves.
+struct DeformInput
+{
+    const Mesh& mesh;
+    const StrokeSettings& settings;
+    const Dab& dab;
+    const StrokeDisplacements& displacements; ///< of the stroke so far; of Layer those of the region, filled
+};
+
 /// Plans the displacement of each vertex of the region by the tool's field (deform.cpp has one function a field). r_i
 /// is the region's distance. The mask scales displacements down. Returns the longest displacement planned, in mm.
 /// Precondition: not paintsAttribute(tool).
-double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
+double planDeformation(Region& region, const DeformInput& input);
 
 /// Turns the plans of the region's vertices at and around the given ones towards their neighbours' mean, and keeps
 /// their lengths. On a rough surface normals differ so much that neighbours would pass each other and faces turn over.

@@ -38,11 +38,10 @@ void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, do
     });
 }
 
-double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Mesh& mesh, const StrokeSettings& settings,
-                    const Dab& dab)
+double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const DeformInput& input)
 {
-    planDeformation(whole, mesh, settings, dab);
-    const DabWeights shares(whole, mesh, settings, dab);
+    planDeformation(whole, input);
+    const DabWeights shares(whole, input.mesh, input.settings, input.dab);
     double longest2 = 0;
     half.forEach([&](Slot v) {
         Vec3 plan = whole.plan(v);

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "core/sculpt/deform/deform.h"
 #include "core/sculpt/edit/mirror_map.h"
-#include "core/sculpt/select/region.h"
-#include "core/stroke/stroke.h"
 
 namespace core
 {
@@ -22,6 +21,5 @@ void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, do
 ///   D = (w1 d1 + w2 d2) / max(1, w1 + w2)
 /// so that on the plane nothing moves off it. `whole`: the selection of the dab alone, on both sides of the plane;
 /// every vertex of the half belongs to it. Its plans are overwritten. Returns the longest displacement planned.
-double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Mesh& mesh, const StrokeSettings& settings,
-                    const Dab& dab);
+double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const DeformInput& input);
 } // namespace core

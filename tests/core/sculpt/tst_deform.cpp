@@ -32,7 +32,7 @@ struct Planned
         core::StrokeSettings settings;
         settings.tool = tool;
         settings.falloff = falloff;
-        longest = planDeformation(region, *mesh, settings, dab);
+        longest = planDeformation(region, {*mesh, settings, dab, {}});
     }
 };
 

@@ -79,7 +79,7 @@ struct Expected
         Dab dab = lastDab(stroke);
         selectSphere(region, candidates, mesh, octree, {dab.position, dab.radius});
         dab.axis = meanNormal(region, mesh);
-        planDeformation(region, mesh, stroke.settings, dab);
+        planDeformation(region, {mesh, stroke.settings, dab, {}});
         for (Slot v = 0; v < mesh.slots().vertices; ++v)
             before.push_back(mesh.point(v).cast<double>());
     }

@@ -93,6 +93,9 @@ class TestStrokeOnSurface : public QObject
 private Q_SLOTS:
     void ridge_isAsHighEverywhere_data();
     void ridge_isAsHighEverywhere();
+    void strokeOverTheOutline_endsThere_data();
+    void strokeOverTheOutline_endsThere();
+    void layer_isAsSmoothAsWhatItRaises();
     void twelveSamplesOfACircle_makeACircle();
     void airbrush_goesOnWhereTheHandRests_data();
     void airbrush_goesOnWhereTheHandRests();
@@ -129,6 +132,77 @@ void TestStrokeOnSurface::ridge_isAsHighEverywhere()
     QVERIFY2(ridge.front() > 0.85 * middle && ridge.back() < 1.15 * middle,
              qPrintable(QStringLiteral("%1 to %2").arg(ridge.front()).arg(ridge.back())));
     QVERIFY(mesh_asserts::badFaces(sculptor->mesh()).empty());
+}
+
+void TestStrokeOnSurface::strokeOverTheOutline_endsThere_data()
+{
+    QTest::addColumn<Tool>("tool");
+    for (const Tool tool : {Tool::Pull, Tool::Inflate, Tool::Clay, Tool::Layer})
+        QTest::newRow(std::string(name(tool)).c_str()) << tool;
+}
+
+/// Up to the outline the ridge is as high as before, and where the pointer goes on beside the ball nothing else rises.
+void TestStrokeOnSurface::strokeOverTheOutline_endsThere()
+{
+    QFETCH(Tool, tool);
+    std::vector<StrokeSample> path;
+    for (int i = 0; i <= 40; ++i)
+        path.push_back(through((-0.3 + 0.04 * i) * ballRadius, (0.2 + 0.5 * std::sin(M_PI * 0.02 * i)) * ballRadius));
+    const StrokeSettings settings = brush(tool);
+    const auto sculptor = draw(settings, path), untouched = clay::ball();
+    std::vector<Vec3> way; // in steps shorter than a tenth of the radius
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        for (int k = 0; k < 50; ++k) {
+            const Vec3 direction = path[i - 1].direction + k / 50.0 * (path[i].direction - path[i - 1].direction);
+            if (const auto hit = untouched->hit({eye, direction}))
+                way.push_back(hit->position);
+        }
+    }
+    std::vector<double> highest(way.size());
+    double elsewhere = 0;
+    forEachPlace(*sculptor, [&](const Vec3& p) {
+        const Vec3 onBall = ballRadius * p.normalized();
+        const double height = p.norm() - ballRadius;
+        double nearest = INFINITY;
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            const double distance = (way[i] - onBall).norm();
+            nearest = std::min(nearest, distance);
+            if (distance < 0.5 * settings.radius)
+                highest[i] = std::max(highest[i], height);
+        }
+        if (nearest > 1.3 * settings.radius)
+            elsewhere = std::max(elsewhere, height);
+    });
+    double middle = 0, lowest = INFINITY, most = 0;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        if ((way[i] - way.front()).norm() < 2 * settings.radius || (way[i] - way.back()).norm() < settings.radius)
+            continue;
+        middle = middle > 0 ? middle : highest[i];
+        lowest = std::min(lowest, highest[i]);
+        most = std::max(most, highest[i]);
+    }
+    QVERIFY(middle > 0.05 * settings.radius);
+    QVERIFY2(lowest > 0.85 * middle && most < 1.15 * middle,
+             qPrintable(QStringLiteral("%1 to %2, %3").arg(lowest).arg(most).arg(middle)));
+    QVERIFY2(elsewhere < 0.02 * middle, qPrintable(QString::number(elsewhere)));
+    QVERIFY(mesh_asserts::badFaces(sculptor->mesh()).empty());
+}
+
+/// What Layer raises is the surface as it was, at one height: its facets turn by no more than the ball's own.
+void TestStrokeOnSurface::layer_isAsSmoothAsWhatItRaises()
+{
+    const StrokeSettings settings = brush(Tool::Layer);
+    const auto sculptor = draw(settings, leftArc(0.5 * ballRadius, 60));
+    const double step = 0.1 * settings.radius;
+    int raised = 0;
+    forEachPlace(*sculptor, [&](const Vec3& p) {
+        const double height = p.norm() - ballRadius;
+        if (height < 0.9 * step)
+            return;
+        ++raised;
+        QVERIFY2(height < 1.05 * step, qPrintable(QString::number(height / step)));
+    });
+    QVERIFY(raised > 200);
 }
 
 /// The ridge deviates from the circle by less than 2 % of its radius.

@@ -1,0 +1,134 @@
+#include "core/sculpt/deform/stroke_displacements.h"
+
+#include "core/geometry/point_triangle.h"
+
+namespace core
+{
+/// Drag tools follow the hand: they have no path over the surface.
+bool StrokeDisplacements::areUsedBy(const StrokeSettings& settings)
+{
+    const bool isOnSurface = settings.brush == BrushShape::Ray || settings.place != Placement::Point;
+    return settings.tool == Tool::Layer || (isOnSurface && settings.spacing > 0 && !isDragTool(settings.tool));
+}
+
+void StrokeDisplacements::clear()
+{
+    m_vertices.clear();
+    m_displacements.clear();
+    m_longest = 0;
+}
+
+void StrokeDisplacements::meet(const Region& region, MirrorMap* mirror)
+{
+    region.forEach([&](Slot v) {
+        if (!of(v))
+            set(v, Vec3(Vec3::Zero()), mirror);
+    });
+}
+
+void StrokeDisplacements::fill(const Region& region, const Mesh& mesh, MirrorMap* mirror)
+{
+    std::vector<std::pair<Slot, Vec3>> means; // of those that are known: the order does not matter
+    region.forEach([&](Slot v) {
+        if (!of(v))
+            means.emplace_back(v, meanAround(v, mesh));
+    });
+    for (const auto& [v, mean] : means)
+        set(v, mean, mirror);
+}
+
+void StrokeDisplacements::note(const Region& region, const Mesh& mesh, double share, MirrorMap* mirror)
+{
+    std::vector<std::optional<Vec3>> sums;
+    for (Slot v : region.slots()) {
+        sums.emplace_back();
+        if (region.contains(v))
+            sums.back() =
+                of(v).value_or(meanAround(v, mesh)) + mesh.lattice().snap(share * region.plan(v)).cast<double>();
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        set(region.slots()[i], sums[i], mirror);
+}
+
+/// Sets it at the vertex's image, too.
+void StrokeDisplacements::set(Slot v, const std::optional<Vec3>& displacement, MirrorMap* mirror)
+{
+    set(v, displacement);
+    if (const Slot image = mirror && displacement ? mirror->imageOf(v) : noSlot; image != noSlot && image != v)
+        set(image, mirror->imageOf(*displacement));
+}
+
+void StrokeDisplacements::set(Slot v, const std::optional<Vec3>& displacement)
+{
+    const Slot i = m_vertices.add(v);
+    m_displacements.resize(m_vertices.size());
+    m_displacements[i] = displacement;
+    if (displacement)
+        m_longest = std::max(m_longest, displacement->norm());
+}
+
+std::optional<Vec3> StrokeDisplacements::of(Slot v) const
+{
+    const Slot i = m_vertices.find(v);
+    return i == noSlot ? std::nullopt : m_displacements[i];
+}
+
+/// The sum is exact, whatever edge it begins with: its terms are products of lattice coordinates.
+Vec3 StrokeDisplacements::normalAtRest(Slot v, const Mesh& mesh) const
+{
+    const Vec3 p = restPoint(v, mesh);
+    Vec3 sum = Vec3::Zero();
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        const Vec3 spoke = restPoint(mesh.to(h), mesh) - p, next = restPoint(mesh.to(mesh.rotate(h)), mesh) - p;
+        sum += spoke.cross(next);
+    });
+    const double length = sum.norm();
+    return length > 0 ? Vec3(sum / length) : Vec3::Zero();
+}
+
+Vec3 StrokeDisplacements::restPoint(Slot v, const Mesh& mesh) const
+{
+    return mesh.point(v).cast<double>() - of(v).value_or(Vec3::Zero());
+}
+
+std::array<Vec3, 3> StrokeDisplacements::cornersAtRest(Slot f, const Mesh& mesh) const
+{
+    const Triangle& t = mesh.corners(f);
+    return {restPoint(t[0], mesh), restPoint(t[1], mesh), restPoint(t[2], mesh)};
+}
+
+Vec3 StrokeDisplacements::atRest(const SurfaceHit& hit, const Mesh& mesh) const
+{
+    const Triangle& t = mesh.corners(hit.face);
+    const auto point = [&](Slot v) { return Vec3(mesh.point(v).cast<double>()); };
+    return hit.position - displacementIn(t, cornerWeights(hit.position, {point(t[0]), point(t[1]), point(t[2])}));
+}
+
+Vec3 StrokeDisplacements::now(const SurfaceHit& atRest, const Mesh& mesh) const
+{
+    const std::array<double, 3> weights = cornerWeights(atRest.position, cornersAtRest(atRest.face, mesh));
+    return atRest.position + displacementIn(mesh.corners(atRest.face), weights);
+}
+
+Vec3 StrokeDisplacements::displacementIn(const Triangle& corners, const std::array<double, 3>& weights) const
+{
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += weights[i] * of(corners[i]).value_or(Vec3::Zero());
+    return sum;
+}
+
+/// Returns the mean displacement of the neighbours whose displacement is known, rounded to the lattice, or none.
+Vec3 StrokeDisplacements::meanAround(Slot v, const Mesh& mesh) const
+{
+    Vec3 sum = Vec3::Zero();
+    int known = 0;
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        if (const std::optional<Vec3> beside = of(mesh.to(h))) {
+            sum += *beside;
+            ++known;
+        }
+    });
+    return known > 0 ? Vec3(mesh.lattice().snap(sum / known).cast<double>()) : sum;
+}
+} // namespace core
