@@ -4,11 +4,55 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+
+#include <algorithm>
 
 namespace ui
 {
+namespace
+{
+/// Shows a panel whole where there is room, else scrolls it up and down.
+class PanelScrollArea : public QScrollArea
+{
+public:
+    explicit PanelScrollArea(QWidget* panel)
+    {
+        setSizePolicy(panel->sizePolicy());
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setWidgetResizable(true);
+        setWidget(panel);
+    }
+
+    QSize sizeHint() const override { return widget()->sizeHint().expandedTo(minimumSizeHint()); }
+    /// The panel has its own width beside the scroll bar.
+    QSize minimumSizeHint() const override
+    {
+        const QSize least = widget()->minimumSizeHint();
+        return {least.width() + verticalScrollBar()->sizeHint().width(), std::min(least.height(), leastHeight())};
+    }
+
+protected:
+    /// The panel has other rows than before.
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QScrollArea::eventFilter(object, event);
+    }
+
+private:
+    int leastHeight() const { return 6 * fontMetrics().lineSpacing(); }
+};
+} // namespace
+
 void addSideDock(QMainWindow* window, QMenu* toggles, QDockWidget* dock, const QString& behind)
 {
+    QWidget* panel = dock->widget();
+    dock->setWidget(nullptr);
+    dock->setWidget(new PanelScrollArea(panel));
     window->addDockWidget(Qt::RightDockWidgetArea, dock);
     toggles->addAction(dock->toggleViewAction());
     if (auto* first = behind.isEmpty() ? nullptr : window->findChild<QDockWidget*>(behind)) {
