@@ -482,8 +482,11 @@ void TestJournal::damage_isToldFromATornEnd()
 {
     constexpr JournalLimits limits{.segmentBytes = 4 << 10};
     Session session(m_home.path().toStdString(), icosphere(1, 20), 17, limits);
-    for (int i = 0; i < 30; ++i)
+    std::vector histories = {session.now().history};
+    for (int i = 0; i < 30; ++i) {
         session.act();
+        histories.push_back(session.now().history);
+    }
     session.journal().drain();
     const fs::path complete = copyOf(session.journal().folder());
     const unsigned last = filesIn(complete).segments.rbegin()->first;
@@ -494,7 +497,7 @@ void TestJournal::damage_isToldFromATornEnd()
         bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
         write(segmentFile(folder, number), bytes);
         const auto found = recoverJournal(folder);
-        QVERIFY(found && found->isDamaged && found->history.present <= session.now().history.steps.size());
+        QVERIFY(found && found->isDamaged && std::ranges::find(histories, found->history) != histories.end());
         fs::remove(segmentFile(folder, number));
         QVERIFY(recoverJournal(folder)->isDamaged);
     }
