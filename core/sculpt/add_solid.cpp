@@ -127,17 +127,10 @@ bool joinSolid(DabContext& context)
     const Lattice& lattice = context.mesh().lattice();
     if (!std::ranges::all_of(places, [&](const Vec3& p) { return lattice.contains(p); }))
         return false;
-    PlacedSolid solid(std::move(mesh), std::move(places), context.dab.position);
-    BooleanOutcome outcome = applyBoolean(context, solid, BooleanOperation::Unite);
+    const BooleanOutcome outcome =
+        uniteOnBothSides(context, PlacedSolid(std::move(mesh), std::move(places), context.dab.position));
     if (outcome == BooleanOutcome::Apart)
         return false;
-    if (outcome == BooleanOutcome::Failed && context.mirror) { // both at once, but not each as the other's image
-        const MirrorMap& mirror = *std::exchange(context.mirror, nullptr);
-        if (mirror.imageOf(context.dab.position) != context.dab.position)
-            solid.addImage(mirror);
-        outcome = applyBoolean(context, std::move(solid), BooleanOperation::Unite);
-        context.report.asymmetric = outcome == BooleanOutcome::Done;
-    }
     const bool isDone = outcome == BooleanOutcome::Done;
     context.report.outcome = isDone ? DabOutcome::Added : DabOutcome::Refused;
     context.report.refusal = isDone ? Refusal::None : Refusal::Unfit;

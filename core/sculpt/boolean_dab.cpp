@@ -156,4 +156,17 @@ BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOpera
     }
     return BooleanOutcome::Failed;
 }
+
+BooleanOutcome uniteOnBothSides(DabContext& context, PlacedSolid solid)
+{
+    BooleanOutcome outcome = applyBoolean(context, solid, BooleanOperation::Unite);
+    if (outcome != BooleanOutcome::Failed || !context.mirror)
+        return outcome;
+    const MirrorMap& mirror = *std::exchange(context.mirror, nullptr);
+    if (mirror.imageOf(context.dab.position) != context.dab.position)
+        solid.addImage(mirror);
+    outcome = applyBoolean(context, std::move(solid), BooleanOperation::Unite);
+    context.report.asymmetric = outcome == BooleanOutcome::Done;
+    return outcome;
+}
 } // namespace core

@@ -26,4 +26,7 @@ struct PlacedSolid
 /// changed. A mirror has the solid's image done, too; then it fails where the solid and its image change the same
 /// faces. It fails where masked faces would go, too, and beyond the working volume.
 BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation);
+/// Unites the model with a solid as applyBoolean() does. Where a mirror fails, unites it with the solid and its image
+/// at once, which is not exactly symmetric, and says so in the report.
+BooleanOutcome uniteOnBothSides(DabContext& context, PlacedSolid solid);
 } // namespace core

@@ -2,6 +2,7 @@
 //   select     the vertices under the brush                                     3.1   dab_selection, select/
 //   or add     a solid, where no surface is                                     3.5.1 add_solid
 //   or paint                                                                    3.5.3 attribute_brush
+//   or join    what Snake Hook has drawn out, where it reaches another surface        hook_tip
 //   refine     the mesh becomes fine enough to plan on                          3.2   dab_steps, remesh/
 //   plan       how far each vertex is to move, in sub-steps of at most d_move   3.3   dab_steps, deform/, step_plan
 // then, for each sub-step, or for several at once where nothing can meet:
@@ -23,6 +24,7 @@
 #include "core/sculpt/dab_bounds.h"
 #include "core/sculpt/dab_selection.h"
 #include "core/sculpt/deform/deform.h"
+#include "core/sculpt/hook_tip.h"
 #include "core/sculpt/verify/mesh_transaction.h"
 #include "core/util/phase_timer.h"
 
@@ -72,7 +74,7 @@ void DabPipeline::applyToRegion(DabContext& context)
         addSolid(context);
     else if (paintsAttribute(settings.tool))
         m_attributeBrush.apply(context);
-    else
+    else if (!joinHookTip(context))
         sculpt(context);
 }
 

@@ -12,9 +12,28 @@ Selector selectorOf(const DabContext& context)
     return Selector(context.mesh(), context.surface.octree());
 }
 
+/// What SnakeHook draws out leaves behind what else comes under the brush, and meets it.
+bool selectsOnePart(const StrokeSettings& settings)
+{
+    return settings.tool == Tool::SnakeHook && settings.brush == BrushShape::Sphere;
+}
+
+/// Lets each vertex carry the distance of its image, if that is selected, too.
+void carryImageDistances(DabContext& context)
+{
+    Region& region = context.region;
+    region.forEach([&](Slot v) {
+        const Slot image = context.mirror->imageOf(v);
+        const bool hasImage = image != noSlot && region.contains(image);
+        region.setCarried(v, hasImage ? region.distance(image) : 2 * context.dab.radius);
+    });
+}
+
 void selectUnderBrush(DabContext& context)
 {
     selectorOf(context).select(context.region, context.candidates, context.settings.brush, context.ball);
+    if (selectsOnePart(context.settings))
+        selectorOf(context).keepNearestPart(context.region, context.ball);
     if (keepsSelection(context.settings.tool))
         context.grab.measure(context.mesh());
 }
@@ -74,6 +93,8 @@ bool selectMirroredRegion(DabContext& context)
     if (!isGrabbed)
         selectUnderBrush(context);
     const bool isMirrored = isGrabbed ? isGrabMirrored(context) : isSurfaceMirrored(context);
+    if (isMirrored && selectsOnePart(context.settings))
+        carryImageDistances(context);
     if (isMirrored) // fusion may have brought grabbed vertices across the plane
         keepHalf(context.region, *context.mirror);
     return isMirrored;
@@ -82,7 +103,7 @@ bool selectMirroredRegion(DabContext& context)
 void selectBothSides(DabContext& context, Region& whole)
 {
     const bool isGrabbed = context.grab.state.isOn;
-    if (isGrabbed)
+    if (isGrabbed || selectsOnePart(context.settings))
         selectWholeGrabbed(whole, context.region, *context.mirror, context.dab.radius);
     else if (context.settings.brush == BrushShape::Ray)
         selectRefined(context, whole);

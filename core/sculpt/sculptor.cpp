@@ -61,6 +61,7 @@ public:
     StrokeSettings settings;
     std::optional<StrokePath> path;
     std::optional<StrokeAnchor> anchor;
+    bool hasLetGo = false; ///< the stroke has nothing more to do (DabRequest::hasLetGo)
     SectorGrabs grabs{surface};
     StrokeDisplacements displacements;
     RestLengths rest;
@@ -85,6 +86,7 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
 void Sculptor::Engine::startOver()
 {
     anchor.emplace(settings);
+    hasLetGo = false;
     grabs.beginStroke();
     displacements.clear();
     rest.clear();
@@ -168,6 +170,8 @@ std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::nearestPlace(con
 
 DabReport Sculptor::Engine::apply(Dab dab)
 {
+    if (hasLetGo)
+        return {};
     anchor->place(dab);
     const DabReport report = sculpt(dab);
     anchor->follow(dab, report);
@@ -207,6 +211,7 @@ DabReport Sculptor::Engine::sculpt(const Dab& dab)
                                      : mirroredDab.apply(request, dab, grabs.first());
     }
     lastBounds = request.bounds;
+    hasLetGo = request.hasLetGo;
     report.verifyMs = surface.verifyMs() - verifiedBefore;
     if (report.touchedFaces == 0)
         report.touchedFaces = surface.maxDirtyFaces();

@@ -78,6 +78,7 @@ Dab operator*(const Turn& turn, Dab dab)
     dab.position = turn * dab.position;
     dab.direction = turn * dab.direction;
     dab.motion = turn * dab.motion;
+    dab.heading = turn * dab.heading;
     dab.axis = turn * dab.axis;
     dab.up = turn * dab.up;
     dab.ahead = turn * dab.ahead;

@@ -6,6 +6,9 @@ namespace core
 {
 namespace
 {
+/// The way, in radii, over which Snake Hook takes the direction of the hand.
+constexpr double headingLength = 0.5;
+
 bool isIn(double value, Parameter parameter)
 {
     return value >= info(parameter).min && value <= info(parameter).max;
@@ -24,6 +27,13 @@ StrokeSettings opposite(StrokeSettings settings)
     else if (hasInverse(settings.tool))
         settings.inverted = !settings.inverted;
     return settings;
+}
+
+Vec3 headingAfter(const Dab& dab)
+{
+    const Vec3 way = headingLength * dab.radius * dab.heading + dab.motion;
+    const double length = way.norm();
+    return length > 0 ? Vec3(way / length) : Vec3::Zero();
 }
 
 bool pushes(const StrokeSettings& settings)

@@ -139,16 +139,21 @@ struct Dab
     Vec3 position = Vec3::Zero();
     Vec3 direction = -Vec3::UnitZ();
     double radius = 0;
-    double strength = 0;        ///< times pressure
-    Vec3 motion = Vec3::Zero(); ///< of the dab centre, or of the hand (isDragTool), since the dab before
-    double turn = 0;            ///< of Twist: radians, anticlockwise about the axis
-    Vec3 axis = Vec3::Zero();   ///< of Twist: of unit length, or zero as long as nothing is held
-    Vec3 up = Vec3::UnitY();    ///< the world's, or the hand's, in the model's space; of unit length
+    double strength = 0;         ///< times pressure
+    Vec3 motion = Vec3::Zero();  ///< of the dab centre, or of the hand (isDragTool), since the dab before
+    Vec3 heading = Vec3::Zero(); ///< of SnakeHook: which way it came, of unit length, or zero at first
+    double way = 0;              ///< of SnakeHook: how far from where it took hold, in mm
+    double turn = 0;             ///< of Twist: radians, anticlockwise about the axis
+    Vec3 axis = Vec3::Zero();    ///< of Twist: of unit length, or zero as long as nothing is held
+    Vec3 up = Vec3::UnitY();     ///< the world's, or the hand's, in the model's space; of unit length
     /// Away from who stands before the model, or holds the brush, there; the same, and across up.
     Vec3 ahead = -Vec3::UnitZ();
     bool isMirrored = false;    ///< the image of what the hand does
     Vec3 normal = Vec3::Zero(); ///< of Stamp: the surface's mean normal before its outline was cut, or zero
 };
+
+/// Returns the heading of Snake Hook after a dab: its way over the last radius or so, of unit length, or zero.
+Vec3 headingAfter(const Dab& dab);
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };
 /// The names of outcomes in the statistics of `replay --stats`.

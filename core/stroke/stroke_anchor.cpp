@@ -34,8 +34,12 @@ void StrokeAnchor::place(Dab& dab)
     dab.motion = dab.position - std::exchange(m_last, dab.position);
     if (keepsSelection(m_settings.tool))
         dab.position = m_anchor->position;
-    else if (m_settings.tool == Tool::SnakeHook)
+    if (m_settings.tool == Tool::SnakeHook) {
         dab.position = m_tip;
+        dab.heading = m_heading;
+        dab.way = (m_tip - m_anchor->position).norm();
+        m_heading = headingAfter(dab);
+    }
     if (m_settings.tool == Tool::Twist)
         dab.turn = turnBy(dab);
 }

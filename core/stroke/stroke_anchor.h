@@ -33,7 +33,8 @@ private:
     std::optional<Anchor> m_anchor; ///< of the first dab
     Vec3 m_last = Vec3::Zero();     ///< the hand's place at the dab before
     Vec3 m_tip = Vec3::Zero();
-    Vec3 m_pulled = Vec3::Zero(); ///< Twist: the way of its first motion, of unit length, or zero
-    double m_sense = 1;           ///< Twist: 1 anticlockwise, -1 clockwise
+    Vec3 m_pulled = Vec3::Zero();  ///< Twist: the way of its first motion, of unit length, or zero
+    Vec3 m_heading = Vec3::Zero(); ///< SnakeHook
+    double m_sense = 1;            ///< Twist: 1 anticlockwise, -1 clockwise
 };
 } // namespace core

@@ -21,6 +21,8 @@ constexpr double swellPerPeak = 0.6;
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, maxPinched = 0.5;
 /// The depth that a dab of Crease cuts at strength 1, in radii.
 constexpr double creaseDepth = 0.05;
+/// The least 1 + cos a for a dab of Snake Hook whose way turns by a: beyond a right angle it turns by less.
+constexpr double minTurnCosine = 1;
 constexpr std::size_t plannedPerChunk = 256;
 
 Vec3 unitNormal(const Mesh& mesh, Slot v)
@@ -161,6 +163,20 @@ Field follow(const FieldInput& d)
     return [way = Vec3(d.share() * d.dab.motion)](Slot, double w) -> Vec3 { return w * way; };
 }
 
+/// Moves vertices with the hand, and turns them about the dab's centre as its way turns: what is drawn out stays round
+/// in a bend. The quaternion takes a share of tan(a/2) for that of an angle a.
+Field hook(const FieldInput& d)
+{
+    const Vec3 before = d.dab.heading, after = headingAfter(d.dab);
+    const Vec3 half = before.isZero(0) ? Vec3(Vec3::Zero())
+                                       : Vec3(before.cross(after) / std::max(1 + before.dot(after), minTurnCosine));
+    return [&d, half, share = d.share()](Slot v, double w) -> Vec3 {
+        const Vec3 turned = share * w * half, r = d.point(v) - d.dab.position;
+        return share * w * d.dab.motion + Eigen::Quaterniond(1, turned.x(), turned.y(), turned.z()).normalized() * r -
+               r;
+    };
+}
+
 /// Turns vertices about the axis through the dab's centre, by the angle s w turn. The quaternion takes a/2 for
 /// tan(a/2), which differs little for the turn of one dab and gives the same bits on every machine.
 Field twist(const FieldInput& d)
@@ -217,8 +233,9 @@ Field fieldOf(const FieldInput& d)
     case Tool::Crease:
         return crease(d);
     case Tool::Grab:
-    case Tool::SnakeHook:
         return follow(d);
+    case Tool::SnakeHook:
+        return hook(d);
     case Tool::Twist:
         return twist(d);
     case Tool::Stamp:

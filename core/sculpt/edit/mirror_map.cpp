@@ -11,6 +11,7 @@ Dab MirrorMap::imageOf(Dab dab) const
     dab.position = imageOf(dab.position);
     dab.direction = imageOf(dab.direction);
     dab.motion = imageOf(dab.motion);
+    dab.heading = imageOf(dab.heading);
     dab.turn = -dab.turn;
     dab.up = imageOf(dab.up);
     dab.ahead = imageOf(dab.ahead);

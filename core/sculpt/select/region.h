@@ -35,8 +35,8 @@ public:
     const Vec3& plan(Slot v) const { return m_plan[m_index.position(v)]; }
     void setPlan(Slot v, const Vec3& plan) { m_plan[m_index.position(v)] = plan; }
 
-    /// A tool's own value for a vertex. Layer: how far the stroke has raised it. Stamp: not 0 on its outline. A tool
-    /// that keeps its selection: the distance from the mirror image of where it was grabbed. Units: mm.
+    /// A tool's own value for a vertex. Stamp: not 0 on its outline. A drag tool on both sides of a mirror: the
+    /// distance of its image from the brush, or from where that was grabbed, in mm.
     double carried(Slot v) const { return m_carried[m_index.position(v)]; }
     void setCarried(Slot v, double carried) { m_carried[m_index.position(v)] = carried; }
 

@@ -1,6 +1,7 @@
 #include "core/sculpt/select/selector.h"
 
 #include "core/geometry/lattice_box.h"
+#include "core/geometry/point_triangle.h"
 #include "core/mesh/surface_query.h"
 
 #include <algorithm>
@@ -27,6 +28,34 @@ void Selector::selectRefined(Region& selected, Region& refined, std::vector<Slot
     for (Slot v : refined.remeshed().slots())
         m_mesh.forEachOutgoing(v, [&](Slot h) { candidates.push_back(m_mesh.face(h)); });
     selectGeodesic(selected, candidates, m_mesh, ball);
+}
+
+void Selector::keepNearestPart(Region& region, const Sphere& ball) const
+{
+    const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_octree, ball.center, ball.radius);
+    if (!nearest)
+        return;
+    const auto meetsBall = [&](Slot f) {
+        const Triangle& t = m_mesh.corners(f);
+        const auto point = [&](int i) { return Vec3(m_mesh.point(t[i]).cast<double>()); };
+        return (nearestInTriangle(ball.center, {point(0), point(1), point(2)}) - ball.center).norm() <= ball.radius;
+    };
+    SlotSet part, corners;
+    part.add(nearest->face);
+    for (std::size_t i = 0; i < part.slots().size(); ++i) { // grows meanwhile
+        const Slot f = part.slots()[i];
+        if (!meetsBall(f))
+            continue;
+        for (Slot v : m_mesh.corners(f))
+            corners.add(v);
+        Slot h = m_mesh.faceHalfedge(f);
+        for (int side = 0; side < 3; ++side, h = m_mesh.next(h))
+            part.add(m_mesh.face(h ^ 1));
+    }
+    region.forEach([&](Slot v) {
+        if (!corners.contains(v))
+            region.remove(v);
+    });
 }
 
 /// Sorted: the order in which the octree finds faces depends on its history.

@@ -20,6 +20,10 @@ public:
     /// candidate triangles from before. `selected` and `refined` may be the same region.
     void selectRefined(Region& selected, Region& refined, std::vector<Slot> candidates, const Sphere& ball) const;
 
+    /// Leaves only the region's vertices on the part of the surface within the ball that is nearest to its centre: what
+    /// hangs together by faces that meet the ball.
+    void keepNearestPart(Region& region, const Sphere& ball) const;
+
     /// Returns the faces whose boxes meet the ball's, ascending.
     std::vector<Slot> facesIn(const Sphere& ball) const;
 

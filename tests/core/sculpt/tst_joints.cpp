@@ -3,6 +3,7 @@
 #include "core/mesh/mesh_builder.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
+#include "tests/support/mirror_asserts.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
@@ -47,6 +48,37 @@ std::vector<Vec3> line(const Vec3& from, const Vec3& to, double step)
     return path;
 }
 
+/// Returns places on an arc about the z axis through `center`, from one angle to another, in radians.
+std::vector<Vec3> arc(const Vec3& center, double radius, double from, double to, double step)
+{
+    const int count = static_cast<int>(std::ceil(std::abs(to - from) * radius / step));
+    std::vector<Vec3> path;
+    for (int i = 0; i <= count; ++i) {
+        const double angle = from + (to - from) * i / count;
+        path.push_back(center + radius * Vec3(std::cos(angle), std::sin(angle), 0));
+    }
+    return path;
+}
+
+/// Where the surface crosses the half plane at an angle about the z axis through `center`, within a distance of a
+/// place.
+std::vector<Vec3> sectionAt(const Sculptor& sculptor, const Vec3& center, double angle, const Vec3& place,
+                            double within)
+{
+    const core::Mesh& mesh = sculptor.mesh();
+    const Vec3 normal(-std::sin(angle), std::cos(angle), 0);
+    std::vector<Vec3> section;
+    for (core::Slot e = 0; e < mesh.slots().edges; ++e) {
+        if (!mesh.isEdge(e))
+            continue;
+        const Vec3 a = mesh.point(mesh.to(2 * e)).cast<double>(), b = mesh.point(mesh.to(2 * e + 1)).cast<double>();
+        const double atA = (a - center).dot(normal), atB = (b - center).dot(normal);
+        if (atA * atB < 0 && (a - place).norm() < within)
+            section.push_back(a + atA / (atA - atB) * (b - a));
+    }
+    return section;
+}
+
 /// The distances from the x axis at which the surface crosses the plane at x, one for each edge.
 std::vector<double> section(const Sculptor& sculptor, double x)
 {
@@ -69,6 +101,11 @@ class TestJoints : public QObject
 
 private Q_SLOTS:
     void snakeHook_isRound();
+    void snakeHook_isRoundInABend_data();
+    void snakeHook_isRoundInABend();
+    void snakeHookLedBack_isAHandle_data();
+    void snakeHookLedBack_isAHandle();
+    void snakeHookLedBack_isSymmetric();
     void grabAlongTheSurface_staysInOnePiece_data();
     void grabAlongTheSurface_staysInOnePiece();
     void endsOfARing_joinInOneSeam_data();
@@ -92,6 +129,104 @@ void TestJoints::snakeHook_isRound()
         QVERIFY2(least > 0.66 * first, qPrintable(QStringLiteral("%1 after %2").arg(least).arg(first)));
     }
     QVERIFY(mesh_asserts::badFaces(sculptor.mesh()).empty());
+}
+
+void TestJoints::snakeHook_isRoundInABend_data()
+{
+    QTest::addColumn<double>("bend");
+    for (const double bend : {1.5, 2.5, 4.0})
+        QTest::addRow("%g radii", bend) << bend;
+}
+
+/// Half a turn, with each of the brush's radii for that of the bend: a section is not a ribbon.
+void TestJoints::snakeHook_isRoundInABend()
+{
+    QFETCH(double, bend);
+    constexpr double radius = 0.2;
+    const double curve = bend * radius;
+    const Vec3 corner(1 + 2 * radius, 0, 0), center = corner + Vec3(0, curve, 0);
+    Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(4, 1)));
+    std::vector<Vec3> path = line({1, 0, 0}, corner, 0.1 * radius);
+    const std::vector<Vec3> round = arc(center, curve, -M_PI / 2, M_PI / 2, 0.1 * radius);
+    path.insert(path.end(), round.begin(), round.end());
+    drag(sculptor, Tool::SnakeHook, radius, path);
+    for (double angle = -1.2; angle < 1.2; angle += 0.3) {
+        const Vec3 place = center + curve * Vec3(std::cos(angle), std::sin(angle), 0);
+        const std::vector<Vec3> section = sectionAt(sculptor, center, angle, place, 1.2 * radius);
+        QVERIFY(section.size() >= 20); // at least ten corners
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& p : section)
+            middle += p / static_cast<double>(section.size());
+        double least = INFINITY, most = 0;
+        for (const Vec3& p : section) {
+            least = std::min(least, (p - middle).norm());
+            most = std::max(most, (p - middle).norm());
+        }
+        QVERIFY2(least > 0.8 * most, qPrintable(QStringLiteral("%1 to %2").arg(least).arg(most)));
+    }
+    QVERIFY(mesh_asserts::badFaces(sculptor.mesh()).empty());
+}
+
+void TestJoints::snakeHookLedBack_isAHandle_data()
+{
+    QTest::addColumn<core::TriangleMesh>("model");
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("bend");
+    QTest::addColumn<double>("step");
+    for (const double radius : {0.08, 0.12, 0.16, 0.2, 0.3}) {
+        for (const double bend : {1.5, 2.0, 3.0}) {
+            for (const double step : {0.05, 0.1, 0.2}) {
+                QTest::addRow("ball, radius %g, bend %g, step %g", radius, bend, step)
+                    << core::icosphere(5, 1) << radius << bend << step;
+            }
+        }
+    }
+    for (const double radius : {0.12, 0.2})
+        QTest::addRow("slab, radius %g", radius) << clay::slab(1, 1, 20) << radius << 2.0 << 0.1;
+}
+
+/// A half turn that begins and ends at the model's side: one handle, in one piece, with nothing else.
+void TestJoints::snakeHookLedBack_isAHandle()
+{
+    QFETCH(core::TriangleMesh, model);
+    QFETCH(double, radius);
+    QFETCH(double, bend);
+    QFETCH(double, step);
+    Sculptor sculptor(mesh_asserts::sculptable(model));
+    const double half = bend * radius;
+    const auto side = sculptor.hit({{10, -half, 0}, {-1, 0, 0}}), front = sculptor.hit({{10, 0, 0}, {-1, 0, 0}});
+    QVERIFY(side && front);
+    const Vec3 center(side->position.x(), 0, 0);
+    drag(sculptor, Tool::SnakeHook, radius, arc(center, half, -M_PI / 2, M_PI / 2 + 0.9, step * radius));
+    const core::MeshReport report = judged(sculptor);
+    QVERIFY(report.printReady());
+    QVERIFY2(report.genus.value() == 1 && report.components == 1,
+             qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
+    const double inner = center.x() + half - 0.7 * radius;
+    QVERIFY(!sculptor.hit({{0.5 * (front->position.x() + inner), 0, 10}, {0, 0, -1}})); // one sees through it
+}
+
+/// The mirror image joins, too.
+void TestJoints::snakeHookLedBack_isSymmetric()
+{
+    constexpr double radius = 0.2, half = 2 * radius;
+    Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(5, 1)));
+    StrokeSettings settings;
+    settings.tool = Tool::SnakeHook;
+    settings.radius = radius;
+    settings.topology = core::Topology::Refine;
+    settings.symmetry = core::Symmetry::X;
+    sculptor.beginStroke(settings);
+    for (const Vec3& place : arc({std::sqrt(1 - half * half), 0, 0}, half, -M_PI / 2, M_PI / 2 + 0.9, 0.1 * radius)) {
+        core::StrokeSample sample;
+        sample.position = place;
+        sculptor.addSample(sample);
+    }
+    sculptor.endStroke();
+    const core::MeshReport report = judged(sculptor);
+    QVERIFY(report.printReady());
+    QVERIFY(report.genus.value() == 2 && report.components == 1);
+    VERIFY_SYMMETRIC(sculptor.mesh(), core::Symmetry::X);
 }
 
 void TestJoints::grabAlongTheSurface_staysInOnePiece_data()
