@@ -28,13 +28,10 @@ void StrokeDisplacements::meet(const Region& region, MirrorMap* mirror)
 
 void StrokeDisplacements::fill(const Region& region, const Mesh& mesh, MirrorMap* mirror)
 {
-    std::vector<std::pair<Slot, Vec3>> means; // of those that are known: the order does not matter
-    region.forEach([&](Slot v) {
-        if (!of(v))
-            means.emplace_back(v, meanAround(v, mesh));
-    });
-    for (const auto& [v, mean] : means)
-        set(v, mean, mirror);
+    std::vector<std::pair<Slot, Vec3>> all; // means are of those that are known: the order does not matter
+    region.forEach([&](Slot v) { all.emplace_back(v, of(v).value_or(meanAround(v, mesh))); });
+    for (const auto& [v, displacement] : all)
+        set(v, displacement, mirror);
 }
 
 void StrokeDisplacements::note(const Region& region, const Mesh& mesh, double share, MirrorMap* mirror)

@@ -20,7 +20,8 @@ public:
     /// Notes that what the region has and the stroke had not come to has not moved yet. To be called before the mesh is
     /// refined under the brush. `mirror`: of a dab that is done on both sides, or null.
     void meet(const Region& region, MirrorMap* mirror);
-    /// Gives the region's vertices that have come since then their neighbours' mean.
+    /// Gives the region's vertices that have come since then their neighbours' mean, and the images of all what they
+    /// have.
     void fill(const Region& region, const Mesh& mesh, MirrorMap* mirror);
     /// Adds the region's displacements after a dab that reached `share` of its plan.
     void note(const Region& region, const Mesh& mesh, double share, MirrorMap* mirror);

@@ -96,6 +96,7 @@ private Q_SLOTS:
     void strokeOverTheOutline_endsThere_data();
     void strokeOverTheOutline_endsThere();
     void layer_isAsSmoothAsWhatItRaises();
+    void layerOverTheMirror_isNotRaisedAgain();
     void twelveSamplesOfACircle_makeACircle();
     void airbrush_goesOnWhereTheHandRests_data();
     void airbrush_goesOnWhereTheHandRests();
@@ -203,6 +204,25 @@ void TestStrokeOnSurface::layer_isAsSmoothAsWhatItRaises()
         QVERIFY2(height < 1.05 * step, qPrintable(QString::number(height / step)));
     });
     QVERIFY(raised > 200);
+}
+
+/// A figure eight over the mirror's plane: the dab and its image raise a place once, but for half a step where the two
+/// are done together.
+void TestStrokeOnSurface::layerOverTheMirror_isNotRaisedAgain()
+{
+    for (const core::Topology topology : {core::Topology::Refine, core::Topology::Adaptive, core::Topology::Keep}) {
+        StrokeSettings settings = brush(Tool::Layer);
+        settings.symmetry = core::Symmetry::X;
+        settings.topology = topology;
+        std::vector<StrokeSample> path;
+        for (int i = 0; i < 45; ++i)
+            path.push_back(through(0.35 * std::sin(0.25 * i) * ballRadius, 0.35 * std::sin(0.5 * i) * ballRadius));
+        const auto sculptor = draw(settings, path);
+        double highest = 0;
+        forEachPlace(*sculptor, [&](const Vec3& p) { highest = std::max(highest, p.norm() - ballRadius); });
+        const double steps = highest / (0.1 * settings.radius);
+        QVERIFY2(steps > 0.9 && steps < 1.6, qPrintable(QString::number(steps)));
+    }
 }
 
 /// The ridge deviates from the circle by less than 2 % of its radius.
