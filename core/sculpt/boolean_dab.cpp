@@ -162,11 +162,13 @@ BooleanOutcome uniteOnBothSides(DabContext& context, PlacedSolid solid)
     BooleanOutcome outcome = applyBoolean(context, solid, BooleanOperation::Unite);
     if (outcome != BooleanOutcome::Failed || !context.mirror)
         return outcome;
-    const MirrorMap& mirror = *std::exchange(context.mirror, nullptr);
-    if (mirror.imageOf(context.dab.position) != context.dab.position)
-        solid.addImage(mirror);
+    MirrorMap* mirror = std::exchange(context.mirror, nullptr);
+    if (mirror->imageOf(context.dab.position) != context.dab.position)
+        solid.addImage(*mirror);
     outcome = applyBoolean(context, std::move(solid), BooleanOperation::Unite);
     context.report.asymmetric = outcome == BooleanOutcome::Done;
+    if (outcome != BooleanOutcome::Done)
+        context.mirror = mirror;
     return outcome;
 }
 } // namespace core

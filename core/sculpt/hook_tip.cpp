@@ -8,19 +8,22 @@
 #include "core/sculpt/verify/mesh_transaction.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace core
 {
 namespace
 {
+/// With a mirror the tip joins nothing whose image is nearer than that, in radii: half of it is selected.
+constexpr double minApart = 2;
 /// The tip joins nothing before it has come so far, in radii: at first it stands among what lies around.
 constexpr double minWay = 1;
 /// What belongs to the section at the tip: its distance behind the tip, in radii of the brush.
 constexpr double sectionBegin = 0.05, sectionEnd = 0.35;
 /// In radii of the section: the distance at which another surface is reached, before the rim of the tip meets it, and
-/// how far ahead it may lie.
-constexpr double reachDistance = 1.3, maxGap = 4;
+/// how far ahead it may lie. The least cosine of the angle between the heading and the way to it.
+constexpr double reachDistance = 1.3, maxGap = 4, minAhead = 0.2;
 /// The capsule is a little wider than the section, and behind the tip narrows soon: so their surfaces cross in one
 /// ring.
 constexpr double capsuleRadius = 1.03, rearLength = 0.5, overlap = 0.15;
@@ -32,7 +35,7 @@ constexpr int smoothings = 3;
 struct Section
 {
     Vec3 center = Vec3::Zero(); ///< on the plane through the tip
-    double radius = 0;          ///< the mean; 0: nothing was drawn out
+    double radius = 0;          ///< the mean; 0: nothing lies behind the tip
 };
 
 Section sectionOf(const DabContext& context)
@@ -72,7 +75,8 @@ std::optional<double> gapAhead(const DabContext& context, const Section& section
         const double ahead = hitTriangle({section.center, dab.heading}, corners);
         gap = ahead >= 0 ? std::min(gap, ahead) : gap;
         const Vec3 way = nearestInTriangle(section.center, corners) - section.center;
-        if (way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) < 0) // seen from the tip
+        const bool isSeen = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) < 0;
+        if (isSeen && way.dot(dab.heading) > minAhead * way.norm())
             nearest = std::min(nearest, way.norm());
     }
     const bool isReached = nearest <= reachDistance * section.radius && gap <= maxGap * section.radius;
@@ -113,8 +117,10 @@ bool joinHookTip(DabContext& context)
     const Dab& dab = context.dab;
     if (context.settings.tool != Tool::SnakeHook || !context.settings.fusion || dab.way < minWay * dab.radius)
         return false;
+    if (context.mirror && (context.mirror->imageOf(dab.position) - dab.position).norm() < minApart * dab.radius)
+        return false;
     const Section section = sectionOf(context);
-    const std::optional<double> gap = gapAhead(context, section);
+    const std::optional<double> gap = section.radius > 0 ? gapAhead(context, section) : std::nullopt;
     if (!gap || uniteOnBothSides(context, capsuleOver(section, dab.heading, *gap)) != BooleanOutcome::Done)
         return false;
     smoothJoints(context);

@@ -115,8 +115,12 @@ std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3&
 {
     if (anchor->isSet())
         return anchor->placeOf(position, direction);
-    if (placement() == Placement::Point)
-        return position;
+    if (placement() == Placement::Point) {
+        const auto hold = settings.tool == Tool::SnakeHook
+                              ? nearestPoint(surface.mesh(), surface.octree(), position, settings.radius)
+                              : std::nullopt;
+        return hold ? hold->position : position;
+    }
     const std::optional<SurfacePlace> place = placeOf(position, direction);
     return place ? std::optional(place->atRest) : std::nullopt;
 }
@@ -186,6 +190,8 @@ std::vector<DabReport> Sculptor::Engine::applyDue(StrokePath& dabs)
     while (auto due = dabs.next(center)) {
         if (due->isResting)
             placeResting(*due);
+        if (!anchor->isSet())
+            anchor->takeHold(due->hand);
         reports.push_back(due->hasCenter ? apply(due->dab) : DabReport());
         if (afterDab)
             afterDab(reports.back());

@@ -152,7 +152,7 @@ struct Dab
     Vec3 normal = Vec3::Zero(); ///< of Stamp: the surface's mean normal before its outline was cut, or zero
 };
 
-/// Returns the heading of Snake Hook after a dab: its way over the last radius or so, of unit length, or zero.
+/// Returns the heading of Snake Hook after a dab: its way over the last half radius or so, of unit length, or zero.
 Vec3 headingAfter(const Dab& dab);
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };

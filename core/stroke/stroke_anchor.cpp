@@ -16,7 +16,7 @@ constexpr double minAcross = 0.05;
 std::optional<Vec3> StrokeAnchor::placeOf(const Vec3& position, const Vec3& direction) const
 {
     if (!isByRay(m_settings))
-        return position;
+        return position + m_offset;
     const Vec3& normal = m_anchor->direction;
     const double across = direction.dot(normal);
     if (!(across > minAcross * direction.norm() * normal.norm()))
@@ -29,6 +29,8 @@ void StrokeAnchor::place(Dab& dab)
     if (!m_anchor) {
         m_anchor = {dab.position, dab.direction};
         m_last = m_tip = dab.position;
+        if (m_settings.tool == Tool::SnakeHook)
+            m_offset = dab.position - m_hand;
         return;
     }
     dab.motion = dab.position - std::exchange(m_last, dab.position);

@@ -10,6 +10,8 @@ class StrokeAnchor
 public:
     explicit StrokeAnchor(const StrokeSettings& settings) : m_settings(settings) {}
 
+    /// Tells where the hand is that takes hold with the next dab: SnakeHook keeps its distance from the surface.
+    void takeHold(const Vec3& hand) { m_hand = hand; }
     /// From its first dab on a drag tool takes its place from here, and no longer from the surface.
     bool isSet() const { return m_anchor.has_value() && isDragTool(m_settings.tool); }
     /// Of a sample's position and direction, in the model's space. A ray leads the hand over the plane through where it
@@ -30,8 +32,9 @@ private:
         Vec3 position, direction;
     };
     StrokeSettings m_settings;
-    std::optional<Anchor> m_anchor; ///< of the first dab
-    Vec3 m_last = Vec3::Zero();     ///< the hand's place at the dab before
+    std::optional<Anchor> m_anchor;                      ///< of the first dab
+    Vec3 m_hand = Vec3::Zero(), m_offset = Vec3::Zero(); ///< where it took hold; from there to the dab
+    Vec3 m_last = Vec3::Zero();                          ///< the hand's place at the dab before
     Vec3 m_tip = Vec3::Zero();
     Vec3 m_pulled = Vec3::Zero();  ///< Twist: the way of its first motion, of unit length, or zero
     Vec3 m_heading = Vec3::Zero(); ///< SnakeHook

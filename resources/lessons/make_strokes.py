@@ -111,14 +111,10 @@ def mug():
     hand.turned("push", 7, 46, step=4, strength=0.5)
     hand.turned("push", 7, 57, step=4, strength=0.5)
     yield "grooves", hand.take()
-    hand.command("symmetrize", plane="z")
-    hand.drag("snake", 15, [[42, 66, 0], [50, 69, 0], *arc([47, 43], 26, 75, -50, 10)], spacing=0.06, symmetry="z")
-    hand.drag("snake", 14, [[37, 20, 0], [42, 20, 0], [46, 20, 0]], spacing=0.06, symmetry="z")
+    hand.drag("snake", 15, [[42, 66, 0], [50, 69, 0], *arc([47, 43], 26, 75, -80, 24), [44, 17, 0], [34, 17, 0]], spacing=0.06, place="point")
     yield "handle", hand.take()
-    hand.hold("inflate", 14, [[56, 21, 0]], 5, symmetry="z", place="point")
-    hand.drag("smooth", 13, [[42, 19, 0], [48, 19, 0], [54, 20, 0], [60, 24, 0]], spacing=0.15, symmetry="z")
-    hand.hold("inflate", 11, [[66, 27, 0]], 5, symmetry="z", place="point")
-    hand.drag("smooth", 14, [[46, 19, 0], [54, 20, 0], [64, 25, 0], [70, 34, 0], [72, 42, 0]], spacing=0.12, symmetry="z", place="point")
+    for height in (66, 18):
+        hand.drag("smooth", 13, [[40, height, 12], [46, height, 10], [50, height, 0], [46, height, -10], [40, height, -12]], spacing=0.15)
     yield "finish", hand.take()
 
 

@@ -21,8 +21,8 @@ constexpr double swellPerPeak = 0.6;
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, maxPinched = 0.5;
 /// The depth that a dab of Crease cuts at strength 1, in radii.
 constexpr double creaseDepth = 0.05;
-/// The least 1 + cos a for a dab of Snake Hook whose way turns by a: beyond a right angle it turns by less.
-constexpr double minTurnCosine = 1;
+/// The least divisor 1 + cos a for a dab of Snake Hook whose way turns by a: beyond a right angle it turns by less.
+constexpr double minTurnDivisor = 1;
 constexpr std::size_t plannedPerChunk = 256;
 
 Vec3 unitNormal(const Mesh& mesh, Slot v)
@@ -169,7 +169,7 @@ Field hook(const FieldInput& d)
 {
     const Vec3 before = d.dab.heading, after = headingAfter(d.dab);
     const Vec3 half = before.isZero(0) ? Vec3(Vec3::Zero())
-                                       : Vec3(before.cross(after) / std::max(1 + before.dot(after), minTurnCosine));
+                                       : Vec3(before.cross(after) / std::max(1 + before.dot(after), minTurnDivisor));
     return [&d, half, share = d.share()](Slot v, double w) -> Vec3 {
         const Vec3 turned = share * w * half, r = d.point(v) - d.dab.position;
         return share * w * d.dab.motion + Eigen::Quaterniond(1, turned.x(), turned.y(), turned.z()).normalized() * r -

@@ -6,6 +6,7 @@
 
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/starter_models.h"
+#include "core/sculpt/sculptor.h"
 
 #include <QDir>
 #include <QImage>
