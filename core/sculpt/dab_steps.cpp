@@ -75,6 +75,7 @@ RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEd
     } else if (!context.grab.state.isOn) {
         const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
         counts = refine(edit, context.region, context.candidates, context.ball, context.bounds, rest);
+        context.request.displacements.doubt(context.region.remeshed());
     }
     if (context.settings.brush == BrushShape::Ray && counts.splits > 0) {
         const PhaseTimer timer(context.report.selectMs);
@@ -194,9 +195,11 @@ RemeshCounts DabSteps::optimise(DabContext& context, MeshEditor edit)
     };
     if (rest && isDragTool(context.settings.tool))
         moveSoundly(edit, context.region, bounds, evened);
-    return keepsShape(context.settings.tool)
-               ? optimiseKeepingShape(edit, context.region, bounds, relaxed, context.rest())
-               : core::optimise(edit, context.region, bounds, context.rest());
+    const RemeshCounts counts = keepsShape(context.settings.tool)
+                                    ? optimiseKeepingShape(edit, context.region, bounds, relaxed, context.rest())
+                                    : core::optimise(edit, context.region, bounds, context.rest());
+    context.request.displacements.doubt(context.region.remeshed());
+    return counts;
 }
 
 bool DabSteps::displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts)

@@ -42,16 +42,20 @@ double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Deform
 {
     planDeformation(whole, input);
     const DabWeights shares(whole, input.mesh, input.settings, input.dab);
+    const bool isLayer = input.settings.tool == Tool::Layer;
     double longest2 = 0;
     half.forEach([&](Slot v) {
         Vec3 plan = whole.plan(v);
-        double weights = shares.of(v);
         const Slot image = mirror.imageOf(v);
         if (image != noSlot && whole.contains(image)) {
-            plan += mirror.imageOf(whole.plan(image));
-            weights += shares.of(image);
+            const Vec3 other = mirror.imageOf(whole.plan(image));
+            const double length = plan.norm(), otherLength = other.norm(), sum = length + otherLength;
+            plan += other;
+            if (!isLayer)
+                plan /= std::max(1.0, shares.of(v) + shares.of(image));
+            else if (sum > 0)
+                plan *= std::max(length, otherLength) / sum;
         }
-        plan /= std::max(1.0, weights);
         half.setPlan(v, plan);
         longest2 = std::max(longest2, plan.squaredNorm());
     });

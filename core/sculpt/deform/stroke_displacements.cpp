@@ -4,6 +4,13 @@
 
 namespace core
 {
+namespace
+{
+/// The difference between a tracked displacement and an estimate, as a share of the neighbours' mean, that lets the
+/// estimate win.
+constexpr double tolerance = 0.3;
+} // namespace
+
 /// Drag tools follow the hand: they have no path over the surface.
 bool StrokeDisplacements::areUsedBy(const StrokeSettings& settings)
 {
@@ -16,6 +23,13 @@ void StrokeDisplacements::clear()
     m_vertices.clear();
     m_displacements.clear();
     m_longest = 0;
+    m_doubtful.clear();
+}
+
+void StrokeDisplacements::doubt(const SlotSet& remeshed)
+{
+    for (Slot v : remeshed.slots())
+        m_doubtful.add(v);
 }
 
 void StrokeDisplacements::meet(const Region& region, MirrorMap* mirror)
@@ -29,7 +43,7 @@ void StrokeDisplacements::meet(const Region& region, MirrorMap* mirror)
 void StrokeDisplacements::fill(const Region& region, const Mesh& mesh, MirrorMap* mirror)
 {
     std::vector<std::pair<Slot, Vec3>> all; // means are of those that are known: the order does not matter
-    region.forEach([&](Slot v) { all.emplace_back(v, of(v).value_or(meanAround(v, mesh))); });
+    region.forEach([&](Slot v) { all.emplace_back(v, believed(v, mesh)); });
     for (const auto& [v, displacement] : all)
         set(v, displacement, mirror);
 }
@@ -127,5 +141,33 @@ Vec3 StrokeDisplacements::meanAround(Slot v, const Mesh& mesh) const
         }
     });
     return known > 0 ? Vec3(mesh.lattice().snap(sum / known).cast<double>()) : sum;
+}
+
+/// Returns the tracked displacement, or an estimate where that is in doubt and far from it.
+Vec3 StrokeDisplacements::believed(Slot v, const Mesh& mesh) const
+{
+    const std::optional<Vec3> tracked = of(v);
+    if (!tracked)
+        return meanAround(v, mesh);
+    if (!m_doubtful.contains(v))
+        return *tracked;
+    const Vec3 mean = meanAround(v, mesh), estimated = estimate(v, mesh);
+    return (estimated - *tracked).norm() > tolerance * mean.norm() ? estimated : *tracked;
+}
+
+/// Estimates a displacement along the neighbours' mean, by how far the vertex lies above them as they were.
+Vec3 StrokeDisplacements::estimate(Slot v, const Mesh& mesh) const
+{
+    const Vec3 mean = meanAround(v, mesh);
+    if (mean.isZero(0))
+        return mean;
+    Vec3 rest = Vec3::Zero();
+    int count = 0;
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        rest += restPoint(mesh.to(h), mesh);
+        ++count;
+    });
+    const Vec3 above = mesh.point(v).cast<double>() - rest / count;
+    return mesh.lattice().snap(above.dot(mean) / mean.squaredNorm() * mean).cast<double>();
 }
 } // namespace core

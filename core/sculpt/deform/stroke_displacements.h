@@ -26,6 +26,9 @@ public:
     /// Adds the region's displacements after a dab that reached `share` of its plan.
     void note(const Region& region, const Mesh& mesh, double share, MirrorMap* mirror);
 
+    /// Doubts the displacements of vertices around which the mesh was changed: fill() compares them with the surface.
+    void doubt(const SlotSet& remeshed);
+
     void set(Slot v, const std::optional<Vec3>& displacement);
     /// Returns nothing for a vertex that the stroke has not come to, or has removed.
     std::optional<Vec3> of(Slot v) const;
@@ -43,10 +46,13 @@ private:
     Vec3 displacementIn(const Triangle& corners, const std::array<double, 3>& weights) const;
     Vec3 restPoint(Slot v, const Mesh& mesh) const;
     Vec3 meanAround(Slot v, const Mesh& mesh) const;
+    Vec3 estimate(Slot v, const Mesh& mesh) const;
+    Vec3 believed(Slot v, const Mesh& mesh) const;
     void set(Slot v, const std::optional<Vec3>& displacement, MirrorMap* mirror);
 
     SparseIndex m_vertices;
     std::vector<std::optional<Vec3>> m_displacements; ///< by position among them
     double m_longest = 0;
+    SlotSet m_doubtful;
 };
 } // namespace core
