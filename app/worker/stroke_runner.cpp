@@ -98,13 +98,14 @@ std::optional<StrokeRunner::Effect> StrokeRunner::add(const core::StrokeSample& 
     return Effect{topologyChanges() - before, m_shortfall};
 }
 
-/// `isShown`: an anchored stroke shows what it would be now, and the report becomes that dab's.
+/// Adds the sample to the stroke. `isShown`: an anchored stroke shows the dab that it would be now. The report forgets
+/// the dab shown before, which is taken back.
 void StrokeRunner::apply(const core::StrokeSample& sample, bool isShown)
 {
     using core::Sculptor;
     m_samples.push_back(sample);
     m_shortfall = core::Shortfall::None;
-    if (isShown && core::isAnchored(m_stroke.settings))
+    if (core::isAnchored(m_stroke.settings) && core::isUsable(m_stroke.settings, sample))
         forgetDabs();
     m_sculptor->addSample(sample, isShown ? Sculptor::Anchored::Shown : Sculptor::Anchored::Waits);
 }
@@ -125,8 +126,6 @@ StrokeReport StrokeRunner::end(core::StrokeEnd how)
         takeBack();
         m_report = {};
     } else if (m_sculptor) {
-        if (core::isAnchored(m_stroke.settings))
-            forgetDabs();
         auto delta =
             std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         if (!delta->empty()) {

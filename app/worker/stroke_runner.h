@@ -25,7 +25,7 @@ public:
     void begin(const BeginStroke& stroke);
     /// Returns nothing if the stroke has nothing more to do. `isNewest`: no other sample waits, so an anchored stroke
     /// shows what it would be now.
-    std::optional<Effect> add(const core::StrokeSample& sample, bool isNewest = true);
+    std::optional<Effect> add(const core::StrokeSample& sample, bool isNewest);
     /// Returns the report without facts; of a stroke that is taken back, without a step.
     StrokeReport end(core::StrokeEnd how = core::StrokeEnd::Kept);
     /// As begin(), add() and end(). If it is stopped, the mesh is as if it had not begun, and the stroke before comes

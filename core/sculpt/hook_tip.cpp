@@ -15,29 +15,34 @@ namespace core
 {
 namespace
 {
-/// With a mirror the tip joins nothing whose image is nearer than that, in radii: half of it is selected.
-constexpr double minApart = 2;
-/// The tip joins nothing before it has come so far, in radii: at first it stands among what lies around.
+/// The shortest way of a tip that joins, in radii: before that it is among what lies around its root.
 constexpr double minWay = 1;
-/// What belongs to the section at the tip: its distance behind the tip, in radii of the brush.
+/// The least distance of a tip that joins from its mirror image, in radii: nearer ones are selected by halves.
+constexpr double minApart = 2;
+/// The range of distances behind the tip, in radii, from which its section is measured.
 constexpr double sectionBegin = 0.05, sectionEnd = 0.35;
-/// In radii of the section: the distance at which another surface is reached, before the rim of the tip meets it, and
-/// how far ahead it may lie. The least cosine of the angle between the heading and the way to it.
-constexpr double reachDistance = 1.3, maxGap = 4, minAhead = 0.2;
-/// The capsule is a little wider than the section, and behind the tip narrows soon: so their surfaces cross in one
-/// ring.
+/// The largest distance of a surface that is reached, before the rim of the tip meets it, and the largest gap ahead of
+/// the tip. In radii of the section.
+constexpr double reachDistance = 1.3, maxGap = 4;
+/// The least cosine of the angle between the heading and the way to a surface that is reached.
+constexpr double minAhead = 0.2;
+/// The capsule's radius, the length of its rear, and how far its sides begin behind the tip, in radii of the section.
+/// It is a little wider than the section and narrows soon behind it, so their surfaces cross in one ring.
 constexpr double capsuleRadius = 1.03, rearLength = 0.5, overlap = 0.15;
-/// Edges of 0.13 to 0.16 radii of the capsule.
+/// The largest share of a wall's thickness that the capsule goes in.
+constexpr double maxDepthShare = 0.5;
+/// Subdivisions of the capsule's ball: its edges are 0.13 to 0.16 radii long.
 constexpr int subdivisions = 3;
 constexpr int smoothings = 3;
 
-/// The section of what was drawn out, across its way behind the tip.
+/// A section of what was drawn out, across its way behind the tip.
 struct Section
 {
-    Vec3 center = Vec3::Zero(); ///< on the plane through the tip
-    double radius = 0;          ///< the mean; 0: nothing lies behind the tip
+    Vec3 center = Vec3::Zero(); ///< in the plane through the tip, in mm
+    double radius = 0;          ///< the mean, in mm; 0: nothing lies behind the tip
 };
 
+/// Measures the section at the tip.
 Section sectionOf(const DabContext& context)
 {
     const Dab& dab = context.dab;
@@ -60,46 +65,63 @@ Section sectionOf(const DabContext& context)
     return section;
 }
 
-/// Returns how far the next surface lies ahead of the tip, if the section's rim is about to meet it.
-std::optional<double> gapAhead(const DabContext& context, const Section& section)
+/// The way from the tip into a surface, along the heading, in mm.
+struct Reach
+{
+    double gap;   ///< from the section to the surface
+    double depth; ///< from there to the capsule's end
+};
+
+/// Measures the way into the next surface ahead of the tip. Returns nothing if the section's rim does not meet it soon.
+std::optional<Reach> reachOf(const DabContext& context, const Section& section)
 {
     const Mesh& mesh = context.mesh();
-    const Dab& dab = context.dab;
-    double nearest = std::numeric_limits<double>::infinity(), gap = nearest;
-    for (Slot f : Selector(mesh, context.surface.octree()).facesIn({section.center, maxGap * section.radius})) {
+    const Ray ahead = {section.center, context.dab.heading};
+    const double unreached = std::numeric_limits<double>::infinity(), farthest = (maxGap + 2) * section.radius;
+    double nearest = unreached, gap = unreached;
+    std::vector<double> exits; // through faces that look away from the tip
+    for (Slot f : Selector(mesh, context.surface.octree()).facesIn({section.center, farthest})) {
         const Triangle& t = mesh.corners(f);
         if (std::ranges::any_of(t, [&](Slot v) { return context.region.contains(v); }))
             continue;
         const auto point = [&](std::size_t i) { return Vec3(mesh.point(t[i]).cast<double>()); };
         const std::array<Vec3, 3> corners = {point(0), point(1), point(2)};
-        const double ahead = hitTriangle({section.center, dab.heading}, corners);
-        gap = ahead >= 0 ? std::min(gap, ahead) : gap;
+        if (const double entry = hitTriangle(ahead, corners); entry >= 0)
+            gap = std::min(gap, entry);
+        if (const double exit = hitTriangle(ahead, {corners[0], corners[2], corners[1]}); exit >= 0)
+            exits.push_back(exit);
         const Vec3 way = nearestInTriangle(section.center, corners) - section.center;
         const bool isSeen = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) < 0;
-        if (isSeen && way.dot(dab.heading) > minAhead * way.norm())
+        if (isSeen && way.dot(context.dab.heading) > minAhead * way.norm())
             nearest = std::min(nearest, way.norm());
     }
-    const bool isReached = nearest <= reachDistance * section.radius && gap <= maxGap * section.radius;
-    return isReached ? std::optional(gap) : std::nullopt;
+    if (nearest > reachDistance * section.radius || gap > maxGap * section.radius)
+        return std::nullopt;
+    double depth = capsuleRadius * section.radius;
+    for (const double exit : exits) {
+        if (exit > gap)
+            depth = std::min(depth, maxDepthShare * (exit - gap));
+    }
+    return Reach{gap, depth};
 }
 
-/// Returns a capsule from the section over the gap.
-PlacedSolid capsuleOver(const Section& section, const Vec3& heading, double gap)
+/// Returns a capsule from the section over the gap into the surface.
+PlacedSolid capsuleOver(const Section& section, const Vec3& heading, const Reach& reach)
 {
     TriangleMesh mesh = icosphere(subdivisions, 1);
     std::vector<Vec3> places;
     for (const Vec3f& point : mesh.points) {
         const Vec3 p = point.cast<double>();
         const double along = p.dot(heading);
-        const Vec3 across = p - along * heading;
-        const double shift = along > 0 ? capsuleRadius * along : rearLength * along;
-        places.push_back(section.center + section.radius * (capsuleRadius * across + (shift - overlap) * heading) +
-                         (along > 0 ? gap + overlap * section.radius : 0) * heading);
+        const Vec3 across = capsuleRadius * section.radius * (p - along * heading);
+        const double shift =
+            along > 0 ? reach.gap + reach.depth * along : section.radius * (rearLength * along - overlap);
+        places.push_back(section.center + across + shift * heading);
     }
     return PlacedSolid(std::move(mesh), std::move(places), section.center);
 }
 
-/// Smooths what the union has changed: the joints become round.
+/// Makes the joints round, by smoothing what the union has changed. Leaves them sharp if that is not sound.
 void smoothJoints(DabContext& context)
 {
     MeshTransaction transaction(context.surface, context.region);
@@ -120,10 +142,11 @@ bool joinHookTip(DabContext& context)
     if (context.mirror && (context.mirror->imageOf(dab.position) - dab.position).norm() < minApart * dab.radius)
         return false;
     const Section section = sectionOf(context);
-    const std::optional<double> gap = section.radius > 0 ? gapAhead(context, section) : std::nullopt;
-    if (!gap || uniteOnBothSides(context, capsuleOver(section, dab.heading, *gap)) != BooleanOutcome::Done)
+    const std::optional<Reach> reach = section.radius > 0 ? reachOf(context, section) : std::nullopt;
+    if (!reach || uniteOnBothSides(context, capsuleOver(section, dab.heading, *reach)) != BooleanOutcome::Done)
         return false;
-    smoothJoints(context);
+    if (context.settings.topology != Topology::Keep)
+        smoothJoints(context);
     context.report.outcome = DabOutcome::Committed;
     context.report.touchedVertices = context.touchedVertices();
     context.request.hasLetGo = true;

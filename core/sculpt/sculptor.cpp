@@ -62,6 +62,7 @@ public:
     std::optional<StrokePath> path;
     std::optional<StrokeAnchor> anchor;
     bool hasLetGo = false; ///< the stroke has nothing more to do (DabRequest::hasLetGo)
+    bool isShown = false;  ///< the dab of the anchored stroke is applied as its newest sample has it
     SectorGrabs grabs{surface};
     StrokeDisplacements displacements;
     RestLengths rest;
@@ -79,6 +80,7 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
 {
     settings = strokeSettings;
     path.emplace(settings);
+    isShown = false;
     startOver();
 }
 
@@ -316,7 +318,8 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample, Anchored 
         return {DabReport()};
     }
     m_engine->path->add(sample);
-    if (!isAnchored(m_engine->settings) || anchored == Anchored::Waits)
+    m_engine->isShown = isAnchored(m_engine->settings) && anchored == Anchored::Shown;
+    if (!m_engine->isShown)
         return m_engine->applyDue(*m_engine->path);
     m_engine->takeBackShown();
     StrokePath ended = *m_engine->path;
@@ -326,7 +329,7 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample, Anchored 
 
 MeshDelta Sculptor::endStroke(StrokeEnd how)
 {
-    if (how == StrokeEnd::Kept) {
+    if (how == StrokeEnd::Kept && !m_engine->isShown) {
         if (isAnchored(m_engine->settings))
             m_engine->takeBackShown();
         m_engine->path->finish();

@@ -40,20 +40,21 @@ void Selector::keepNearestPart(Region& region, const Sphere& ball) const
         const auto point = [&](int i) { return Vec3(m_mesh.point(t[i]).cast<double>()); };
         return (nearestInTriangle(ball.center, {point(0), point(1), point(2)}) - ball.center).norm() <= ball.radius;
     };
-    SlotSet part, corners;
+    SlotSet& part = region.scratch(); // faces; the last ones lie outside of the ball
+    part.clear();
     part.add(nearest->face);
     for (std::size_t i = 0; i < part.slots().size(); ++i) { // grows meanwhile
         const Slot f = part.slots()[i];
         if (!meetsBall(f))
             continue;
-        for (Slot v : m_mesh.corners(f))
-            corners.add(v);
         Slot h = m_mesh.faceHalfedge(f);
         for (int side = 0; side < 3; ++side, h = m_mesh.next(h))
             part.add(m_mesh.face(h ^ 1));
     }
     region.forEach([&](Slot v) {
-        if (!corners.contains(v))
+        bool isInPart = false;
+        m_mesh.forEachOutgoing(v, [&](Slot h) { isInPart = isInPart || part.contains(m_mesh.face(h)); });
+        if (!isInPart)
             region.remove(v);
     });
 }

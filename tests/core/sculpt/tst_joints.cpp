@@ -105,6 +105,8 @@ private Q_SLOTS:
     void snakeHook_isRoundInABend();
     void snakeHookLedBack_isAHandle_data();
     void snakeHookLedBack_isAHandle();
+    void snakeHookToAWall_staysInIt_data();
+    void snakeHookToAWall_staysInIt();
     void snakeHookLedBack_isSymmetric();
     void grabAlongTheSurface_staysInOnePiece_data();
     void grabAlongTheSurface_staysInOnePiece();
@@ -204,6 +206,37 @@ void TestJoints::snakeHookLedBack_isAHandle()
              qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
     const double inner = center.x() + half - 0.7 * radius;
     QVERIFY(!sculptor.hit({{0.5 * (front->position.x() + inner), 0, 10}, {0, 0, -1}})); // one sees through it
+}
+
+void TestJoints::snakeHookToAWall_staysInIt_data()
+{
+    QTest::addColumn<double>("thickness");
+    for (const double thickness : {0.04, 0.1, 0.4})
+        QTest::addRow("%g", thickness) << thickness;
+}
+
+/// A tentacle from a ball to a plate above it: both become one part, and the far side of the plate stays flat.
+void TestJoints::snakeHookToAWall_staysInIt()
+{
+    QFETCH(double, thickness);
+    constexpr double radius = 0.16, gap = 0.6;
+    core::TriangleMesh model = core::icosphere(4, 1);
+    const core::TriangleMesh plate = clay::slab(2, thickness, 30);
+    const auto count = static_cast<core::Slot>(model.points.size());
+    const float middle = static_cast<float>(1 + gap + 0.5 * thickness);
+    for (const core::Vec3f& p : plate.points)
+        model.points.push_back(p + core::Vec3f(0, middle, 0));
+    for (const core::Triangle& t : plate.triangles)
+        model.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+    Sculptor sculptor(mesh_asserts::sculptable(model));
+    const double top = sculptor.hit({{0.1, 10, 0.1}, {0, -1, 0}})->position.y();
+    drag(sculptor, Tool::SnakeHook, radius, line({0, 1, 0}, {0, 2, 0}, 0.1 * radius));
+    const core::MeshReport report = judged(sculptor);
+    QVERIFY(report.printReady());
+    QVERIFY2(report.genus.value() == 0 && report.components == 1,
+             qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
+    for (core::Slot v = 0; v < sculptor.mesh().slots().vertices; ++v)
+        QVERIFY(!sculptor.mesh().isVertex(v) || sculptor.mesh().point(v).y() < top + 0.01 * radius);
 }
 
 /// The mirror image joins, too.
