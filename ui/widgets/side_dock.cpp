@@ -26,8 +26,12 @@ public:
         setWidget(panel);
     }
 
-    QSize sizeHint() const override { return widget()->sizeHint().expandedTo(minimumSizeHint()); }
-    /// The panel has its own width beside the scroll bar.
+    /// Returns the size in which nothing is scrolled: a panel whose rows may wrap can be higher than it wants to be.
+    QSize sizeHint() const override
+    {
+        return widget()->sizeHint().expandedTo(widget()->minimumSizeHint()).expandedTo(minimumSizeHint());
+    }
+    /// Returns the panel's own width and that of the scroll bar, and the height of a few lines.
     QSize minimumSizeHint() const override
     {
         const QSize least = widget()->minimumSizeHint();
@@ -35,7 +39,7 @@ public:
     }
 
 protected:
-    /// The panel has other rows than before.
+    /// Takes the panel's new size when it gets other rows.
     bool eventFilter(QObject* object, QEvent* event) override
     {
         if (event->type() == QEvent::LayoutRequest)
