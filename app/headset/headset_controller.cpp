@@ -18,7 +18,8 @@ namespace app
 {
 namespace
 {
-/// What the headset takes from the window: not the radius, which is a length of its own there.
+/// Returns the settings that the headset takes from the window. The radius is not one of them: it is a length of its
+/// own there.
 auto sharedSettings(const core::StrokeSettings& brush)
 {
     return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.radial, brush.color.r,
@@ -148,7 +149,7 @@ void HeadsetController::onBrushChanged()
     scheduleUpdate();
 }
 
-/// Where the model lies now. A class is shown no files.
+/// Tells the headset in which folder the model is. A class is shown no files.
 void HeadsetController::updateFolder()
 {
     if (m_port && !m_window->classroom())

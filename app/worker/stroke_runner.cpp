@@ -38,6 +38,7 @@ void StrokeRunner::begin(const BeginStroke& stroke)
         m_sculptor->beginStroke(stroke.settings);
 }
 
+/// Clears the report: what the dabs so far have done is taken back, or there are none.
 void StrokeRunner::forgetDabs()
 {
     m_report = {};

@@ -12,7 +12,7 @@ bool isFree(const core::StrokeSettings& brush);
 class StrokeRunner
 {
 public:
-    /// What one sample did.
+    /// The effect of one sample.
     struct Effect
     {
         quint64 topologyChanges = 0; ///< surfaces joined or parted
@@ -28,14 +28,14 @@ public:
     std::optional<Effect> add(const core::StrokeSample& sample, bool isNewest);
     /// Returns the report without facts; of a stroke that is taken back, without a step.
     StrokeReport end(core::StrokeEnd how = core::StrokeEnd::Kept);
-    /// As begin(), add() and end(). If it is stopped, the mesh is as if it had not begun, and the stroke before comes
-    /// back.
+    /// Runs begin(), add() and end(). A replacement that is stopped leaves the mesh as it was, and the stroke before
+    /// comes back.
     StrokeReport replace(const StrokeReplacement& replacement);
 
     Source source() const { return m_stroke.source; }
 
 private:
-    /// What the samples do. Undecided: the first decides between a pull and a sphere.
+    /// The use of the samples. Undecided: the first decides between a pull and a sphere.
     enum class Course { Open, Undecided, Over };
 
     bool touches(const core::StrokeSample& sample) const;

@@ -16,7 +16,7 @@ Corners cornersOf(const Mesh& mesh, Slot f)
     return {mesh.point(t[0]).cast<double>(), mesh.point(t[1]).cast<double>(), mesh.point(t[2]).cast<double>()};
 }
 
-/// Where the ray enters the box, as a multiple of its direction; nothing if it misses. Slab test (Kay and Kajiya 1986).
+/// Returns whether the ray meets the box. Slab test (Kay and Kajiya 1986).
 bool meetsBox(const Ray& ray, const Box& box)
 {
     double enter = 0, leave = std::numeric_limits<double>::infinity();
@@ -51,6 +51,7 @@ SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Corners& t, const Vec3& po
     return {position, (t[1] - t[0]).cross(t[2] - t[0]).normalized(), distance, f, colorAt(mesh, f, t, position)};
 }
 
+/// Returns the first hit on faces whose corners `cornersOf` gives, at most `farthest` (mm) away from the mesh's.
 template <class Of>
 std::optional<SurfaceHit> firstHitOf(const Mesh& mesh, const FaceOctree& octree, const Ray& ray, const Of& cornersOf,
                                      double farthest)

@@ -10,12 +10,13 @@
 
 namespace core
 {
-/// The first face from the ray's origin on that faces it. Cost: the faces near the ray.
+/// Returns the first hit on a face that faces the ray's origin. Cost: the faces near the ray.
 std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray);
 
 /// Returns the corners of a face.
 using CornersOf = std::function<std::array<Vec3, 3>(Slot f)>;
-/// The same on a surface of the same faces whose corners lie elsewhere, by at most `farthest`, in mm.
+/// Returns the first hit on a surface that has the mesh's faces, but other corners. `farthest`: the largest distance of
+/// a corner from the mesh's, in mm.
 std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray,
                                    const CornersOf& cornersOf, double farthest);
 

@@ -18,7 +18,7 @@ constexpr double ballRadius = 50;
 constexpr double extent = 112; ///< what the picture shows, mm
 /// A small picture shows brushes larger than they are, in these bounds.
 constexpr double magnification = 1.6, minRadius = 8, maxRadius = 32;
-constexpr double draggedRadius = 0.7 * ballRadius; ///< of an anchored dab
+constexpr double draggedRadius = 0.7 * ballRadius; ///< the radius of an anchored dab, mm
 constexpr double printStep = 1;                    ///< a spacing from which on dabs are prints side by side
 constexpr int samples = 48;
 constexpr double pi = 3.14159265358979323846;

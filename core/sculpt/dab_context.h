@@ -34,7 +34,7 @@ struct DabRequest
     const std::function<void()>& afterSubstep; ///< may be empty
     SculptorTotals& totals;
     WorkBudget work = {};
-    bool hasLetGo = false;                 ///< result: what Snake Hook draws out has become part of another surface
+    bool hasLetGo = false;                 ///< result: the tip of Snake Hook has become part of another surface
     std::optional<EdgeBounds> bounds = {}; ///< result: to which its last image has remeshed; nothing if it has not
 };
 

@@ -2,7 +2,7 @@
 //   select     the vertices under the brush                                     3.1   dab_selection, select/
 //   or add     a solid, where no surface is                                     3.5.1 add_solid
 //   or paint                                                                    3.5.3 attribute_brush
-//   or join    what Snake Hook has drawn out, where it reaches another surface        hook_tip
+//   or join    the tip of Snake Hook, where it reaches another surface                hook_tip
 //   refine     the mesh becomes fine enough to plan on                          3.2   dab_steps, remesh/
 //   plan       how far each vertex is to move, in sub-steps of at most d_move   3.3   dab_steps, deform/, step_plan
 // then, for each sub-step, or for several at once where nothing can meet:

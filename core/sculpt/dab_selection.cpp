@@ -12,7 +12,8 @@ Selector selectorOf(const DabContext& context)
     return Selector(context.mesh(), context.surface.octree());
 }
 
-/// What SnakeHook draws out leaves behind what else comes under the brush, and meets it.
+/// Returns whether the dab selects only the part of the surface that is nearest to it. SnakeHook does: else it would
+/// push away the surface that it is led to, and never meet it.
 bool selectsOnePart(const StrokeSettings& settings)
 {
     return settings.tool == Tool::SnakeHook && settings.brush == BrushShape::Sphere;

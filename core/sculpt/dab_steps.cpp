@@ -51,7 +51,8 @@ void DabSteps::begin(DabContext& context)
     context.canFuse = canFacesFuse(context);
 }
 
-/// With a brush along the surface, and with a grabbed region, the candidates are of the region's own sheet alone.
+/// Returns whether faces may come to meet. The candidates of a brush along the surface, and of a grabbed region, are of
+/// the region's own sheet alone, so others are looked for.
 bool DabSteps::canFacesFuse(const DabContext& context)
 {
     const Sphere& ball = context.ball;

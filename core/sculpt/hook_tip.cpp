@@ -35,7 +35,7 @@ constexpr double maxDepthShare = 0.5;
 constexpr int subdivisions = 3;
 constexpr int smoothings = 3;
 
-/// A section of what was drawn out, across its way behind the tip.
+/// A section of the tentacle, across its way behind the tip.
 struct Section
 {
     Vec3 center = Vec3::Zero(); ///< in the plane through the tip, in mm

@@ -4,10 +4,10 @@
 
 namespace core
 {
-/// Lets the tip of what Snake Hook draws out become part of another surface that it reaches, by an exact union with a
-/// capsule over the gap. Vertex by vertex the tip would join at the first corner that meets, and push the rest in.
-/// `context`: its region is selected. Returns false if there is nothing in reach, or the union cannot be done, or the
-/// tip is near its mirror image; then nothing has changed. Cost: the faces within four radii of what was drawn out; of
-/// a union those around it.
+/// Joins the tip of a tentacle that Snake Hook draws out to another surface that it reaches, by an exact union with a
+/// capsule over the gap. Joined vertex by vertex, the tip would stop at its first corner and push the rest in.
+/// Precondition: the context's region is selected. Returns false if nothing is in reach, the union cannot be done, or
+/// the tip is near its mirror image; nothing has changed then. Cost: the faces within six radii of the tentacle, and
+/// for a union those around it.
 bool joinHookTip(DabContext& context);
 } // namespace core

@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// A search for the nearest place ends when the hand moves by no more, in radii.
+/// The largest motion of the hand at which a search for the nearest place ends, in radii.
 constexpr double centerTolerance = 0.02;
 constexpr int maxCenterSearches = 12;
 
@@ -84,7 +84,7 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
     startOver();
 }
 
-/// Forgets what the dabs of the stroke have done.
+/// Clears the memory of the stroke's dabs.
 void Sculptor::Engine::startOver()
 {
     anchor.emplace(settings);
@@ -143,7 +143,8 @@ std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOf(const Ve
     return placement() == Placement::Ray ? placeOnRay({position, direction}) : nearestPlace(position);
 }
 
-/// Returns nothing where the ray only meets what the stroke has raised.
+/// Returns the place where the ray meets the surface as it was before the stroke. Where the ray only meets what the
+/// stroke has raised there is none.
 std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOnRay(const Ray& ray) const
 {
     const Mesh& mesh = surface.mesh();

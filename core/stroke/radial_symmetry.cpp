@@ -13,7 +13,7 @@ bool usesMotion(Tool tool)
     return sharpens(tool) || tool == Tool::Grab || tool == Tool::SnakeHook;
 }
 
-/// What the dab does is turned with its axes.
+/// Returns whether the dab depends on its axes, and so turns with them.
 bool hasFrame(const StrokeSettings& settings)
 {
     return settings.tool == Tool::Stamp ? settings.model != nullptr : usesAlpha(settings.tool) && settings.alpha;

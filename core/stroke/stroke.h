@@ -12,7 +12,7 @@ namespace core
 class Alpha;
 class BrushModel;
 
-/// Of sectors.
+/// The largest number of sectors.
 inline constexpr int maxRadial = 32;
 inline constexpr double minAirbrush = 0.1, maxAirbrush = 60, defaultAirbrush = 10; ///< dabs a second
 /// Dabs a second of each tool's strokes where the hand rests; 0: none.
@@ -26,7 +26,7 @@ constexpr AirbrushRates defaultAirbrushRates()
     return rates;
 }
 
-/// What stays the same during a stroke. Lengths in the document's unit.
+/// The settings that stay the same during a stroke. Units: lengths in the document's unit.
 struct StrokeSettings
 {
     Tool tool = Tool::Pull;
@@ -42,7 +42,7 @@ struct StrokeSettings
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
     double detail = info(Parameter::Detail).defaultValue;                  ///< scales d_detail
     double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
-    /// In radii, of Stamp at least 2; 0: each sample is exactly one dab.
+    /// The distance between dabs, in radii; Stamp takes 2 at least. 0: each sample is exactly one dab.
     double spacing = info(Parameter::Spacing).defaultValue;
     /// Dabs a second of a hand that rests, with a spacing and a tool that can (canAirbrush); 0: a hand that rests does
     /// nothing. At most maxAirbrush.
@@ -58,17 +58,18 @@ struct StrokeSettings
     Rgb color;                          ///< of Paint
     std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none
     bool alphaFollows = false; ///< up in the alpha, or in Stamp's model, is the stroke's way; else it stands upright
-    /// Of a tool that can (canAnchor): the stroke is one dab, where its first sample is. The hand drags out its radius,
-    /// the way since then, and its up, the direction of that way. A hand that stays there leaves both as they are.
+    /// Makes the stroke one dab, where its first sample is, with a tool that can (canAnchor). The way of the hand since
+    /// then is its radius, and the direction of that way its up. A click leaves both as they are.
     bool anchored = false;
     std::shared_ptr<const BrushModel> model; ///< of Stamp, and of what `add` adds; null: a ball
 };
 
-/// Whether samples are rays that lead the hand, and not the hand's own places.
+/// Returns whether samples are rays that lead the hand, and not the hand's own places.
 constexpr bool isByRay(const StrokeSettings& settings)
 {
     return settings.brush == BrushShape::Ray || settings.place == Placement::Ray;
 }
+/// Returns whether the stroke is one dab that the hand drags out.
 constexpr bool isAnchored(const StrokeSettings& settings)
 {
     return settings.anchored && canAnchor(settings.tool);
@@ -77,7 +78,8 @@ constexpr bool isAnchored(const StrokeSettings& settings)
 /// The shortest way, in radii of the brush, by which the hand drags an anchored dab out: less is a click.
 inline constexpr double minDragged = 0.05;
 
-/// What Ctrl makes of them: Pull becomes Push and Push Pull, others are inverted where that has a meaning.
+/// Returns the settings that Ctrl makes of these: Pull becomes Push and Push Pull, others are inverted where that has a
+/// meaning.
 StrokeSettings opposite(StrokeSettings settings);
 
 /// Turns about Y by the parts that this many sectors share with a quarter turn take the lattice to itself: 4, 2 or 1.
@@ -87,7 +89,7 @@ constexpr int exactTurns(int radial)
     return radial % 4 == 0 ? 4 : radial % 2 == 0 ? 2 : 1;
 }
 
-/// Whether the two sides of a wall that meet under it make a hole, instead of stopping it.
+/// Returns whether the two sides of a wall that meet under the brush make a hole, instead of stopping it.
 bool pushes(const StrokeSettings& settings);
 
 /// One reading of mouse, pen or wand. After this nobody asks which it was.
@@ -101,7 +103,7 @@ struct StrokeSample
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     std::optional<double> radius;   ///< of this sample only
     std::optional<double> strength; ///< of this sample only
-    /// Of the hand that holds the brush, in the world, of any length: alphas and Stamp's model stand so, in empty
+    /// The up of the hand that holds the brush, in the world, of any length; alphas and Stamp's model have it, in empty
     /// space, too. Nothing: the world's.
     std::optional<Vec3> up;
 };
@@ -110,10 +112,10 @@ struct StrokeSample
 inline constexpr double maxSampleMagnitude = 1e9;
 /// The largest coordinate of a direction: what is shorter has none.
 inline constexpr double minDirection = 1e-9;
-/// Of a rotation's squared length from 1.
+/// The largest difference of a rotation's squared length from 1.
 inline constexpr double rotationTolerance = 1e-3;
 
-/// Whether all values that a dab would use are finite and in the ranges that stroke files have.
+/// Returns whether all values that a dab would use are finite and in the ranges that stroke files have.
 bool isUsable(const StrokeSettings& settings, const StrokeSample& sample);
 
 /// A file that a stroke file names: whoever plays it reads it into the settings.
@@ -164,7 +166,7 @@ inline constexpr std::array<std::string_view, 6> valueNames<DabOutcome>{"committ
 /// Why a sphere, or the brush's model, was not added. Unfit: on the lattice the model is not sound at that size.
 enum class Refusal { None, Inside, TooClose, Wall, Unfit };
 
-/// What a dab did and what it cost.
+/// The effect of a dab, and its cost.
 struct DabReport
 {
     double selectMs = 0, optimiseMs = 0, deformMs = 0, fuseMs = 0, verifyMs = 0, totalMs = 0;
@@ -181,8 +183,8 @@ struct DabReport
     bool capped = false;     ///< ended early: too many operations, steps or vertices to move
     bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs
 
-    /// Of a radial stroke whose sectors can be exact: the model is not its own image under the turn here, its colours
-    /// included, or the sectors meet, as over the axis; so they were done one after the other.
+    /// The sectors of a radial stroke that can be exact were done one after the other: the model is not its own image
+    /// under the turn here, its colours included, or the sectors meet, as over the axis.
     bool sequential = false;
 
     /// Whether the dab reached at least 95 % of the displacement asked, a difference that a hand does not notice.

@@ -9,7 +9,7 @@ namespace
 {
 /// Twist turns by one radian where the hand moves by the radius, and by no more in a dab: the way there is straight.
 constexpr double maxTurn = 1;
-/// Of a ray against the plane's normal: else a trembling hand would be kilometres away.
+/// The least cosine between a ray and the plane's normal: else a trembling hand would be kilometres away.
 constexpr double minAcross = 0.05;
 } // namespace
 

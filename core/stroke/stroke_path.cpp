@@ -12,10 +12,10 @@ namespace
 {
 /// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
 constexpr double minStampSpacing = 2;
-/// Of a hand's direction across its up, squared, in lengths of it: what is less may be rounding.
+/// The least squared length of a unit direction's part across the up: less may be rounding.
 constexpr double minAcross2 = 1e-12;
 
-/// Of a way that runs along up there is none: any.
+/// Returns the direction of a way across the up, or any if it runs along it.
 Vec3 acrossUp(const Vec3& way, const Vec3& up)
 {
     const Vec3 across = way - way.dot(up) * up;
@@ -153,15 +153,15 @@ SampleCurve StrokePath::curveTo(const Due& end, const CenterOf& centerOf) const
     return {*m_from, target, nullptr, next.hasCenter ? &after : nullptr};
 }
 
-/// Between dabs.
+/// Returns the distance between dabs, in mm.
 double StrokePath::stepOf(const Dab& dab) const
 {
     return (m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, minStampSpacing) : m_settings.spacing) *
            dab.radius;
 }
 
-/// Where the straight way to the end leaves the ball around the stamp before: the path itself goes down into what that
-/// has pressed in.
+/// Returns the stamp where the straight way to the end leaves the ball around the one before: the path itself goes down
+/// into what that has pressed in.
 std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end, const CenterOf& centerOf)
 {
     const double step = stepOf(end.dab);

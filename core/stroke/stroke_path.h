@@ -20,7 +20,7 @@ public:
     /// raise the surface under the path make it longer, without end if they are stronger than far apart.
     static constexpr int maxLengthRatio = 2;
 
-    /// Where the dab of a sample would stand on the surface as it is now; nothing if it would be empty.
+    /// Returns where the dab of a sample is to be; nothing if it would be empty.
     using CenterOf = std::function<std::optional<Vec3>(const Vec3& position, const Vec3& direction)>;
 
     struct Due

@@ -10,8 +10,8 @@
 
 namespace core
 {
-/// What a dab does to the vertices it selects: Pull, Push, Flatten, Smooth and Paint are the paper's
-/// (section 3.3, 3.5.3). What the others do stands at their fields, in deform.cpp.
+/// The effect of a dab on the vertices it selects. Pull, Push, Flatten, Smooth and Paint are the paper's (sections 3.3,
+/// 3.5.3); deform.cpp explains the fields of the others.
 enum class Tool {
     Pull,
     Push,
@@ -57,7 +57,7 @@ constexpr bool sharpens(Tool tool)
 {
     return tool == Tool::Pinch || tool == Tool::Crease;
 }
-/// Can be one dab that the hand drags out (StrokeSettings::anchored): what has an image or a model of its own to show.
+/// Can be one dab that the hand drags out (StrokeSettings::anchored): has an alpha or a model to show.
 constexpr bool canAnchor(Tool tool)
 {
     return tool == Tool::Stamp || (usesAlpha(tool) && !isDragTool(tool));
@@ -107,7 +107,7 @@ constexpr bool keepsDetail(Topology topology)
     return topology == Topology::Refine || topology == Topology::Keep;
 }
 
-/// Where a dab's centre comes from.
+/// The source of a dab's centre.
 enum class Placement {
     Point,   ///< the sample's position, as with a wand
     Nearest, ///< the surface point nearest to it

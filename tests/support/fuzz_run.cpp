@@ -241,7 +241,7 @@ void FuzzRun::done(MeshDelta delta, Step step)
         fail("the mesh hash is not that of the faces");
 }
 
-/// What was undone is forgotten, and other steps follow.
+/// Undoes the last step and forgets it, so that other steps follow.
 void FuzzRun::undoForGood()
 {
     m_sculptor.swap(m_undo.back());
@@ -322,7 +322,7 @@ void FuzzRun::walkHistory()
     checkIndex("after redoing everything");
 }
 
-/// The same steps, without what was undone in between.
+/// Repeats the steps, without those that were undone in between.
 void FuzzRun::replay()
 {
     Sculptor again(sculptable(m_start.mesh));

@@ -36,7 +36,7 @@ struct BrushPanels
 
 template <class T> using Choices = std::vector<std::pair<QString, T>>;
 
-/// What a dock shows of the brush.
+/// A dock that shows settings of the brush.
 class Panel
 {
 public:

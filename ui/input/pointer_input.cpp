@@ -76,7 +76,7 @@ void PointerInput::setGestureCenter(const OrbitCamera::Pixel& pixel)
     refreshHover();
 }
 
-/// Where the surface under the pixel is known, it is what panning and zooming hold: the view never runs through it.
+/// Lets panning and zooming hold the surface under the pixel, if it is known: the view never runs through it.
 void PointerInput::setTargetDepthAt(const OrbitCamera::Pixel& pixel)
 {
     const std::optional<core::SurfaceHit>& hit = m_query.hit();
@@ -138,8 +138,8 @@ core::StrokeSettings PointerInput::stroke() const
     return strokeOpen() ? m_stroke.settings() : strokeFor(m_modifiers, m_isEraser);
 }
 
-/// Where the tool follows the hand, it follows every reading of it. The key that smooths does not where Smooth is not
-/// offered.
+/// Returns the settings of a stroke. A tool that follows the hand follows every reading of it. The key that smooths has
+/// no effect where Smooth is not offered.
 core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const
 {
     modifiers.setFlag(Qt::ShiftModifier,
@@ -153,7 +153,7 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
     return stroke;
 }
 
-/// Where the brush is, or would be.
+/// Returns where the brush is, or would be.
 OrbitCamera::Pixel PointerInput::brushAt() const
 {
     return strokeOpen() ? m_stroke.brushAt() : m_last;

@@ -26,7 +26,7 @@ class PointerInput : public QObject
     Q_OBJECT
 
 public:
-    /// Neither is owned.
+    /// Takes the brush and the camera, which it does not own.
     PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent = nullptr);
 
     void handle(const PointerEvent& event);
@@ -53,7 +53,7 @@ public:
     void turnModel(double angle, double seconds);
     /// The camera was moved by somebody else.
     void viewMoved();
-    /// What was known belongs to another model.
+    /// Forgets what is under the pointer: there is another model.
     void clearHover();
 
     /// Takes the answer to hoverRequested(). Each is answered once, in order, at any later time: with the surface's
@@ -70,25 +70,25 @@ public:
 
     /// Returns the place that the pointer shows to others; nothing beside the model and in other modes.
     std::optional<core::SurfaceHit> pointed() const;
-    /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view; if armed, where the
-    /// sphere would be; in an anchored stroke where it began.
+    /// Returns the place of the cursor: the newest answer, unless the pointer left or turns the view; if armed, the
+    /// place of the sphere; in an anchored stroke its beginning.
     std::optional<core::SurfaceHit> hover() const;
     /// A press there would begin a stroke.
     bool wouldStroke() const;
-    /// What it would take first, if that was asked about: of the ray brush.
+    /// Returns the vertices that a stroke of the ray brush would take first, if that was asked about.
     std::shared_ptr<const core::Footprint> footprint() const;
-    /// Of a steady stroke that is open: the string. Of an anchored one: the way that was dragged.
+    /// The line that an open stroke shows, in pixels: the string of a steady one, the way dragged of an anchored one.
     struct Stabilizer
     {
         OrbitCamera::Pixel pointer, brush;
     };
     std::optional<Stabilizer> stabilizer() const;
-    /// How many logical pixels 1 mm covers where the cursor lies, else at the depth that the view turns about.
+    /// Returns the logical pixels that 1 mm covers at the cursor, else at the depth that the view turns about.
     double pixelsPerMm() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
     /// A press waits for its answer: a stroke may still come of it.
     bool isPressPending() const { return !m_pending.empty(); }
-    /// Of the open stroke, else of one that would begin now.
+    /// Returns the settings of the open stroke, else of one that would begin now.
     core::StrokeSettings stroke() const;
 
 Q_SIGNALS:
@@ -105,7 +105,7 @@ Q_SIGNALS:
     void strokeEnded(core::StrokeEnd how);
     void pressDecided();
     void modeChanged(ui::PointerMode mode);
-    /// Nothing: the press was not on the model.
+    /// Tells of a press in Pick mode; nothing if it was not on the model.
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
     /// The user turned, moved or zoomed the view; viewChanged() follows.
@@ -148,7 +148,7 @@ private:
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;
     OrbitCamera::Pixel m_pressed{0, 0};       ///< where the drag began
-    std::optional<core::SurfaceHit> m_anchor; ///< of an anchored stroke: there
+    std::optional<core::SurfaceHit> m_anchor; ///< the place there, of an anchored stroke
     OrbitCamera::Pixel m_last{0, 0};
     bool m_inside = false;
     bool m_isGesture = false; ///< fingers are inside, no pointer

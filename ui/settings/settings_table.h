@@ -110,15 +110,15 @@ struct Range
 struct Anything
 {};
 
-/// What is valid for T: a range, the words of an enumeration, or anything.
+/// The valid values of T: a range, the words of an enumeration, or anything.
 template <class T>
 using Valid = std::conditional_t<std::is_enum_v<T>, std::span<const Named<T>>,
                                  std::conditional_t<std::is_arithmetic_v<T>, Range, Anything>>;
 
-/// What Settings::reset() does.
+/// The effect of Settings::reset().
 enum class Reset { ToDefault, Keep };
 
-/// Where one member of S is stored. What the user made is kept by a reset.
+/// The place where one member of S is stored. A reset keeps what the user made.
 template <class S, class T> struct Row
 {
     T S::*member;

@@ -23,7 +23,7 @@ struct ToolValues
     double airbrush = core::defaultAirbrush; ///< dabs a second where the hand rests, if the tool can; 0: none
     std::shared_ptr<const core::Alpha> alpha;
     bool alphaFollows = false;
-    bool anchored = false; ///< as StrokeSettings::anchored
+    bool anchored = false; ///< StrokeSettings::anchored
     /// The radius as a share of the model's longest side; nothing: the tool never had a radius of its own.
     std::optional<double> radiusShare;
 

@@ -581,7 +581,7 @@ bool Viewport::event(QEvent* event)
     return QOpenGLWidget::event(event);
 }
 
-/// Whatever has the focus: the cursor shows what a press would do now.
+/// Watches the keys, whatever has the focus: the cursor shows what a press would do now.
 bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)

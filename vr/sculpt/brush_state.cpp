@@ -31,7 +31,7 @@ core::Rgb changedColor(core::Rgb color, const Slide& slide)
     return color;
 }
 
-/// What the brush and the other hand make of a stroke.
+/// Returns the settings that the brush and the other hand give a stroke.
 core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin)
 {
     core::StrokeSettings settings = brush.stroke;

@@ -7,7 +7,7 @@ namespace vr
 {
 namespace
 {
-/// What people choose by hand or panel, and both windows show.
+/// Returns whether both have the same of what is chosen by hand or panel, and shown by both windows.
 bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 {
     return a.tool == b.tool && a.brush == b.brush && a.topology == b.topology && a.symmetry == b.symmetry &&

@@ -86,8 +86,8 @@ std::vector<FileEntry> readStrokes(const std::string& path);
 /// Returns the bytes of a file or pipe. Throws StrokeFileError: CannotRead, or TooLarge.
 std::string readStrokeText(const std::string& path, std::size_t maxBytes);
 
-/// What only the model's lattice can check: throws StrokeFileError::OutOfRange, with the sample, unless it holds the
-/// stroke's brushes, and the hands are within the working volume. Where a ray comes from is free.
+/// Checks that the model's lattice holds the stroke's brushes and that the hands are within the working volume; a ray
+/// may come from anywhere. Throws StrokeFileError::OutOfRange, with the sample.
 void requireFit(const Stroke& stroke, const Lattice& lattice);
 
 /// Writes every key, and numbers with enough digits to come back bit-identical.

@@ -62,8 +62,8 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
     out << '}';
 }
 
-/// What is not in the settings yet is written as it was read. A model that came from no file is left out: nobody could
-/// read it again.
+/// Writes the alpha and the model; one that is not in the settings yet is written as it was read. A model that came
+/// from no file is left out: nobody could read it again.
 void writeShapes(std::ostream& out, const Stroke& stroke)
 {
     const StrokeSettings& settings = stroke.settings;

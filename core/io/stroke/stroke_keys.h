@@ -113,7 +113,7 @@ inline constexpr Keys<37> strokeKeys{{"tool",
 /// Those that no stroke has.
 inline constexpr KeySet commandKeys = bit(strokeKeys.names.size()) - bit(CommandKey);
 
-/// Of HowKey, in the order of MaskOperation::Kind.
+/// The words of HowKey, in the order of MaskOperation::Kind.
 inline constexpr std::array<std::string_view, 9> maskChangeNames{"invert", "clear",  "blur",  "sharpen", "grow",
                                                                  "shrink", "cavity", "color", "part"};
 

@@ -163,7 +163,7 @@ Field follow(const FieldInput& d)
     return [way = Vec3(d.share() * d.dab.motion)](Slot, double w) -> Vec3 { return w * way; };
 }
 
-/// Moves vertices with the hand, and turns them about the dab's centre as its way turns: what is drawn out stays round
+/// Moves vertices with the hand, and turns them about the dab's centre as its way turns, so that a tentacle stays round
 /// in a bend. The quaternion takes a share of tan(a/2) for that of an angle a.
 Field hook(const FieldInput& d)
 {

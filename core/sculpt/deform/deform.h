@@ -14,13 +14,13 @@ double weightAt(double distance, const StrokeSettings& settings, const Dab& dab)
 /// they cancel out.
 Vec3 meanNormal(const Region& region, const Mesh& mesh);
 
-/// What the tool's field depends on, besides the vertices that it moves.
+/// The input of a tool's field, besides the vertices that it moves.
 struct DeformInput
 {
     const Mesh& mesh;
     const StrokeSettings& settings;
     const Dab& dab;
-    const StrokeDisplacements& displacements; ///< of the stroke so far; of Layer those of the region, filled
+    const StrokeDisplacements& displacements; ///< of the stroke so far; Layer needs those of the region filled
 };
 
 /// Plans the displacement of each vertex of the region by the tool's field (deform.cpp has one function a field). r_i

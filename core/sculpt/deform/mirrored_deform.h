@@ -12,8 +12,7 @@ void keepHalf(Region& region, const MirrorMap& mirror);
 /// ball.
 void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mesh& mesh, const Sphere& ball);
 
-/// As selectWhole(), for a grabbed half: an image is selected if its distance, which its vertex carries, is within the
-/// radius.
+/// Selects as selectWhole() does, but by the distance that each vertex carries for its image, in mm.
 void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, double radius);
 
 /// Plans the deformation of a half that stands for both sides. The dab and its image are two dabs of one moment, d1 and

@@ -42,7 +42,7 @@ void StrokeDisplacements::meet(const Region& region, MirrorMap* mirror)
 
 void StrokeDisplacements::fill(const Region& region, const Mesh& mesh, MirrorMap* mirror)
 {
-    std::vector<std::pair<Slot, Vec3>> all; // means are of those that are known: the order does not matter
+    std::vector<std::pair<Slot, Vec3>> all; // set at the end: means are of what was known before, in any order
     region.forEach([&](Slot v) { all.emplace_back(v, believed(v, mesh)); });
     for (const auto& [v, displacement] : all)
         set(v, displacement, mirror);
@@ -61,7 +61,7 @@ void StrokeDisplacements::note(const Region& region, const Mesh& mesh, double sh
         set(region.slots()[i], sums[i], mirror);
 }
 
-/// Sets it at the vertex's image, too.
+/// Sets the displacement of a vertex and of its image.
 void StrokeDisplacements::set(Slot v, const std::optional<Vec3>& displacement, MirrorMap* mirror)
 {
     set(v, displacement);
@@ -84,7 +84,7 @@ std::optional<Vec3> StrokeDisplacements::of(Slot v) const
     return i == noSlot ? std::nullopt : m_displacements[i];
 }
 
-/// The sum is exact, whatever edge it begins with: its terms are products of lattice coordinates.
+/// Sums products of lattice coordinates, which is exact, whatever edge it begins with.
 Vec3 StrokeDisplacements::normalAtRest(Slot v, const Mesh& mesh) const
 {
     const Vec3 p = restPoint(v, mesh);

@@ -12,16 +12,16 @@ namespace core
 class StrokeDisplacements
 {
 public:
-    /// Whether strokes with these settings need it.
+    /// Returns whether strokes with these settings need it.
     static bool areUsedBy(const StrokeSettings& settings);
 
     void clear();
 
-    /// Notes that what the region has and the stroke had not come to has not moved yet. To be called before the mesh is
-    /// refined under the brush. `mirror`: of a dab that is done on both sides, or null.
+    /// Notes that vertices of the region that the stroke comes to for the first time have not moved. Precondition: the
+    /// mesh is not refined under the brush yet. `mirror`: of a dab that is done on both sides, or null.
     void meet(const Region& region, MirrorMap* mirror);
-    /// Gives the region's vertices that have come since then their neighbours' mean, and the images of all what they
-    /// have.
+    /// Gives vertices that were put into the region since then their neighbours' mean, and mends doubtful ones. Images
+    /// get the same.
     void fill(const Region& region, const Mesh& mesh, MirrorMap* mirror);
     /// Adds the region's displacements after a dab that reached `share` of its plan.
     void note(const Region& region, const Mesh& mesh, double share, MirrorMap* mirror);

@@ -111,7 +111,7 @@ Slot MirrorMap::imageOfFace(Slot f)
     return h != noSlot && m_mesh.to(m_mesh.next(h)) == imageOf(t[2]) ? m_mesh.face(h) : noSlot;
 }
 
-/// From each face to its neighbours: then all but the first vertex of a component are found next to a neighbour's
+/// Goes from each face to its neighbours: then all but the first vertex of a component are found next to a neighbour's
 /// image.
 bool MirrorMap::learn(std::span<const Slot> faces, const FaceOctree& octree)
 {

@@ -36,7 +36,7 @@ struct Session
         wait();
     }
 
-    /// Until nothing is under way.
+    /// Waits until nothing is under way.
     void wait()
     {
         QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
@@ -51,7 +51,7 @@ struct Session
         return stateHash(worker);
     }
 
-    /// Of the faces only, wherever they are kept, and of an open stroke, too.
+    /// Returns the hash of the faces, wherever they are kept; an open stroke's count, too.
     std::uint64_t surface()
     {
         settle();
@@ -281,8 +281,8 @@ void TestDocument::undoAll_andRedoAllComeBackByState()
     QCOMPARE(session.state(), states.front());
 }
 
-/// What was undone was work, too; what found nothing to change was none. The file keeps it, and another sitting goes on
-/// from there.
+/// Counts steps that were undone, too, and not those that found nothing to change. The file keeps the count, and
+/// another sitting goes on from there.
 void TestDocument::work_isCountedAndSaved()
 {
     const QTemporaryDir folder;
@@ -340,7 +340,7 @@ void TestDocument::stroke_thatDoesNothingIsNoStep()
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo());
 }
 
-/// Whatever it did, and redo is still there.
+/// A stroke that is taken back leaves the model as it was, and redo is still there.
 void TestDocument::strokeTakenBack_leavesTheModelAsItWas()
 {
     Session s;
@@ -371,7 +371,7 @@ void TestDocument::strokeTakenBack_leavesTheModelAsItWas()
     s.verifyWhole();
 }
 
-/// Each sample shows the dab that the stroke would be; it is one step, of one dab.
+/// Each sample shows the dab that the stroke would be. The stroke is one step, of one dab.
 void TestDocument::anchoredStroke_showsWhatItLeaves()
 {
     Session s;

@@ -183,7 +183,7 @@ void TestBrushFile::refuses()
     QVERIFY(!error->stroke && !error->sample); // there is only one
 }
 
-/// Whatever else stands there, before or after it.
+/// A newer version wins over all faults of the file, before or after it.
 void TestBrushFile::aNewerVersionIsSaidFirst()
 {
     for (const char* text :

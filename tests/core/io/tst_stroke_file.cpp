@@ -33,7 +33,7 @@ std::optional<StrokeFileError> errorOf(const std::string& text)
     return std::nullopt;
 }
 
-/// Of a file without commands.
+/// Returns the strokes of a file without commands.
 std::vector<Stroke> strokesOf(const std::string& text)
 {
     std::vector<Stroke> strokes;

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/// What must come back.
+/// The state that must come back.
 struct State
 {
     std::uint64_t mesh = 0, state = 0;
@@ -158,7 +158,7 @@ std::vector<std::size_t> endsIn(const std::string& segment)
 }
 } // namespace
 
-/// What a journal gives back, whatever becomes of its files.
+/// Tests that a journal gives its sitting back, whatever becomes of its files.
 class TestJournal : public QObject
 {
     Q_OBJECT
@@ -443,7 +443,7 @@ void TestJournal::tornBase_isNoBase()
     QVERIFY(!compactJournal(complete, last + 5)); // there is no such segment
 }
 
-/// What the start is for then is done by the base.
+/// A base does the work of a start that is lost.
 void TestJournal::lostStart_isDoneWithoutIfThereIsABase()
 {
     constexpr JournalLimits limits{.segmentBytes = 4 << 10};

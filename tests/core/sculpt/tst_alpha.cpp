@@ -169,7 +169,7 @@ void TestAlpha::stroke_paintsWhereItIsBright()
     QVERIFY(sculptor->hit({{-8, 0, 200}, -Vec3::UnitZ()})->color == clay);
 }
 
-/// Up in the image is the stroke's way.
+/// The image's up is the stroke's way.
 void TestAlpha::stroke_followsItsWay()
 {
     const auto sculptor = ball();
@@ -180,7 +180,7 @@ void TestAlpha::stroke_followsItsWay()
     QVERIFY(std::abs(raisedAt(*sculptor, -4, 0)) < 0.05);
 }
 
-/// Up in the image is where the hand was dragged, and the way its radius; what was shown on the way is gone.
+/// The drag gives the image its up and its radius, and what was shown on the way is gone.
 void TestAlpha::anchored_isDraggedOut()
 {
     const auto sculptor = ball(), once = ball();
@@ -262,7 +262,7 @@ void TestAlpha::mirrored_isSeenInAMirror()
     }
 }
 
-/// What is held on to moves away from under its image.
+/// A tool that keeps its selection has no alpha: its vertices move away from under the image.
 void TestAlpha::grab_hasNone()
 {
     const auto with = ball(), without = ball();

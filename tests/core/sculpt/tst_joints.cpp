@@ -60,8 +60,8 @@ std::vector<Vec3> arc(const Vec3& center, double radius, double from, double to,
     return path;
 }
 
-/// Where the surface crosses the half plane at an angle about the z axis through `center`, within a distance of a
-/// place.
+/// Returns the points where edges cross the half plane at an angle about the z axis through `center`, no farther than
+/// `within` from a place.
 std::vector<Vec3> sectionAt(const Sculptor& sculptor, const Vec3& center, double angle, const Vec3& place,
                             double within)
 {
@@ -140,7 +140,7 @@ void TestJoints::snakeHook_isRoundInABend_data()
         QTest::addRow("%g radii", bend) << bend;
 }
 
-/// Half a turn, with each of the brush's radii for that of the bend: a section is not a ribbon.
+/// A tentacle that is led round half a turn keeps round sections, instead of becoming a ribbon.
 void TestJoints::snakeHook_isRoundInABend()
 {
     QFETCH(double, bend);
@@ -187,7 +187,7 @@ void TestJoints::snakeHookLedBack_isAHandle_data()
         QTest::addRow("slab, radius %g", radius) << clay::slab(1, 1, 20) << radius << 2.0 << 0.1;
 }
 
-/// A half turn that begins and ends at the model's side: one handle, in one piece, with nothing else.
+/// A half turn that begins and ends at the model's side makes one handle, in one piece, and nothing else.
 void TestJoints::snakeHookLedBack_isAHandle()
 {
     QFETCH(core::TriangleMesh, model);
@@ -239,7 +239,7 @@ void TestJoints::snakeHookToAWall_staysInIt()
         QVERIFY(!sculptor.mesh().isVertex(v) || sculptor.mesh().point(v).y() < top + 0.01 * radius);
 }
 
-/// The mirror image joins, too.
+/// The mirror image of a handle joins, too.
 void TestJoints::snakeHookLedBack_isSymmetric()
 {
     constexpr double radius = 0.2, half = 2 * radius;

@@ -144,7 +144,7 @@ void TestStrokeOnSurface::strokeOverTheOutline_endsThere_data()
         QTest::newRow(std::string(name(tool)).c_str()) << tool;
 }
 
-/// Up to the outline the ridge is as high as before, and where the pointer goes on beside the ball nothing else rises.
+/// The ridge is as high at the outline as before it, and nothing else rises where the pointer goes on beside the ball.
 void TestStrokeOnSurface::strokeOverTheOutline_endsThere()
 {
     QFETCH(Tool, tool);

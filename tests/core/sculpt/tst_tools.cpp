@@ -1,4 +1,4 @@
-// What each tool beyond the paper's does, by what can be measured of it; every result is judged.
+// Tests each tool beyond the paper's by what can be measured of it; every result is judged.
 #include "core/mesh/normals.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
@@ -342,8 +342,8 @@ void TestTools::grab_alongRaysKeepsToThePlane()
     QVERIFY(isSound(*sculptor));
 }
 
-/// What is dragged two radii over its own front folds up there. That holds little back, and nothing on the way back;
-/// and behind it the mesh stays as fine as the brush asks for, up to what is not in the hand.
+/// A grab over two radii of its own front folds it up. That holds little back, and nothing on the way back; behind it
+/// the mesh stays as fine as the brush asks for.
 void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
 {
     const auto sculptor = ball();
@@ -395,11 +395,11 @@ void TestTools::snake_followsItsTip()
     stroke(*sculptor, settingsOf(Tool::SnakeHook, 12), path);
     double tip = 0;
     forEachPoint(sculptor->mesh(), [&](const Vec3& p) { tip = p.z() > 80 ? std::max(tip, p.y()) : tip; });
-    QVERIFY2(std::abs(tip - 40) < 0.5, qPrintable(QString::number(tip))); // what it took hold of is where the hand is
+    QVERIFY2(std::abs(tip - 40) < 0.5, qPrintable(QString::number(tip))); // the tip is where the hand is
     QVERIFY(isSound(*sculptor));
 }
 
-/// To the right anticlockwise, by one radian a radius; the rim stays.
+/// A drag to the right turns anticlockwise, by one radian a radius; the rim stays.
 void TestTools::twist_turns()
 {
     for (const bool inverted : {false, true}) {

@@ -135,7 +135,7 @@ void TestStrokePath::corner_isMeasuredAlongThePath()
     QVERIFY((dabs[4].position - Vec3(2.4, 2.6, 0)).norm() < 1e-12);
 }
 
-/// Within 2 % of its radius, from the first sample on.
+/// The dabs lie within 2 % of the circle's radius, from the first sample on.
 void TestStrokePath::circleOfTwelveSamples_isACircle()
 {
     StrokePath path(spaced(0.05));
@@ -218,7 +218,7 @@ void TestStrokePath::turntable_hasEvenDabsHoweverFewTheSamples()
     }
 }
 
-/// In the model's space, and across it where the hand points; without it nothing changes.
+/// The hand's up is turned into the model's space, and the way ahead is across it; without it nothing changes.
 void TestStrokePath::up_isTheHands()
 {
     StrokeSample sample = at({1, 2, 3});
@@ -249,7 +249,7 @@ void TestStrokePath::up_alongTheDirection()
     }
 }
 
-/// Whatever lies between, it is one dab, where the hand pressed and as large as the way from there. It waits for the
+/// An anchored stroke is one dab, where the hand pressed and as large as its way to the last sample. It waits for the
 /// end of the stroke.
 void TestStrokePath::anchored_isOneDabThatTheHandDragsOut()
 {
@@ -267,7 +267,7 @@ void TestStrokePath::anchored_isOneDabThatTheHandDragsOut()
     QVERIFY(dabs.front().up.isApprox(Vec3(0, 0.8, -0.6), 1e-12));
 }
 
-/// By a ray the hand moves over the plane across the first ray, and not on the surface.
+/// A ray leads the hand over the plane across the first ray, and not on the surface.
 void TestStrokePath::anchored_byRaysIsDraggedAcrossTheFirst()
 {
     const StrokePath::CenterOf onPlane = [](const Vec3& p, const Vec3& way) {
@@ -288,7 +288,7 @@ void TestStrokePath::anchored_byRaysIsDraggedAcrossTheFirst()
     QVERIFY(dabs.front().up.isApprox(Vec3(0.6, 0.8, 0), 1e-12));
 }
 
-/// A click, and a hand that trembles, leave the dab as the brush is.
+/// A click, or a hand that trembles, gives a dab of the brush's own radius.
 void TestStrokePath::anchored_clickIsAsLargeAsTheBrush()
 {
     StrokeSettings settings = spaced(0.1, 2);

@@ -228,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(r.input.mode() == ui::PointerMode::Sculpt && r.log.isEmpty());
     }
 
-    /// In the world the hand rests and the model turns; in the model's space the hand goes round it.
+    /// The hand rests in the world while the model turns, so in the model's space it goes round.
     void aRestingHandGoesRoundATurningModel()
     {
         Recorder r;
@@ -755,7 +755,7 @@ private Q_SLOTS:
         QCOMPARE(free.input.stabilizer()->pointer, free.input.stabilizer()->brush);
     }
 
-    /// The cursor stays where the drag began. Neither string nor airbrush have a part in it.
+    /// The cursor stays where an anchored drag began; string and airbrush have no part in it.
     void anAnchoredStrokeIsDraggedOutOfItsPlace()
     {
         Recorder r;

@@ -722,7 +722,7 @@ private Q_SLOTS:
         QCOMPARE(camera.projection(), ui::OrbitCamera::Projection::Perspective);
     }
 
-    /// By key and by menu; it is there again at the next start.
+    /// A key and the menu switch it; it is there again at the next start.
     void theAppearanceIsChosenAndRemembered()
     {
         ui::ViewAppearance appearance;
@@ -779,7 +779,7 @@ private Q_SLOTS:
         QVERIFY(isDark());
     }
 
-    /// By real keys, and everything that tells of them follows; it is so at the next start, too.
+    /// Real keys change it, and everything that tells of them follows; it is so at the next start, too.
     void keysAreChosenAndRemembered()
     {
         {
@@ -815,7 +815,7 @@ private Q_SLOTS:
         QCOMPARE(sheet->itemOf(QStringLiteral("brush.radius"))->text(ui::CommandList::Key), QStringLiteral("S"));
     }
 
-    /// What can be changed is, then all is reset; the next start finds nothing left.
+    /// Everything that can be is changed, then reset; the next start finds nothing left.
     void resetBringsEverythingBack()
     {
         const auto isAsAtFirst = [](const MainWindow& window) {
