@@ -272,6 +272,19 @@ void Mesh::freeFace(Slot f)
 
 // --- the three operations
 
+namespace
+{
+/// Returns the mean colour and mask of two vertices, each weighted by how near it is to p (paper, section 3.5.3).
+OpenMesh::Vec4uc colorAndMaskBetween(const Mesh& mesh, Slot v0, Slot v1, const Vec3f& p)
+{
+    const double to0 = (p - mesh.point(v0)).norm(), to1 = (p - mesh.point(v1)).norm();
+    const double share = to0 / (to0 + to1);
+    const Rgb color = mixed(mesh.color(v0), mesh.color(v1), share);
+    const double mask = mesh.mask(v0) + share * (mesh.mask(v1) - mesh.mask(v0));
+    return {color.r, color.g, color.b, static_cast<std::uint8_t>(mask + 0.5)};
+}
+} // namespace
+
 Slot Mesh::splitEdge(Slot e, const Vec3f& p)
 {
     //        c                c
@@ -347,8 +360,10 @@ void Mesh::collapse(Slot h, const Vec3f& p)
     freeEdge(h / 2);
     freeEdge(left0 / 2);
     freeEdge(right0 / 2);
+    const OpenMesh::Vec4uc mean = colorAndMaskBetween(*this, v0, v1, p);
     freeVertex(v0);
     setPoint(v1, p);
+    m_kernel.set_color(vertexHandle(v1), mean);
 }
 
 bool Mesh::isFlipOk(Slot e) const

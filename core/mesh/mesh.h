@@ -110,7 +110,8 @@ public:
     /// Whether collapsing h leaves a closed 2-manifold: the ends have just two common neighbours, and no valence falls
     /// below 3.
     bool isCollapseOk(Slot h) const;
-    /// Merges from(h) into to(h), which moves to p. Precondition: isCollapseOk(h).
+    /// Merges from(h) into to(h), which moves to p and gets the mean colour and mask of both, weighted by distance.
+    /// Precondition: isCollapseOk(h).
     void collapse(Slot h, const Vec3f& p);
     /// Whether the opposite corners of e are not neighbours already and its ends keep valence 3.
     bool isFlipOk(Slot e) const;

@@ -112,6 +112,7 @@ private Q_SLOTS:
     void meshHash_seesColoursAndTakesMinusZeroAsZero();
     void collapse_refusesTheTetrahedron();
     void collapse_atValenceThree();
+    void collapse_meansColours();
     void collapse_refusesABrokenLinkCondition();
     void flip_refusesNeighbours();
     void split_givesTheMeanColour();
@@ -395,6 +396,28 @@ void TestMesh::collapse_atValenceThree()
         mesh->rollback(mark);
     }
     mesh->endStroke();
+}
+
+/// The vertex that stays has the colours of both, as far as it is from each.
+void TestMesh::collapse_meansColours()
+{
+    for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+        const auto mesh = sculptable(core::icosphere(2, 1));
+        Slot h = 0;
+        while (!mesh->isCollapseOk(h))
+            ++h;
+        const Slot from = mesh->from(h), to = mesh->to(h);
+        mesh->beginStroke();
+        mesh->setColor(from, {0, 100, 200});
+        mesh->setColor(to, {200, 100, 0});
+        mesh->setMask(to, 80);
+        const core::Vec3f p = mesh->point(from) + float(share) * (mesh->point(to) - mesh->point(from));
+        mesh->collapse(h, mesh->lattice().snap(p.cast<double>()));
+        const core::Rgb color = mesh->color(to);
+        QVERIFY(std::abs(color.r - 200 * share) < 1.5 && color.g == 100 && std::abs(color.b - 200 * (1 - share)) < 1.5);
+        QVERIFY(std::abs(mesh->mask(to) - 80 * share) < 1.5);
+        mesh->endStroke();
+    }
 }
 
 void TestMesh::collapse_refusesABrokenLinkCondition()
