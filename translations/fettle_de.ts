@@ -4950,6 +4950,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Es wurde nichts hinzugefügt, weil die Pinselform in dieser Größe auf dem Arbeitsgitter des Programms nicht in Ordnung ist.</translation>
     </message>
     <message>
+        <source>Nothing was added, because masked surface would have to change.</source>
+        <translation>Es wurde nichts hinzugefügt, weil sich maskierte Oberfläche ändern müsste.</translation>
+    </message>
+    <message>
         <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
         <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: sie wurden nacheinander bearbeitet und sind nicht genau gleich.</translation>
     </message>

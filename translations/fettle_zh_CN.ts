@@ -4934,6 +4934,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>没有添加任何东西，因为笔刷形状在该尺寸下落到程序的工作网格上不再完好。</translation>
     </message>
     <message>
+        <source>Nothing was added, because masked surface would have to change.</source>
+        <translation>没有添加任何东西，因为那会改变遮罩的表面。</translation>
+    </message>
+    <message>
         <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
         <translation>各扇区在这里相接，或模型各扇区不同：它们是依次进行的，并不完全相同。</translation>
     </message>

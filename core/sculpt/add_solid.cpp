@@ -133,7 +133,9 @@ bool joinSolid(DabContext& context)
         return false;
     const bool isDone = outcome == BooleanOutcome::Done;
     context.report.outcome = isDone ? DabOutcome::Added : DabOutcome::Refused;
-    context.report.refusal = isDone ? Refusal::None : Refusal::Unfit;
+    context.report.refusal = isDone                              ? Refusal::None
+                             : outcome == BooleanOutcome::Masked ? Refusal::Masked
+                                                                 : Refusal::Unfit;
     context.report.touchedVertices = isDone ? context.touchedVertices() : 0;
     return true;
 }

@@ -141,10 +141,10 @@ BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOpera
             const SolidBoolean boolean(context.surface, solid.mesh);
             if (!boolean.areCrossing())
                 return BooleanOutcome::Apart;
-            if (context.mirror && !canMirror(context, boolean.candidates()))
-                return BooleanOutcome::Failed;
             surgery = boolean.surgery(operation);
             if (surgery && touchesMask(context.mesh(), *surgery))
+                return BooleanOutcome::Masked;
+            if (surgery && context.mirror && !canMirror(context, surgery->removed))
                 return BooleanOutcome::Failed;
         }
         MeshTransaction transaction(context.surface, context.region);

@@ -5,8 +5,9 @@
 
 namespace core
 {
-/// The outcome of a boolean dab. Apart: the surfaces do not meet. Apart and Failed leave everything as it was.
-enum class BooleanOutcome { Done, Apart, Failed };
+/// The outcome of a boolean dab. Apart: the surfaces do not meet. Masked: masked faces would go, too. All but Done
+/// leave everything as it was.
+enum class BooleanOutcome { Done, Apart, Masked, Failed };
 
 /// A solid of one or two shells, and where a dab wants it.
 struct PlacedSolid
@@ -24,7 +25,7 @@ struct PlacedSolid
 /// Unites the model with a solid, or subtracts the solid from it, as one step that counts as one fusion, and makes the
 /// mesh there quasi-uniform; the curves in which the surfaces met stay sharp. The context's region becomes what was
 /// changed. A mirror has the solid's image done, too; then it fails where the solid and its image change the same
-/// faces. It fails where masked faces would go, too, and beyond the working volume.
+/// faces. It fails beyond the working volume, too.
 BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation);
 /// Unites the model with a solid as applyBoolean() does. Where a mirror fails, unites it with the solid and its image
 /// at once, which is not exactly symmetric, and says so in the report.

@@ -164,7 +164,8 @@ inline constexpr std::array<std::string_view, 6> valueNames<DabOutcome>{"committ
                                                                         "empty",     "added",   "refused"};
 
 /// Why a sphere, or the brush's model, was not added. Unfit: on the lattice the model is not sound at that size.
-enum class Refusal { None, Inside, TooClose, Wall, Unfit };
+/// Masked: a surface would change that is masked.
+enum class Refusal { None, Inside, TooClose, Wall, Unfit, Masked };
 
 /// The effect of a dab, and its cost.
 struct DabReport
@@ -195,6 +196,6 @@ struct DabReport
 };
 
 /// Why a dab did less than was asked, if it did; of several dabs the last of these is worth telling.
-enum class Shortfall { None, Blocked, Contact, Wall, Capped, Inside, TooClose, NoRoom, Unfit };
+enum class Shortfall { None, Blocked, Contact, Wall, Capped, Inside, TooClose, NoRoom, Unfit, Masked };
 Shortfall shortfallOf(const DabReport& dab);
 } // namespace core

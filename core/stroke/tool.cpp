@@ -56,9 +56,9 @@ DabReport& DabReport::operator+=(const DabReport& second)
 
 Shortfall shortfallOf(const DabReport& dab)
 {
-    constexpr std::array ofRefusal{Shortfall::None, Shortfall::Inside, Shortfall::TooClose, Shortfall::NoRoom,
-                                   Shortfall::Unfit};
-    static_assert(ofRefusal.size() == static_cast<std::size_t>(Refusal::Unfit) + 1);
+    constexpr std::array ofRefusal{Shortfall::None,   Shortfall::Inside, Shortfall::TooClose,
+                                   Shortfall::NoRoom, Shortfall::Unfit,  Shortfall::Masked};
+    static_assert(ofRefusal.size() == static_cast<std::size_t>(Refusal::Masked) + 1);
     if (dab.refusal != Refusal::None)
         return ofRefusal[static_cast<std::size_t>(dab.refusal)];
     if (dab.capped)

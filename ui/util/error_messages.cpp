@@ -132,8 +132,9 @@ QString ErrorMessages::shortfall(core::Shortfall shortfall)
         tr("Nothing was added, because it would lie inside the model."),
         tr("Nothing was added, because it would be too close to the surface."),
         tr("Nothing was added, because it would reach beyond the working volume."),
-        tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid.")};
-    static_assert(std::size(sentences) == static_cast<std::size_t>(core::Shortfall::Unfit) + 1);
+        tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid."),
+        tr("Nothing was added, because masked surface would have to change.")};
+    static_assert(std::size(sentences) == static_cast<std::size_t>(core::Shortfall::Masked) + 1);
     return sentences[static_cast<std::size_t>(shortfall)];
 }
 

@@ -102,7 +102,7 @@ private Q_SLOTS:
     void everyShortfallHasWordsOfItsOwn()
     {
         QSet<QString> seen;
-        for (int k = 1; k <= static_cast<int>(core::Shortfall::Unfit); ++k) {
+        for (int k = 1; k <= static_cast<int>(core::Shortfall::Masked); ++k) {
             const QString words = ui::ErrorMessages::shortfall(static_cast<core::Shortfall>(k));
             verifySentence(words);
             QVERIFY2(!seen.contains(words), qPrintable(words));
