@@ -1,5 +1,6 @@
 #include "core/sculpt/boolean_dab.h"
 
+#include "core/sculpt/verified_remesh.h"
 #include "core/sculpt/verify/mesh_transaction.h"
 #include "core/util/phase_timer.h"
 
@@ -88,17 +89,19 @@ bool touchesMask(const Mesh& mesh, const Surgery& surgery)
     });
 }
 
+/// Optimises around what the operation has changed. If that does not verify, only splits what is too long.
 void optimiseAround(DabContext& context)
 {
     if (context.settings.topology == Topology::Keep)
         return;
     const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
-    MeshTransaction transaction(context.surface, context.region);
-    MeshEditor edit = context.editor();
     const auto place = [&](Slot v) { return relaxedAlongSharp(context.mesh(), context.bounds, v); };
-    const RemeshCounts counts = optimiseKeepingShape(edit, context.region, context.bounds, place, context.rest());
-    if (transaction.commit())
-        context.count(counts);
+    const auto optimiseSharp = [&] {
+        MeshEditor edit = context.editor();
+        return optimiseKeepingShape(edit, context.region, context.bounds, place, context.rest());
+    };
+    if (!remeshVerified(context, optimiseSharp))
+        splitVerified(context);
 }
 } // namespace
 

@@ -9,7 +9,7 @@
 #include "core/sculpt/deform/stamp_shape.h"
 #include "core/sculpt/remesh/outline_cut.h"
 #include "core/sculpt/select/selector.h"
-#include "core/sculpt/verify/mesh_transaction.h"
+#include "core/sculpt/verified_remesh.h"
 #include "core/util/phase_timer.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr double maxImageDistance = 4;
 /// The depth from which a stamp has an outline, in d_detail.
 constexpr double leastDepth = 0.05;
 /// Rounds of smoothing at what was joined (paper, section 3.4).
-constexpr int maxJointSmoothings = 3;
+constexpr int jointSmoothings = 3;
 
 /// Even where surfaces face each other, as long as none stops it: the two sides of a line, the walls of an imprint and
 /// the sides of what is dragged face each other, and seldom meet.
@@ -245,32 +245,48 @@ void DabSteps::cleanJoints(DabContext& context)
     if (!m_fusion.hasJoined())
         return;
     m_fusion.addJoined(context.region, context.mesh(), context.dab.position);
-    if (context.settings.topology != Topology::Keep && !optimiseJoints(context, maxJointSmoothings))
-        optimiseJoints(context, 0);
-    separate(context);
-    const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
-    context.request.totals.separations +=
-        m_fusion.cutCycles(context.surface, context.region, context.bounds, context.rest());
+    optimiseJoints(context);
+    if (separateJoints(context) > 0)
+        optimiseJoints(context); // the caps, too
 }
 
-/// Smooths what was joined, so often, and optimises the region, in one transaction. Returns whether it verified.
-bool DabSteps::optimiseJoints(DabContext& context, int smoothings)
+/// Separates thin necks at what was joined, and cuts its narrow handles and tunnels. Returns how many.
+std::uint64_t DabSteps::separateJoints(DabContext& context)
 {
-    MeshTransaction transaction(context.surface, context.region);
+    std::uint64_t& separations = context.request.totals.separations;
+    const std::uint64_t before = separations;
+    separate(context);
+    const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
+    separations += m_fusion.cutCycles(context.surface, context.region, context.bounds, context.rest());
+    return separations - before;
+}
+
+/// Smooths what was joined and optimises the region. If that does not verify, only optimises; else only splits what is
+/// too long.
+void DabSteps::optimiseJoints(DabContext& context)
+{
+    if (context.settings.topology == Topology::Keep)
+        return;
+    const auto smoothAndOptimise = [&] {
+        smoothJoints(context);
+        return optimise(context, context.editor());
+    };
+    const auto optimiseOnly = [&] { return optimise(context, context.editor()); };
     const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
+    if (!remeshVerified(context, smoothAndOptimise) && !remeshVerified(context, optimiseOnly))
+        splitVerified(context);
+}
+
+void DabSteps::smoothJoints(DabContext& context)
+{
     const Mesh& mesh = context.mesh();
     const auto smoothed = [&](Slot v) {
         const Vec3 p = mesh.point(v).cast<double>();
         return m_fusion.isJoined(v) ? Vec3(0.5 * (p + neighbourMean(mesh, v))) : p;
     };
     MeshEditor edit = context.editor();
-    for (int i = 0; i < smoothings; ++i)
+    for (int i = 0; i < jointSmoothings; ++i)
         moveSoundly(edit, context.region, context.bounds, smoothed);
-    const RemeshCounts counts = optimise(context, edit);
-    if (!transaction.commit())
-        return false;
-    context.count(counts);
-    return true;
 }
 
 bool DabSteps::isContact(const DabContext& context, const StepPlan& plan)

@@ -42,7 +42,9 @@ private:
     StampShape stampShape(DabContext& context);
     RemeshCounts cutOutline(DabContext& context, MeshEditor& edit);
     double plan(DabContext& context);
-    bool optimiseJoints(DabContext& context, int smoothings);
+    void optimiseJoints(DabContext& context);
+    void smoothJoints(DabContext& context);
+    std::uint64_t separateJoints(DabContext& context);
     static bool canFacesFuse(const DabContext& context);
 
     TopologyFusion m_fusion;

@@ -1,5 +1,6 @@
 #include "core/sculpt/fallback_step.h"
 
+#include "core/sculpt/verified_remesh.h"
 #include "core/sculpt/verify/mesh_transaction.h"
 #include "core/util/phase_timer.h"
 
@@ -13,22 +14,6 @@ constexpr int maxTightenRounds = 64, roundsPerRing = 4;
 constexpr int maxFreezeRounds = 16;
 /// Work that moving a vertex counts for where all of its faces are verified.
 constexpr double verifiedMoveWork = 16;
-
-/// Returns an editor that verifies each operation, until the dab has done all the work that it may: then it refuses
-/// them.
-MeshEditor verifiedEditor(DabContext& context)
-{
-    const auto tryOperation = [&context](const std::function<void()>& operation) {
-        if (context.request.work.isSpent()) {
-            context.isCapped = true;
-            return false;
-        }
-        const bool isDone = context.surface.tryOperation(operation);
-        context.request.work.spend(context.surface.facesVisited());
-        return isDone;
-    };
-    return MeshEditor(context.surface.mesh(), tryOperation, context.mirror);
-}
 
 /// Returns the share of the longest displacement planned that the limited motion reaches. Vertices that were joined or
 /// collapsed do not count.

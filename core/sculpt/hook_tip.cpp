@@ -5,7 +5,7 @@
 #include "core/sculpt/boolean_dab.h"
 #include "core/sculpt/remesh/remesh.h"
 #include "core/sculpt/select/selector.h"
-#include "core/sculpt/verify/mesh_transaction.h"
+#include "core/sculpt/verified_remesh.h"
 
 #include <algorithm>
 #include <limits>
@@ -121,16 +121,18 @@ PlacedSolid capsuleOver(const Section& section, const Vec3& heading, const Reach
     return PlacedSolid(std::move(mesh), std::move(places), section.center);
 }
 
-/// Makes the joints round, by smoothing what the union has changed. Leaves them sharp if that is not sound.
+/// Makes the joints round, by smoothing what the union has changed, and optimises them. Leaves them sharp if that is
+/// not sound.
 void smoothJoints(DabContext& context)
 {
-    MeshTransaction transaction(context.surface, context.region);
     const Mesh& mesh = context.mesh();
     const auto smoothed = [&](Slot v) { return Vec3(0.5 * (mesh.point(v).cast<double>() + neighbourMean(mesh, v))); };
-    MeshEditor edit = context.editor();
-    for (int i = 0; i < smoothings; ++i)
-        moveSoundly(edit, context.region, context.bounds, smoothed);
-    transaction.commit();
+    remeshVerified(context, [&] {
+        MeshEditor edit = context.editor();
+        for (int i = 0; i < smoothings; ++i)
+            moveSoundly(edit, context.region, context.bounds, smoothed);
+        return optimise(edit, context.region, context.bounds, context.rest());
+    });
 }
 } // namespace
 

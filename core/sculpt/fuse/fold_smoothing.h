@@ -8,7 +8,8 @@ namespace core
 {
 /// Smooths the surface locally where it has folded up so far that its faces meet, and keeps account of the motion of
 /// the dab that this takes back. The paper (section 3.4) smooths where a join makes triangles meet. Here such a join is
-/// left undone, and smoothing prepares the retry of a sub-step that did not verify (DabPipeline::prepareRetry).
+/// done with the other stepping or left undone, and smoothing prepares the retry of a sub-step that did not verify
+/// (DabPipeline::prepareRetry).
 class FoldSmoothing
 {
 public:

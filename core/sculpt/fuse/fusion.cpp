@@ -3,9 +3,11 @@
 //   join       nearest first: both lose their stars, and the 1-rings are connected         ring_join, mirrored_join
 //   operate    each join is verified by itself                                             fusion_surgery
 //   separate   what can no longer be collapsed                                             separation
+//   merge      joins between which there is a short tunnel, or a thin strand               cycle_search, cycle_cut
 
 #include "core/sculpt/fuse/fusion.h"
 
+#include "core/sculpt/fuse/cycle_cut.h"
 #include "core/sculpt/fuse/mirrored_join.h"
 #include "core/sculpt/fuse/ring_join.h"
 
@@ -17,6 +19,10 @@ namespace
 {
 /// The least distance between two tunnels that a dab starts, in terms of d_detail: the first one is to widen that far.
 constexpr double minTunnelDistance = 4;
+/// The lengths of the cycles at most, in terms of d_detail, around a tunnel that is filled and a strand that is cut
+/// between two joins; and the gaps to try between the two sides, in terms of d.
+constexpr double maxTunnelLength = 6, maxStrandLength = 6;
+constexpr double cycleGaps[] = {0.5, 0.1};
 /// Rounds of joining in a sub-step: a guard, since the last round joins nothing.
 constexpr int maxRounds = 64;
 
@@ -36,6 +42,7 @@ void TopologyFusion::beginDab(MirrorMap* mirror, double detailShare, double shre
     m_separation.beginDab(detailShare, shredSize);
     m_tunnels.clear();
     m_joined.clear();
+    m_pierced.clear();
 }
 
 bool TopologyFusion::predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds)
@@ -142,6 +149,8 @@ bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const Fusio
             for (Slot v : *vertices) {
                 m_done.add(v);
                 m_joined.add(v);
+                if (pair.inside)
+                    m_pierced.add(v);
             }
         }
         return true;
@@ -189,10 +198,8 @@ void TopologyFusion::addJoined(Region& region, const Mesh& mesh, const Vec3& cen
     }
 }
 
-std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds,
-                                        const RestLengths* rest)
+SlotSet TopologyFusion::joinedAndNeighbours(const Mesh& mesh) const
 {
-    const Mesh& mesh = surface.mesh();
     SlotSet around;
     for (Slot v : m_joined.slots()) {
         if (!mesh.isVertex(v))
@@ -200,7 +207,67 @@ std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, c
         around.add(v);
         mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
     }
-    return m_separation.cutCycles(surface, region, around.slots(), bounds, rest);
+    return around;
+}
+
+std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds,
+                                        const RestLengths* rest)
+{
+    const std::uint64_t merged = mergeJoins(surface, region, bounds);
+    const SlotSet around = joinedAndNeighbours(surface.mesh());
+    return merged + m_separation.cutCycles(surface, region, around.slots(), bounds, rest);
+}
+
+std::uint64_t TopologyFusion::mergeJoins(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    const MirrorMap* mirror = m_surgery.mirror();
+    std::uint64_t merged = 0;
+    const SlotSet around = joinedAndNeighbours(mesh);
+    for (Slot v : around.slots()) {
+        if (mesh.isVertex(v) && (!mirror || mirror->isInHalf(v)) && m_surgery.mayTry(v))
+            merged += mergeJoinsAt(surface, region, v, bounds);
+    }
+    return merged;
+}
+
+/// Fills a tunnel between two joins near the vertex. Where something passes through it, or holes were pushed, cuts a
+/// strand between two.
+bool TopologyFusion::mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const EdgeBounds& bounds)
+{
+    using enum CycleSearch::Around;
+    const Mesh& mesh = surface.mesh();
+    if (!m_pierced.contains(v)) {
+        const std::vector<Slot> tunnel = m_cycleSearch.find(mesh, v, Tunnel, maxTunnelLength * bounds.detail);
+        const bool isHole = std::ranges::any_of(tunnel, [&](Slot w) { return m_pierced.contains(w); });
+        if (tunnel.empty() || isHole)
+            return false;
+        if (cut(surface, region, tunnel, bounds))
+            return true;
+    }
+    const std::vector<Slot> strand = m_cycleSearch.find(mesh, v, Handle, maxStrandLength * bounds.detail);
+    if (!strand.empty() && cut(surface, region, strand, bounds))
+        return true;
+    m_surgery.countFailure(v);
+    return false;
+}
+
+/// Cuts the surface along the cycle and caps both sides. The new vertices count as joined.
+bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const std::vector<Slot>& cycle,
+                         const EdgeBounds& bounds)
+{
+    for (const double gap : cycleGaps) {
+        const std::optional<Surgery> surgery =
+            m_surgery.withItsImage(surface, cutCycle(surface.mesh(), cycle, gap * bounds.minimum));
+        if (!surgery)
+            return false;
+        if (const auto created = m_surgery.operate(surface, region, *surgery)) {
+            for (Slot v : *created)
+                m_joined.add(v);
+            return true;
+        }
+    }
+    return false;
 }
 
 bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/sculpt/fuse/cycle_search.h"
 #include "core/sculpt/fuse/fusion_candidates.h"
 #include "core/sculpt/fuse/ring_strip.h"
 #include "core/sculpt/fuse/separation.h"
@@ -43,7 +44,9 @@ public:
     bool isJoined(Slot v) const { return m_joined.contains(v); }
     /// Adds what this dab has joined to the region: what it met besides.
     void addJoined(Region& region, const Mesh& mesh, const Vec3& center) const;
-    /// See Separation::cutCycles(), around what this dab has joined.
+    /// Makes one seam of two: fills the short tunnels between what this dab has joined from outside, and cuts the thin
+    /// strands between the holes that it has pushed. Then does as Separation::cutCycles(). Returns how many changes
+    /// there were.
     std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds, const RestLengths* rest);
 
 private:
@@ -52,13 +55,19 @@ private:
     bool mayJoin(const Mesh& mesh, const FusionPair& pair) const;
     bool joinPair(VerifiedMesh& surface, Region& region, const FusionPair& pair, const EdgeBounds& bounds);
     std::optional<Surgery> joining(const VerifiedMesh& surface, const FusionPair& pair, Stepping stepping) const;
+    SlotSet joinedAndNeighbours(const Mesh& mesh) const;
+    std::uint64_t mergeJoins(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
+    bool mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const EdgeBounds& bounds);
+    bool cut(VerifiedMesh& surface, Region& region, const std::vector<Slot>& cycle, const EdgeBounds& bounds);
     bool isBesideTunnel(const Vec3& middle, double detail) const;
 
     FusionSurgery m_surgery;
     FusionCandidates m_candidates;
     Separation m_separation{m_surgery};
+    CycleSearch m_cycleSearch;
     std::vector<Vec3> m_tunnels; ///< where this dab started tunnels; mm
     SlotSet m_done;              ///< vertices around the joins of this round
     SlotSet m_joined;            ///< vertices around the joins of this dab; some may be gone
+    SlotSet m_pierced;           ///< those of them at holes through a wall that is pushed
 };
 } // namespace core

@@ -146,48 +146,4 @@ std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q, Stepping step
     splitUmbrellas(mesh, surgery, apart);
     return ifOk(mesh, std::move(surgery));
 }
-
-std::optional<Surgery> cutNeck(const Mesh& mesh, const Triangle& cycle, double gap)
-{
-    const auto point = [&](Slot v) -> Vec3 { return mesh.point(v).cast<double>(); };
-    const auto [a, b, c] = cycle;
-    const Vec3 normal = (point(b) - point(a)).cross(point(c) - point(a));
-    const double length = normal.norm();
-    if (length == 0)
-        return std::nullopt;
-    const Vec3 back = 0.5 * gap / length * normal;
-
-    Surgery surgery;
-    surgery.near = a;
-    // The side to the left of the cycle gets the first three copies, the side to its right the others.
-    for (const Vec3& shift : {back, Vec3(-back)}) {
-        for (Slot v : cycle)
-            surgery.vertices.push_back({mesh.lattice().snap(point(v) + shift), mesh.color(v), v, mesh.mask(v)});
-    }
-    const auto copyOf = [&](Slot v, const std::vector<Slot>& left, Slot f) {
-        const auto at = static_cast<std::size_t>(std::ranges::find(cycle, v) - cycle.begin());
-        if (at == 3)
-            return v;
-        return Surgery::newVertex(std::ranges::find(left, f) != left.end() ? at : at + 3);
-    };
-    // The faces to the left at each vertex: from the edge that goes on along the cycle to the one that came.
-    std::vector<Slot> left;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Slot v = cycle[i], after = cycle[(i + 1) % 3], before = cycle[(i + 2) % 3];
-        for (Slot h = mesh.findHalfedge(v, after); mesh.to(h) != before; h = mesh.rotate(h))
-            left.push_back(mesh.face(h));
-        addStar(mesh, v, surgery.removed);
-    }
-    std::ranges::sort(surgery.removed);
-    surgery.removed.erase(std::ranges::unique(surgery.removed).begin(), surgery.removed.end());
-    for (Slot f : surgery.removed) {
-        Triangle t = mesh.corners(f);
-        for (Slot& corner : t)
-            corner = copyOf(corner, left, f);
-        surgery.faces.push_back(t);
-    }
-    surgery.faces.push_back({Surgery::newVertex(2), Surgery::newVertex(1), Surgery::newVertex(0)});
-    surgery.faces.push_back({Surgery::newVertex(3), Surgery::newVertex(4), Surgery::newVertex(5)});
-    return ifOk(mesh, std::move(surgery));
-}
 } // namespace core

@@ -11,9 +11,4 @@ namespace core
 /// do not fit together, if the result would not be a closed 2-manifold, or if their component has no other faces. Does
 /// not check whether faces meet then. Precondition: p and q are live and not neighbours.
 std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q, Stepping stepping = Stepping::Even);
-
-/// Cuts a neck along the three edges between pairwise neighbours that are no face (a failed link condition finds them):
-/// each side gets its own copies of the vertices and a cap, drawn back by half the gap along the neck's axis. `cycle`:
-/// in either order. Nothing if the result would not be a closed 2-manifold.
-std::optional<Surgery> cutNeck(const Mesh& mesh, const Triangle& cycle, double gap);
 } // namespace core

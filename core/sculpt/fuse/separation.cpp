@@ -1,6 +1,6 @@
 #include "core/sculpt/fuse/separation.h"
 
-#include "core/sculpt/fuse/ring_join.h"
+#include "core/sculpt/fuse/cycle_cut.h"
 
 #include <algorithm>
 
@@ -111,8 +111,10 @@ bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair
     if (third == noSlot || !m_surgery.mayTry(edge[0]) || !m_surgery.mayTry(edge[1]))
         return false;
     const Triangle cycle = {edge[0], edge[1], third};
+    if (isTunnel(mesh, cycle)) // whose end may be a pit, which would become a void
+        return false;
     for (double gap : neckGaps) {
-        const std::optional<Surgery> neck = core::cutNeck(mesh, cycle, gap * bounds.minimum);
+        const std::optional<Surgery> neck = cutCycle(mesh, cycle, gap * bounds.minimum);
         const std::optional<Surgery> surgery = isOwnImage(mesh, cycle) ? neck : m_surgery.withItsImage(surface, neck);
         if (!surgery)
             return false;

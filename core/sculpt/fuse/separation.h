@@ -27,9 +27,9 @@ public:
     std::uint64_t separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
                            const EdgeBounds& bounds);
 
-    /// Cuts necks and fills tunnels at these vertices that are narrower than d: cycles of three edges whose ends are
-    /// capped, whichever side of the surface is the solid one. Removes specks and small voids there. `rest`: null, or
-    /// of a stroke that keeps detail, where d is less. Returns how many of all these there were.
+    /// Cuts necks at these vertices that are narrower than d: cycles of three edges whose ends are capped. Removes
+    /// specks and small voids there. `rest`: null, or of a stroke that keeps detail, where d is less. Returns how many
+    /// of all these there were.
     std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
                             const EdgeBounds& bounds, const RestLengths* rest);
 

@@ -7,9 +7,8 @@
 
 namespace core
 {
-/// The lengths of edges before a stroke moved them: the shortest one at each vertex, in mm, and where the surface
-/// was sharp. A stroke that keeps
-/// detail (keepsDetail) compares with that what it has squeezed.
+/// The lengths of edges before a stroke moved them: the shortest one at each vertex, in mm, and where the surface was
+/// sharp. A stroke that keeps detail (keepsDetail) compares with that what it has squeezed.
 class RestLengths
 {
 public:

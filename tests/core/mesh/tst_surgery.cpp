@@ -1,4 +1,5 @@
 #include "core/mesh/mesh_builder.h"
+#include "core/sculpt/fuse/cycle_cut.h"
 #include "core/sculpt/fuse/ring_join.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
@@ -27,8 +28,8 @@ private Q_SLOTS:
     void joinStars_ofTwoBalls_makesOne();
     void joinStars_throughASlab_makesAHole();
     void joinStars_ofNeighbours_isNothing();
-    void cutNeck_partsAnHourglass();
-    void cutNeck_opensAHandle();
+    void cutCycle_partsAnHourglass();
+    void cutCycle_opensAHandle();
     void replaceFaces_canBeTakenBack();
     void aHole_isNotOk();
     void aSideUsedTwice_isNotOk();
@@ -132,7 +133,7 @@ void TestSurgery::joinStars_ofNeighbours_isNothing()
     }
 }
 
-void TestSurgery::cutNeck_partsAnHourglass()
+void TestSurgery::cutCycle_partsAnHourglass()
 {
     const auto mesh = sculptable(hourglass(0.1));
     Triangle neck{};
@@ -142,7 +143,7 @@ void TestSurgery::cutNeck_partsAnHourglass()
             neck[found++] = v;
     }
     QCOMPARE(found, std::size_t(3));
-    const auto surgery = core::cutNeck(*mesh, neck, 0.1);
+    const auto surgery = core::cutCycle(*mesh, neck, 0.1);
     QVERIFY(surgery);
     operate(*mesh, *surgery);
     QCOMPARE(eulerNumber(*mesh), 4);
@@ -151,7 +152,7 @@ void TestSurgery::cutNeck_partsAnHourglass()
 }
 
 /// A tube between two sheets, made by a join, is three edges around nowhere; so the cut goes through a ring that is.
-void TestSurgery::cutNeck_opensAHandle()
+void TestSurgery::cutCycle_opensAHandle()
 {
     const TriangleMesh ring = shapes::torus({.around = 12, .across = 3});
     const auto mesh = sculptable(ring);
@@ -165,7 +166,7 @@ void TestSurgery::cutNeck_opensAHandle()
             const Slot c = mesh->to(g);
             const bool isFace = c == mesh->to(mesh->next(h)) || c == mesh->to(mesh->next(h ^ 1));
             if (!surgery && b != c && !isFace && mesh->findHalfedge(b, c) != core::noSlot)
-                surgery = core::cutNeck(*mesh, {a, b, c}, 0.05);
+                surgery = core::cutCycle(*mesh, core::Triangle{a, b, c}, 0.05);
         });
     });
     QVERIFY(surgery);

@@ -4,6 +4,7 @@
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
+#include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
@@ -23,13 +24,21 @@ core::MeshReport judged(const Sculptor& sculptor)
     return core::checkMesh(core::extractMesh(sculptor.mesh()));
 }
 
+core::TriangleMesh movedBy(core::TriangleMesh mesh, const core::Vec3f& way)
+{
+    for (core::Vec3f& p : mesh.points)
+        p += way;
+    return mesh;
+}
+
 /// Drags the brush in even steps, with one dab each.
-void drag(Sculptor& sculptor, Tool tool, double radius, const std::vector<Vec3>& path)
+void drag(Sculptor& sculptor, Tool tool, double radius, const std::vector<Vec3>& path,
+          core::Topology topology = core::Topology::Refine)
 {
     StrokeSettings settings;
     settings.tool = tool;
     settings.radius = radius;
-    settings.topology = core::Topology::Refine;
+    settings.topology = topology;
     sculptor.beginStroke(settings);
     for (const Vec3& place : path) {
         core::StrokeSample sample;
@@ -108,6 +117,10 @@ private Q_SLOTS:
     void snakeHookToAWall_staysInIt_data();
     void snakeHookToAWall_staysInIt();
     void snakeHookLedBack_isSymmetric();
+    void joints_areQuasiUniform_data();
+    void joints_areQuasiUniform();
+    void eggThroughAPlate_isOneSeam_data();
+    void eggThroughAPlate_isOneSeam();
     void grabAlongTheSurface_staysInOnePiece_data();
     void grabAlongTheSurface_staysInOnePiece();
     void endsOfARing_joinInOneSeam_data();
@@ -220,14 +233,9 @@ void TestJoints::snakeHookToAWall_staysInIt()
 {
     QFETCH(double, thickness);
     constexpr double radius = 0.16, gap = 0.6;
-    core::TriangleMesh model = core::icosphere(4, 1);
-    const core::TriangleMesh plate = clay::slab(2, thickness, 30);
-    const auto count = static_cast<core::Slot>(model.points.size());
     const float middle = static_cast<float>(1 + gap + 0.5 * thickness);
-    for (const core::Vec3f& p : plate.points)
-        model.points.push_back(p + core::Vec3f(0, middle, 0));
-    for (const core::Triangle& t : plate.triangles)
-        model.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+    const core::TriangleMesh model =
+        shapes::together(core::icosphere(4, 1), movedBy(clay::slab(2, thickness, 30), {0, middle, 0}));
     Sculptor sculptor(mesh_asserts::sculptable(model));
     const double top = sculptor.hit({{0.1, 10, 0.1}, {0, -1, 0}})->position.y();
     drag(sculptor, Tool::SnakeHook, radius, line({0, 1, 0}, {0, 2, 0}, 0.1 * radius));
@@ -260,6 +268,80 @@ void TestJoints::snakeHookLedBack_isSymmetric()
     QVERIFY(report.printReady());
     QVERIFY(report.genus.value() == 2 && report.components == 1);
     VERIFY_SYMMETRIC(sculptor.mesh(), core::Symmetry::X);
+}
+
+void TestJoints::joints_areQuasiUniform_data()
+{
+    QTest::addColumn<core::TriangleMesh>("model");
+    QTest::addColumn<double>("gap");
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<double>("radius");
+    const core::TriangleMesh balls =
+        shapes::together(movedBy(core::icosphere(5, 1), {-1.15F, 0, 0}), movedBy(core::icosphere(5, 1), {1.15F, 0, 0}));
+    for (const Tool tool : {Tool::Pull, Tool::Grab, Tool::Inflate, Tool::SnakeHook}) {
+        for (const double radius : {0.15, 0.22, 0.32, 0.45}) {
+            const std::string_view name = core::name(tool);
+            if (tool != Tool::Inflate || radius > 0.2) // which would take far more dabs to get there
+                QTest::addRow("balls, %s, %g", name.data(), radius) << balls << 0.3 << tool << radius;
+            QTest::addRow("fingers, %s, %g", name.data(), radius) << clay::twoFingers(0.2) << 0.2 << tool << radius;
+        }
+    }
+}
+
+/// Each dab leaves its selection d_detail-tight, also the one that joins (paper, section 3.4), except for a split that
+/// is refused since its faces would be too narrow.
+void TestJoints::joints_areQuasiUniform()
+{
+    QFETCH(core::TriangleMesh, model);
+    QFETCH(double, gap);
+    QFETCH(Tool, tool);
+    QFETCH(double, radius);
+    Sculptor sculptor(mesh_asserts::sculptable(model));
+    double longest = 0;
+    sculptor.setAfterDab([&](const core::DabReport&) {
+        if (const std::optional<core::SelectionQuality> quality = sculptor.selectionQuality())
+            longest = std::max(longest, quality->longestEdge);
+    });
+    const Vec3 left(-0.5 * gap, 0, 0), right(0.5 * gap, 0, 0), inwards(0.3 * radius, 0, 0);
+    if (core::isDragTool(tool)) { // from within the left one, to hold that alone
+        drag(sculptor, tool, radius, line(left - inwards, right + 2 * inwards, 0.1 * radius));
+    } else {
+        drag(sculptor, tool, radius, line(left, right, 0.1 * radius));
+        drag(sculptor, tool, radius, std::vector<Vec3>(24, right));
+    }
+    QVERIFY(judged(sculptor).printReady());
+    QVERIFY2(longest > 0.5 && longest <= 1.05, qPrintable(QString::number(longest)));
+    QVERIFY(sculptor.totals().fusions > 0);
+}
+
+void TestJoints::eggThroughAPlate_isOneSeam_data()
+{
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("aside");
+    QTest::addColumn<core::Topology>("topology");
+    for (const double radius : {14.0, 22.0, 40.0}) {
+        for (const core::Topology topology : {core::Topology::Refine, core::Topology::Adaptive}) {
+            const std::string_view name = core::name(topology);
+            QTest::addRow("%g, %s", radius, name.data()) << radius << 7.0 << topology;
+        }
+    }
+}
+
+/// What is dragged through becomes part of the plate, or leaves one hole.
+void TestJoints::eggThroughAPlate_isOneSeam()
+{
+    QFETCH(double, radius);
+    QFETCH(double, aside);
+    QFETCH(core::Topology, topology);
+    constexpr float eggHeight = 22;
+    core::TriangleMesh egg = core::icosphere(4, 10);
+    for (core::Vec3f& p : egg.points)
+        p = core::Vec3f(p.x(), 1.35F * p.y() + eggHeight, p.z());
+    Sculptor sculptor(mesh_asserts::sculptable(shapes::together(clay::slab(100, 6, 50), egg)));
+    drag(sculptor, Tool::Grab, radius, line({aside, eggHeight, 0}, {aside, eggHeight - 48, 0}, 2.5), topology);
+    const core::MeshReport report = judged(sculptor);
+    QVERIFY(report.printReady());
+    QVERIFY2(report.genus.value() <= 1, qPrintable(QString::number(report.genus.value())));
 }
 
 void TestJoints::grabAlongTheSurface_staysInOnePiece_data()
