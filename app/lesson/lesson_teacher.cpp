@@ -135,8 +135,7 @@ void LessonTeacher::endStroke()
 /// The mesh thread has not consumed too many of the teacher's samples yet.
 bool LessonTeacher::isBehind() const
 {
-    return m_isStrokeOpen && m_isCounted &&
-           m_posted > m_document->worker().stats().samples - m_consumedBefore + maxSamplesBehind;
+    return m_isStrokeOpen && m_posted > m_document->worker().stats().samples - m_consumedBefore + maxSamplesBehind;
 }
 
 void LessonTeacher::tick()
@@ -159,7 +158,6 @@ void LessonTeacher::run(const core::LessonCue& cue)
 {
     if (const auto* const stroke = std::get_if<core::StrokeBegins>(&cue)) {
         m_isStrokeOpen = true;
-        m_isCounted = !stroke->settings.add;
         m_posted = 0;
         m_consumedBefore = m_document->worker().stats().samples;
         m_document->strokes().beginStroke(stroke->settings);

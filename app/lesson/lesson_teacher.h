@@ -68,7 +68,6 @@ private:
     double m_speed = 1;
     bool m_isTaught = false;                    ///< the teacher is in the middle of the step
     bool m_isStrokeOpen = false;                ///< the teacher's
-    bool m_isCounted = false;                   ///< the stroke's samples are all consumed: it adds nothing
     quint64 m_posted = 0, m_consumedBefore = 0; ///< the stroke's samples
     bool m_isGhostAsked = false;
     QTimer m_timer;

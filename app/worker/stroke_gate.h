@@ -18,9 +18,8 @@ public:
     explicit StrokeGate(JobQueue* queue) : m_queue(queue) {}
 
     /// False, and refused() from here, if another source's stroke is open, or the gate is held. Each stroke that was
-    /// begun is reported once by SculptWorker::strokeFinished(). A pull that may add a sphere (settings.add) adds one
-    /// by its first sample, and the others do nothing; where the brush touches the surface at the first, it is a pull
-    /// like any other.
+    /// begun is reported once by SculptWorker::strokeFinished(). A pull that may add a sphere (settings.add) does so
+    /// by its first dab, where nothing is under the brush, and goes on as a pull.
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source, core::StrokeEnd how = core::StrokeEnd::Kept);

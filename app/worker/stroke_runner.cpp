@@ -14,6 +14,12 @@ bool canAdd(const core::StrokeSettings& settings)
 {
     return settings.add && core::canAddSolid(settings.tool) && isFree(settings);
 }
+
+/// Returns whether it says why a solid was not added.
+bool isRefusal(core::Shortfall shortfall)
+{
+    return shortfall >= core::Shortfall::Inside;
+}
 } // namespace
 
 bool isFree(const core::StrokeSettings& brush)
@@ -31,10 +37,10 @@ void StrokeRunner::setSculptor(core::Sculptor* sculptor)
 void StrokeRunner::begin(const BeginStroke& stroke)
 {
     m_stroke = stroke;
-    m_course = canAdd(stroke.settings) ? Course::Undecided : Course::Open;
+    m_isOver = false;
     m_samples.clear();
     forgetDabs();
-    if (m_sculptor && m_course == Course::Open)
+    if (m_sculptor)
         m_sculptor->beginStroke(stroke.settings);
 }
 
@@ -58,30 +64,19 @@ bool StrokeRunner::touches(const core::StrokeSample& sample) const
     });
 }
 
-/// A sphere, or a pull; nothing if only a sphere was wanted.
-void StrokeRunner::decide(const core::StrokeSample& first)
-{
-    const bool isTouching = touches(first);
-    const bool joins = m_stroke.settings.join && m_stroke.settings.fusion;
-    if (isTouching && m_stroke.onlyAdds && !joins) {
-        m_report.shortfall = core::Shortfall::TooClose;
-        m_course = Course::Over;
-        return;
-    }
-    m_course = Course::Open;
-    m_stroke.settings.add = !isTouching || joins;
-    m_sculptor->beginStroke(m_stroke.settings);
-}
-
+/// Returns whether the sample has no effect. A stroke that is only to add a solid does so at its first sample, unless
+/// that touches a surface which it may not join.
 bool StrokeRunner::isOver(const core::StrokeSample& sample)
 {
-    if (m_sculptor && m_course == Course::Undecided)
-        decide(sample);
-    if (!m_sculptor || m_course == Course::Over)
+    const core::StrokeSettings& settings = m_stroke.settings;
+    if (!canAdd(settings) || !(m_stroke.onlyAdds || settings.join))
+        return false;
+    if (std::exchange(m_isOver, true))
         return true;
-    if (canAdd(m_stroke.settings)) // input that moves faster than the clay follows leaves no row of spheres
-        m_course = Course::Over;
-    return false;
+    const bool isRefused = !(settings.join && settings.fusion) && touches(sample);
+    if (isRefused)
+        m_report.shortfall = core::Shortfall::TooClose;
+    return isRefused;
 }
 
 quint64 StrokeRunner::topologyChanges() const
@@ -92,7 +87,7 @@ quint64 StrokeRunner::topologyChanges() const
 
 std::optional<StrokeRunner::Effect> StrokeRunner::add(const core::StrokeSample& sample, bool isNewest)
 {
-    if (isOver(sample))
+    if (!m_sculptor || isOver(sample))
         return std::nullopt;
     const quint64 before = topologyChanges();
     apply(sample, isNewest);
@@ -113,7 +108,9 @@ void StrokeRunner::apply(const core::StrokeSample& sample, bool isShown)
 
 void StrokeRunner::note(const core::DabReport& dab)
 {
-    ++m_report.dabs;
+    const bool hasBegun = m_report.dabs++ > 0;
+    if (hasBegun && dab.touchedVertices > 0 && isRefusal(m_report.shortfall))
+        m_report.shortfall = core::Shortfall::None; // the first dab found nothing to pull, and this one does
     m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
     m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
     m_report.sequential = m_report.sequential || dab.sequential;
@@ -131,6 +128,7 @@ StrokeReport StrokeRunner::end(core::StrokeEnd how)
             std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         if (!delta->empty()) {
             m_report.delta = std::move(delta);
+            m_stroke.settings.add = m_report.added;
             m_report.recordedStep = std::make_shared<const core::FileEntry>(
                 core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
         }
@@ -153,7 +151,7 @@ StrokeReport StrokeRunner::replace(const StrokeReplacement& replacement)
         for (const core::StrokeSample& sample : replacement.stroke->samples) {
             if (replacement.stop.stop_requested())
                 break;
-            if (!isOver(sample))
+            if (m_sculptor && !isOver(sample))
                 apply(sample, false);
         }
         if (!replacement.stop.stop_requested()) {

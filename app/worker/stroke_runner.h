@@ -35,11 +35,7 @@ public:
     Source source() const { return m_stroke.source; }
 
 private:
-    /// The use of the samples. Undecided: the first decides between a pull and a sphere.
-    enum class Course { Open, Undecided, Over };
-
     bool touches(const core::StrokeSample& sample) const;
-    void decide(const core::StrokeSample& first);
     bool isOver(const core::StrokeSample& sample);
     void apply(const core::StrokeSample& sample, bool isShown);
     void forgetDabs();
@@ -48,8 +44,8 @@ private:
     quint64 topologyChanges() const;
 
     core::Sculptor* m_sculptor = nullptr;
-    BeginStroke m_stroke; ///< in work
-    Course m_course = Course::Open;
+    BeginStroke m_stroke;                      ///< in work
+    bool m_isOver = false;                     ///< the stroke was only to add a solid, and its first sample has come
     std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for its record
     core::Shortfall m_shortfall{};             ///< of the last sample's dabs
     StrokeReport m_report;

@@ -61,6 +61,7 @@ public:
     StrokeSettings settings;
     std::optional<StrokePath> path;
     std::optional<StrokeAnchor> anchor;
+    bool mayAdd = false;   ///< the stroke's first dab may add a solid
     bool hasLetGo = false; ///< the stroke has nothing more to do (DabRequest::hasLetGo)
     bool isShown = false;  ///< the dab of the anchored stroke is applied as its newest sample has it
     SectorGrabs grabs{surface};
@@ -79,6 +80,7 @@ private:
 void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
 {
     settings = strokeSettings;
+    mayAdd = settings.add;
     path.emplace(settings);
     isShown = false;
     startOver();
@@ -88,6 +90,7 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
 void Sculptor::Engine::startOver()
 {
     anchor.emplace(settings);
+    settings.add = mayAdd;
     hasLetGo = false;
     grabs.beginStroke();
     displacements.clear();
@@ -182,6 +185,10 @@ DabReport Sculptor::Engine::apply(Dab dab)
     anchor->place(dab);
     const DabReport report = sculpt(dab);
     anchor->follow(dab, report);
+    if (!settings.join)
+        settings.add = false;
+    if (settings.tool == Tool::Stamp && report.outcome == DabOutcome::Added && !settings.join)
+        hasLetGo = true; // else it would be pressed into what it has added
     return report;
 }
 

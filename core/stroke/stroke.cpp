@@ -20,6 +20,18 @@ bool isNear(const Vec3& v)
 }
 } // namespace
 
+StrokeSettings addingSolid(StrokeSettings settings)
+{
+    settings.tool = Tool::Pull;
+    settings.brush = BrushShape::Sphere;
+    settings.place = Placement::Point;
+    settings.strength = info(Parameter::Strength).defaultValue;
+    settings.spacing = 0;
+    settings.anchored = false;
+    settings.add = settings.join = true;
+    return settings;
+}
+
 StrokeSettings opposite(StrokeSettings settings)
 {
     if (settings.tool == Tool::Pull || settings.tool == Tool::Push)

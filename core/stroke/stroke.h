@@ -52,8 +52,11 @@ struct StrokeSettings
     /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills,
     /// pinch spreads, crease raises a ridge, twist turns back, stamp raises, mask is wiped away.
     bool inverted = false;
-    bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
-    /// Lets `add` add the sphere wherever it is; it becomes part of the model where their surfaces cross.
+    /// Lets the first dab of Pull or Stamp, at a point with nothing under the brush, add a sphere, or the model (paper,
+    /// section 3.5.1). The dabs after it pull, also where the first was refused; a stamp that was added ends the
+    /// stroke.
+    bool add = false;
+    /// Lets each dab add one wherever it is; it becomes part of the model where their surfaces cross.
     bool join = false;
     Rgb color;                          ///< of Paint
     std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none
@@ -81,6 +84,10 @@ inline constexpr double minDragged = 0.05;
 /// Returns the settings that Ctrl makes of these: Pull becomes Push and Push Pull, others are inverted where that has a
 /// meaning.
 StrokeSettings opposite(StrokeSettings settings);
+
+/// Returns the settings of a dab that adds a ball of the radius, or the model, and does nothing else. Where it crosses
+/// the surface it becomes part of the model, with fusion on.
+StrokeSettings addingSolid(StrokeSettings settings);
 
 /// Turns about Y by the parts that this many sectors share with a quarter turn take the lattice to itself: 4, 2 or 1.
 /// Sectors that lie so to each other stay each other's images bit for bit; with 2 and 4 these are all.

@@ -210,7 +210,7 @@ void PointerInput::addSphere(const PendingEvent& press, const std::optional<core
     sample.position = hit ? hit->position : m_camera->acrossPivot(press.ray);
     sample.direction = press.ray.direction;
     setMode(PointerMode::Sculpt);
-    Q_EMIT sphereRequested(addingDab(press.settings), sample);
+    Q_EMIT sphereRequested(core::addingSolid(press.settings), sample);
 }
 
 void PointerInput::begin(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit)

@@ -102,15 +102,4 @@ void StrokeBuilder::sample(const core::Ray& ray)
     m_sinceSample.start();
     Q_EMIT sampled(sample);
 }
-
-core::StrokeSettings addingDab(core::StrokeSettings settings)
-{
-    settings.tool = core::Tool::Pull;
-    settings.brush = core::BrushShape::Sphere;
-    settings.place = core::Placement::Point;
-    settings.strength = core::info(core::Parameter::Strength).defaultValue;
-    settings.spacing = 0;
-    settings.add = settings.join = true;
-    return settings;
-}
 } // namespace ui

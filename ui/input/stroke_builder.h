@@ -74,7 +74,4 @@ private:
     QElapsedTimer m_sinceSample; ///< on the wall
     double m_turned = 0;         ///< of the model in the world, about Y; radians
 };
-
-/// Of a dab that is to add a ball and do nothing else.
-core::StrokeSettings addingDab(core::StrokeSettings settings);
 } // namespace ui

@@ -55,6 +55,8 @@ private Q_SLOTS:
     void addedSphere_isPartOfTheModel();
     void addedSphere_insideIsRefused();
     void addedSphere_tooCloseIsRefused();
+    void addedStamp_endsTheStroke();
+    void addedSphere_refusedIsAPull();
     void addedSphere_beyondTheWallIsRefused();
 };
 
@@ -200,8 +202,7 @@ void TestDabPipeline::addedSphere_isPartOfTheModel()
     sample.position = {0, 0, 1.6};
     QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Added));
     sample.radius = 0.1;
-    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome),
-             core::name(DabOutcome::Refused)); // inside the new one
+    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Empty)); // no second one
     sample.radius.reset();
     sample.position = {0, 0, 1.9};
     QVERIFY(sculptor->addSample(sample).at(0).touchedVertices > 20); // pulls the new one
@@ -234,6 +235,57 @@ void TestDabPipeline::addedSphere_tooCloseIsRefused()
     const DabReport report = dabOnce(*sculptor, settings, {0, 0, 1.32});
     QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::TooClose);
     QVERIFY(isSound(*sculptor));
+}
+
+/// Else the stamp would be pressed into what it has added.
+void TestDabPipeline::addedStamp_endsTheStroke()
+{
+    std::vector<std::uint64_t> states;
+    for (const bool goesOn : {false, true}) {
+        const auto sculptor = unitBall();
+        StrokeSettings settings = settingsFor(Tool::Stamp);
+        settings.add = true;
+        sculptor->beginStroke(settings);
+        core::StrokeSample sample;
+        sample.position = {0, 0, 1.6};
+        QCOMPARE(sculptor->addSample(sample).at(0).outcome, DabOutcome::Added);
+        for (const double z : {1.7, 1.3, 1.0}) {
+            sample.position.z() = z;
+            if (goesOn)
+                QCOMPARE(sculptor->addSample(sample).at(0).outcome, DabOutcome::Empty);
+        }
+        sculptor->endStroke();
+        states.push_back(sculptor->mesh().stateHash());
+    }
+    QCOMPARE(states[0], states[1]);
+}
+
+/// From a place that is too close for a ball and too far for a pull, as from one inside, a stroke goes on until it
+/// meets the surface, and is the pull that it would have been from there.
+void TestDabPipeline::addedSphere_refusedIsAPull()
+{
+    for (const double start : {1.32, 1.31, 0.3}) {
+        std::vector<std::uint64_t> states;
+        for (const bool adds : {true, false}) {
+            const auto sculptor = unitBall();
+            StrokeSettings settings = settingsFor(Tool::Pull);
+            settings.add = adds;
+            sculptor->beginStroke(settings);
+            std::vector<DabOutcome> outcomes;
+            for (const double z : {start, 1.25, 1.2, 3.0, 1.15}) {
+                core::StrokeSample sample;
+                sample.position = {0, 0, z};
+                outcomes.push_back(sculptor->addSample(sample).at(0).outcome);
+            }
+            sculptor->endStroke();
+            QCOMPARE(outcomes.front(), adds ? DabOutcome::Refused : DabOutcome::Empty);
+            QCOMPARE(outcomes.at(1), DabOutcome::Committed);
+            QCOMPARE(outcomes.at(3), DabOutcome::Empty); // in the air it adds nothing any more
+            QVERIFY(isSound(*sculptor));
+            states.push_back(sculptor->mesh().stateHash());
+        }
+        QCOMPARE(states[0], states[1]);
+    }
 }
 
 void TestDabPipeline::addedSphere_beyondTheWallIsRefused()
