@@ -68,6 +68,7 @@ set(FETTLE_RESOURCE_FILES
     icons/larger.svg
     icons/layer.svg
     icons/lesson.svg
+    icons/level.svg
     icons/mask.svg
     icons/mask-blur.svg
     icons/mask-cavity.svg

@@ -7140,6 +7140,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zentrieren</translation>
     </message>
     <message>
+        <source>Level</source>
+        <translation>Aufrichten</translation>
+    </message>
+    <message>
+        <source>Add ball</source>
+        <translation>Kugel hinzufügen</translation>
+    </message>
+    <message>
         <source>Hold to restore</source>
         <translation>Zum Zurücksetzen halten</translation>
     </message>

@@ -7120,6 +7120,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>居中</translation>
     </message>
     <message>
+        <source>Level</source>
+        <translation>扶正</translation>
+    </message>
+    <message>
+        <source>Add ball</source>
+        <translation>添加球</translation>
+    </message>
+    <message>
         <source>Hold to restore</source>
         <translation>按住以重置</translation>
     </message>

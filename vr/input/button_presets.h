@@ -7,9 +7,10 @@
 
 namespace vr
 {
-/// A choice of functions for the buttons of the wands. Paper: section 4.1 of Zhu and Yang 2024, except that the button
-/// has to be held to save or restore. Studio: usual in other sculpting programs. OneHand: one wand has all functions,
-/// and no panel is attached to a hand; a second wand may lie on a table.
+/// A choice of functions for the buttons of the wands. Paper: section 4.1 of Zhu and Yang 2024, except that the side
+/// button has to be held, the left trigger turns the model, too, and the other tools follow the five. Studio: usual in
+/// other sculpting programs. OneHand: one wand has all functions, and no panel is attached to a hand; a second wand may
+/// lie on a table.
 enum class ButtonPreset { Paper, Studio, OneHand };
 
 /// The role of a hand. In the paper the right hand sculpts.

@@ -55,7 +55,14 @@ void ModelPlacement::place(const Pose& head, double heightOffset)
 
 void ModelPlacement::turn(double angle)
 {
-    rotateAbout(middle(), aboutVertical(angle));
+    const Vec3 axis = m_rotation * Vec3::UnitY();
+    const double seenFromAbove = axis.y() < 0 ? -angle : angle;
+    rotateAbout(m_origin, Eigen::Quaterniond(Eigen::AngleAxisd(seenFromAbove, axis)));
+}
+
+void ModelPlacement::level()
+{
+    rotateAbout(middle(), core::rotationBetween(m_rotation * Vec3::UnitY(), Vec3::UnitY()));
 }
 
 void ModelPlacement::scale(double factor)

@@ -28,9 +28,12 @@ public:
     /// anywhere in the room, looking anywhere. `heightOffset`: metres higher, if the user wants it so.
     void place(const Pose& head, double heightOffset = 0);
 
-    /// About the room's vertical through the model's middle; radians, anticlockwise seen from above. Clockwise, which
-    /// the paper has at the left of the pad, the side that faces the person goes to the left.
+    /// Turns the model about the document's Y axis as it stands in the room (paper, section 3.5.4), the axis of
+    /// symmetry and of the window's turntable; radians, anticlockwise seen from above. Clockwise, which the paper has
+    /// at the left of the pad, the side that faces the person goes to the left.
     void turn(double angle);
+    /// Turns the model the shortest way about its middle until the document's Y axis is vertical.
+    void level();
     /// About the model's middle. `factor` above 0; as far as the bounds go.
     void scale(double factor);
     /// The model goes as if it were tied to what goes from here to there. Room space.
@@ -45,7 +48,6 @@ public:
     /// far as the bounds go, as what lies between them.
     void stretch(const Span& from, const Span& to);
 
-    double metresPerMm() const { return m_scale; }
     /// Of unit length, always.
     const Eigen::Quaterniond& rotation() const { return m_rotation; }
     /// Document to room.

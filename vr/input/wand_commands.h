@@ -66,7 +66,7 @@ struct ChangeChannel
     int by = 0; ///< of 255; the sum may ask for more than a channel takes
 };
 
-/// About the vertical through the model's centre.
+/// Turns the model about the document's Y axis.
 struct TurnModel
 {
     double angle = 0; ///< radians, anticlockwise seen from above

@@ -25,6 +25,7 @@ enum class PanelCommand {
     ClearMask,
     SaveModel, ///< under a new number
     Recentre,
+    LevelModel, ///< its Y axis becomes vertical
     LeaveVr
 };
 
@@ -39,6 +40,13 @@ struct ChooseSymmetry
 {
     bool isOn = true;
     bool operator==(const ChooseSymmetry&) const = default;
+};
+
+/// The next stroke adds a ball, or the stamp's model.
+struct AddNext
+{
+    bool isOn = true;
+    bool operator==(const AddNext&) const = default;
 };
 
 struct ChooseRadial
@@ -138,8 +146,8 @@ struct Slide
 /// What a person wants by an item of a panel.
 using PanelAction =
     std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
-                 ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile, ChooseHand,
-                 ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
+                 AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
+                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
 
 /// Whether one item wants both: sliders want one thing after the other.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

@@ -28,6 +28,7 @@ public:
     bool isSymmetric = false;
     int radial = 1;         ///< sectors
     bool isInverse = false; ///< strokes do the opposite
+    bool addsNext = false;  ///< the next stroke adds a ball
     bool canUndo = false, canRedo = false;
     bool canChange = true;                          ///< the model as a whole: restore it, or change its mask
     bool showsFiles = false, showsSettings = false; ///< those panels

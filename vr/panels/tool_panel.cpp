@@ -80,6 +80,10 @@ void ToolPanel::addPanelButtons(PanelBuilder& builder) const
     builder.add(upper[1], {{.text = tr("Settings"), .icon = QStringLiteral("preferences"), .isChosen = showsSettings},
                            ShowPanel{PanelKind::Settings, !showsSettings}});
     builder.add(upper[2], {{.text = tr("Recentre"), .icon = QStringLiteral("recentre")}, PanelCommand::Recentre});
+    const std::vector<QRectF> middle = evenCells(builder.nextRow(buttonHeight), 2);
+    builder.add(middle[0],
+                {{.text = tr("Add ball"), .icon = QStringLiteral("add"), .isChosen = addsNext}, AddNext{!addsNext}});
+    builder.add(middle[1], {{.text = tr("Level"), .icon = QStringLiteral("level")}, PanelCommand::LevelModel});
     const std::vector<QRectF> lower = evenCells(builder.nextRow(buttonHeight), 2);
     builder.add(lower[0], {{.text = tr("Hold to restore"), .icon = QStringLiteral("reset")},
                            PanelCommand::RestoreModel,

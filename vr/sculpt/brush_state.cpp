@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace vr
 {
@@ -11,10 +12,18 @@ namespace
 {
 constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
 
-core::Tool stepped(core::Tool tool, int by)
+bool isOfPaper(core::Tool tool)
 {
-    const int count = static_cast<int>(core::toolNames().size());
-    return static_cast<core::Tool>(((static_cast<int>(tool) + by) % count + count) % count);
+    using enum core::Tool;
+    return tool == Pull || tool == Push || tool == Flatten || tool == Smooth || tool == Paint;
+}
+
+core::Tool stepped(const BrushState& brush, int by)
+{
+    const std::vector<core::Tool> order = toolOrder(brush.preset);
+    const int count = static_cast<int>(order.size());
+    const auto at = static_cast<int>(std::ranges::find(order, brush.stroke.tool) - order.begin());
+    return order[static_cast<std::size_t>(((at + by) % count + count) % count)];
 }
 
 core::Rgb changedColor(core::Rgb color, const ChangeChannel& change)
@@ -31,6 +40,11 @@ core::Rgb changedColor(core::Rgb color, const Slide& slide)
     return color;
 }
 
+bool isAdding(const BrushState& brush, const BeginStroke& begin)
+{
+    return brush.addsNext && !begin.smooths && !begin.continues;
+}
+
 /// Returns the settings that the brush and the other hand give a stroke.
 core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin)
 {
@@ -40,6 +54,8 @@ core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin
         settings.strength = brush.smoothStrength;
         settings.alpha = nullptr; // evenly
         settings.anchored = false;
+    } else if (isAdding(brush, begin)) {
+        return core::addingSolid(settings);
     }
     return brush.isInverse ? core::opposite(settings) : settings;
 }
@@ -63,12 +79,22 @@ core::Topology firstTopology(ButtonPreset preset)
     return preset == ButtonPreset::Paper ? core::Topology::Adaptive : core::Topology::Refine;
 }
 
+std::vector<core::Tool> toolOrder(ButtonPreset preset)
+{
+    std::vector<core::Tool> tools;
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i)
+        tools.push_back(static_cast<core::Tool>(i));
+    if (preset == ButtonPreset::Paper)
+        std::ranges::stable_partition(tools, isOfPaper);
+    return tools;
+}
+
 BrushState changed(BrushState brush, const WandAction& action)
 {
     using core::BrushShape, core::Symmetry, core::Topology;
     core::StrokeSettings& stroke = brush.stroke;
     const core::Overloaded change{
-        [&](const StepTool& step) { stroke.tool = stepped(stroke.tool, step.by); },
+        [&](const StepTool& step) { stroke.tool = stepped(brush, step.by); },
         [&](ToggleInverse) { brush.isInverse = !brush.isInverse; },
         [&](ToggleBrushShape) {
             stroke.brush = stroke.brush == BrushShape::Sphere ? BrushShape::Ray : BrushShape::Sphere;
@@ -89,10 +115,15 @@ BrushState changed(BrushState brush, const PanelAction& action)
 {
     core::StrokeSettings& stroke = brush.stroke;
     const core::Overloaded change{
-        [&](core::Tool tool) { stroke.tool = tool; },
+        [&](core::Tool tool) {
+            stroke.tool = tool;
+            brush.addsNext = false;
+        },
+        [&](const AddNext& add) { brush.addsNext = add.isOn; },
         [&](core::BrushShape shape) { stroke.brush = shape; },
         [&](core::Topology topology) { chooseTopology(brush, topology); },
         [&](ButtonPreset preset) {
+            brush.preset = preset;
             brush.topology = firstTopology(preset);
             if (stroke.topology != core::Topology::Uniform)
                 stroke.topology = brush.topology;

@@ -17,8 +17,10 @@ inline constexpr double wandSpacing = 0.1;
 struct BrushState
 {
     core::StrokeSettings stroke; ///< what people choose of it; its radius, spacing, place and add are none of that
+    bool addsNext = false;       ///< the next stroke adds a ball, or the stamp's model, and does nothing else
     bool isInverse = false;      ///< strokes do the opposite, where the tool has one
-    core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is on; the paper's is the xz plane
+    ButtonPreset preset = ButtonPreset::Paper; ///< gives the order in which the pad steps through the tools
+    core::Symmetry plane = core::Symmetry::Y;  ///< of symmetry when it is on; the paper's is the xz plane
     core::Topology topology =
         core::Topology::Adaptive; ///< of the headset when it is not uniform; at first the preset's
     core::AirbrushRates airbrush = core::defaultAirbrushRates();                ///< as the window has them
@@ -29,6 +31,10 @@ struct BrushState
 /// Returns the topology, other than uniform, with which a preset begins: the paper's adapts to the brush, the others'
 /// keep detail.
 core::Topology firstTopology(ButtonPreset preset);
+
+/// Returns the tools in the order in which a preset's pad steps through them: the palette's, except that with Paper the
+/// five of the paper (section 4.1) come first.
+std::vector<core::Tool> toolOrder(ButtonPreset preset);
 
 /// Returns the brush after an action of a wand. The last tool is followed by the first; channels and the radius stop at
 /// the ends of their ranges. An action that does not concern the brush changes nothing.

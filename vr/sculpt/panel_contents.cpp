@@ -24,6 +24,7 @@ ToolPanel toolPanel(const PanelManager& panels, const PanelContents::Sources& so
             stroke.symmetry != core::Symmetry::None,
             stroke.radial,
             sources.brush.isInverse,
+            sources.brush.addsNext,
             sources.document.canUndo,
             sources.document.canRedo,
             !sources.document.isBusy,

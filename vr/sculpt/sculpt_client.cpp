@@ -49,6 +49,7 @@ std::optional<DocumentRequest> requestOf(PanelCommand command)
     case PanelCommand::SaveModel:
         return SaveModel{};
     case PanelCommand::Recentre:
+    case PanelCommand::LevelModel:
     case PanelCommand::LeaveVr:
         return std::nullopt;
     }
@@ -290,6 +291,8 @@ void SculptClient::handle(Side side, const PanelAction& action)
             if (const std::optional<DocumentRequest> request = requestOf(command))
                 m_port->request(*request);
             m_output.recentre = m_output.recentre || command == PanelCommand::Recentre;
+            if (command == PanelCommand::LevelModel)
+                m_placement.level();
             m_output.leave = m_output.leave || command == PanelCommand::LeaveVr;
         },
         [&](const ShowPanel& panel) { m_panels.open(panel.kind, panel.isShown); },

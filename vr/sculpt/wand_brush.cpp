@@ -26,6 +26,12 @@ void takeToolValues(const core::StrokeSettings& from, core::StrokeSettings& stro
 }
 } // namespace
 
+WandBrush::WandBrush(DocumentPort* port, ButtonPreset preset) : m_port(port)
+{
+    m_state.preset = preset;
+    m_state.topology = firstTopology(preset);
+}
+
 void WandBrush::take(const DocumentUpdate& update, const ModelPlacement& placement)
 {
     m_state.plane = update.plane;
@@ -56,6 +62,8 @@ bool WandBrush::begin(BeginStroke begin, const ModelPlacement& placement)
 {
     begin.smooths = begin.smooths && m_smooths;
     m_isDrawing = m_port->beginStroke(strokeSettings(m_state, begin, placement));
+    if (m_isDrawing && !begin.smooths)
+        m_state.addsNext = false;
     return m_isDrawing;
 }
 

@@ -12,7 +12,7 @@ class WandBrush
 {
 public:
     /// The port must outlive it.
-    WandBrush(DocumentPort* port, ButtonPreset preset) : m_port(port) { m_state.topology = firstTopology(preset); }
+    WandBrush(DocumentPort* port, ButtonPreset preset);
 
     const BrushState& state() const { return m_state; }
     /// Takes what the window changed of the brush. A radius in mm becomes that length on the model as it is shown.

@@ -106,6 +106,7 @@ private Q_SLOTS:
 
     void tools_chooseTheBrush();
     void tools_undoRedoAndRestore();
+    void tools_addABall();
     void tools_invertAndClearTheMask();
     void tools_recentre();
     void tools_leave();
@@ -144,6 +145,26 @@ void TestHeadsetPanels::tools_chooseTheBrush()
     for (const int sectors : {6, 1})
         QVERIFY(v.choose(vr::ChooseRadial{sectors}, [&] { return v.brush().radial == sectors; }));
     QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// Once, where the trigger is pulled, although the hand goes on; at the surface it becomes part of the model.
+void TestHeadsetPanels::tools_addABall()
+{
+    AtTools v;
+    QVERIFY(v.choose(vr::AddNext{true}, [] { return true; }));
+    v.hand.press(Side::Left, "menu");
+    const double radius = v.brush().radius, height = 50 + radius / 2;
+    v.hand.stroke({0, height, 0}, {0, height + 2 * radius, 0});
+    QCOMPARE(v.changes(), 1);
+    const double top = v.box().max().y();
+    QVERIFY2(std::abs(top - height - radius) < 0.1 * radius, qPrintable(QString::number(top)));
+    const core::MeshReport joined =
+        v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())); });
+    QVERIFY(joined.components == 1 && joined.genus == 0);
+    v.hand.stroke({0, top - 1, 0}, {0, top + 4, 0}); // pulls again
+    QCOMPARE(v.changes(), 2);
+    QVERIFY(v.box().max().y() > top + 0.5);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 

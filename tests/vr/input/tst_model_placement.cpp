@@ -108,7 +108,7 @@ private Q_SLOTS:
         }
         for (const core::Box& box : {core::Box(), core::Box(Vec3(1, 2, 3))}) {
             const ModelPlacement placement = placed(box);
-            QVERIFY(placement.metresPerMm() > 0 && std::isfinite(placement.metresPerMm()) &&
+            QVERIFY(placement.lengthToRoom(1) > 0 && std::isfinite(placement.lengthToRoom(1)) &&
                     placement.middle().allFinite());
         }
     }
@@ -135,16 +135,17 @@ private Q_SLOTS:
     }
 
     /// The paper's clockwise: seen from above. What faces the person goes to the left.
-    void turningIsAboutTheVerticalThroughTheMiddle()
+    void turningIsAboutTheVertical()
     {
         ModelPlacement placement = placed();
         ModelPlacement turned = placement;
         turned.turn(-pi / 6);
-        QVERIFY(areClose(turned.middle(), placement.middle()));
-        const Vec3 nearest = placement.toModel(placement.middle() + Vec3(0, 0, 0.2));
-        QVERIFY(areClose(turned.toRoom(nearest), placement.middle() + 0.2 * Vec3(-0.5, 0, std::sqrt(0.75))));
-        const Vec3 above = placement.toModel(placement.middle() + Vec3(0, 0.3, 0));
-        QVERIFY(areClose(turned.toRoom(above), placement.middle() + Vec3(0, 0.3, 0)));
+        const Vec3 origin = placement.toRoom(Vec3::Zero());
+        QVERIFY(areClose(turned.toRoom(Vec3::Zero()), origin));
+        const Vec3 nearest = placement.toModel(origin + Vec3(0, 0, 0.2));
+        QVERIFY(areClose(turned.toRoom(nearest), origin + 0.2 * Vec3(-0.5, 0, std::sqrt(0.75))));
+        const Vec3 above = placement.toModel(origin + Vec3(0, 0.3, 0));
+        QVERIFY(areClose(turned.toRoom(above), origin + Vec3(0, 0.3, 0)));
 
         for (int i = 0; i < 12; ++i)
             placement.turn(pi / 6);
@@ -152,16 +153,40 @@ private Q_SLOTS:
             QVERIFY(areClose(placement.toRoom(p), placed().toRoom(p)));
     }
 
-    /// However it stands: the room's vertical, not the model's.
-    void aTiltedModelTurnsUpright()
+    /// However it stands and has grown: the axis is the document's Y axis, and above is the room's.
+    void aTiltedModelTurnsAboutItsOwnAxis()
     {
-        ModelPlacement placement = placed();
-        const Pose hand{Eigen::Quaterniond::Identity(), placement.middle()};
-        placement.move(hand, {Eigen::Quaterniond(Eigen::AngleAxisd(1, Vec3::UnitX())), placement.middle()});
-        const ModelPlacement before = placement;
-        placement.turn(0.4);
-        for (const Vec3& p : somePoints)
-            QVERIFY(std::abs(placement.toRoom(p).y() - before.toRoom(p).y()) < tolerance);
+        for (const double tilt : {0.35, 1.0, 2.5}) {
+            ModelPlacement placement = placed();
+            const Pose hand{Eigen::Quaterniond::Identity(), placement.middle()};
+            placement.move(hand, {Eigen::Quaterniond(Eigen::AngleAxisd(tilt, Vec3::UnitX())), placement.middle()});
+            placement.setModel(core::Box(Vec3(-50, -50, -50), Vec3(90, 50, 50))); // a lug at one side
+            const ModelPlacement before = placement;
+            placement.turn(0.4);
+            for (const double y : {-40.0, 0.0, 70.0})
+                QVERIFY(areClose(placement.toRoom({0, y, 0}), before.toRoom({0, y, 0})));
+            const double sense = tilt < pi / 2 ? 1 : -1; // upside down it goes the other way about its axis
+            const Vec3 turned = placement.toModel(before.toRoom({10, 20, 0}));
+            QVERIFY(areClose(turned, 10 * Vec3(std::cos(0.4), 2, sense * std::sin(0.4))));
+        }
+    }
+
+    void aLevelledModelStandsUpright()
+    {
+        Random random;
+        for (int i = 0; i < 50; ++i) {
+            ModelPlacement placement = placed();
+            placement.move(random.pose(), random.pose());
+            const Vec3 middle = placement.middle();
+            const double scale = placement.lengthToRoom(1);
+            placement.level();
+            QVERIFY(areClose(placement.directionToRoom(Vec3::UnitY()), Vec3::UnitY()));
+            QVERIFY(areClose(placement.middle(), middle));
+            QCOMPARE(placement.lengthToRoom(1), scale);
+            const Eigen::Quaterniond upright = placement.rotation();
+            placement.level(); // as it stands already
+            QVERIFY(upright.angularDistance(placement.rotation()) < tolerance);
+        }
     }
 
     void scalingIsAboutTheMiddleAndStopsAtTheBounds()
@@ -191,7 +216,7 @@ private Q_SLOTS:
             placement.move(hand, next);
             for (const Vec3& p : somePoints)
                 QVERIFY(areClose(next.inverse() * placement.toRoom(p), hand.inverse() * before.toRoom(p)));
-            QCOMPARE(placement.metresPerMm(), before.metresPerMm());
+            QCOMPARE(placement.lengthToRoom(1), before.lengthToRoom(1));
             hand = next;
         }
     }
@@ -233,7 +258,7 @@ private Q_SLOTS:
         QCOMPARE(shownSize(placement), before);
     }
 
-    /// Sculpting makes it larger, or an object is added: what is seen stays, the next turn is about its new middle.
+    /// Sculpting makes it larger, or an object is added: what is seen stays, and so does the axis.
     void aModelThatGrowsStaysInView()
     {
         ModelPlacement placement = placed();
@@ -244,12 +269,12 @@ private Q_SLOTS:
             QCOMPARE(placement.toRoom(p), before.toRoom(p));
         QVERIFY(shownSize(placement, grown) > ModelPlacement::maxSize);
         placement.scale(1.1); // no larger, and no jump back into the bounds either
-        QCOMPARE(placement.metresPerMm(), before.metresPerMm());
+        QCOMPARE(placement.lengthToRoom(1), before.lengthToRoom(1));
         placement.scale(0.9);
-        QVERIFY(std::abs(placement.metresPerMm() - 0.9 * before.metresPerMm()) < tolerance);
-        const Vec3 middle = placement.toRoom(grown.center());
+        QVERIFY(std::abs(placement.lengthToRoom(1) - 0.9 * before.lengthToRoom(1)) < tolerance);
+        const Vec3 origin = placement.toRoom(Vec3::Zero());
         placement.turn(1);
-        QVERIFY(areClose(placement.toRoom(grown.center()), middle));
+        QVERIFY(areClose(placement.toRoom(Vec3::Zero()), origin));
     }
 
     void aHundredThousandStepsLeaveItSound()

@@ -704,9 +704,9 @@ void TestWandMapping::twoHandsStretchTheModel()
     QCOMPARE(carry({0, 0, 0}, {0, 0, 0}), QStringList(QStringLiteral("stretch")));
     const Vec3 atLeft = placement.toModel(player.wand(Side::Left).grip.position),
                atRight = placement.toModel(player.wand(Side::Right).grip.position);
-    const double before = placement.metresPerMm();
+    const double before = placement.lengthToRoom(1);
     QCOMPARE(carry({-0.1, 0.05, 0}, {0.1, 0, 0.1}), QStringList(QStringLiteral("stretch")));
-    QVERIFY(placement.metresPerMm() > 1.2 * before);
+    QVERIFY(placement.lengthToRoom(1) > 1.2 * before);
     QVERIFY((placement.toRoom(atLeft) - player.wand(Side::Left).grip.position).norm() < 1e-9);
     QVERIFY((placement.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
     player.rest(Side::Left);

@@ -77,6 +77,7 @@ std::vector<PanelAction> wanted()
             all.push_back(vr::ShowPanel{kind, isShown});
     for (const bool isOn : {false, true}) {
         all.push_back(vr::ChooseSymmetry{isOn});
+        all.push_back(vr::AddNext{isOn});
         all.push_back(vr::ShowPerformance{isOn});
         all.push_back(vr::ShowFloor{isOn});
     }

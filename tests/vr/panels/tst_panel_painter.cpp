@@ -288,6 +288,7 @@ void TestPanelPainter::aValue_isSeen_data()
     row("symmetry", 0, [](vr::ToolPanel& panel) { panel.isSymmetric = true; });
     row("sectors", 0, [](vr::ToolPanel& panel) { panel.radial = 6; });
     row("inverse", 0, [](vr::ToolPanel& panel) { panel.isInverse = true; });
+    row("adding", 0, [](vr::ToolPanel& panel) { panel.addsNext = true; });
     row("undo", 0, [](vr::ToolPanel& panel) { panel.canUndo = true; });
     row("redo", 0, [](vr::ToolPanel& panel) { panel.canRedo = true; });
     row("cannot change", 0, [](vr::ToolPanel& panel) { panel.canChange = false; });

@@ -7,6 +7,9 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <set>
+
 using core::Vec3;
 using vr::BrushState;
 using vr::ModelPlacement;
@@ -66,18 +69,33 @@ private Q_SLOTS:
         QVERIFY(brush.radius >= vr::minRadius && brush.radius <= vr::maxRadius);
     }
 
-    void toolsComeRoundInPaletteOrder()
+    void toolsComeRoundInOrder()
     {
+        using enum vr::ButtonPreset;
         const std::size_t count = core::toolNames().size();
-        BrushState brush;
-        for (std::size_t i = 1; i <= count; ++i) {
-            brush = after(brush, {vr::StepTool{1}});
-            QCOMPARE(brush.stroke.tool, static_cast<core::Tool>(i % count));
+        for (const vr::ButtonPreset preset : {Paper, Studio, OneHand}) {
+            const std::vector<core::Tool> order = vr::toolOrder(preset);
+            QCOMPARE(std::set(order.begin(), order.end()).size(), count);
+            BrushState brush = changed(BrushState(), vr::PanelAction(preset));
+            for (std::size_t i = 1; i <= count; ++i) {
+                brush = after(brush, {vr::StepTool{1}});
+                QCOMPARE(brush.stroke.tool, order[i % count]);
+            }
+            for (std::size_t i = count; i-- > 0;) {
+                brush = after(brush, {vr::StepTool{-1}});
+                QCOMPARE(brush.stroke.tool, order[i]);
+            }
         }
-        for (std::size_t i = count; i-- > 0;) {
-            brush = after(brush, {vr::StepTool{-1}});
-            QCOMPARE(brush.stroke.tool, static_cast<core::Tool>(i));
-        }
+    }
+
+    void thePapersToolsComeFirstInItsPreset()
+    {
+        using enum core::Tool;
+        const std::vector<core::Tool> order = vr::toolOrder(vr::ButtonPreset::Paper);
+        const std::vector<core::Tool> first(order.begin(), order.begin() + 5), others(order.begin() + 5, order.end());
+        QCOMPARE(first, (std::vector{Pull, Push, Flatten, Smooth, Paint}));
+        QVERIFY(std::ranges::is_sorted(others));
+        QVERIFY(std::ranges::is_sorted(vr::toolOrder(vr::ButtonPreset::Studio))); // as the palette
     }
 
     void whatIsToggledTwiceIsAsBefore()
@@ -150,6 +168,20 @@ private Q_SLOTS:
         QVERIFY(vr::strokeSettings(brush, {}, somePlacement()).add);
         brush.stroke.brush = core::BrushShape::Ray;
         QVERIFY(!vr::strokeSettings(brush, {}, somePlacement()).add);
+    }
+
+    /// One stroke, which joins the ball with what it crosses. Smoothing, and a stroke that goes on, wait for it.
+    void theNextStrokeAddsABall()
+    {
+        BrushState brush = vr::changed(BrushState(), vr::PanelAction(core::Tool::Flatten));
+        brush.isInverse = true;
+        brush = vr::changed(brush, vr::PanelAction(vr::AddNext{true}));
+        const core::StrokeSettings adding = vr::strokeSettings(brush, {}, somePlacement());
+        QVERIFY(adding.add && adding.join && adding.tool == core::Tool::Pull);
+        QVERIFY(!vr::strokeSettings(brush, {.smooths = true}, somePlacement()).join);
+        QVERIFY(!vr::strokeSettings(brush, {.smooths = false, .continues = true}, somePlacement()).join);
+        QVERIFY(!vr::changed(brush, vr::PanelAction(vr::AddNext{false})).addsNext);
+        QVERIFY(!vr::changed(brush, vr::PanelAction(core::Tool::Pull)).addsNext);
     }
 
     void aStrokeIsWhatTheHandMeans()
