@@ -16,12 +16,12 @@
 
 namespace ui
 {
-/// Everything that is drawn, in one image: clay and backdrop by MeshRenderer, ground and brush cursor by Qt3D, which
-/// renders on demand and on this thread into our own framebuffer, so that both share one depth buffer.
+/// Everything that is drawn, in one image: clay and backdrop by MeshRenderer, the overlays (OverlayEntities) by Qt3D,
+/// which renders on demand and on this thread into our own framebuffer, so that both share one depth buffer.
 ///
 /// That rests on Qt3D drawing into whatever framebuffer is bound when its context is current already; it is tested at
-/// the start. Where it does not hold, the clay gets a context of its own and Qt3D's picture, cursor only, is laid over
-/// it.
+/// the start. Where it does not hold, the clay gets a context of its own and Qt3D's picture, of brush ring and mark
+/// only, is laid over it.
 ///
 /// Thread: gui. Precondition: QApplication exists, and prepareGraphics() was called before it. No other context may be
 /// current during a call; afterwards the scene's is.

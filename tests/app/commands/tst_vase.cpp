@@ -1,14 +1,14 @@
 // The vase of the paper's Figure 21: made as a person would, with a stroke file that `fettle replay` plays.
 // How many handles it has is counted by hand, stage by stage:
 //
-//   stage      what is done                                       components  genus
-//   body       the sphere becomes foot, belly and neck            1           0
-//   hollow     a pit from the neck down to the foot, and a lip    1           0    a pit goes through nothing
-//   ring       a ball beside the body grows round to its image    2           1    the ring, a torus
-//   holes      4 pushed through the ring, and their images        2           9    one a hole
-//   bridges    3 and their images, 2 across the mirror's plane    1           16   one makes one of two; 7 more are
-//   handles handles    from the lip to the shoulder, and its image        1           18   one a handle motifs turned
-//   waves and pearls                            1           18
+//   stage     what is done                                     components  genus
+//   body      the sphere becomes foot, belly and neck          1           0
+//   hollow    a pit from the neck down to the foot, and a lip  1           0      a pit goes through nothing
+//   ring      a ball beside the body grows round to its image  2           1      the ring, a torus
+//   holes     4 pushed through the ring, and their images      2           9      one a hole
+//   bridges   3 and images, 2 across the mirror's plane        1           16     one joins two, 7 are handles
+//   handles   from the lip to the shoulder, and its image      1           18     one a handle
+//   motifs    turned waves and pearls                          1           18
 #include "core/io/mesh_io.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/solid_asserts.h"
