@@ -1,25 +1,19 @@
 // The vase of the paper's Figure 21: made as a person would, with a stroke file that `fettle replay` plays.
 // How many handles it has is counted by hand, stage by stage:
 //
-//   stage     what is done                                     components  genus
-//   body      the sphere becomes foot, belly and neck          1           0
-//   hollow    a pit from the neck down to the foot, and a lip  1           0      a pit goes through nothing
-//   ring      a ball beside the body grows round to its image  2           1      the ring, a torus
-//   holes     4 pushed through the ring, and their images      2           9      one a hole
-//   bridges   3 and images, 2 across the mirror's plane        1           16     one joins two, 7 are handles
-//   handles   from the lip to the shoulder, and its image      1           18     one a handle
-//   motifs    turned waves and pearls                          1           18
-#include "core/io/mesh_io.h"
+//   stage      what is done                                       components  genus
+//   body       the sphere becomes foot, belly and neck            1           0
+//   hollow     a pit from the neck down to the foot, and a lip    1           0    a pit goes through nothing
+//   ring       a ball beside the body grows round to its image    2           1    the ring, a torus
+//   holes      4 pushed through the ring, and their images        2           9    one a hole
+//   bridges    3 and their images, 2 across the mirror's plane    1           16   one joins, 7 are handles
+//   handles    from the lip to the shoulder, and its image        1           18   one a handle
+//   motifs     turned waves and pearls                            1           18
+#include "tests/app/commands/played_strokes.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
-#include <nlohmann/json.hpp>
-
-#include <QDir>
-#include <QFile>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -29,30 +23,27 @@ using Json = nlohmann::json;
 
 namespace
 {
-using Point = std::array<double, 3>;
+using core::Vec3;
+using played_strokes::Brush;
+using played_strokes::Hand;
 
-constexpr Point up = {0, 1, 0}, down = {0, -1, 0}, inwards = {-1, 0, 0}, outwards = {1, 0, 0};
+const Vec3 up = {0, 1, 0}, down = {0, -1, 0}, inwards = {-1, 0, 0}, outwards = {1, 0, 0};
 constexpr double far = 4; ///< outside of everything
 constexpr double ringRadius = 1.5, ringHeight = -0.15;
 constexpr double turnSpeed = 36; ///< of the turntable, in degrees a second
 
 /// On the circle of that radius and height around the axis.
-Point around(double radius, double height, double degrees)
+Vec3 around(double radius, double height, double degrees)
 {
     const double angle = degrees * std::numbers::pi / 180;
     return {radius * std::cos(angle), height, radius * std::sin(angle)};
-}
-
-Point difference(const Point& a, const Point& b)
-{
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 /// The strokes of the vase, in the form of stroke files. Every one is mirrored at x = 0.
 class Potter
 {
 public:
-    Json file() const { return {{"format", "fettle-strokes"}, {"version", 1}, {"strokes", m_strokes}}; }
+    Json file() const { return played_strokes::fileOf(m_strokes); }
 
     void body();
     void hollow();
@@ -63,16 +54,6 @@ public:
     void motifs();
 
 private:
-    struct Brush
-    {
-        const char* tool;
-        double radius;
-        double strength = 1;
-    };
-    struct Hand
-    {
-        Point position, direction;
-    };
     struct Turn
     {
         double step = 10; ///< degrees from dab to dab
@@ -81,10 +62,10 @@ private:
 
     void stroke(const Brush& brush, Json samples, const Json& settings);
     void dabs(const Brush& brush, const std::vector<Hand>& hands, int times);
-    void rest(const Brush& brush, const Point& position, int times);
+    void rest(const Brush& brush, const Vec3& position, int times);
     void turned(const Brush& brush, const Hand& hand, const Turn& turn);
     void turned(const Brush& brush, const Hand& hand) { turned(brush, hand, Turn()); }
-    void drag(const Brush& brush, const std::vector<Point>& path);
+    void drag(const Brush& brush, const std::vector<Vec3>& path);
     void wave(const Brush& brush, double height, double amplitude, double degreesPerSecond);
 
     static Hand fromOutside(double height) { return {{far, height, 0}, inwards}; }
@@ -96,24 +77,21 @@ private:
 
 void Potter::stroke(const Brush& brush, Json samples, const Json& settings)
 {
-    Json stroke = {{"tool", brush.tool}, {"radius", brush.radius}, {"strength", brush.strength}, {"symmetry", "x"}};
-    stroke.update(settings);
-    stroke["samples"] = std::move(samples);
+    Json stroke = played_strokes::strokeOf(brush, std::move(samples), settings);
+    stroke["symmetry"] = "x";
     m_strokes.push_back(std::move(stroke));
 }
 
 /// Where each hand points, in turns.
 void Potter::dabs(const Brush& brush, const std::vector<Hand>& hands, int times)
 {
-    Json samples = Json::array();
-    for (int i = 0; i < times; ++i) {
-        for (const Hand& hand : hands)
-            samples.push_back({{"position", hand.position}, {"direction", hand.direction}});
-    }
-    stroke(brush, samples, {{"place", "ray"}});
+    std::vector<Hand> inTurns;
+    for (int i = 0; i < times; ++i)
+        inTurns.insert(inTurns.end(), hands.begin(), hands.end());
+    stroke(brush, played_strokes::samplesOf(inTurns), {{"place", "ray"}});
 }
 
-void Potter::rest(const Brush& brush, const Point& position, int times)
+void Potter::rest(const Brush& brush, const Vec3& position, int times)
 {
     stroke(brush, Json(static_cast<std::size_t>(times), Json{{"position", position}}), Json::object());
 }
@@ -128,12 +106,9 @@ void Potter::turned(const Brush& brush, const Hand& hand, const Turn& turn)
     stroke(brush, samples, {{"place", "ray"}, {"turntable_deg_per_s", turnSpeed}});
 }
 
-void Potter::drag(const Brush& brush, const std::vector<Point>& path)
+void Potter::drag(const Brush& brush, const std::vector<Vec3>& path)
 {
-    Json samples = Json::array();
-    for (const Point& point : path)
-        samples.push_back({{"position", point}});
-    stroke(brush, samples, {{"spacing", 0.12}});
+    stroke(brush, played_strokes::samplesAt(path), {{"spacing", 0.12}});
 }
 
 /// Six crests around, even about the mirror's plane.
@@ -184,8 +159,8 @@ void Potter::ring()
 {
     stroke({"pull", 0.13}, {{{"position", {ringRadius, ringHeight, 0}}}}, {{"add", true}});
     for (int side : {1, -1}) {
-        const Point hand = around(ringRadius, ringHeight, 14 * side);
-        const Point back = difference(around(ringRadius, ringHeight, 2 * side), hand);
+        const Vec3 hand = around(ringRadius, ringHeight, 14 * side);
+        const Vec3 back = around(ringRadius, ringHeight, 2 * side) - hand;
         Json samples = Json::array();
         for (int i = 0; i < 190; ++i)
             samples.push_back({{"position", hand}, {"direction", back}, {"t", 0.05 * i}});
@@ -216,7 +191,7 @@ void Potter::bridges()
 
 void Potter::handles()
 {
-    std::vector<Point> path;
+    std::vector<Vec3> path;
     constexpr int parts = 16;
     for (int i = 0; i <= parts; ++i) {
         const double share = double(i) / parts, angle = (95 - 190 * share) * std::numbers::pi / 180;
@@ -231,7 +206,7 @@ void Potter::motifs()
     wave({"pull", 0.12, 0.5}, -0.55, 0.07, 25);
     wave({"pull", 0.12, 0.3}, 1.0, 0.04, -25);
     for (double degrees : {-75, -60, -45, -30, 30, 45, 60, 75})
-        dabs({"pull", 0.09}, {{around(far, 0.42, degrees), difference({}, around(1, 0, degrees))}}, 4);
+        dabs({"pull", 0.09}, {{around(far, 0.42, degrees), -around(1, 0, degrees)}}, 4);
     turned({"smooth", 0.2, 0.4}, fromOutside(-0.55), {8});
 }
 
@@ -252,31 +227,7 @@ class TestVase : public QObject
 
 private Q_SLOTS:
     void eachStage_hasTheHandlesCounted();
-
-private:
-    Json replay(const Json& strokes, core::TriangleMesh& mesh);
 };
-
-/// What `--stats` says, and the model.
-Json TestVase::replay(const Json& strokes, core::TriangleMesh& mesh)
-{
-    const QTemporaryDir folder;
-    const auto path = [&](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
-    QFile file(path("vase.json"));
-    if (!file.open(QIODevice::WriteOnly) || file.write(strokes.dump().c_str()) < 0)
-        return {};
-    file.close();
-    QProcess program;
-    program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    program.start(QStringLiteral(FETTLE_PROGRAM),
-                  {QStringLiteral("replay"), QStringLiteral("--strokes"), path("vase.json"), QStringLiteral("--out"),
-                   path("vase.ply"), QStringLiteral("--stats"), path("stats.json")});
-    if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0)
-        return {};
-    mesh = core::readMesh(path("vase.ply").toStdString());
-    QFile stats(path("stats.json"));
-    return stats.open(QIODevice::ReadOnly) ? Json::parse(stats.readAll().toStdString()) : Json();
-}
 
 void TestVase::eachStage_hasTheHandlesCounted()
 {
@@ -284,16 +235,15 @@ void TestVase::eachStage_hasTheHandlesCounted()
     std::size_t vertices = 0;
     for (const auto& stage : stages) {
         (potter.*stage.work)();
-        core::TriangleMesh vase;
-        const Json stats = replay(potter.file(), vase);
-        QVERIFY2(stats.is_object(), stage.name);
-        const auto mesh = mesh_asserts::sculptable(vase);
+        const auto vase = played_strokes::replay(potter.file());
+        QVERIFY2(vase, stage.name);
+        const auto mesh = mesh_asserts::sculptable(vase->mesh);
         VERIFY_VALID(*mesh);
         VERIFY_SYMMETRIC(*mesh, core::Symmetry::X);
-        QCOMPARE(stats["components"].get<int>(), stage.components);
-        QCOMPARE(stats["genus"].get<int>(), stage.genus);
+        QCOMPARE(vase->stats["components"].get<int>(), stage.components);
+        QCOMPARE(vase->stats["genus"].get<int>(), stage.genus);
         QCOMPARE(mesh_asserts::eulerNumber(*mesh), 2 * (stage.components - stage.genus));
-        vertices = vase.points.size();
+        vertices = vase->mesh.points.size();
     }
     QVERIFY2(vertices >= 10'000 && vertices <= 100'000, qPrintable(QString::number(vertices)));
 }
