@@ -7145,7 +7145,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Add ball</source>
-        <translation>Kugel hinzufügen</translation>
+        <translation>Neue Kugel</translation>
     </message>
     <message>
         <source>Hold to restore</source>

@@ -6,10 +6,10 @@ namespace vr
 {
 namespace
 {
-constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8,
+constexpr double toolWidth = 1200, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8,
                  toolTitleWidth = 300;
 constexpr double symmetryWidth = 270, radialWidth = 170;
-constexpr double filesButtonWidth = 250, recentreWidth = 280;
+constexpr double filesButtonWidth = 230, placeButtonWidth = 262, addButtonWidth = 330, leaveButtonWidth = 300;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
 constexpr std::array<std::size_t, 4> toolsInRow{4, 4, 4, 4};
 
@@ -74,22 +74,22 @@ void ToolPanel::addTools(PanelBuilder& builder) const
 /// Where this panel leads to, and what else concerns all that is seen.
 void ToolPanel::addPanelButtons(PanelBuilder& builder) const
 {
-    const std::vector<QRectF> upper = cells(builder.nextRow(buttonHeight), {filesButtonWidth, 0, recentreWidth});
+    const std::vector<QRectF> upper =
+        cells(builder.nextRow(buttonHeight), {filesButtonWidth, 0, placeButtonWidth, placeButtonWidth});
     builder.add(upper[0], {{.text = tr("Files"), .icon = QStringLiteral("files"), .isChosen = showsFiles},
                            ShowPanel{PanelKind::Files, !showsFiles}});
     builder.add(upper[1], {{.text = tr("Settings"), .icon = QStringLiteral("preferences"), .isChosen = showsSettings},
                            ShowPanel{PanelKind::Settings, !showsSettings}});
     builder.add(upper[2], {{.text = tr("Recentre"), .icon = QStringLiteral("recentre")}, PanelCommand::Recentre});
-    const std::vector<QRectF> middle = evenCells(builder.nextRow(buttonHeight), 2);
-    builder.add(middle[0],
+    builder.add(upper[3], {{.text = tr("Level"), .icon = QStringLiteral("level")}, PanelCommand::LevelModel});
+    const std::vector<QRectF> lower = cells(builder.nextRow(buttonHeight), {addButtonWidth, 0, leaveButtonWidth});
+    builder.add(lower[0],
                 {{.text = tr("Add ball"), .icon = QStringLiteral("add"), .isChosen = addsNext}, AddNext{!addsNext}});
-    builder.add(middle[1], {{.text = tr("Level"), .icon = QStringLiteral("level")}, PanelCommand::LevelModel});
-    const std::vector<QRectF> lower = evenCells(builder.nextRow(buttonHeight), 2);
-    builder.add(lower[0], {{.text = tr("Hold to restore"), .icon = QStringLiteral("reset")},
+    builder.add(lower[1], {{.text = tr("Hold to restore"), .icon = QStringLiteral("reset")},
                            PanelCommand::RestoreModel,
                            canChange,
                            true});
-    builder.add(lower[1], {{.text = tr("Leave VR"), .icon = QStringLiteral("quit")}, PanelCommand::LeaveVr});
+    builder.add(lower[2], {{.text = tr("Leave VR"), .icon = QStringLiteral("quit")}, PanelCommand::LeaveVr});
 }
 
 void ToolPanel::addSymmetry(PanelBuilder& builder) const

@@ -7,6 +7,7 @@
 #include "app/headset/headset_files.h"
 #include "core/analysis/mesh_check.h"
 #include "ui/brush/color_panel.h"
+#include "vr/sculpt/brush_state.h"
 
 #include <numbers>
 
@@ -154,7 +155,7 @@ void TestHeadsetPanels::tools_addABall()
     AtTools v;
     QVERIFY(v.choose(vr::AddNext{true}, [] { return true; }));
     v.hand.press(Side::Left, "menu");
-    const double radius = v.brush().radius, height = 50 + radius / 2;
+    const double radius = vr::defaultRadius / v.scale(), height = 50 + radius / 2;
     v.hand.stroke({0, height, 0}, {0, height + 2 * radius, 0});
     QCOMPARE(v.changes(), 1);
     const double top = v.box().max().y();
