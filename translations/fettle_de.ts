@@ -104,6 +104,17 @@
     </message>
 </context>
 <context>
+    <name>app::TurnAnswers</name>
+    <message>
+        <source>%1 holds no answers that can be read.</source>
+        <translation>%1 enthält keine Antworten, die sich lesen lassen.</translation>
+    </message>
+    <message>
+        <source>%1: the answer &quot;%2&quot; is left out, because it is no whole number from %3 to %4.</source>
+        <translation>%1: Die Antwort „%2“ bleibt weg, weil sie keine ganze Zahl von %3 bis %4 ist.</translation>
+    </message>
+</context>
+<context>
     <name>app::WorkArchive</name>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
@@ -1415,10 +1426,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit.</translation>
     </message>
     <message>
-        <source>The models; folders further down are not looked at.</source>
-        <translation>Die Modelle; Unterordner bleiben unbeachtet.</translation>
-    </message>
-    <message>
         <source>What the files are measured in; else mm.</source>
         <translation>Worin die Dateien gemessen sind; sonst mm.</translation>
     </message>
@@ -1428,6 +1435,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
             <numerusform>report: Ein Ordner ist nötig, angegeben wurde %n.</numerusform>
             <numerusform>report: Ein Ordner ist nötig, angegeben wurden %n.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The models; of folders further down only the works of a class in turns are looked at.</source>
+        <translation>Die Modelle; von Unterordnern werden nur die Arbeiten einer Klasse beachtet, in der eins nach dem anderen drankommt.</translation>
     </message>
 </context>
 <context>
@@ -2857,6 +2868,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::AnswerScale</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::BrushDrag</name>
     <message>
         <source>%1: %2 mm</source>
@@ -3157,6 +3175,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Page %1 of %2</source>
         <translation>Seite %1 von %2</translation>
     </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>What the pupils answered</source>
+        <translation>Was die Kinder geantwortet haben</translation>
+    </message>
 </context>
 <context>
     <name>ui::ClassroomDialog</name>
@@ -3282,6 +3316,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The two PINs are not the same.</source>
         <translation>Die beiden PINs sind nicht gleich.</translation>
+    </message>
+    <message>
+        <source>Six &amp;questions after each turn</source>
+        <translation>Sechs &amp;Fragen, wenn ein Kind fertig ist</translation>
+    </message>
+    <message>
+        <source>Next Pupil shows a form about the program first. Its answers are kept with the work and summed in the class report; each may be left out.</source>
+        <translation>Nächstes Kind zeigt zuerst einen Fragebogen über das Programm. Die Antworten werden mit der Arbeit aufgehoben und im Klassenbericht zusammengezählt; jede darf ausbleiben.</translation>
     </message>
 </context>
 <context>
@@ -5980,6 +6022,112 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Questionnaire</name>
+    <message>
+        <source>How easy was it to learn to use the program?</source>
+        <translation>Wie leicht war es, das Programm zu lernen?</translation>
+    </message>
+    <message>
+        <source>extremely difficult</source>
+        <translation>äußerst schwer</translation>
+    </message>
+    <message>
+        <source>extremely easy</source>
+        <translation>äußerst leicht</translation>
+    </message>
+    <message>
+        <source>Was everything there that you needed?</source>
+        <translation>War alles da, was du gebraucht hast?</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>unvollständig</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>How often did something go wrong while you sculpted?</source>
+        <translation>Wie oft ging beim Formen etwas schief?</translation>
+    </message>
+    <message>
+        <source>extremely often</source>
+        <translation>äußerst oft</translation>
+    </message>
+    <message>
+        <source>extremely rarely</source>
+        <translation>äußerst selten</translation>
+    </message>
+    <message>
+        <source>How convenient was it to make details?</source>
+        <translation>Wie bequem ließen sich Einzelheiten machen?</translation>
+    </message>
+    <message>
+        <source>very inconvenient</source>
+        <translation>sehr unbequem</translation>
+    </message>
+    <message>
+        <source>very convenient</source>
+        <translation>sehr bequem</translation>
+    </message>
+    <message>
+        <source>How freely could you make holes and handles, and join parts?</source>
+        <translation>Wie frei konntest du Löcher und Henkel machen und Teile verbinden?</translation>
+    </message>
+    <message>
+        <source>not freely at all</source>
+        <translation>gar nicht frei</translation>
+    </message>
+    <message>
+        <source>completely freely</source>
+        <translation>völlig frei</translation>
+    </message>
+    <message>
+        <source>How do you find the program as a whole?</source>
+        <translation>Wie findest du das Programm im Ganzen?</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+</context>
+<context>
+    <name>ui::QuestionnairePanel</name>
+    <message>
+        <source>D&amp;one</source>
+        <translation>Ferti&amp;g</translation>
+    </message>
+    <message>
+        <source>Questions after the turn</source>
+        <translation>Fragen am Ende</translation>
+    </message>
+    <message>
+        <source>Six questions about the program. Answer what you like: press a number, and once more to take it back.</source>
+        <translation>Sechs Fragen über das Programm. Antworte, worauf du magst: Drück eine Zahl, und noch einmal, um sie zurückzunehmen.</translation>
+    </message>
+    <message>
+        <source>S&amp;kip</source>
+        <translation>Übers&amp;pringen</translation>
+    </message>
+    <message>
+        <source>Goes on without answers; nothing is kept.</source>
+        <translation>Geht ohne Antworten weiter; nichts davon wird aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Goes on, and keeps the answers with the work.</source>
+        <translation>Geht weiter und hebt die Antworten mit der Arbeit auf.</translation>
+    </message>
+    <message>
+        <source>How was it, %1?</source>
+        <translation>Wie war es, %1?</translation>
     </message>
 </context>
 <context>

@@ -104,6 +104,17 @@
     </message>
 </context>
 <context>
+    <name>app::TurnAnswers</name>
+    <message>
+        <source>%1 holds no answers that can be read.</source>
+        <translation>%1 中没有可以读取的回答。</translation>
+    </message>
+    <message>
+        <source>%1: the answer &quot;%2&quot; is left out, because it is no whole number from %3 to %4.</source>
+        <translation>%1：回答“%2”被略去，因为它不是 %3 到 %4 的整数。</translation>
+    </message>
+</context>
+<context>
     <name>app::WorkArchive</name>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
@@ -1411,10 +1422,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。</translation>
     </message>
     <message>
-        <source>The models; folders further down are not looked at.</source>
-        <translation>存放模型的文件夹；不查看其下级文件夹。</translation>
-    </message>
-    <message>
         <source>What the files are measured in; else mm.</source>
         <translation>文件所用的单位；默认为 mm。</translation>
     </message>
@@ -1423,6 +1430,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>
             <numerusform>report：需要一个文件夹，但指定了 %n 个。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The models; of folders further down only the works of a class in turns are looked at.</source>
+        <translation>存放模型的文件夹；下级文件夹中只查看轮流上课的作品。</translation>
     </message>
 </context>
 <context>
@@ -2851,6 +2862,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::AnswerScale</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1，共 %2</translation>
+    </message>
+</context>
+<context>
     <name>ui::BrushDrag</name>
     <message>
         <source>%1: %2 mm</source>
@@ -3149,6 +3167,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Page %1 of %2</source>
         <translation>第 %1 页，共 %2 页</translation>
     </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>回答数</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>What the pupils answered</source>
+        <translation>学生的回答</translation>
+    </message>
 </context>
 <context>
     <name>ui::ClassroomDialog</name>
@@ -3273,6 +3307,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The two PINs are not the same.</source>
         <translation>两次输入的 PIN 不一致。</translation>
+    </message>
+    <message>
+        <source>Six &amp;questions after each turn</source>
+        <translation>每轮之后的六个问题(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Next Pupil shows a form about the program first. Its answers are kept with the work and summed in the class report; each may be left out.</source>
+        <translation>“下一位”会先显示一份关于程序的问卷。回答与作品一起保存，并在班级报告中汇总；每个问题都可以不答。</translation>
     </message>
 </context>
 <context>
@@ -5962,6 +6004,112 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Questionnaire</name>
+    <message>
+        <source>How easy was it to learn to use the program?</source>
+        <translation>学会使用这个程序有多容易？</translation>
+    </message>
+    <message>
+        <source>extremely difficult</source>
+        <translation>非常困难</translation>
+    </message>
+    <message>
+        <source>extremely easy</source>
+        <translation>非常容易</translation>
+    </message>
+    <message>
+        <source>Was everything there that you needed?</source>
+        <translation>您需要的功能都有吗？</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>不完整</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>完整</translation>
+    </message>
+    <message>
+        <source>How often did something go wrong while you sculpted?</source>
+        <translation>雕刻时出错有多频繁？</translation>
+    </message>
+    <message>
+        <source>extremely often</source>
+        <translation>非常频繁</translation>
+    </message>
+    <message>
+        <source>extremely rarely</source>
+        <translation>非常少</translation>
+    </message>
+    <message>
+        <source>How convenient was it to make details?</source>
+        <translation>制作细节有多方便？</translation>
+    </message>
+    <message>
+        <source>very inconvenient</source>
+        <translation>非常不便</translation>
+    </message>
+    <message>
+        <source>very convenient</source>
+        <translation>非常方便</translation>
+    </message>
+    <message>
+        <source>How freely could you make holes and handles, and join parts?</source>
+        <translation>做孔洞和把手、连接各部分有多自由？</translation>
+    </message>
+    <message>
+        <source>not freely at all</source>
+        <translation>完全不自由</translation>
+    </message>
+    <message>
+        <source>completely freely</source>
+        <translation>完全自由</translation>
+    </message>
+    <message>
+        <source>How do you find the program as a whole?</source>
+        <translation>您觉得这个程序总体如何？</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>好</translation>
+    </message>
+</context>
+<context>
+    <name>ui::QuestionnairePanel</name>
+    <message>
+        <source>D&amp;one</source>
+        <translation>完成(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Questions after the turn</source>
+        <translation>这一轮之后的问题</translation>
+    </message>
+    <message>
+        <source>Six questions about the program. Answer what you like: press a number, and once more to take it back.</source>
+        <translation>关于程序的六个问题。想答哪个就答哪个：按一个数字作答，再按一次撤回。</translation>
+    </message>
+    <message>
+        <source>S&amp;kip</source>
+        <translation>跳过(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Goes on without answers; nothing is kept.</source>
+        <translation>不作回答并继续；不保存任何回答。</translation>
+    </message>
+    <message>
+        <source>Goes on, and keeps the answers with the work.</source>
+        <translation>继续，并把回答与作品一起保存。</translation>
+    </message>
+    <message>
+        <source>How was it, %1?</source>
+        <translation>%1，感觉怎么样？</translation>
     </message>
 </context>
 <context>

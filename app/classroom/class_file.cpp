@@ -108,6 +108,7 @@ public:
         read.warningMinutes = minutes("warning_minutes", std::min(read.warningMinutes, max), max);
         read.fullScreen = choice("full_screen", {QStringLiteral("yes"), QStringLiteral("no")}) == 0;
         read.language = ui::languages[static_cast<std::size_t>(choice("language", wordsOf(ui::languages)))].value;
+        read.asksQuestions = choice("questions", {QStringLiteral("no"), QStringLiteral("yes")}) == 1;
         read.pin = text("pin");
         if (!isPinRecord(read.pin))
             failAt("pin", noPin());
@@ -222,6 +223,7 @@ QString textOf(const ui::Classroom& classroom)
         {"turn_minutes", QString::number(classroom.turnMinutes)},
         {"warning_minutes", QString::number(classroom.warningMinutes)},
         {"full_screen", classroom.fullScreen ? QStringLiteral("yes") : QStringLiteral("no")},
+        {"questions", classroom.asksQuestions ? QStringLiteral("yes") : QStringLiteral("no")},
         {"language", ui::stored::wordFor(classroom.language, ui::languages)},
         {"pin", classroom.pin}};
     QString text =

@@ -53,8 +53,27 @@ bool ClassWork::save(const QString& what, const ClassTurn& turn, const TurnRecor
 
 void ClassWork::deliver()
 {
+    if (m_isHeld)
+        return;
     m_background.run([archive = m_archive] { return archive.deliver(); },
                      [this](const Delivery& delivery) { onDelivered(delivery); });
+}
+
+void ClassWork::setHeld(bool isHeld)
+{
+    m_isHeld = isHeld;
+    deliver();
+}
+
+void ClassWork::keepAnswers(const EndedTurn& ended, const ui::Questionnaire& answers)
+{
+    const auto keep = [archive = m_archive, folder = ended.folder, id = ended.turn.id, answers] {
+        return archive.addAnswers(folder, {id, answers});
+    };
+    m_background.run(keep, [this](const QString& problem) {
+        if (!problem.isEmpty())
+            Q_EMIT noticed(problem);
+    });
 }
 
 void ClassWork::onDelivered(const Delivery& delivery)

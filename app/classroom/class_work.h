@@ -44,8 +44,12 @@ public:
     /// Keeps the model as the turn's work. `before`: what was done before the document's history begins. False: other
     /// work on the model goes on, and nothing is done.
     bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
-    /// Delivers what waits, now and again until nothing waits.
+    /// Delivers what waits, now and again until nothing waits. While works are held: later.
     void deliver();
+    /// Works stay on this computer until they are not held any more; then they are delivered.
+    void setHeld(bool isHeld);
+    /// Keeps them with the turn's work instead of those that were there.
+    void keepAnswers(const EndedTurn& ended, const ui::Questionnaire& answers);
 
     /// The turn before, while it can be resumed.
     const std::optional<EndedTurn>& ended() const { return m_ended; }
@@ -63,6 +67,7 @@ private:
     WorkArchive m_archive;
     std::optional<EndedTurn> m_ended;
     int m_undelivered = 0; ///< works that could not be delivered
+    bool m_isHeld = false;
     QTimer m_retryTimer;
     ui::BackgroundThread m_background; ///< last
 };

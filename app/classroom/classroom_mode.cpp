@@ -70,6 +70,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
                                     program.window))
     , m_clock({m_classroom.turnMinutes, m_classroom.warningMinutes}, std::move(nowMs))
     , m_work(program.document, m_bar, {m_classroom.folder, m_paths.outbox})
+    , m_questions(&m_work, program.window->centralWidget())
 {
     program.window->setClassroom(m_classroom);
     program.window->installEventFilter(this);
@@ -90,6 +91,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     connect(m_bar, &ui::ClassBar::resumeRequested, this, &ClassroomMode::resume);
     connect(m_bar, &ui::ClassBar::leaveRequested, this, &ClassroomMode::leave);
     connect(m_panel, &ui::PupilNamePanel::begun, this, &ClassroomMode::prepareTurn);
+    connect(&m_questions, &TurnQuestions::done, m_panel, &ui::PupilNamePanel::open);
     connect(m_program.recoveryStore, &RecoveryStore::offered, this, &ClassroomMode::onRecoveryOffered);
     connect(document, &Document::stepped, this, [this] {
         if (m_stage == Stage::Sculpting)
@@ -171,6 +173,7 @@ void ClassroomMode::askForPupil()
     m_stage = Stage::Asking;
     m_clock.clear();
     m_recordBefore.emplace();
+    m_questions.finish();
     m_panel->open();
     openThen([this] { m_program.document->opener().openStarter(m_classroom.starters.constFirst()); },
              [this] { m_program.window->beginTurn(); });
@@ -195,14 +198,23 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
     m_clock.start(turn);
     m_recordBefore = before;
     writeTurnNote(m_paths.turnNote, turn);
+    m_questions.finish();
     m_panel->close();
     show();
 }
 
+/// The questions come before the next name; they are about a work that is kept.
 void ClassroomMode::next()
 {
-    if (m_stage == Stage::Sculpting)
-        saveThen(m_clock.turn(), [this] { askForPupil(); });
+    if (m_stage != Stage::Sculpting)
+        return;
+    saveThen(m_clock.turn(), [this] {
+        askForPupil();
+        if (!m_classroom.asksQuestions)
+            return;
+        m_panel->close();
+        m_questions.ask(*m_work.ended());
+    });
 }
 
 void ClassroomMode::resume()
@@ -262,8 +274,8 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
     EndedTurn resumable = ended;
     resumable.turn.ended = {};
     m_work.setEnded(resumable);
-    m_work.deliver();
     then();
+    m_work.deliver();
 }
 
 // --- the way out
@@ -272,6 +284,7 @@ void ClassroomMode::leave()
 {
     m_pinPrompt->ask(tr("This ends the class. The work of the present turn is kept."), [this] {
         m_canLeave = true;
+        m_questions.finish();
         if (m_stage != Stage::Sculpting)
             m_program.window->close();
         else

@@ -2,6 +2,7 @@
 
 #include "app/classroom/class_work.h"
 #include "app/classroom/turn_clock.h"
+#include "app/classroom/turn_questions.h"
 #include "app/recovery/recovery_store.h"
 
 #include "ui/classroom/class_bar.h"
@@ -103,6 +104,7 @@ private:
     std::function<void()> m_then; ///< for the model that is being opened
     bool m_isOpened = false;      ///< that model is there, and m_then comes next
     ClassWork m_work;
+    TurnQuestions m_questions;
     QTimer m_tick;
 };
 } // namespace app

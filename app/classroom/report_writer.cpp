@@ -1,11 +1,16 @@
 #include "app/classroom/report_writer.h"
 
+#include "app/classroom/work_archive.h"
+#include "app/model/model_loader.h"
+
 #include "core/drawing/model_thumbnail.h"
 #include "core/geometry/scale_mesh.h"
 #include "core/io/mesh_io.h"
 #include "ui/files/thumbnail_maker.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
+
+#include <QFileInfo>
 
 #include <new>
 
@@ -22,17 +27,58 @@ QString folderName(const std::filesystem::path& folder)
     const std::filesystem::path whole = std::filesystem::canonical(folder, problem);
     return ui::displayName(whole.has_filename() ? whole.filename() : folder);
 }
+struct FoundModel
+{
+    std::filesystem::path file;
+    QString work; ///< folder of the turn that left it; empty: nobody knows
+};
+
+/// The folder's own models, then the works of turns. At least one; throws core::FileError.
+QList<FoundModel> modelsAndWorks(const std::filesystem::path& folder)
+{
+    QList<FoundModel> works, models;
+    for (const QString& work : WorkArchive::worksIn(ui::displayName(folder)))
+        works << FoundModel{toPath(WorkArchive::modelOf(work)), work};
+    try {
+        for (const std::filesystem::path& file : ui::modelsIn(folder))
+            models << FoundModel{file, {}};
+    } catch (const core::FileError& error) {
+        if (error.kind != core::FileErrorKind::NoModel || works.isEmpty())
+            throw;
+    }
+    return models + works;
+}
+
+/// Each turn counts once, with its last answers: one that was resumed has left several works.
+void add(QList<TurnAnswers>& turns, const TurnAnswers& answers)
+{
+    if (answers.questionnaire.isEmpty())
+        return;
+    turns.removeIf(
+        [&answers](const TurnAnswers& other) { return !other.turnId.isEmpty() && other.turnId == answers.turnId; });
+    turns << answers;
+}
 } // namespace
 
 void ReportWriter::run(const ReportRequest& request, const core::JobControl& control)
 {
     core::AtomicFile file(request.file); // where nothing can be written, nothing is looked at
-    const QList<std::filesystem::path> models = ui::modelsIn(request.folder);
+    const QList<FoundModel> models = modelsAndWorks(request.folder);
     ui::ClassReport report{folderName(request.folder), QDate::currentDate(), {}};
-    for (const std::filesystem::path& model : models) {
-        report.rows << rowOf(model, request.unit, control);
+    QList<TurnAnswers> turns;
+    for (const FoundModel& model : models) {
+        ui::ReportRow row = rowOf(model.file, request.unit, control);
+        if (!model.work.isEmpty()) {
+            const TurnAnswers answers = TurnAnswers::read(model.work);
+            row.name = QFileInfo(model.work).fileName();
+            row.answersProblem = answers.problem;
+            add(turns, answers);
+        }
+        report.rows << row;
         control.reportProgress(static_cast<double>(report.rows.size()) / static_cast<double>(models.size()));
     }
+    for (const TurnAnswers& answers : turns)
+        report.questionnaires << answers.questionnaire;
     ui::writeReport(file, report);
     if (control.isCancelled())
         throw core::ReadingCancelled();

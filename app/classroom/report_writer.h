@@ -14,7 +14,8 @@ struct ReportRequest
     double unit = 1;            ///< that the models are measured in, mm
 };
 
-/// Looks at every model of a folder and writes the class report. Any thread; as long as `check` takes, and a picture
+/// Looks at every model of a folder and writes the class report. The works of a class's turns in it count, too; their
+/// pupils' answers are summed. Any thread; as long as `check` takes, and a picture
 /// for each. Needs a QGuiApplication, whose fonts a PDF uses.
 class ReportWriter
 {

@@ -9,6 +9,7 @@
 #include "core/io/mesh_io.h"
 #include "core/util/atomic_file.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/path_display.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -18,6 +19,7 @@
 #include <QJsonObject>
 #include <QUuid>
 
+#include <algorithm>
 #include <new>
 #include <sstream>
 
@@ -30,7 +32,7 @@ constexpr int maxNameLength = 40; ///< characters of a nickname in a folder's na
 constexpr int maxNumber = 10'000;
 constexpr int staleHours = 24;
 const QString unfinished = QStringLiteral(".unfinished-");
-const QString turnFile = QStringLiteral("turn.json");
+const QString turnFile = QStringLiteral("turn.json"), modelFile = QStringLiteral("model.glb");
 const QString turnIdKey = QStringLiteral("id");
 
 void writeFile(const QString& path, const QByteArray& bytes)
@@ -85,7 +87,7 @@ QByteArray turnOf(const TurnWork& work)
 
 void writeWork(const QString& folder, const TurnWork& work)
 {
-    core::writeMesh(toPath(folder + QStringLiteral("/model.glb")), *work.mesh, {.metadata = work.metadata});
+    core::writeMesh(toPath(WorkArchive::modelOf(folder)), *work.mesh, {.metadata = work.metadata});
     writeFile(folder + QStringLiteral("/picture.png"), pictureOf(*work.mesh));
     if (work.record)
         writeFile(folder + QStringLiteral("/record.json"), recordOf(*work.record));
@@ -194,6 +196,8 @@ QString deliverOne(const QString& outbox, const QString& classFolder, const QStr
                           [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
     if (to.isEmpty())
         to = makeFolder(classFolder, name, [&from](const QString& folder) { copyWork(from, folder); });
+    else if (const QString answers = u'/' + TurnAnswers::fileName; QFileInfo::exists(from + answers))
+        writeFile(to + answers, readFile(from + answers)); // given after the work was there
     removeWork(outbox, name);
     return to;
 }
@@ -243,6 +247,28 @@ Delivery WorkArchive::deliver() const
         }
     }
     return delivery;
+}
+
+QString WorkArchive::addAnswers(const QString& folder, const TurnAnswers& answers) const
+{
+    return answers.write(locate(folder, answers.turnId));
+}
+
+QStringList WorkArchive::worksIn(const QString& classFolder)
+{
+    QStringList names = QDir(classFolder).entryList(QDir::Dirs | QDir::NoDotAndDotDot), works;
+    std::sort(names.begin(), names.end(), ui::nameCollator());
+    for (const QString& name : names) {
+        const QString folder = classFolder + u'/' + name;
+        if (QFileInfo(folder + u'/' + turnFile).isFile() && QFileInfo(modelOf(folder)).isFile())
+            works << folder;
+    }
+    return works;
+}
+
+QString WorkArchive::modelOf(const QString& work)
+{
+    return work + u'/' + modelFile;
 }
 
 QString WorkArchive::locate(const QString& folder, const QString& id) const

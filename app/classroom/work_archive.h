@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/classroom/classroom_turn.h"
+#include "app/classroom/turn_answers.h"
 
 #include "core/geometry/triangle_mesh.h"
 #include "core/io/document_metadata.h"
@@ -43,9 +44,9 @@ struct Delivery
 };
 
 /// The works of a class: a folder for each turn, called after time and pupil, with model.glb, picture.png, record.json
-/// and turn.json. A folder is there whole or not at all, after a power cut too. A work is kept on this computer first,
-/// which is quick, and from there goes to the class's folder, which may be far away, full or gone. Any thread; never
-/// throws.
+/// and turn.json; if the pupil answered questions, answers.json comes afterwards. A folder is there whole or not at
+/// all, after a power cut too. A work is kept on this computer first, which is quick, and from there goes to the
+/// class's folder, which may be far away, full or gone. Any thread; never throws.
 class WorkArchive
 {
     Q_DECLARE_TR_FUNCTIONS(app::WorkArchive)
@@ -63,6 +64,9 @@ public:
     /// Moves all works from the outbox to the class's folder; those that cannot be moved stay. A work that is there
     /// already is not added twice.
     Delivery deliver() const;
+    /// Adds them to a work that was kept in that folder, in the place of those that are there. Returns an empty text or
+    /// what is wrong. Not while works are being delivered.
+    QString addAnswers(const QString& folder, const TurnAnswers& answers) const;
     /// Removes parts of works that a power cut left: all of them in the outbox; in the class's folder, where others may
     /// be writing, those older than a day.
     void removeUnfinished() const;
@@ -71,6 +75,11 @@ public:
     QString locate(const QString& folder, const QString& id) const;
 
     const QString& outbox() const { return m_outbox; }
+
+    /// The folders in a class's folder that hold a whole work, by name.
+    static QStringList worksIn(const QString& classFolder);
+    /// The model's file in a work's folder.
+    static QString modelOf(const QString& work);
 
     /// "2026-11-24-1015-Anna": letters, digits and signs of the nickname, nothing that means something to a file
     /// system.

@@ -25,8 +25,10 @@ std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
     parser.setApplicationDescription(ReportCommandMessages::tr(
         "Writes a class report: of each model in a folder its picture, size and volume, whether it is "
         "print-ready or why not, and, of GLB files, the strokes and the time that it took."));
-    parser.addPositionalArgument(QStringLiteral("FOLDER"),
-                                 ReportCommandMessages::tr("The models; folders further down are not looked at."));
+    parser.addPositionalArgument(
+        QStringLiteral("FOLDER"),
+        ReportCommandMessages::tr(
+            "The models; of folders further down only the works of a class in turns are looked at."));
     CommandLine::addOutput(parser, QStringLiteral("OUT.html|OUT.pdf"));
     parser.addOption(
         {unit, ReportCommandMessages::tr("What the files are measured in; else mm."), CommandUnit::words()});

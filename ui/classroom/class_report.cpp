@@ -42,10 +42,16 @@ QString verdictText(ReportVerdict verdict)
 
 QString remarkOf(const ReportRow& row)
 {
+    QStringList remarks;
     if (!row.report)
-        return row.problem;
-    const QString doubt = row.report->volume ? ErrorMessages::unitDoubt(*row.report->volume) : QString();
-    return row.report->printReady() ? doubt : ErrorMessages::faults(*row.report);
+        remarks << row.problem;
+    else if (!row.report->printReady())
+        remarks << ErrorMessages::faults(*row.report);
+    else if (row.report->volume)
+        remarks << ErrorMessages::unitDoubt(*row.report->volume);
+    remarks << row.answersProblem;
+    remarks.removeAll(QString());
+    return remarks.join(QStringLiteral(" · "));
 }
 
 /// On one line, whatever a file's name holds.
@@ -76,7 +82,7 @@ fs::path folderOf(const fs::path& file)
 
 ReportCells cellsOf(const ReportRow& row)
 {
-    ReportCells cells{plain(displayName(row.file.filename())),
+    ReportCells cells{plain(row.name.isEmpty() ? displayName(row.file.filename()) : row.name),
                       {},
                       {},
                       verdictOf(row),
@@ -101,6 +107,42 @@ QStringList reportHeads()
 {
     return {ReportText::tr("Model"),       ReportText::tr("Size, mm"), ReportText::tr("Volume"),
             ReportText::tr("Print-ready"), ReportText::tr("Time"),     ReportText::tr("Strokes")};
+}
+
+QList<QuestionCells> questionCellsOf(const ClassReport& report)
+{
+    QList<QuestionCells> cells;
+    if (report.questionnaires.isEmpty())
+        return cells;
+    const auto sums = sumsOf(report.questionnaires);
+    for (std::size_t i = 0; i < questionCount; ++i) {
+        const QuestionWords words = QuestionWords::of(static_cast<Question>(i));
+        const AnswerSum& sum = sums[i];
+        QuestionCells row{words.question,
+                          QStringLiteral("%1 = %2 · %3 = %4")
+                              .arg(QString::number(minAnswer), words.low, QString::number(maxAnswer), words.high),
+                          number(static_cast<std::uint64_t>(sum.total())),
+                          sum.total() == 0 ? QString() : QLocale().toString(sum.mean(), 'f', 2),
+                          {}};
+        for (std::size_t point = 0; point < row.counts.size(); ++point)
+            if (sum.counts[point] > 0)
+                row.counts[point] = number(static_cast<std::uint64_t>(sum.counts[point]));
+        cells << row;
+    }
+    return cells;
+}
+
+QStringList questionHeads()
+{
+    QStringList heads{ReportText::tr("Question"), ReportText::tr("Answers"), ReportText::tr("Mean")};
+    for (int point = minAnswer; point <= maxAnswer; ++point)
+        heads << QString::number(point);
+    return heads;
+}
+
+QString questionsTitle()
+{
+    return ReportText::tr("What the pupils answered");
 }
 
 QString reportTitle(const ClassReport& report)

@@ -3,6 +3,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/io/document_metadata.h"
 #include "core/util/atomic_file.h"
+#include "ui/classroom/questionnaire.h"
 
 #include <QDate>
 #include <QImage>
@@ -23,6 +24,8 @@ struct ReportRow
     std::optional<core::MeshReport> report; ///< none: see problem
     QImage picture;                         ///< square, transparent around the model; null: none was made
     std::optional<core::WorkDone> work;     ///< none: the file does not say
+    QString name = {};                      ///< empty: the file's
+    QString answersProblem = {};            ///< one sentence: not all answers beside the file can be read
 };
 
 /// A folder of models for whoever has to judge them all: a row each, in the order in which they are to stand.
@@ -31,6 +34,7 @@ struct ClassReport
     QString folder; ///< for the title
     QDate date;
     QList<ReportRow> rows;
+    QList<Questionnaire> questionnaires = {}; ///< one a pupil's turn, none empty; none: nobody was asked
 };
 
 enum class ReportVerdict { Ready, NotReady, Unreadable };
@@ -49,6 +53,20 @@ struct ReportCells
 ReportCells cellsOf(const ReportRow& row);
 /// The heads over the cells: name, size, volume, verdict, time, strokes.
 QStringList reportHeads();
+/// One question with what all answered, in the person's language.
+struct QuestionCells
+{
+    QString question;
+    QString scale; ///< what its ends mean
+    QString answers, mean;
+    std::array<QString, maxAnswer> counts; ///< of each point; empty instead of 0
+};
+
+/// In the order of Question; none if nobody answered.
+QList<QuestionCells> questionCellsOf(const ClassReport& report);
+/// The heads over these: question, answers, mean and the points.
+QStringList questionHeads();
+QString questionsTitle();
 QString reportTitle(const ClassReport& report);
 /// One line with counts.
 QString reportSummary(const ClassReport& report);

@@ -24,7 +24,8 @@ struct Classroom
     int warningMinutes = 3;        ///< before that end; 0: no warning
     bool fullScreen = true;
     Language language = Language::System;
-    QString pin = {}; ///< as app/class_pin writes it, never the digits themselves
+    QString pin = {};           ///< as app/class_pin writes it, never the digits themselves
+    bool asksQuestions = false; ///< six about the program, after each turn
 
     bool operator==(const Classroom&) const = default;
 };

@@ -72,6 +72,7 @@ public:
         classroom.turnMinutes = m_turn->value();
         classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
         classroom.fullScreen = m_fullScreen->isChecked();
+        classroom.asksQuestions = m_questions->isChecked();
         classroom.language = static_cast<Language>(m_language->currentData().toInt());
         draft.pin = m_pin->text();
         return draft;
@@ -129,6 +130,11 @@ private:
         m_fullScreen = named(new QCheckBox(tr("Full &screen")), "classFullScreen",
                              tr("Nothing else is to be seen on the screen."));
         m_fullScreen->setChecked(defaults.fullScreen);
+        m_questions =
+            named(new QCheckBox(tr("Six &questions after each turn")), "classQuestions",
+                  tr("Next Pupil shows a form about the program first. Its answers are kept with the work and "
+                     "summed in the class report; each may be left out."));
+        m_questions->setChecked(defaults.asksQuestions);
         m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
         for (const Named<Language>& row : languages)
             m_language->addItem(PreferencesDialog::words(row.value), static_cast<int>(row.value));
@@ -136,6 +142,7 @@ private:
         form->addRow(tr("&Warning before the end:"), m_warning);
         form->addRow(tr("&Language:"), m_language);
         form->addRow({}, m_fullScreen);
+        form->addRow({}, m_questions);
     }
 
     void addPin(QFormLayout* form)
@@ -191,7 +198,7 @@ private:
     QString m_startFolder;
     QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_pinRepeated = nullptr;
     QSpinBox *m_turn = nullptr, *m_warning = nullptr;
-    QCheckBox* m_fullScreen = nullptr;
+    QCheckBox *m_fullScreen = nullptr, *m_questions = nullptr;
     QComboBox* m_language = nullptr;
     QLabel* m_word = nullptr;
 };

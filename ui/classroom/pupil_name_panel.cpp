@@ -7,7 +7,6 @@
 
 #include <QAction>
 #include <QButtonGroup>
-#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -24,19 +23,15 @@ constexpr double titleScale = 1.6;
 } // namespace
 
 PupilNamePanel::PupilNamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over)
-    : QFrame(over)
-    , m_over(over)
+    : CoverPanel(over)
     , m_name(new QLineEdit)
     , m_starters(new QButtonGroup(this))
     , m_begin(new QPushButton(tr("&Begin")))
 {
     setObjectName(QStringLiteral("namePanel"));
     setAccessibleName(tr("The next turn"));
-    setAutoFillBackground(true);
     auto* column = new QVBoxLayout(this);
     column->addWidget(card(starters, actions), 0, Qt::AlignCenter);
-    over->installEventFilter(this);
-    hide();
 }
 
 QWidget* PupilNamePanel::card(const QList<core::Starter>& starters, const Actions& actions)
@@ -96,18 +91,8 @@ void PupilNamePanel::open()
     m_name->clear();
     m_begin->setEnabled(false);
     m_starters->buttons().constFirst()->setChecked(true);
-    resize(m_over->size());
-    show();
-    raise();
+    cover();
     m_name->setFocus();
-}
-
-void PupilNamePanel::close()
-{
-    if (isHidden())
-        return;
-    hide();
-    m_over->setFocus();
 }
 
 void PupilNamePanel::begin()
@@ -115,33 +100,5 @@ void PupilNamePanel::begin()
     const QString name = m_name->text().simplified();
     if (!name.isEmpty())
         Q_EMIT begun(name, static_cast<core::Starter>(m_starters->checkedId()));
-}
-
-/// What nothing of ours takes would reach the widget below.
-bool PupilNamePanel::event(QEvent* event)
-{
-    switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-    case QEvent::TabletPress:
-    case QEvent::TabletMove:
-    case QEvent::TabletRelease:
-    case QEvent::TouchBegin:
-    case QEvent::NativeGesture:
-        event->accept();
-        return true;
-    default:
-        return QFrame::event(event);
-    }
-}
-
-bool PupilNamePanel::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::Resize)
-        resize(m_over->size());
-    return QFrame::eventFilter(watched, event);
 }
 } // namespace ui

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/operations/starter_models.h"
+#include "ui/classroom/cover_panel.h"
 
-#include <QFrame>
 #include <QList>
 
 class QButtonGroup;
@@ -13,9 +13,8 @@ namespace ui
 {
 class Actions;
 
-/// Asks who sculpts next, and with what to begin, before a turn. Lies over all of a widget, which nobody reaches
-/// meanwhile. Thread: gui.
-class PupilNamePanel : public QFrame
+/// Asks who sculpts next, and with what to begin, before a turn. Thread: gui.
+class PupilNamePanel : public CoverPanel
 {
     Q_OBJECT
 
@@ -27,22 +26,16 @@ public:
 
     /// Without a name, and with the first starter.
     void open();
-    void close();
 
 Q_SIGNALS:
     /// The name has no space at its ends, and is not empty.
     void begun(const QString& pupil, core::Starter starter);
-
-protected:
-    bool event(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget* card(const QList<core::Starter>& starters, const Actions& actions);
     QLayout* tiles(const QList<core::Starter>& starters, const Actions& actions);
     void begin();
 
-    QWidget* m_over;
     QLineEdit* m_name;
     QButtonGroup* m_starters; ///< by core::Starter
     QPushButton* m_begin;

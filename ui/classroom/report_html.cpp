@@ -27,6 +27,7 @@ constexpr char pageStyle[] = R"(
 body { margin: 0 auto; padding: 2rem 1.5rem; max-width: 76rem; color: var(--ink); background: var(--paper);
   font: 15px/1.4 system-ui, "Noto Sans", sans-serif; }
 h1 { margin: 0; font-size: 1.5rem; overflow-wrap: anywhere; }
+h2 { margin: 2rem 0 .5rem; font-size: 1.15rem; }
 p { margin: .25rem 0 1.5rem; color: var(--faint); }
 table { width: 100%; border-collapse: collapse; }
 thead > tr > * { position: sticky; top: 0; background: var(--paper); box-shadow: inset 0 -2px var(--line);
@@ -36,6 +37,7 @@ tbody tr { border-bottom: 1px solid var(--line); }
 tbody tr:hover { background: var(--shade); }
 tbody th { min-width: 8rem; font-weight: 600; overflow-wrap: anywhere; }
 .figure { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
+.questions .figure { width: 3.5rem; }
 .picture { width: 6rem; }
 img { display: block; }
 a { color: var(--link); text-decoration: none; }
@@ -167,6 +169,30 @@ QString headRow()
         text += QStringLiteral("<th scope=\"col\"%1>%2</th>\n").arg(QLatin1StringView(kinds[i]), escaped(heads[i]));
     return text + QStringLiteral("</tr>\n");
 }
+/// Empty if nobody answered.
+QString questionTable(const ClassReport& report)
+{
+    const QList<QuestionCells> rows = questionCellsOf(report);
+    if (rows.isEmpty())
+        return {};
+    QString text =
+        QStringLiteral("<h2>%1</h2>\n<table class=\"questions\">\n<thead>\n<tr>\n").arg(escaped(questionsTitle()));
+    QString kind;
+    for (const QString& head : questionHeads()) {
+        text += QStringLiteral("<th scope=\"col\"%1>%2</th>\n").arg(kind, escaped(head));
+        kind = QStringLiteral(" class=\"figure\""); // of all but the first
+    }
+    text += QStringLiteral("</tr>\n</thead>\n<tbody>\n");
+    for (const QuestionCells& row : rows) {
+        text += QStringLiteral("<tr>\n<th scope=\"row\">%1<small>%2</small></th>\n")
+                    .arg(escaped(row.question), escaped(row.scale));
+        text += figureCell({}, row.answers) + figureCell({}, row.mean);
+        for (const QString& count : row.counts)
+            text += figureCell({}, count);
+        text += QStringLiteral("</tr>\n");
+    }
+    return text + QStringLiteral("</tbody>\n</table>\n");
+}
 } // namespace
 
 QByteArray reportHtml(const ClassReport& report, const std::filesystem::path& path)
@@ -185,7 +211,8 @@ QByteArray reportHtml(const ClassReport& report, const std::filesystem::path& pa
                 .toUtf8();
     for (const ReportRow& row : report.rows)
         page += rowText(row, path).toUtf8();
-    page += QByteArray("</tbody>\n</table>\n<script>") + pageScript + "</script>\n</body>\n</html>\n";
+    page += "</tbody>\n</table>\n" + questionTable(report).toUtf8();
+    page += QByteArray("<script>") + pageScript + "</script>\n</body>\n</html>\n";
     return page;
 }
 } // namespace ui

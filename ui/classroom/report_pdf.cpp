@@ -156,14 +156,79 @@ RowLayout layoutOf(const ReportRow& row, const std::filesystem::path& path)
     return layout;
 }
 
+/// Beside the question: number of answers, mean, and each point.
+constexpr double questionWidth = 90, answersWidth = 18, meanWidth = 15, pointWidth = 9; ///< mm
+constexpr double questionsTitleHeight = 4, questionsTitleSpace = 16;                    ///< mm
+
+/// The table of questions: a row of heads, and one for each question.
+class QuestionTable
+{
+public:
+    explicit QuestionTable(const ClassReport& report)
+    {
+        const QList<QuestionCells> questions = questionCellsOf(report);
+        if (questions.isEmpty())
+            return;
+        addRow(questionHeads(), {headHeight, faintColor, true});
+        for (const QuestionCells& question : questions) {
+            QStringList texts{question.question, question.answers, question.mean};
+            for (const QString& count : question.counts)
+                texts << count;
+            addRow(texts, {cellHeight, inkColor});
+            m_rows.back().front().push_back(std::make_unique<TextBlock>(
+                question.scale, TextStyle{noteHeight, faintColor}, questionWidth - gapAcross));
+        }
+    }
+
+    /// In mm; 0: nobody was asked.
+    double height() const
+    {
+        double height = m_rows.empty() ? 0 : questionsTitleSpace;
+        for (const QuestionRow& row : m_rows)
+            height += rowHeight(row);
+        return height;
+    }
+
+    void paint(QPainter& painter, double y) const;
+
+private:
+    using QuestionRow = std::vector<TextCell>;
+
+    static double widthOf(std::size_t column)
+    {
+        constexpr double widths[] = {questionWidth, answersWidth, meanWidth};
+        return column < std::size(widths) ? widths[column] : pointWidth;
+    }
+    static double rowHeight(const QuestionRow& row)
+    {
+        double height = 0;
+        for (const TextCell& cell : row)
+            height = std::max(height, heightOf(cell));
+        return height + 2 * gapDown;
+    }
+
+    void addRow(const QStringList& texts, TextStyle style)
+    {
+        QuestionRow& row = m_rows.emplace_back();
+        for (const QString& text : texts) {
+            style.side = row.empty() ? Qt::AlignLeft : Qt::AlignRight;
+            const double width = widthOf(row.size()) - gapAcross;
+            row.emplace_back().push_back(std::make_unique<TextBlock>(text, style, width));
+        }
+    }
+
+    std::vector<QuestionRow> m_rows;
+};
+
 /// Of the first page, and of those that follow.
 double availableHeight(bool isFirst)
 {
     return paperSize.height() - 2 * pageMargin - headerSpace - footerSpace - (isFirst ? titleSpace : 0);
 }
 
-/// How many rows each page has. A row that is higher than a page has one to itself.
-std::vector<std::size_t> paginated(std::span<const RowLayout> rows)
+/// How many rows each page has. A row that is higher than a page has one to itself; what comes behind the rows, `end`
+/// mm high, stands on the last page, which may have none.
+std::vector<std::size_t> paginated(std::span<const RowLayout> rows, double end)
 {
     std::vector<std::size_t> pages{0};
     double left = availableHeight(true);
@@ -175,6 +240,8 @@ std::vector<std::size_t> paginated(std::span<const RowLayout> rows)
         ++pages.back();
         left -= row.height;
     }
+    if (end > left)
+        pages.push_back(0);
     return pages;
 }
 
@@ -227,6 +294,24 @@ void paintRow(QPainter& painter, const RowLayout& row, double y)
     paintRule(painter, y + row.height);
 }
 
+void QuestionTable::paint(QPainter& painter, double y) const
+{
+    if (m_rows.empty())
+        return;
+    paintLine(painter, questionsTitle(), {questionsTitleHeight, inkColor, true},
+              {pageMargin, y + questionsTitleSpace - 2 * questionsTitleHeight});
+    y += questionsTitleSpace;
+    for (const QuestionRow& row : m_rows) {
+        double x = pageMargin;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            paintCell(painter, row[i], {x + gapAcross / 2, y + (rowHeight(row) - heightOf(row[i])) / 2});
+            x += widthOf(i);
+        }
+        y += rowHeight(row);
+        paintRule(painter, y);
+    }
+}
+
 void paintFoot(QPainter& painter, const ClassReport& report, const QString& number)
 {
     const double y = paperSize.height() - pageMargin - noteHeight;
@@ -255,7 +340,8 @@ QByteArray reportPdf(const ClassReport& report, const std::filesystem::path& pat
     std::vector<RowLayout> rows;
     for (const ReportRow& row : report.rows)
         rows.push_back(layoutOf(row, path));
-    const std::vector<std::size_t> pages = paginated(rows);
+    const QuestionTable questions(report);
+    const std::vector<std::size_t> pages = paginated(rows, questions.height());
     auto row = rows.cbegin();
     for (std::size_t page = 0; page < pages.size(); ++page) {
         if (page > 0)
@@ -263,12 +349,16 @@ QByteArray reportPdf(const ClassReport& report, const std::filesystem::path& pat
         else
             paintTitle(painter, report);
         double y = pageMargin + (page > 0 ? 0 : titleSpace);
-        paintHeads(painter, y);
-        y += headerSpace;
+        if (pages[page] > 0) {
+            paintHeads(painter, y);
+            y += headerSpace;
+        }
         for (const auto end = row + static_cast<std::ptrdiff_t>(pages[page]); row != end; ++row) {
             paintRow(painter, *row, y);
             y += row->height;
         }
+        if (page + 1 == pages.size())
+            questions.paint(painter, y);
         paintFoot(painter, report, PageText::tr("Page %1 of %2").arg(page + 1).arg(pages.size()));
     }
     painter.end();

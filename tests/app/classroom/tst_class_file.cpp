@@ -18,7 +18,7 @@ QByteArray whole()
 {
     return "# for 5b\n[class]\ntitle = Klasse 5b, Ton & Töne\nfolder = works\nstarters = vase, ball\ntools = smooth, "
            "pull\n"
-           "turn_minutes = 30\nwarning_minutes=5\nfull_screen = no\nlanguage = de\n" +
+           "turn_minutes = 30\nwarning_minutes=5\nfull_screen = no\nlanguage = de\nquestions = yes\n" +
            pinLine;
 }
 
@@ -64,6 +64,7 @@ private Q_SLOTS:
         QCOMPARE(read.warningMinutes, 5);
         QVERIFY(!read.fullScreen);
         QCOMPARE(read.language, ui::Language::German);
+        QVERIFY(read.asksQuestions);
     }
 
     void whatIsWrittenIsReadAgain()
@@ -78,7 +79,8 @@ private Q_SLOTS:
                                         turn / 2,
                                         turn == 0,
                                         ui::Language::Chinese,
-                                        pinRecord(QStringLiteral("0815"))};
+                                        pinRecord(QStringLiteral("0815")),
+                                        turn == 1};
             const QString path = folder.filePath(QStringLiteral("class.ini"));
             QCOMPARE(ClassFile::write(path, written), QString());
             QCOMPARE(ClassFile::read(path), written);
@@ -93,6 +95,7 @@ private Q_SLOTS:
         QCOMPARE(read.warningMinutes, usual.warningMinutes);
         QCOMPARE(read.fullScreen, usual.fullScreen);
         QCOMPARE(read.language, usual.language);
+        QVERIFY(!read.asksQuestions);
     }
 
     void faultsAreNamed_data()
@@ -116,9 +119,10 @@ private Q_SLOTS:
         row("empty in a list", "vase, ball", "vase,,ball",
             "line 5: starters: \"\" is none of ball, cube, torus, slab, vase, head, tablet.");
         row("neither yes nor no", "= no", "= maybe", "line 9: full_screen: \"maybe\" is none of yes, no.");
+        row("questions", "questions = yes", "questions = 6", "line 11: questions: \"6\" is none of no, yes.");
         row("language", "= de", "= fr", "line 10: language: \"fr\" is none of system, en, de, zh_CN.");
         row("a PIN that can be read", pinLine.constData(), "pin = 1234\n",
-            "line 11: pin: this is no PIN as Fettle writes it");
+            "line 12: pin: this is no PIN as Fettle writes it");
         row("no PIN", pinLine.constData(), "", "5b.ini: pin is missing.");
         row("no folder", "folder = works\n", "", "5b.ini: folder is missing.");
         row("not UTF-8", "Klasse", "\xff\xfe", "5b.ini is no class file: it is no text in UTF-8, or too long.");

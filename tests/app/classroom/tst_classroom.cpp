@@ -6,6 +6,7 @@
 #include "app/classroom/class_file.h"
 #include "app/classroom/class_pin.h"
 #include "app/classroom/classroom_mode.h"
+#include "app/classroom/turn_answers.h"
 #include "app/model/model_loader.h"
 
 #include "core/io/stroke/stroke_file.h"
@@ -16,6 +17,7 @@
 #include "ui/brush/color_panel.h"
 #include "ui/classroom/classroom_lock.h"
 #include "ui/classroom/pupil_name_panel.h"
+#include "ui/classroom/questionnaire_panel.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QAction>
@@ -83,6 +85,12 @@ struct Home
         places = {(root + QStringLiteral("/journals")).toStdString(), root + QStringLiteral("/own/waiting"),
                   root + QStringLiteral("/own/turn.json")};
     }
+    ui::Classroom classroomWithQuestions() const
+    {
+        ui::Classroom made = classroom();
+        made.asksQuestions = true;
+        return made;
+    }
     ui::Classroom classroom() const
     {
         static const QString record = pinRecord(pin);
@@ -127,6 +135,18 @@ struct Class
                program.document.modelInfo().faces > 0;
     }
     bool asks() const { return part<ui::PupilNamePanel>("namePanel")->isVisible(); }
+    bool questions() const { return part<ui::QuestionnairePanel>("questionnairePanel")->isVisible(); }
+    void nextWithQuestions()
+    {
+        press("classNext");
+        QTRY_VERIFY_WITH_TIMEOUT(questions() && isIdle(), timeoutMs);
+        QVERIFY(!asks());
+    }
+    void answer(int question, int points)
+    {
+        QTest::mouseClick(part<QToolButton>(qPrintable(QStringLiteral("question%1.%2").arg(question).arg(points))),
+                          Qt::LeftButton);
+    }
 
     void begin()
     {
@@ -277,6 +297,12 @@ private Q_SLOTS:
     void nothingCanBeDropped();
     void closing_takesThePin();
     void theTeachersDialog_writesTheFile();
+    void questions_comeOnlyIfTheTeacherWants();
+    void answers_areKeptWithTheWork();
+    void skipping_keepsNothing();
+    void resuming_fromTheQuestions();
+    void leaving_keepsWhatWasAnswered();
+    void aPowerCutInTheQuestions_losesNothing();
     void aPowerCut_losesNobodysWork_data();
     void aPowerCut_losesNobodysWork();
 };
@@ -666,7 +692,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     type("classPin", pin);
     QCOMPARE(fault(), QStringLiteral("The two PINs are not the same."));
     type("classPinAgain", pin);
-    for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask"})
+    for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask", "classQuestions"})
         dialog->findChild<QAbstractButton*>(QLatin1StringView(box))->click();
     QVERIFY(fault().isEmpty());
     const QString path = root.filePath(QStringLiteral("5b.ini"));
@@ -678,6 +704,164 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QVERIFY(read.starters.size() == 6 && !read.starters.contains(core::Starter::Cube));
     QVERIFY(read.tools.size() == 14 && !read.tools.contains(core::Tool::Stamp));
     QVERIFY(isPin(pin, read.pin) && !isPin(QStringLiteral("1234"), read.pin));
+    QVERIFY(read.asksQuestions);
+}
+
+void TestClassroom::questions_comeOnlyIfTheTeacherWants()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    QVERIFY(!c.questions());
+    c.sculpt();
+    c.next();
+    QVERIFY(!c.questions());
+    c.beginTurn(QStringLiteral("Ben"));
+    QVERIFY(!c.questions());
+}
+
+/// Of two pupils, each with the own work: the form is empty again for the second.
+void TestClassroom::answers_areKeptWithTheWork()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    {
+        Class c(home, home.classroomWithQuestions());
+        c.begin();
+        c.beginTurn(QStringLiteral("Anna"));
+        c.sculpt();
+        c.nextWithQuestions();
+        QVERIFY(!c.part<QPushButton>("classNext")->isEnabled());
+        QCOMPARE(foldersIn(home.places.outbox).size(), 1); // the work is kept before anything is answered
+        QCOMPARE(foldersIn(home.works), QStringList());
+        c.answer(1, 7);
+        c.answer(3, 2);
+        c.press("questionsDone");
+        QTRY_VERIFY(c.asks() && !c.questions());
+        QCOMPARE(QApplication::focusWidget(), c.part<QLineEdit>("pupilName"));
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, timeoutMs);
+        c.beginTurn(QStringLiteral("Ben"));
+        c.sculpt();
+        c.nextWithQuestions();
+        for (const QToolButton* point : c.part<QWidget>("questionnairePanel")->findChildren<QToolButton*>())
+            QVERIFY(!point->isChecked());
+        c.answer(6, 4);
+        c.press("questionsDone");
+        QTRY_VERIFY(c.asks());
+    }
+    QCOMPARE(foldersIn(home.works).size(), 2);
+    for (const QString& name : foldersIn(home.works)) {
+        const TurnAnswers answers = TurnAnswers::read(home.works + u'/' + name);
+        ui::Questionnaire expected;
+        if (name.contains(QStringLiteral("Anna"))) {
+            expected.answers[0] = 7;
+            expected.answers[2] = 2;
+        } else {
+            expected.answers[5] = 4;
+        }
+        QCOMPARE(answers.questionnaire, expected);
+        QCOMPARE(answers.turnId, turnIn(home.works + u'/' + name).value(QStringLiteral("id")).toString());
+        QCOMPARE(answers.problem, QString());
+    }
+}
+
+void TestClassroom::skipping_keepsNothing()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    const std::uint64_t hash = c.hash();
+    c.nextWithQuestions();
+    c.answer(2, 5);
+    c.press("skipQuestions");
+    QTRY_VERIFY(c.asks() && !c.questions());
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, timeoutMs);
+    const QString folder = home.works + u'/' + foldersIn(home.works).constFirst();
+    QVERIFY(!QFile::exists(folder + u'/' + TurnAnswers::fileName));
+    QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), hash);
+    c.beginTurn(QStringLiteral("Ben"));
+    QVERIFY(!c.questions());
+}
+
+/// Next Pupil was a mistake: the form goes, and comes again at the end that is meant.
+void TestClassroom::resuming_fromTheQuestions()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    const std::uint64_t hash = c.hash();
+    c.nextWithQuestions();
+    QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
+    c.press("classResume");
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !c.questions() && !c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), timeoutMs);
+    QCOMPARE(c.hash(), hash);
+    c.sculpt({-40, 30});
+    c.nextWithQuestions();
+    c.press("questionsDone");
+    QTRY_VERIFY(c.asks());
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, timeoutMs);
+}
+
+void TestClassroom::leaving_keepsWhatWasAnswered()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    {
+        Class c(home, home.classroomWithQuestions());
+        c.begin();
+        c.beginTurn(QStringLiteral("Anna"));
+        c.sculpt();
+        c.nextWithQuestions();
+        c.answer(4, 1);
+        c.press("classLeave");
+        c.typePin(pin);
+        QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), timeoutMs);
+    }
+    QCOMPARE(foldersIn(home.works).size(), 1);
+    QCOMPARE(foldersIn(home.places.outbox), QStringList());
+    ui::Questionnaire expected;
+    expected.answers[3] = 1;
+    QCOMPARE(TurnAnswers::read(home.works + u'/' + foldersIn(home.works).constFirst()).questionnaire, expected);
+}
+
+/// The work was kept before the form came, and each answer as soon as it was given.
+void TestClassroom::aPowerCutInTheQuestions_losesNothing()
+{
+    const QTemporaryDir root;
+    QProcess victim;
+    victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    victim.start(QCoreApplication::applicationFilePath(),
+                 {test::runningClass(), QStringLiteral("--victim"), root.path(), QStringLiteral("questions")});
+    QVERIFY(victim.waitForFinished(timeoutMs));
+    const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
+    QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);
+
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    QVERIFY(!c.questions()); // its pupil has gone
+    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), timeoutMs);
+    int answered = 0;
+    for (const QString& name : foldersIn(home.works)) {
+        QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
+        const TurnAnswers answers = TurnAnswers::read(home.works + u'/' + name);
+        if (answers.questionnaire.isEmpty())
+            continue;
+        ++answered;
+        ui::Questionnaire expected;
+        expected.answers[1] = 6;
+        QCOMPARE(answers.questionnaire, expected);
+    }
+    QCOMPARE(answered, 1);
 }
 
 void TestClassroom::aPowerCut_losesNobodysWork_data()
@@ -718,9 +902,30 @@ void TestClassroom::aPowerCut_losesNobodysWork()
 
 namespace
 {
-/// Tells the hash of a work, when that would survive, and ends as in a power cut.
-int runVictim(const QString& root, int afterNextMs)
+/// Tells the hash of a work, and ends as in a power cut when the first answer is on the disk and the form is open.
+int runVictimInQuestions(const QString& root)
 {
+    const Home home(root);
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    const std::uint64_t hash = c.hash();
+    c.nextWithQuestions();
+    c.answer(2, 6);
+    const QString folder = home.places.outbox + u'/' + foldersIn(home.places.outbox).constFirst() + u'/';
+    while (!QFile::exists(folder + TurnAnswers::fileName))
+        QTest::qWait(1);
+    std::cout << hash << std::endl;
+    std::abort();
+}
+
+/// Tells the hash of a work, when that would survive, and ends as in a power cut.
+int runVictim(const QString& root, const QString& moment)
+{
+    if (moment == QStringLiteral("questions"))
+        return runVictimInQuestions(root);
+    const int afterNextMs = moment.toInt();
     const Home home(root);
     Class c(home);
     c.begin();
@@ -750,7 +955,7 @@ static int classroomMain(int argc, char* argv[])
         const QApplication application(argc, argv);
         QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
         QCoreApplication::setApplicationName(QStringLiteral("tst_classroom"));
-        return runVictim(QString::fromLocal8Bit(argv[2]), atoi(argv[3]));
+        return runVictim(QString::fromLocal8Bit(argv[2]), QString::fromLocal8Bit(argv[3]));
     }
     return test::run<TestClassroom, app::OnScreen>(argc, argv);
 }

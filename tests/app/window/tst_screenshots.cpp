@@ -8,6 +8,7 @@
 #include "core/operations/starter_models.h"
 #include "ui/brush/stroke_edit_bar.h"
 #include "ui/classroom/pupil_name_panel.h"
+#include "ui/classroom/questionnaire_panel.h"
 #include "ui/drawing/drawing_canvas.h"
 #include "ui/files/file_browser.h"
 #include "ui/help/guide_window.h"
@@ -510,6 +511,7 @@ void TestScreenshots::takeClass()
                             starters,
                             {core::Tool::Pull, core::Tool::Smooth}};
     classroom.fullScreen = false;
+    classroom.asksQuestions = true;
     RecoveryStore store(own.filePath(QStringLiteral("journals")).toStdString());
     Program program(Program::anyView);
     program.document.journaling().setRecoveryStore(&store);
@@ -538,6 +540,12 @@ void TestScreenshots::takeClass()
     begin(QStringLiteral("Anna-Lena the Great"));
     take(program.window, QStringLiteral("class-turn"));
     next->click();
+    const auto* questions = program.window.findChild<ui::QuestionnairePanel*>();
+    QTRY_VERIFY_WITH_TIMEOUT(questions->isVisible() && !program.document.job().isBusy(), timeoutMs);
+    for (const char* point : {"question1.6", "question2.4", "question4.7"})
+        program.window.findChild<QAbstractButton*>(QLatin1StringView(point))->click();
+    take(program.window, QStringLiteral("class-questions"));
+    program.window.findChild<QPushButton*>(QStringLiteral("questionsDone"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), timeoutMs);
     begin(QStringLiteral("Ben"));
     now = 18 * 60'000;

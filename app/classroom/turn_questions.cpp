@@ -1,0 +1,29 @@
+#include "app/classroom/turn_questions.h"
+
+#include "ui/classroom/questionnaire_panel.h"
+
+namespace app
+{
+TurnQuestions::TurnQuestions(ClassWork* work, QWidget* over) : m_work(work), m_panel(new ui::QuestionnairePanel(over))
+{
+    connect(m_panel, &ui::QuestionnairePanel::answered, this,
+            [this](const ui::Questionnaire& soFar) { m_work->keepAnswers(m_ended, soFar); });
+    connect(m_panel, &ui::QuestionnairePanel::finished, this, &TurnQuestions::finish);
+}
+
+void TurnQuestions::ask(const EndedTurn& ended)
+{
+    m_ended = ended;
+    m_work->setHeld(true);
+    m_panel->open(ended.turn.pupil);
+}
+
+void TurnQuestions::finish()
+{
+    if (m_panel->isHidden())
+        return;
+    m_panel->close();
+    m_work->setHeld(false);
+    Q_EMIT done();
+}
+} // namespace app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/classroom/class_work.h"
+
+#include <QObject>
+
+namespace ui
+{
+class QuestionnairePanel;
+}
+
+namespace app
+{
+/// Asks the six questions after a turn whose work is kept, and keeps each answer with the work as soon as it is given:
+/// a program that ends in the form loses nothing. Meanwhile the work stays on this computer. Thread: gui.
+class TurnQuestions : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// `work` is not owned, and must outlive this; `over` is what the form covers, and owns it.
+    TurnQuestions(ClassWork* work, QWidget* over);
+
+    void ask(const EndedTurn& ended);
+    /// Closes the form, if it is open, with the answers that are there.
+    void finish();
+
+Q_SIGNALS:
+    /// The form was open and is closed.
+    void done();
+
+private:
+    ClassWork* m_work;
+    ui::QuestionnairePanel* m_panel;
+    EndedTurn m_ended; ///< that is asked about
+};
+} // namespace app

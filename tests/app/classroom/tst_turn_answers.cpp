@@ -1,0 +1,297 @@
+#include "app/classroom/report_writer.h"
+#include "app/classroom/turn_answers.h"
+#include "app/classroom/work_archive.h"
+#include "app/model/model_loader.h"
+
+#include "tests/support/test_main.h"
+
+#include "core/io/mesh_io.h"
+#include "core/operations/starter_models.h"
+
+#include <QDir>
+#include <QGuiApplication>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace app;
+
+namespace
+{
+const QDateTime noon(QDate(2026, 11, 24), QTime(12, 0));
+
+ui::Questionnaire answersOf(const std::array<int, ui::questionCount>& answers)
+{
+    ui::Questionnaire made;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (answers[i] != 0)
+            made.answers[i] = answers[i];
+    return made;
+}
+
+QString answersFile(const QString& folder)
+{
+    return folder + u'/' + TurnAnswers::fileName;
+}
+
+QByteArray bytesOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void writeBytes(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
+
+QByteArray fileWith(const QByteArray& answers)
+{
+    return R"({"format": "fettle-answers", "version": 1, "id": "1", "answers": )" + answers + "}";
+}
+
+/// A class of works, each kept and delivered as a turn's is.
+struct KeptClass
+{
+    KeptClass() { QDir().mkpath(works); }
+    WorkArchive archive() const { return {works, outbox}; }
+    /// Returns where it is kept on this computer. Works of one turn differ in their steps.
+    QString add(const QString& id, const QString& pupil, int steps = 0) const
+    {
+        TurnWork work{id, pupil, noon, noon.addSecs(600), steps, nullptr, 0, {}, {}};
+        work.mesh = std::make_shared<core::TriangleMesh>(core::starterModel(core::Starter::Cube));
+        return archive().add(work).folder;
+    }
+    /// Returns an empty text or what is wrong.
+    QString keepWith(const QString& id, const QString& pupil, const std::array<int, ui::questionCount>& answers,
+                     int steps = 0) const
+    {
+        return archive().addAnswers(add(id, pupil, steps), {id, answersOf(answers)});
+    }
+    QByteArray report(const char* ending = "html") const
+    {
+        const QString path = root.filePath(QStringLiteral("report.") + QLatin1StringView(ending));
+        ReportWriter::run({toPath(works), toPath(path)});
+        return bytesOf(path);
+    }
+
+    QTemporaryDir root;
+    QString works = root.filePath(QStringLiteral("works")), outbox = root.filePath(QStringLiteral("own"));
+};
+
+/// What a page says of one question: answers, mean, and how many chose 1 to 7.
+QStringList figuresOf(const QByteArray& page, ui::Question question)
+{
+    const QString text = QString::fromUtf8(page);
+    const qsizetype begin = text.indexOf(ui::QuestionWords::of(question).question.toHtmlEscaped());
+    static const QRegularExpression cell(QStringLiteral("<td class=\"figure\">([^<]*)</td>"));
+    QStringList figures;
+    if (begin >= 0)
+        for (auto i = cell.globalMatch(text.mid(begin, text.indexOf(QStringLiteral("</tr>"), begin) - begin));
+             i.hasNext();)
+            figures << i.next().captured(1);
+    return figures;
+}
+} // namespace
+
+/// What a pupil answered is beside the work, wherever that goes, and in the report.
+class TestTurnAnswers : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whatIsWritten_isReadAgain();
+    void noAnswers_areNoFile();
+    void wrongValues_areLeftOut_data();
+    void wrongValues_areLeftOut();
+    void strangeFiles_areNamed_data();
+    void strangeFiles_areNamed();
+    void noPlace_isSaid();
+    void answers_goWithTheWork();
+    void lateAnswers_areDelivered();
+    void theReport_sumsAllWorks();
+    void aResumedTurn_countsOnce();
+    void brokenAnswers_costNoRow();
+};
+
+void TestTurnAnswers::whatIsWritten_isReadAgain()
+{
+    const QTemporaryDir folder;
+    for (const auto& answers :
+         {std::array{1, 2, 3, 4, 5, 6}, std::array{7, 0, 0, 0, 0, 0}, std::array{0, 0, 0, 0, 0, 7}}) {
+        const TurnAnswers written{QStringLiteral("id of Ä"), answersOf(answers)};
+        QCOMPARE(written.write(folder.path()), QString());
+        const TurnAnswers read = TurnAnswers::read(folder.path());
+        QCOMPARE(read.questionnaire, written.questionnaire);
+        QCOMPARE(read.turnId, written.turnId);
+        QCOMPARE(read.problem, QString());
+    }
+}
+
+void TestTurnAnswers::noAnswers_areNoFile()
+{
+    const QTemporaryDir folder;
+    QCOMPARE((TurnAnswers{QStringLiteral("1"), {}}.write(folder.path())), QString());
+    QVERIFY(!QFile::exists(answersFile(folder.path())));
+    QVERIFY(TurnAnswers::read(folder.path()).questionnaire.isEmpty());
+    QCOMPARE(TurnAnswers::read(folder.path()).problem, QString());
+    QCOMPARE((TurnAnswers{QStringLiteral("1"), answersOf({1})}.write(folder.path())), QString());
+    QVERIFY(QFile::exists(answersFile(folder.path())));
+    QCOMPARE((TurnAnswers{QStringLiteral("1"), {}}.write(folder.path())), QString()); // taken back
+    QVERIFY(!QFile::exists(answersFile(folder.path())));
+}
+
+void TestTurnAnswers::wrongValues_areLeftOut_data()
+{
+    QTest::addColumn<QByteArray>("value");
+    for (const char* value : {"0", "8", "-1", "3.5", "\"4\"", "null", "true", "[4]", "{}", "1e300", "7.0000001"})
+        QTest::newRow(value) << QByteArray(value);
+}
+
+/// The others stay, and a sentence says which is missing and why.
+void TestTurnAnswers::wrongValues_areLeftOut()
+{
+    QFETCH(QByteArray, value);
+    const QTemporaryDir folder;
+    writeBytes(answersFile(folder.path()),
+               fileWith(R"({"mastering": 7, "other": 9, "errors": )" + value + R"(, "overall": 1})"));
+    const TurnAnswers read = TurnAnswers::read(folder.path());
+    QCOMPARE(read.questionnaire, answersOf({7, 0, 0, 0, 0, 1}));
+    QCOMPARE(
+        read.problem,
+        QStringLiteral("answers.json: the answer \"errors\" is left out, because it is no whole number from 1 to 7."));
+}
+
+void TestTurnAnswers::strangeFiles_areNamed_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    const QByteArray whole = fileWith(R"({"mastering": 7})");
+    QTest::newRow("empty") << QByteArray("");
+    QTest::newRow("cut") << whole.chopped(3);
+    QTest::newRow("no JSON") << QByteArray("\x89PNG\r\n\x1a\n");
+    QTest::newRow("a list") << QByteArray("[7, 7]");
+    QTest::newRow("another format") << QByteArray(whole).replace("fettle-answers", "fettle-turn");
+    QTest::newRow("no format") << QByteArray(R"({"answers": {"mastering": 7}})");
+    QTest::newRow("no answers") << QByteArray(R"({"format": "fettle-answers"})");
+    QTest::newRow("answers as a list") << fileWith("[7]");
+    QTest::newRow("too long") << whole + QByteArray(70'000, ' ');
+    QTest::newRow("deep") << fileWith(QByteArray(5000, '[') + QByteArray(5000, ']'));
+    QTest::newRow("not UTF-8") << QByteArray(whole).replace("mastering", "\xff\xfe");
+}
+
+void TestTurnAnswers::strangeFiles_areNamed()
+{
+    QFETCH(QByteArray, bytes);
+    const QTemporaryDir folder;
+    writeBytes(answersFile(folder.path()), bytes);
+    const TurnAnswers read = TurnAnswers::read(folder.path());
+    QVERIFY(read.questionnaire.isEmpty());
+    QCOMPARE(read.problem, QStringLiteral("answers.json holds no answers that can be read."));
+}
+
+void TestTurnAnswers::noPlace_isSaid()
+{
+    const QTemporaryDir root;
+    const QString problem =
+        TurnAnswers{QStringLiteral("1"), answersOf({1})}.write(root.filePath(QStringLiteral("none")));
+    QVERIFY2(problem.contains(QStringLiteral("there is no folder")), qPrintable(problem));
+    QDir(root.path()).mkpath(TurnAnswers::fileName); // a folder of that name
+    QCOMPARE(TurnAnswers::read(root.path()).problem, QStringLiteral("answers.json holds no answers that can be read."));
+}
+
+void TestTurnAnswers::answers_goWithTheWork()
+{
+    const KeptClass kept;
+    const QString folder = kept.add(QStringLiteral("1"), QStringLiteral("Anna"));
+    QCOMPARE(kept.archive().addAnswers(folder, {QStringLiteral("1"), answersOf({1, 2})}), QString());
+    QCOMPARE(kept.archive().addAnswers(folder, {QStringLiteral("1"), answersOf({1, 3})}), QString());
+    const QString there = kept.archive().deliver().moved.value(folder);
+    QCOMPARE(TurnAnswers::read(there).questionnaire, answersOf({1, 3}));
+    QCOMPARE(kept.archive().addAnswers(folder, {QStringLiteral("1"), answersOf({1, 4})}), QString()); // it has gone
+    QCOMPARE(TurnAnswers::read(there).questionnaire, answersOf({1, 4}));
+    QVERIFY(!QDir(folder).exists());
+}
+
+/// The power went after the work had its name in the class's folder, and before it was removed here; then came answers.
+void TestTurnAnswers::lateAnswers_areDelivered()
+{
+    const KeptClass kept;
+    kept.add(QStringLiteral("1"), QStringLiteral("Anna"));
+    kept.archive().deliver();
+    const QString folder = kept.add(QStringLiteral("1"), QStringLiteral("Anna"));
+    QCOMPARE(kept.archive().addAnswers(folder, {QStringLiteral("1"), answersOf({0, 5})}), QString());
+    const Delivery delivery = kept.archive().deliver();
+    QCOMPARE(delivery.undelivered, 0);
+    QCOMPARE(WorkArchive::worksIn(kept.works).size(), 1);
+    QCOMPARE(TurnAnswers::read(delivery.moved.value(folder)).questionnaire, answersOf({0, 5}));
+}
+
+void TestTurnAnswers::theReport_sumsAllWorks()
+{
+    const KeptClass kept;
+    QCOMPARE(kept.keepWith(QStringLiteral("1"), QStringLiteral("Anna"), {7, 1, 0, 4, 4, 4}), QString());
+    QCOMPARE(kept.keepWith(QStringLiteral("2"), QStringLiteral("Ben"), {5, 1, 0, 4, 3, 0}), QString());
+    QCOMPARE(kept.keepWith(QStringLiteral("3"), QStringLiteral("Cem"), {5, 2, 0, 4, 0, 0}), QString());
+    kept.add(QStringLiteral("4"), QStringLiteral("Dana")); // skipped
+    QCOMPARE(kept.archive().deliver().moved.size(), 4);
+    const QByteArray page = kept.report();
+    QCOMPARE(page.count("<bdi>"), 4);
+    QVERIFY(page.contains("<bdi>2026-11-24-1200-Anna</bdi>") &&
+            page.contains("href=\"works/2026-11-24-1200-Dana/model.glb\""));
+    using enum ui::Question;
+    const QString no;
+    QCOMPARE(figuresOf(page, Mastering), QStringList({"3", "5.67", no, no, no, no, "2", no, "1"}));
+    QCOMPARE(figuresOf(page, Functions), QStringList({"3", "1.33", "2", "1", no, no, no, no, no}));
+    QCOMPARE(figuresOf(page, Errors), QStringList({"0", no, no, no, no, no, no, no, no}));
+    QCOMPARE(figuresOf(page, Details), QStringList({"3", "4.00", no, no, no, "3", no, no, no}));
+    QCOMPARE(figuresOf(page, Topology), QStringList({"2", "3.50", no, no, "1", "1", no, no, no}));
+    QCOMPARE(figuresOf(page, Overall), QStringList({"1", "4.00", no, no, no, "1", no, no, no}));
+    QVERIFY(kept.report("pdf").startsWith("%PDF-"));
+
+    core::writeMesh(toPath(kept.works + QStringLiteral("/loose.stl")), core::starterModel(core::Starter::Ball));
+    const QByteArray both = kept.report(); // a folder may hold other models, too
+    QCOMPARE(both.count("<bdi>"), 5);
+    QCOMPARE(figuresOf(both, Mastering), figuresOf(page, Mastering));
+}
+
+void TestTurnAnswers::aResumedTurn_countsOnce()
+{
+    const KeptClass kept;
+    int steps = 0;
+    for (const int answer : {1, 2, 3, 4, 5, 6, 7, 6, 5, 4, 3}) { // by the tenth, order by letters would be wrong
+        QCOMPARE(kept.keepWith(QStringLiteral("1"), QStringLiteral("Anna"), {answer}, ++steps), QString());
+        kept.archive().deliver();
+    }
+    QCOMPARE(WorkArchive::worksIn(kept.works).size(), steps);
+    QCOMPARE(kept.keepWith(QStringLiteral("2"), QStringLiteral("Ben"), {7}), QString());
+    kept.archive().deliver();
+    kept.add(QStringLiteral("1"), QStringLiteral("Anna"), ++steps); // left out at the end: what was said before stands
+    kept.archive().deliver();
+    const QString no;
+    QCOMPARE(figuresOf(kept.report(), ui::Question::Mastering),
+             QStringList({"2", "5.00", no, no, "1", no, no, no, "1"}));
+}
+
+void TestTurnAnswers::brokenAnswers_costNoRow()
+{
+    const KeptClass kept;
+    kept.keepWith(QStringLiteral("1"), QStringLiteral("Anna"), {7});
+    kept.keepWith(QStringLiteral("2"), QStringLiteral("Ben"), {7});
+    kept.keepWith(QStringLiteral("3"), QStringLiteral("Cem"), {7});
+    kept.archive().deliver();
+    const QStringList works = WorkArchive::worksIn(kept.works);
+    QCOMPARE(works.size(), 3);
+    writeBytes(answersFile(works[0]), "{");
+    writeBytes(answersFile(works[1]), fileWith(R"({"mastering": 99, "overall": 2})"));
+    const QByteArray page = kept.report();
+    QCOMPARE(page.count("<bdi>"), 3);
+    QCOMPARE(page.count("class=\"ready\""), 3);
+    QVERIFY(page.contains("answers.json holds no answers that can be read.") &&
+            page.contains("the answer &quot;mastering&quot; is left out"));
+    QCOMPARE(figuresOf(page, ui::Question::Mastering).constFirst(), QStringLiteral("1"));
+    QCOMPARE(figuresOf(page, ui::Question::Overall).constFirst(), QStringLiteral("1"));
+}
+
+FETTLE_TEST(TestTurnAnswers, QGuiApplication)
+#include "tst_turn_answers.moc"

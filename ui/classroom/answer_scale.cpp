@@ -1,0 +1,142 @@
+#include "ui/classroom/answer_scale.h"
+
+#include "ui/classroom/questionnaire.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/spacing.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr QSize pointSize{44, 34};
+
+/// Takes half of the room that the points leave, whatever its words, so that a form's scales stand below each other.
+QLabel* endLabel(const QString& text, Qt::Alignment side)
+{
+    auto* label = new QLabel(text);
+    label->setAlignment(side | Qt::AlignVCenter);
+    label->setWordWrap(true);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    return label;
+}
+} // namespace
+
+AnswerScale::AnswerScale(const QString& name, const QuestionWords& words)
+{
+    setObjectName(name);
+    setAccessibleName(words.question);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(gap / 2);
+    row->addWidget(endLabel(words.low, Qt::AlignRight), 1);
+    row->addSpacing(gap / 2);
+    for (int point = minAnswer; point <= maxAnswer; ++point)
+        row->addWidget(addPoint(point, name, words));
+    row->addSpacing(gap / 2);
+    row->addWidget(endLabel(words.high, Qt::AlignLeft), 1);
+    reachByTab(minAnswer);
+}
+
+QToolButton* AnswerScale::addPoint(int point, const QString& name, const QuestionWords& words)
+{
+    const QString digit = QString::number(point);
+    const QString end = point == minAnswer ? words.low : point == maxAnswer ? words.high : QString();
+    QStringList spoken{words.question, tr("%1 of %2").arg(digit, QString::number(maxAnswer)), end};
+    spoken.removeAll(QString());
+    auto* button = named(new QToolButton, name + u'.' + digit, end, spoken.join(u' '));
+    button->setText(digit);
+    button->setCheckable(true);
+    button->setMinimumSize(pointSize);
+    button->installEventFilter(this);
+    connect(button, &QToolButton::clicked, this,
+            [this, point](bool isChosen) { choose(isChosen ? std::optional(point) : std::nullopt); });
+    m_points << button;
+    return button;
+}
+
+void AnswerScale::setAnswer(std::optional<int> answer)
+{
+    m_answer = answer;
+    for (int point = minAnswer; point <= maxAnswer; ++point)
+        m_points[point - minAnswer]->setChecked(answer == point);
+    reachByTab(answer.value_or(minAnswer));
+}
+
+void AnswerScale::choose(std::optional<int> answer)
+{
+    const bool hasFocus = std::ranges::any_of(m_points, &QWidget::hasFocus);
+    const int reached = answer.value_or(m_reached);
+    setAnswer(answer);
+    if (hasFocus)
+        moveTo(reached);
+    Q_EMIT changed();
+}
+
+bool AnswerScale::takeKey(int key)
+{
+    switch (key) {
+    case Qt::Key_Left:
+        moveTo(m_reached - 1);
+        return true;
+    case Qt::Key_Right:
+        moveTo(m_reached + 1);
+        return true;
+    case Qt::Key_Home:
+        moveTo(minAnswer);
+        return true;
+    case Qt::Key_End:
+        moveTo(maxAnswer);
+        return true;
+    case Qt::Key_Up:
+        return focusNextPrevChild(false);
+    case Qt::Key_Down:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        return focusNextPrevChild(true);
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+        choose({});
+        return true;
+    default:
+        break;
+    }
+    const int point = key - Qt::Key_0;
+    if (point < minAnswer || point > maxAnswer)
+        return false;
+    choose(point);
+    return true;
+}
+
+void AnswerScale::moveTo(int point)
+{
+    reachByTab(std::clamp(point, minAnswer, maxAnswer));
+    m_points[m_reached - minAnswer]->setFocus(Qt::TabFocusReason);
+}
+
+void AnswerScale::reachByTab(int point)
+{
+    m_reached = point;
+    for (int i = minAnswer; i <= maxAnswer; ++i)
+        m_points[i - minAnswer]->setFocusPolicy(i == point ? Qt::StrongFocus : Qt::ClickFocus);
+    setFocusProxy(m_points[point - minAnswer]);
+}
+
+bool AnswerScale::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::FocusIn)
+        reachByTab(static_cast<int>(m_points.indexOf(watched)) + minAnswer);
+    if (event->type() == QEvent::KeyPress) {
+        const auto* press = static_cast<const QKeyEvent*>(event);
+        if (!(press->modifiers() & ~Qt::KeypadModifier) && takeKey(press->key()))
+            return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+} // namespace ui

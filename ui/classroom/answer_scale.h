@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+#include <optional>
+
+class QKeyEvent;
+class QToolButton;
+
+namespace ui
+{
+struct QuestionWords;
+
+/// A question's scale: a button for each point, of which one or none is chosen. A second click takes the choice back.
+///
+/// Tab comes to one point only; the arrows lead to the others and to other scales, Space, digits and Delete choose, and
+/// Return goes on. Thread: gui.
+class AnswerScale : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// A point's object name is the scale's, a dot and its digit.
+    AnswerScale(const QString& name, const QuestionWords& words);
+
+    std::optional<int> answer() const { return m_answer; }
+    /// Tells nobody.
+    void setAnswer(std::optional<int> answer);
+
+Q_SIGNALS:
+    /// A person has chosen, or taken the choice back.
+    void changed();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QToolButton* addPoint(int point, const QString& name, const QuestionWords& words);
+    void choose(std::optional<int> answer);
+    bool takeKey(int key);
+    void moveTo(int point);
+    void reachByTab(int point);
+
+    std::optional<int> m_answer;
+    int m_reached = 1; ///< by Tab
+    QList<QToolButton*> m_points;
+};
+} // namespace ui

@@ -1,0 +1,138 @@
+#include "ui/classroom/questionnaire_panel.h"
+
+#include "ui/classroom/answer_scale.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/spacing.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr int cardWidth = 720;
+constexpr double titleScale = 1.6;
+
+/// As high as its questions where there is room; a low window scrolls.
+class QuestionList : public QScrollArea
+{
+public:
+    QSize sizeHint() const override
+    {
+        constexpr int width = cardWidth - 6 * gap;
+        return {width, std::max(widget()->heightForWidth(width), widget()->sizeHint().height())};
+    }
+};
+
+QLabel* sentence(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+} // namespace
+
+QuestionnairePanel::QuestionnairePanel(QWidget* over)
+    : CoverPanel(over)
+    , m_title(sentence({}))
+    , m_skip(new QPushButton(tr("S&kip")))
+    , m_done(new QPushButton(tr("D&one")))
+{
+    setObjectName(QStringLiteral("questionnairePanel"));
+    setAccessibleName(tr("Questions after the turn"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(card(), 0, Qt::AlignCenter);
+    setTabOrder(m_done, m_skip); // Return after Return ends with Done
+}
+
+QWidget* QuestionnairePanel::card()
+{
+    QFont font = m_title->font();
+    font.setPointSizeF(font.pointSizeF() * titleScale);
+    m_title->setFont(font);
+    auto* scroll = new QuestionList;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(questions());
+
+    auto* card = new QFrame;
+    card->setFrameShape(QFrame::StyledPanel);
+    card->setMinimumWidth(cardWidth);
+    auto* column = new QVBoxLayout(card);
+    column->setContentsMargins(3 * gap, 2 * gap, 3 * gap, 2 * gap);
+    column->setSpacing(gap);
+    column->addWidget(m_title);
+    column->addWidget(sentence(
+        tr("Six questions about the program. Answer what you like: press a number, and once more to take it back.")));
+    column->addWidget(scroll, 1);
+    column->addLayout(buttons());
+    return card;
+}
+
+QWidget* QuestionnairePanel::questions()
+{
+    auto* list = new QWidget;
+    auto* column = new QVBoxLayout(list);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap / 2);
+    for (std::size_t i = 0; i < questionCount; ++i) {
+        const QuestionWords words = QuestionWords::of(static_cast<Question>(i));
+        QLabel* question = sentence(words.question);
+        column->addWidget(question);
+        auto* scale = new AnswerScale(QStringLiteral("question%1").arg(i + 1), words);
+        connect(scale, &AnswerScale::changed, this, [this] { Q_EMIT answered(questionnaire()); });
+        m_scales << scale;
+        column->addWidget(scale);
+        column->addSpacing(gap / 2);
+    }
+    return list;
+}
+
+QLayout* QuestionnairePanel::buttons()
+{
+    named(m_skip, "skipQuestions", tr("Goes on without answers; nothing is kept."));
+    named(m_done, "questionsDone", tr("Goes on, and keeps the answers with the work."));
+    for (QPushButton* button : {m_skip, m_done})
+        button->setAutoDefault(true); // Return presses it
+    connect(m_skip, &QPushButton::clicked, this, &QuestionnairePanel::skip);
+    connect(m_done, &QPushButton::clicked, this, &QuestionnairePanel::finished);
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(m_skip);
+    row->addWidget(m_done);
+    return row;
+}
+
+void QuestionnairePanel::open(const QString& pupil)
+{
+    m_title->setText(tr("How was it, %1?").arg(pupil));
+    for (AnswerScale* scale : m_scales)
+        scale->setAnswer({});
+    cover();
+    m_scales.constFirst()->setFocus();
+}
+
+Questionnaire QuestionnairePanel::questionnaire() const
+{
+    Questionnaire read;
+    for (std::size_t i = 0; i < questionCount; ++i)
+        read.answers[i] = m_scales[static_cast<qsizetype>(i)]->answer();
+    return read;
+}
+
+void QuestionnairePanel::skip()
+{
+    for (AnswerScale* scale : m_scales)
+        scale->setAnswer({});
+    Q_EMIT answered({});
+    Q_EMIT finished();
+}
+} // namespace ui
