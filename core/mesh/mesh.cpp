@@ -278,7 +278,7 @@ namespace
 OpenMesh::Vec4uc colorAndMaskBetween(const Mesh& mesh, Slot v0, Slot v1, const Vec3f& p)
 {
     const double to0 = (p - mesh.point(v0)).norm(), to1 = (p - mesh.point(v1)).norm();
-    const double share = to0 / (to0 + to1);
+    const double share = to0 + to1 > 0 ? to0 / (to0 + to1) : 0.5;
     const Rgb color = mixed(mesh.color(v0), mesh.color(v1), share);
     const double mask = mesh.mask(v0) + share * (mesh.mask(v1) - mesh.mask(v0));
     return {color.r, color.g, color.b, static_cast<std::uint8_t>(mask + 0.5)};

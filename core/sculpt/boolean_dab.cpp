@@ -89,7 +89,7 @@ bool touchesMask(const Mesh& mesh, const Surgery& surgery)
     });
 }
 
-/// Optimises around what the operation has changed. If that does not verify, only splits what is too long.
+/// Optimises around what the operation has changed, unless that does not verify.
 void optimiseAround(DabContext& context)
 {
     if (context.settings.topology == Topology::Keep)
@@ -100,8 +100,7 @@ void optimiseAround(DabContext& context)
         MeshEditor edit = context.editor();
         return optimiseKeepingShape(edit, context.region, context.bounds, place, context.rest());
     };
-    if (!remeshVerified(context, optimiseSharp))
-        splitVerified(context);
+    remeshVerified(context, optimiseSharp);
 }
 } // namespace
 

@@ -12,7 +12,7 @@
 //   join       what the next sub-step would bring into contact                  3.4   dab_steps, fuse/
 //   separate   thin necks, and specks                                           3.4   dab_steps, fuse/
 // and at last, if it has joined anything:
-//   clean      the joints become smooth and quasi-uniform, necks and tunnels narrower than d go   3.4   dab_steps
+//   clean      the joints become smooth and quasi-uniform, narrow tunnels and strands between them go   3.4   dab_steps
 // A sub-step that does not verify is rolled back and retried as prepareRetry() lists; at last fallback_step limits its
 // motion vertex by vertex.
 // The paper smooths locally and optimises at each join (3.4). Here that is done once, after the last sub-step;

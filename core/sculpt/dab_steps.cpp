@@ -22,6 +22,9 @@ namespace
 constexpr double maxImageDistance = 4;
 /// The depth from which a stamp has an outline, in d_detail.
 constexpr double leastDepth = 0.05;
+/// Pairs of near vertices that fusion looks at in the time of one unit of work (WorkBudget). A mesh far finer than the
+/// brush has many within d_thickness.
+constexpr double visitsPerWork = 64;
 /// Rounds of smoothing at what was joined (paper, section 3.4).
 constexpr int jointSmoothings = 3;
 
@@ -224,6 +227,7 @@ bool DabSteps::join(DabContext& context, const StepPlan& plan)
     const PhaseTimer timer(context.report.fuseMs, context.surface.verifyMs());
     const std::uint64_t joins =
         m_fusion.join(context.surface, context.region, context.limits, fusionInput(context, plan));
+    context.request.work.spend(static_cast<double>(m_fusion.takeVisits()) / visitsPerWork);
     if (joins > 0)
         context.limits.clear();
     context.request.totals.fusions += joins;
@@ -250,7 +254,7 @@ void DabSteps::cleanJoints(DabContext& context)
         optimiseJoints(context); // the caps, too
 }
 
-/// Separates thin necks at what was joined, and cuts its narrow handles and tunnels. Returns how many.
+/// Separates thin necks at what was joined, and merges joins that lie beside each other. Returns how many.
 std::uint64_t DabSteps::separateJoints(DabContext& context)
 {
     std::uint64_t& separations = context.request.totals.separations;

@@ -147,8 +147,10 @@ bool joinHookTip(DabContext& context)
     const std::optional<Reach> reach = section.radius > 0 ? reachOf(context, section) : std::nullopt;
     if (!reach || uniteOnBothSides(context, capsuleOver(section, dab.heading, *reach)) != BooleanOutcome::Done)
         return false;
-    if (context.settings.topology != Topology::Keep)
+    if (context.settings.topology != Topology::Keep) {
         smoothJoints(context);
+        splitVerified(context);
+    }
     context.report.outcome = DabOutcome::Committed;
     context.report.touchedVertices = context.touchedVertices();
     context.request.hasLetGo = true;

@@ -185,7 +185,7 @@ DabReport Sculptor::Engine::apply(Dab dab)
     anchor->place(dab);
     const DabReport report = sculpt(dab);
     anchor->follow(dab, report);
-    if (!settings.join)
+    if (!settings.join && report.outcome != DabOutcome::Empty)
         settings.add = false;
     if (settings.tool == Tool::Stamp && report.outcome == DabOutcome::Added && !settings.join)
         hasLetGo = true; // else it would be pressed into what it has added

@@ -154,9 +154,9 @@ std::vector<Slot> CycleSearch::cycleOf(const Mesh& mesh, Slot halfedge) const
 /// happens soon.
 bool CycleSearch::isSeparating(const Mesh& mesh, const std::vector<Slot>& cycle)
 {
-    SlotSet edges;
+    m_edges.clear();
     for (std::size_t i = 0; i < cycle.size(); ++i)
-        edges.add(mesh.findHalfedge(cycle[i], cycle[(i + 1) % cycle.size()]) / 2);
+        m_edges.add(mesh.findHalfedge(cycle[i], cycle[(i + 1) % cycle.size()]) / 2);
     const Slot first = mesh.findHalfedge(cycle[0], cycle[1]);
     m_left.clear();
     m_right.clear();
@@ -166,7 +166,7 @@ bool CycleSearch::isSeparating(const Mesh& mesh, const std::vector<Slot>& cycle)
     const auto grow = [&](SlotSet& side, const SlotSet& other, std::size_t i) {
         Slot h = mesh.faceHalfedge(side.slots()[i]);
         for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-            if (edges.contains(h / 2))
+            if (m_edges.contains(h / 2))
                 continue;
             const Slot face = mesh.face(h ^ 1);
             doMeet = doMeet || other.contains(face);

@@ -17,7 +17,7 @@ public:
     /// Returns the vertices of a short cycle of that kind, at v or near it, in order; nothing if none is found that is
     /// at most `maxLength` long (mm), or if more than 512 vertices lie so near. Precondition: v is live.
     /// Source: the greedy basis of cycles at a vertex, Erickson and Whittlesey 2005. Cost: the vertices within half the
-    /// length.
+    /// length, and for each of at most 8 cycles the faces on both sides until these meet, at most 8192 on each.
     std::vector<Slot> find(const Mesh& mesh, Slot v, Around kind, double maxLength);
 
 private:
@@ -42,6 +42,6 @@ private:
     std::vector<Closing> m_closings;
     SparseIndex m_faces;       ///< with three corners reached
     std::vector<Slot> m_roots; ///< of sets of faces; the first is of all that was not reached
-    SlotSet m_left, m_right;
+    SlotSet m_left, m_right, m_edges;
 };
 } // namespace core

@@ -226,27 +226,32 @@ std::uint64_t TopologyFusion::mergeJoins(VerifiedMesh& surface, Region& region, 
     const SlotSet around = joinedAndNeighbours(mesh);
     for (Slot v : around.slots()) {
         if (mesh.isVertex(v) && (!mirror || mirror->isInHalf(v)) && m_surgery.mayTry(v))
-            merged += mergeJoinsAt(surface, region, v, bounds);
+            merged += mergeJoinsAt(surface, region, v, around, bounds);
     }
     return merged;
 }
 
-/// Fills a tunnel between two joins near the vertex. Where something passes through it, or holes were pushed, cuts a
-/// strand between two.
-bool TopologyFusion::mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const EdgeBounds& bounds)
+/// Fills a tunnel between two joins of this dab near the vertex. Where that is not sound, since something passes
+/// through it, or where holes were pushed, cuts a strand between two. `around`: the joined vertices and their
+/// neighbours; a cycle with others runs around what was there before.
+bool TopologyFusion::mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const SlotSet& around,
+                                  const EdgeBounds& bounds)
 {
     using enum CycleSearch::Around;
     const Mesh& mesh = surface.mesh();
+    const auto isNew = [&](const std::vector<Slot>& cycle) { // else it runs around a hole or handle of the model
+        return !cycle.empty() && std::ranges::all_of(cycle, [&](Slot w) { return around.contains(w); });
+    };
     if (!m_pierced.contains(v)) {
         const std::vector<Slot> tunnel = m_cycleSearch.find(mesh, v, Tunnel, maxTunnelLength * bounds.detail);
         const bool isHole = std::ranges::any_of(tunnel, [&](Slot w) { return m_pierced.contains(w); });
-        if (tunnel.empty() || isHole)
+        if (!isNew(tunnel) || isHole)
             return false;
         if (cut(surface, region, tunnel, bounds))
             return true;
     }
     const std::vector<Slot> strand = m_cycleSearch.find(mesh, v, Handle, maxStrandLength * bounds.detail);
-    if (!strand.empty() && cut(surface, region, strand, bounds))
+    if (isNew(strand) && cut(surface, region, strand, bounds))
         return true;
     m_surgery.countFailure(v);
     return false;

@@ -38,6 +38,8 @@ public:
         return m_separation.separate(surface, region, blocked, bounds);
     }
 
+    /// See FusionCandidates::takeVisits().
+    std::uint64_t takeVisits() { return m_candidates.takeVisits(); }
     /// Whether this dab has joined anything.
     bool hasJoined() const { return m_joined.size() > 0; }
     /// Whether the vertex lies at a join of this dab.
@@ -45,8 +47,8 @@ public:
     /// Adds what this dab has joined to the region: what it met besides.
     void addJoined(Region& region, const Mesh& mesh, const Vec3& center) const;
     /// Makes one seam of two: fills the short tunnels between what this dab has joined from outside, and cuts the thin
-    /// strands between the holes that it has pushed. Then does as Separation::cutCycles(). Returns how many changes
-    /// there were.
+    /// strands between the holes that it has pushed. Leaves the holes and handles that were there before. Then does as
+    /// Separation::cutCycles(). Returns how many changes there were.
     std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds, const RestLengths* rest);
 
 private:
@@ -57,7 +59,7 @@ private:
     std::optional<Surgery> joining(const VerifiedMesh& surface, const FusionPair& pair, Stepping stepping) const;
     SlotSet joinedAndNeighbours(const Mesh& mesh) const;
     std::uint64_t mergeJoins(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
-    bool mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const EdgeBounds& bounds);
+    bool mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const SlotSet& around, const EdgeBounds& bounds);
     bool cut(VerifiedMesh& surface, Region& region, const std::vector<Slot>& cycle, const EdgeBounds& bounds);
     bool isBesideTunnel(const Vec3& middle, double detail) const;
 
@@ -67,7 +69,7 @@ private:
     CycleSearch m_cycleSearch;
     std::vector<Vec3> m_tunnels; ///< where this dab started tunnels; mm
     SlotSet m_done;              ///< vertices around the joins of this round
-    SlotSet m_joined;            ///< vertices around the joins of this dab; some may be gone
+    SlotSet m_joined;            ///< vertices around the joins of this dab; some may be gone, or others by now
     SlotSet m_pierced;           ///< those of them at holes through a wall that is pushed
 };
 } // namespace core

@@ -136,6 +136,7 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
     const ProximityGrid grid(m_points, thickness);
     for (Slot turned : m_turned) {
         grid.forEachNear(m_points[turned], [&](Slot near) {
+            ++m_visits;
             const double distance2 = (m_points[near] - m_points[turned]).squaredNorm();
             if (distance2 >= thickness2 || near == turned ||
                 (m_isTurned[near] && near < turned)) // the last: met from the other side

@@ -5,6 +5,8 @@
 #include "core/sculpt/remesh/rest_lengths.h"
 #include "core/sculpt/verify/verified_mesh.h"
 
+#include <utility>
+
 namespace core
 {
 /// The motion that is to come, as fusion needs to know it.
@@ -47,6 +49,9 @@ public:
 
     const std::vector<FusionPair>& pairs() const { return m_pairs; }
 
+    /// Returns the pairs of near vertices that were looked at since the last call: a measure of the time spent.
+    std::uint64_t takeVisits() { return std::exchange(m_visits, 0); }
+
 private:
     void gather(const VerifiedMesh& surface, const Region& region, double thickness);
     void findTurned(const Mesh& mesh, const Region& region);
@@ -62,5 +67,6 @@ private:
     std::vector<Slot> m_turned;   ///< positions of vertices whose normals lie outside the cone of findTurned()
     std::vector<char> m_isTurned; ///< by position
     std::vector<FusionPair> m_pairs;
+    std::uint64_t m_visits = 0;
 };
 } // namespace core
