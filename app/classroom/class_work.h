@@ -48,7 +48,7 @@ public:
     void deliver();
     /// Works stay on this computer until they are not held any more; then they are delivered.
     void setHeld(bool isHeld);
-    /// Keeps them with the turn's work instead of those that were there.
+    /// Keeps the answers with the turn's work, in the place of those that were there.
     void keepAnswers(const EndedTurn& ended, const ui::Questionnaire& answers);
 
     /// The turn before, while it can be resumed.

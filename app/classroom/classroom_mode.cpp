@@ -203,7 +203,7 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
     show();
 }
 
-/// The questions come before the next name; they are about a work that is kept.
+/// Asks the questions before the next name; the work is kept already.
 void ClassroomMode::next()
 {
     if (m_stage != Stage::Sculpting)

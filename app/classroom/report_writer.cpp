@@ -33,7 +33,7 @@ struct FoundModel
     QString work; ///< folder of the turn that left it; empty: nobody knows
 };
 
-/// The folder's own models, then the works of turns. At least one; throws core::FileError.
+/// Returns the folder's own models, then the works of turns. Throws core::FileError if there is none.
 QList<FoundModel> modelsAndWorks(const std::filesystem::path& folder)
 {
     QList<FoundModel> works, models;
@@ -49,7 +49,7 @@ QList<FoundModel> modelsAndWorks(const std::filesystem::path& folder)
     return models + works;
 }
 
-/// Each turn counts once, with its last answers: one that was resumed has left several works.
+/// Returns the last answers of each turn: one that was resumed has left several works.
 void add(QList<TurnAnswers>& turns, const TurnAnswers& answers)
 {
     if (answers.questionnaire.isEmpty())

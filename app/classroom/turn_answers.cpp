@@ -20,7 +20,7 @@ constexpr qint64 maxAnswersBytes = 64 << 10;
 const QString answersFormatKey = QStringLiteral("format"), answersFormat = QStringLiteral("fettle-answers"),
               answersIdKey = QStringLiteral("id"), answersKey = QStringLiteral("answers");
 
-/// In the order of ui::Question.
+/// The keys of the file, in the order of ui::Question.
 const std::array<QString, ui::questionCount> answerKeys{QStringLiteral("mastering"), QStringLiteral("functions"),
                                                         QStringLiteral("errors"),    QStringLiteral("details"),
                                                         QStringLiteral("topology"),  QStringLiteral("overall")};

@@ -6,8 +6,9 @@
 
 namespace app
 {
-/// What a pupil answered after a turn, beside the work: answers.json in its folder. It is a file of its own because the
-/// work is kept before the questions are asked, and must not be touched for them. Any thread; never throws.
+/// The answers of a pupil after a turn, kept beside the work: answers.json in its folder. This is a file of its own,
+/// because the work is kept before the questions are asked and is not written again for them. Never throws. Thread:
+/// any.
 class TurnAnswers
 {
     Q_DECLARE_TR_FUNCTIONS(app::TurnAnswers)
@@ -17,12 +18,12 @@ public:
 
     QString turnId; ///< of ClassTurn; a turn that was resumed has left several works
     ui::Questionnaire questionnaire;
-    QString problem = {}; ///< of reading: one sentence about the first value that was left out, or about the file
+    QString problem = {}; ///< one sentence about the first value that could not be read, or about the file
 
-    /// Nothing of a folder without the file. Values that are wrong are left out.
+    /// Reads the answers in a folder; none if it has no such file. Leaves wrong values out.
     static TurnAnswers read(const QString& folder);
-    /// Whole or not at all, down to the disk; without an answer no file is left. Returns an empty text or what is
-    /// wrong.
+    /// Writes the file whole or not at all, down to the disk; removes it if there is no answer. Returns an empty text,
+    /// or a sentence that says what is wrong.
     QString write(const QString& folder) const;
 };
 } // namespace app

@@ -18,7 +18,7 @@ class TurnQuestions : public QObject
     Q_OBJECT
 
 public:
-    /// `work` is not owned, and must outlive this; `over` is what the form covers, and owns it.
+    /// `work`: not owned; must outlive this. `over`: the widget that the form covers, which owns it.
     TurnQuestions(ClassWork* work, QWidget* over);
 
     void ask(const EndedTurn& ended);
@@ -26,12 +26,12 @@ public:
     void finish();
 
 Q_SIGNALS:
-    /// The form was open and is closed.
+    /// Emitted when the form closes.
     void done();
 
 private:
     ClassWork* m_work;
     ui::QuestionnairePanel* m_panel;
-    EndedTurn m_ended; ///< that is asked about
+    EndedTurn m_ended; ///< the turn that is asked about
 };
 } // namespace app

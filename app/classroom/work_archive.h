@@ -64,8 +64,8 @@ public:
     /// Moves all works from the outbox to the class's folder; those that cannot be moved stay. A work that is there
     /// already is not added twice.
     Delivery deliver() const;
-    /// Adds them to a work that was kept in that folder, in the place of those that are there. Returns an empty text or
-    /// what is wrong. Not while works are being delivered.
+    /// Adds the answers to a work that was kept in that folder, in the place of those that are there. Returns an empty
+    /// text, or a sentence that says what is wrong. Precondition: no works are being delivered.
     QString addAnswers(const QString& folder, const TurnAnswers& answers) const;
     /// Removes parts of works that a power cut left: all of them in the outbox; in the class's folder, where others may
     /// be writing, those older than a day.
@@ -76,9 +76,9 @@ public:
 
     const QString& outbox() const { return m_outbox; }
 
-    /// The folders in a class's folder that hold a whole work, by name.
+    /// Returns the folders in a class's folder that hold a whole work, by name.
     static QStringList worksIn(const QString& classFolder);
-    /// The model's file in a work's folder.
+    /// Returns the path of the model's file in a work's folder.
     static QString modelOf(const QString& work);
 
     /// "2026-11-24-1015-Anna": letters, digits and signs of the nickname, nothing that means something to a file

@@ -137,10 +137,10 @@ void SculptWorker::run(Sample& job)
     if (const auto effect = m_runner.add(job.sample, !m_queue.hasSample())) {
         if (m_runner.source() == Source::Headset)
             Q_EMIT sampledHeadset(effect->topologyChanges, effect->shortfall);
-        m_publisher.countSample();
         if (!m_queue.hasSample() || m_publisher.isDue())
             flushPatch();
     }
+    m_publisher.countSample();
     m_publisher.endSample();
 }
 

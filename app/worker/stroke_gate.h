@@ -19,7 +19,8 @@ public:
 
     /// False, and refused() from here, if another source's stroke is open, or the gate is held. Each stroke that was
     /// begun is reported once by SculptWorker::strokeFinished(). A pull that may add a sphere (settings.add) does so
-    /// by its first dab, where nothing is under the brush, and goes on as a pull.
+    /// by its first dab, where nothing is under the brush, and goes on as a pull. With settings.join only the first
+    /// sample counts.
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source, core::StrokeEnd how = core::StrokeEnd::Kept);

@@ -18,7 +18,9 @@ bool canAdd(const core::StrokeSettings& settings)
 /// Returns whether it says why a solid was not added.
 bool isRefusal(core::Shortfall shortfall)
 {
-    return shortfall >= core::Shortfall::Inside;
+    using enum core::Shortfall;
+    return shortfall == Inside || shortfall == TooClose || shortfall == NoRoom || shortfall == Unfit ||
+           shortfall == Masked;
 }
 } // namespace
 
@@ -147,7 +149,8 @@ void StrokeRunner::takeBack()
 StrokeReport StrokeRunner::replace(const StrokeReplacement& replacement)
 {
     if (replacement.stroke) {
-        begin({replacement.stroke->settings, Source::Desktop, replacement.before.added});
+        const bool onlyAdds = replacement.before.added && replacement.stroke->samples.size() == 1;
+        begin({replacement.stroke->settings, Source::Desktop, onlyAdds});
         for (const core::StrokeSample& sample : replacement.stroke->samples) {
             if (replacement.stop.stop_requested())
                 break;

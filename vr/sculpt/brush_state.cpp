@@ -94,7 +94,10 @@ BrushState changed(BrushState brush, const WandAction& action)
     using core::BrushShape, core::Symmetry, core::Topology;
     core::StrokeSettings& stroke = brush.stroke;
     const core::Overloaded change{
-        [&](const StepTool& step) { stroke.tool = stepped(brush, step.by); },
+        [&](const StepTool& step) {
+            stroke.tool = stepped(brush, step.by);
+            brush.addsNext = false;
+        },
         [&](ToggleInverse) { brush.isInverse = !brush.isInverse; },
         [&](ToggleBrushShape) {
             stroke.brush = stroke.brush == BrushShape::Sphere ? BrushShape::Ray : BrushShape::Sphere;

@@ -62,7 +62,7 @@ bool WandBrush::begin(BeginStroke begin, const ModelPlacement& placement)
 {
     begin.smooths = begin.smooths && m_smooths;
     m_isDrawing = m_port->beginStroke(strokeSettings(m_state, begin, placement));
-    if (m_isDrawing && !begin.smooths)
+    if (m_isDrawing && !begin.smooths && !begin.continues)
         m_state.addsNext = false;
     return m_isDrawing;
 }

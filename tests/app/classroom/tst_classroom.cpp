@@ -722,7 +722,7 @@ void TestClassroom::questions_comeOnlyIfTheTeacherWants()
     QVERIFY(!c.questions());
 }
 
-/// Of two pupils, each with the own work: the form is empty again for the second.
+/// The form is empty again for the second pupil, and each work has its own answers.
 void TestClassroom::answers_areKeptWithTheWork()
 {
     const QTemporaryDir root;
@@ -902,7 +902,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
 
 namespace
 {
-/// Tells the hash of a work, and ends as in a power cut when the first answer is on the disk and the form is open.
+/// Prints the hash of a work, and ends as in a power cut when the first answer is on the disk and the form is open.
 int runVictimInQuestions(const QString& root)
 {
     const Home home(root);

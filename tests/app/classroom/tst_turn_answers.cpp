@@ -80,7 +80,7 @@ struct KeptClass
     QString works = root.filePath(QStringLiteral("works")), outbox = root.filePath(QStringLiteral("own"));
 };
 
-/// What a page says of one question: answers, mean, and how many chose 1 to 7.
+/// The cells of one question on a page: answers, mean, and how many chose 1 to 7.
 QStringList figuresOf(const QByteArray& page, ui::Question question)
 {
     const QString text = QString::fromUtf8(page);
@@ -95,7 +95,7 @@ QStringList figuresOf(const QByteArray& page, ui::Question question)
 }
 } // namespace
 
-/// What a pupil answered is beside the work, wherever that goes, and in the report.
+/// Answers stay beside the work, wherever that goes, and come into the report.
 class TestTurnAnswers : public QObject
 {
     Q_OBJECT

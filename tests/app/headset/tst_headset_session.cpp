@@ -83,8 +83,8 @@ Played play()
     s.note("horn");
 
     hand.press(Side::Left, "menu");
-    hand.pressPad(Side::Left, -0.8, 0);
-    hand.pressPad(Side::Left, -0.8, 0); // before the first tool is the last, and before that Paint
+    for (int i = 0; i < 4; ++i)
+        hand.pressPad(Side::Left, 0.8, 0); // to Paint, the paper's fifth tool
     hand.press(Side::Right, "menu");
     hand.slide(Side::Right, {0, 1.2});
     s.note("painting-is-chosen");
@@ -99,8 +99,8 @@ Played play()
     s.note("redone");
 
     hand.press(Side::Left, "menu");
-    hand.pressPad(Side::Left, 0.8, 0);
-    hand.pressPad(Side::Left, 0.8, 0);
+    for (int i = 0; i < 4; ++i)
+        hand.pressPad(Side::Left, -0.8, 0);
     hand.press(Side::Left, "menu");
     hand.hover(48 * Vec3(-0.6, 0.8, 0));
     hand.set(Side::Left, "pad", QJsonArray{-0.8, 0});
