@@ -21,15 +21,15 @@ class AnswerScale : public QWidget
     Q_OBJECT
 
 public:
-    /// A point's object name is the scale's, a dot and its digit.
+    /// Names each point's object by the scale's name, a dot and its digit.
     AnswerScale(const QString& name, const QuestionWords& words);
 
     std::optional<int> answer() const { return m_answer; }
-    /// Tells nobody.
+    /// Sets the answer; emits nothing.
     void setAnswer(std::optional<int> answer);
 
 Q_SIGNALS:
-    /// A person has chosen, or taken the choice back.
+    /// Emitted when a person has chosen, or taken the choice back.
     void changed();
 
 protected:
@@ -43,7 +43,7 @@ private:
     void reachByTab(int point);
 
     std::optional<int> m_answer;
-    int m_reached = 1; ///< by Tab
+    int m_reached = 1; ///< the point that Tab reaches
     QList<QToolButton*> m_points;
 };
 } // namespace ui

@@ -25,7 +25,7 @@ struct ReportRow
     QImage picture;                         ///< square, transparent around the model; null: none was made
     std::optional<core::WorkDone> work;     ///< none: the file does not say
     QString name = {};                      ///< empty: the file's
-    QString answersProblem = {};            ///< one sentence: not all answers beside the file can be read
+    QString answersProblem = {};            ///< one sentence, if not all answers beside the file can be read
 };
 
 /// A folder of models for whoever has to judge them all: a row each, in the order in which they are to stand.
@@ -53,18 +53,18 @@ struct ReportCells
 ReportCells cellsOf(const ReportRow& row);
 /// The heads over the cells: name, size, volume, verdict, time, strokes.
 QStringList reportHeads();
-/// One question with what all answered, in the person's language.
+/// A question and the sum of its answers, in the person's language.
 struct QuestionCells
 {
     QString question;
-    QString scale; ///< what its ends mean
+    QString scale; ///< the meaning of its ends
     QString answers, mean;
     std::array<QString, maxAnswer> counts; ///< of each point; empty instead of 0
 };
 
-/// In the order of Question; none if nobody answered.
+/// Returns the rows in the order of Question; none if nobody answered.
 QList<QuestionCells> questionCellsOf(const ClassReport& report);
-/// The heads over these: question, answers, mean and the points.
+/// Returns the heads over these: question, answers, mean and the points.
 QStringList questionHeads();
 QString questionsTitle();
 QString reportTitle(const ClassReport& report);

@@ -26,7 +26,7 @@ void CoverPanel::close()
     m_over->setFocus();
 }
 
-/// What nothing of ours takes would reach the widget below.
+/// Takes the events that no button takes, which would reach the widget below.
 bool CoverPanel::event(QEvent* event)
 {
     switch (event->type()) {

@@ -8,22 +8,22 @@
 
 namespace ui
 {
-/// What a class asks after a turn; each has a scale of seven points, the higher the better. From the evaluation of Zhu
-/// and Yang 2024, appendix A.
+/// A question that a class asks after a turn, with a scale of seven points, the higher the better. Source: appendix A
+/// of Zhu and Yang 2024.
 enum class Question { Mastering, Functions, Errors, Details, Topology, Overall };
 inline constexpr std::size_t questionCount = 6;
 inline constexpr int minAnswer = 1, maxAnswer = 7;
 
-/// A question in the person's language. Any thread.
+/// The words of a question in the person's language. Thread: any.
 struct QuestionWords
 {
     QString question;
-    QString low, high; ///< what the ends of the scale mean
+    QString low, high; ///< the meaning of the scale's ends
 
     static QuestionWords of(Question question);
 };
 
-/// What one pupil answered. Any question may be left out.
+/// The answers of one pupil. Any question may be left out.
 struct Questionnaire
 {
     std::array<std::optional<int>, questionCount> answers; ///< minAnswer to maxAnswer, in the order of Question
@@ -32,7 +32,7 @@ struct Questionnaire
     bool operator==(const Questionnaire&) const = default;
 };
 
-/// What many answered to one question.
+/// The sum of the answers to one question.
 struct AnswerSum
 {
     std::array<int, maxAnswer> counts{}; ///< of 1, 2 and so on
@@ -41,6 +41,6 @@ struct AnswerSum
     double mean() const; ///< 0 without answers
 };
 
-/// Sums in the order of Question. Answers that are left out count nowhere.
+/// Returns the sums in the order of Question. Answers that are left out count nowhere.
 std::array<AnswerSum, questionCount> sumsOf(const QList<Questionnaire>& questionnaires);
 } // namespace ui

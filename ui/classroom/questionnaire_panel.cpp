@@ -18,7 +18,7 @@ namespace
 constexpr int cardWidth = 720;
 constexpr double titleScale = 1.6;
 
-/// As high as its questions where there is room; a low window scrolls.
+/// A scroll area as high as its questions where there is room.
 class QuestionList : public QScrollArea
 {
 public:

@@ -235,7 +235,7 @@ void TestQuestionnairePanel::theWidgetBelow_isOutOfReach()
     QCOMPARE(static_cast<Below*>(m_below)->presses, 1);
 }
 
-/// Where the form does not fit, the buttons stay in sight, and the question that is asked comes there.
+/// The buttons of a form that does not fit stay in sight, and the question that has the focus comes into sight.
 void TestQuestionnairePanel::aLowWindow_scrolls()
 {
     m_below->resize(900, 320);
