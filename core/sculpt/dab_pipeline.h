@@ -13,6 +13,9 @@ namespace core
 class DabPipeline
 {
 public:
+    /// Forgets the stroke before.
+    void beginStroke() { m_steps.beginStroke(); }
+
     /// Applies the dab of the context. Precondition: a stroke is open.
     void apply(DabContext& context);
     /// Applies the dab to a region that is selected already. Preconditions: a stroke is open, the region is selected.

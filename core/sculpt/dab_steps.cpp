@@ -25,6 +25,8 @@ constexpr double leastDepth = 0.05;
 /// Pairs of near vertices that fusion looks at in the time of one unit of work (WorkBudget). A mesh far finer than the
 /// brush has many within d_thickness.
 constexpr double visitsPerWork = 64;
+/// Rounds of cleaning the joints of a dab: what one has merged may lie beside other joins.
+constexpr int maxCleaningRounds = 4;
 /// Rounds of smoothing at what was joined (paper, section 3.4).
 constexpr int jointSmoothings = 3;
 
@@ -250,7 +252,7 @@ void DabSteps::cleanJoints(DabContext& context)
         return;
     m_fusion.addJoined(context.region, context.mesh(), context.dab.position);
     optimiseJoints(context);
-    if (separateJoints(context) > 0)
+    for (int round = 0; round < maxCleaningRounds && separateJoints(context) > 0; ++round)
         optimiseJoints(context); // the caps, too
 }
 

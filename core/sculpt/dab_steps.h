@@ -11,6 +11,8 @@ namespace core
 class DabSteps
 {
 public:
+    /// Forgets where earlier strokes joined surfaces.
+    void beginStroke() { m_fusion.beginStroke(); }
     /// Forgets what earlier dabs could not join, and finds out whether surfaces face each other under this one.
     void begin(DabContext& context);
 

@@ -93,6 +93,7 @@ void Sculptor::Engine::startOver()
     settings.add = mayAdd;
     hasLetGo = false;
     grabs.beginStroke();
+    pipeline.beginStroke();
     displacements.clear();
     rest.clear();
 }

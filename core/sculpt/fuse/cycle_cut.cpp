@@ -23,15 +23,14 @@ Vec3 axisOf(const Mesh& mesh, std::span<const Slot> cycle)
     return axis;
 }
 
-/// Returns the direction to the left of the cycle along the surface, seen from outside.
-Vec3 leftOf(const Mesh& mesh, std::span<const Slot> cycle)
+/// Returns whether the direction from the edge leads into the solid, between the edge's two faces.
+bool leadsInside(const Mesh& mesh, Slot h, const Vec3& direction)
 {
-    Vec3 left = Vec3::Zero();
-    for (std::size_t i = 0; i < cycle.size(); ++i) {
-        const Vec3f way = mesh.point(cycle[(i + 1) % cycle.size()]) - mesh.point(cycle[i]);
-        left += vertexNormal(mesh, cycle[i]).cross(way.cast<double>());
-    }
-    return left;
+    const Vec3 normal = faceNormal(mesh, mesh.face(h)), across = faceNormal(mesh, mesh.face(h ^ 1));
+    const Vec3f otherSide = mesh.point(mesh.to(mesh.next(h ^ 1))) - mesh.point(mesh.to(h));
+    const bool isConvex = normal.dot(otherSide.cast<double>()) < 0;
+    const bool isBelow = normal.dot(direction) < 0, isBelowAcross = across.dot(direction) < 0;
+    return isConvex ? isBelow && isBelowAcross : isBelow || isBelowAcross;
 }
 
 /// Returns triangles that fill a polygon of three or more corners, of the least area together. They run as it does.
@@ -39,7 +38,7 @@ Vec3 leftOf(const Mesh& mesh, std::span<const Slot> cycle)
 std::vector<Triangle> leastTriangles(std::span<const Vec3> corners)
 {
     const std::size_t count = corners.size();
-    struct Part // of the polygon, from one corner to another
+    struct Part // a part of the polygon, from one corner to another
     {
         double area = 0;
         std::size_t apex = 0;
@@ -87,16 +86,12 @@ void addCaps(Surgery& surgery)
     }
 }
 
-/// Returns how far each vertex of the cycle moves to draw its left side back by `distance`: a neck of three edges along
-/// its axis, others along the surface.
-std::vector<Vec3> drawnBack(const Mesh& mesh, std::span<const Slot> cycle, double distance)
+/// Returns the motions of the cycle's vertices that draw its left side back by `distance`.
+std::vector<Vec3> drawnBack(const Mesh& mesh, std::span<const Slot> cycle, DrawBack along, double distance)
 {
     const std::size_t count = cycle.size();
-    const Vec3 axis = axisOf(mesh, cycle);
-    std::vector<Vec3> result(count, distance * axis.normalized());
-    if (count == 3 && !isTunnel(mesh, cycle))
-        return result;
-    for (std::size_t i = 0; i < count; ++i) {
+    std::vector<Vec3> result(count, distance * axisOf(mesh, cycle).normalized());
+    for (std::size_t i = 0; i < count && along == DrawBack::AlongSurface; ++i) {
         const Vec3f way = mesh.point(cycle[(i + 1) % count]) - mesh.point(cycle[(i + count - 1) % count]);
         result[i] = distance * vertexNormal(mesh, cycle[i]).cross(way.cast<double>()).normalized();
     }
@@ -106,10 +101,18 @@ std::vector<Vec3> drawnBack(const Mesh& mesh, std::span<const Slot> cycle, doubl
 
 bool isTunnel(const Mesh& mesh, std::span<const Slot> cycle)
 {
-    return axisOf(mesh, cycle).dot(leftOf(mesh, cycle)) < 0;
+    Vec3 middle = Vec3::Zero();
+    for (Slot v : cycle)
+        middle += mesh.point(v).cast<double>() / static_cast<double>(cycle.size());
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+        const Slot h = mesh.findHalfedge(cycle[i], cycle[(i + 1) % cycle.size()]);
+        inside += leadsInside(mesh, h, middle - mesh.point(cycle[i]).cast<double>());
+    }
+    return 2 * inside < cycle.size();
 }
 
-std::optional<Surgery> cutCycle(const Mesh& mesh, std::span<const Slot> cycle, double gap)
+std::optional<Surgery> cutCycle(const Mesh& mesh, std::span<const Slot> cycle, DrawBack along, double gap)
 {
     const std::size_t count = cycle.size();
     if (axisOf(mesh, cycle).isZero())
@@ -117,7 +120,7 @@ std::optional<Surgery> cutCycle(const Mesh& mesh, std::span<const Slot> cycle, d
     Surgery surgery;
     surgery.near = cycle[0];
     // The side to the left of the cycle gets the first copies, the side to its right the others.
-    const std::vector<Vec3> back = drawnBack(mesh, cycle, 0.5 * gap);
+    const std::vector<Vec3> back = drawnBack(mesh, cycle, along, 0.5 * gap);
     for (const double side : {1.0, -1.0}) {
         for (std::size_t i = 0; i < count; ++i) {
             const Slot v = cycle[i];

@@ -29,9 +29,9 @@ Vec3 pointOf(const Mesh& mesh, Slot v)
 }
 } // namespace
 
-std::vector<Slot> CycleSearch::find(const Mesh& mesh, Slot v, Around kind, double maxLength)
+std::vector<Slot> CycleSearch::find(const Mesh& mesh, const SlotSet& among, Slot v, Around kind, double maxLength)
 {
-    if (!reach(mesh, v, 0.5 * maxLength))
+    if (!reach(mesh, among, v, 0.5 * maxLength))
         return {};
     findClosings(mesh);
     keepEssential(mesh);
@@ -46,8 +46,8 @@ std::vector<Slot> CycleSearch::find(const Mesh& mesh, Slot v, Around kind, doubl
     return {};
 }
 
-/// Dijkstra's algorithm. Returns false if there are too many vertices.
-bool CycleSearch::reach(const Mesh& mesh, Slot source, double radius)
+/// Runs Dijkstra's algorithm. Returns false if there are too many vertices.
+bool CycleSearch::reach(const Mesh& mesh, const SlotSet& among, Slot source, double radius)
 {
     m_reached.clear();
     m_distance.clear();
@@ -74,7 +74,7 @@ bool CycleSearch::reach(const Mesh& mesh, Slot source, double radius)
             continue;
         mesh.forEachOutgoing(v, [&](Slot h) {
             const double there = distance + (pointOf(mesh, mesh.to(h)) - pointOf(mesh, v)).norm();
-            if (there <= radius)
+            if (there <= radius && among.contains(mesh.to(h)))
                 offer(mesh.to(h), there, v);
         });
     }
@@ -150,8 +150,8 @@ std::vector<Slot> CycleSearch::cycleOf(const Mesh& mesh, Slot halfedge) const
     return cycle;
 }
 
-/// Grows both sides of the cycle, in turn, until they meet or one has no more faces. Returns true, too, if neither
-/// happens soon.
+/// Returns whether the cycle separates the surface. Grows both sides of it, in turn, until they meet or one has no more
+/// faces; if neither happens soon, returns true.
 bool CycleSearch::isSeparating(const Mesh& mesh, const std::vector<Slot>& cycle)
 {
     m_edges.clear();

@@ -15,10 +15,11 @@ public:
     enum class Around { Tunnel, Handle };
 
     /// Returns the vertices of a short cycle of that kind, at v or near it, in order; nothing if none is found that is
-    /// at most `maxLength` long (mm), or if more than 512 vertices lie so near. Precondition: v is live.
-    /// Source: the greedy basis of cycles at a vertex, Erickson and Whittlesey 2005. Cost: the vertices within half the
-    /// length, and for each of at most 8 cycles the faces on both sides until these meet, at most 8192 on each.
-    std::vector<Slot> find(const Mesh& mesh, Slot v, Around kind, double maxLength);
+    /// at most `maxLength` long (mm), or if more than 512 vertices lie so near. All its vertices are `among` these.
+    /// Precondition: v is live, and one of them. Source: the greedy basis of cycles at a vertex, Erickson and
+    /// Whittlesey 2005. Cost: the vertices within half the length, and for each of at most 8 cycles the faces on both
+    /// sides until these meet, at most 8192 on each.
+    std::vector<Slot> find(const Mesh& mesh, const SlotSet& among, Slot v, Around kind, double maxLength);
 
 private:
     /// An edge that closes a cycle with the shortest paths from the source.
@@ -28,7 +29,7 @@ private:
         Slot halfedge = noSlot;
     };
 
-    bool reach(const Mesh& mesh, Slot source, double radius);
+    bool reach(const Mesh& mesh, const SlotSet& among, Slot source, double radius);
     void findClosings(const Mesh& mesh);
     void keepEssential(const Mesh& mesh);
     Slot nodeOf(const Mesh& mesh, Slot face);

@@ -17,7 +17,8 @@ namespace core
 {
 namespace
 {
-/// The least distance between two tunnels that a dab starts, in terms of d_detail: the first one is to widen that far.
+/// The least distance between two tunnels that a stroke starts, in terms of d_detail. The first one is to widen that
+/// far.
 constexpr double minTunnelDistance = 4;
 /// The lengths of the cycles at most, in terms of d_detail, around a tunnel that is filled and a strand that is cut
 /// between two joins; and the gaps to try between the two sides, in terms of d.
@@ -25,6 +26,11 @@ constexpr double maxTunnelLength = 6, maxStrandLength = 6;
 constexpr double cycleGaps[] = {0.5, 0.1};
 /// Rounds of joining in a sub-step: a guard, since the last round joins nothing.
 constexpr int maxRounds = 64;
+
+bool isBeside(const Vec3& tunnel, const Vec3& place, double detail)
+{
+    return (tunnel - place).norm() < minTunnelDistance * detail;
+}
 
 /// Returns those of the vertices that are still there, and the new ones.
 std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, const std::vector<Slot>& created)
@@ -40,7 +46,6 @@ void TopologyFusion::beginDab(MirrorMap* mirror, double detailShare, double shre
     m_surgery.beginDab(mirror);
     m_candidates.setMirror(mirror);
     m_separation.beginDab(detailShare, shredSize);
-    m_tunnels.clear();
     m_joined.clear();
     m_pierced.clear();
 }
@@ -82,7 +87,8 @@ std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, c
         if (!mayJoin(mesh, pair))
             continue;
         const Vec3 middle = 0.5 * (mesh.point(pair.p).cast<double>() + mesh.point(pair.q).cast<double>());
-        if (pair.startsTunnel && isBesideTunnel(middle, input.bounds.detail))
+        const auto isHere = [&](const Vec3& tunnel) { return isBeside(tunnel, middle, input.bounds.detail); };
+        if (pair.startsTunnel && std::ranges::any_of(m_tunnels, isHere))
             continue;
         if (!joinPair(surface, region, pair, input.bounds))
             continue;
@@ -182,11 +188,19 @@ std::optional<Surgery> TopologyFusion::joining(const VerifiedMesh& surface, cons
     return m_surgery.withItsImage(surface, half);
 }
 
-bool TopologyFusion::isBesideTunnel(const Vec3& middle, double detail) const
+/// Forgets the tunnels that a neck which was cut may have ended: the surfaces there may join again.
+void TopologyFusion::forgetTunnelsAtNecks(double detail)
 {
-    const double beside = minTunnelDistance * detail;
-    return std::ranges::any_of(m_tunnels,
-                               [&](const Vec3& tunnel) { return (tunnel - middle).squaredNorm() < beside * beside; });
+    for (const Vec3& neck : m_separation.takeNecks())
+        std::erase_if(m_tunnels, [&](const Vec3& tunnel) { return isBeside(tunnel, neck, detail); });
+}
+
+std::uint64_t TopologyFusion::separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
+                                       const EdgeBounds& bounds)
+{
+    const std::uint64_t separations = m_separation.separate(surface, region, blocked, bounds);
+    forgetTunnelsAtNecks(bounds.detail);
+    return separations;
 }
 
 void TopologyFusion::addJoined(Region& region, const Mesh& mesh, const Vec3& center) const
@@ -215,7 +229,9 @@ std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, c
 {
     const std::uint64_t merged = mergeJoins(surface, region, bounds);
     const SlotSet around = joinedAndNeighbours(surface.mesh());
-    return merged + m_separation.cutCycles(surface, region, around.slots(), bounds, rest);
+    const std::uint64_t cuts = m_separation.cutCycles(surface, region, around.slots(), bounds, rest);
+    forgetTunnelsAtNecks(bounds.detail);
+    return merged + cuts;
 }
 
 std::uint64_t TopologyFusion::mergeJoins(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds)
@@ -231,27 +247,27 @@ std::uint64_t TopologyFusion::mergeJoins(VerifiedMesh& surface, Region& region, 
     return merged;
 }
 
-/// Fills a tunnel between two joins of this dab near the vertex. Where that is not sound, since something passes
-/// through it, or where holes were pushed, cuts a strand between two. `around`: the joined vertices and their
-/// neighbours; a cycle with others runs around what was there before.
+/// Fills a tunnel between two joins near the vertex. Where that cannot be done, as if something passes through it, or
+/// where holes were pushed, cuts a strand between two. `around`: the vertices at the joins of this dab, which alone are
+/// looked at: cycles over others run around holes and handles of the model.
 bool TopologyFusion::mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const SlotSet& around,
                                   const EdgeBounds& bounds)
 {
     using enum CycleSearch::Around;
     const Mesh& mesh = surface.mesh();
-    const auto isNew = [&](const std::vector<Slot>& cycle) { // else it runs around a hole or handle of the model
-        return !cycle.empty() && std::ranges::all_of(cycle, [&](Slot w) { return around.contains(w); });
+    const auto find = [&](CycleSearch::Around kind, double length) {
+        return m_cycleSearch.find(mesh, around, v, kind, length * bounds.detail);
     };
     if (!m_pierced.contains(v)) {
-        const std::vector<Slot> tunnel = m_cycleSearch.find(mesh, v, Tunnel, maxTunnelLength * bounds.detail);
+        const std::vector<Slot> tunnel = find(Tunnel, maxTunnelLength);
         const bool isHole = std::ranges::any_of(tunnel, [&](Slot w) { return m_pierced.contains(w); });
-        if (!isNew(tunnel) || isHole)
+        if (tunnel.empty() || isHole)
             return false;
         if (cut(surface, region, tunnel, bounds))
             return true;
     }
-    const std::vector<Slot> strand = m_cycleSearch.find(mesh, v, Handle, maxStrandLength * bounds.detail);
-    if (isNew(strand) && cut(surface, region, strand, bounds))
+    const std::vector<Slot> strand = find(Handle, maxStrandLength);
+    if (!strand.empty() && cut(surface, region, strand, bounds))
         return true;
     m_surgery.countFailure(v);
     return false;
@@ -262,8 +278,8 @@ bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const std::vecto
                          const EdgeBounds& bounds)
 {
     for (const double gap : cycleGaps) {
-        const std::optional<Surgery> surgery =
-            m_surgery.withItsImage(surface, cutCycle(surface.mesh(), cycle, gap * bounds.minimum));
+        const std::optional<Surgery> surgery = m_surgery.withItsImage(
+            surface, cutCycle(surface.mesh(), cycle, DrawBack::AlongSurface, gap * bounds.minimum));
         if (!surgery)
             return false;
         if (const auto created = m_surgery.operate(surface, region, *surgery)) {

@@ -12,7 +12,9 @@ namespace core
 class TopologyFusion
 {
 public:
-    /// Begins a dab: forgets the tunnels and the failures of the one before. `mirror`: null, or on; then the regions
+    /// Begins a stroke: forgets the tunnels of the one before.
+    void beginStroke() { m_tunnels.clear(); }
+    /// Begins a dab: forgets the joins and the failures of the one before. `mirror`: null, or on; then the regions
     /// are of the half, and each operation is done to the half and its image. `detailShare`, `shredSize`: see
     /// Separation::beginDab().
     void beginDab(MirrorMap* mirror, double detailShare, double shredSize);
@@ -33,10 +35,7 @@ public:
 
     /// See Separation::separate().
     std::uint64_t separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
-                           const EdgeBounds& bounds)
-    {
-        return m_separation.separate(surface, region, blocked, bounds);
-    }
+                           const EdgeBounds& bounds);
 
     /// See FusionCandidates::takeVisits().
     std::uint64_t takeVisits() { return m_candidates.takeVisits(); }
@@ -61,13 +60,13 @@ private:
     std::uint64_t mergeJoins(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
     bool mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const SlotSet& around, const EdgeBounds& bounds);
     bool cut(VerifiedMesh& surface, Region& region, const std::vector<Slot>& cycle, const EdgeBounds& bounds);
-    bool isBesideTunnel(const Vec3& middle, double detail) const;
+    void forgetTunnelsAtNecks(double detail);
 
     FusionSurgery m_surgery;
     FusionCandidates m_candidates;
     Separation m_separation{m_surgery};
     CycleSearch m_cycleSearch;
-    std::vector<Vec3> m_tunnels; ///< where this dab started tunnels; mm
+    std::vector<Vec3> m_tunnels; ///< where this stroke started tunnels; mm
     SlotSet m_done;              ///< vertices around the joins of this round
     SlotSet m_joined;            ///< vertices around the joins of this dab; some may be gone, or others by now
     SlotSet m_pierced;           ///< those of them at holes through a wall that is pushed

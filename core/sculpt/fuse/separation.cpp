@@ -111,14 +111,14 @@ bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair
     if (third == noSlot || !m_surgery.mayTry(edge[0]) || !m_surgery.mayTry(edge[1]))
         return false;
     const Triangle cycle = {edge[0], edge[1], third};
-    if (isTunnel(mesh, cycle)) // whose end may be a pit, which would become a void
-        return false;
+    const Vec3 middle = (mesh.point(cycle[0]) + mesh.point(cycle[1]) + mesh.point(cycle[2])).cast<double>() / 3;
     for (double gap : neckGaps) {
-        const std::optional<Surgery> neck = cutCycle(mesh, cycle, gap * bounds.minimum);
+        const std::optional<Surgery> neck = cutCycle(mesh, cycle, DrawBack::AlongAxis, gap * bounds.minimum);
         const std::optional<Surgery> surgery = isOwnImage(mesh, cycle) ? neck : m_surgery.withItsImage(surface, neck);
         if (!surgery)
             return false;
         if (const auto created = m_surgery.operate(surface, region, *surgery)) {
+            m_necks.push_back(middle);
             // a copy of the cycle's vertex on each side
             removeSpecks(surface, region, {(*created)[0], (*created)[3]}, bounds);
             removeShred(surface, region, (*created)[0], (*created)[3], bounds);

@@ -3,6 +3,8 @@
 #include "core/sculpt/fuse/fusion_surgery.h"
 #include "core/sculpt/remesh/remesh.h"
 
+#include <utility>
+
 namespace core
 {
 /// Separates the surface where an edge that is too short can no longer be collapsed (the counterpart of the paper's
@@ -27,7 +29,7 @@ public:
     std::uint64_t separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
                            const EdgeBounds& bounds);
 
-    /// Cuts necks at these vertices that are narrower than d: cycles of three edges whose ends are capped. Removes
+    /// Cuts necks at these vertices that are narrower than d: cycles of three edges, whose ends are capped. Removes
     /// specks and small voids there. `rest`: null, or of a stroke that keeps detail, where d is less. Returns how many
     /// of all these there were.
     std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
@@ -36,6 +38,9 @@ public:
     /// Removes the components of these vertices that are specks.
     void removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
                       const EdgeBounds& bounds);
+
+    /// Returns the middles of the necks that were cut since the last call, in mm.
+    std::vector<Vec3> takeNecks() { return std::exchange(m_necks, {}); }
 
 private:
     enum class Also { Nothing, Voids, Shreds };
@@ -49,5 +54,6 @@ private:
 
     FusionSurgery& m_surgery;
     double m_detailShare = 1, m_shredSize = 0;
+    std::vector<Vec3> m_necks; ///< see takeNecks()
 };
 } // namespace core

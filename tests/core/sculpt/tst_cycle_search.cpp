@@ -27,6 +27,14 @@ double lengthOf(const core::Mesh& mesh, const std::vector<Slot>& cycle)
     return length;
 }
 
+core::SlotSet allOf(const core::Mesh& mesh)
+{
+    core::SlotSet all;
+    for (Slot v = 0; v < mesh.slots().vertices; ++v)
+        all.add(v);
+    return all;
+}
+
 Slot nearestTo(const core::Mesh& mesh, const Vec3& place)
 {
     Slot nearest = 0;
@@ -44,11 +52,12 @@ class TestCycleSearch : public QObject
 private Q_SLOTS:
     void find_theHoleOfARing();
     void find_theTubeOfARing();
+    void find_onlyAmongWhatIsGiven();
     void find_nothingOnABall();
     void cutCycle_fillsTheHole();
 };
 
-/// Around the hole, and never around the tube, although that is shorter: within it is the solid.
+/// The cycle runs around the hole, and never around the tube, although that is shorter: within it is the solid.
 void TestCycleSearch::find_theHoleOfARing()
 {
     const auto mesh = sculptable(shapes::torus(size));
@@ -56,7 +65,7 @@ void TestCycleSearch::find_theHoleOfARing()
     core::CycleSearch search;
     for (const double angle : {0.0, 1.0, 4.0}) {
         const Slot v = nearestTo(*mesh, inner * Vec3(std::cos(angle), 0, std::sin(angle)));
-        const std::vector<Slot> cycle = search.find(*mesh, v, Around::Tunnel, 1.05 * around);
+        const std::vector<Slot> cycle = search.find(*mesh, allOf(*mesh), v, Around::Tunnel, 1.05 * around);
         QVERIFY(cycle.size() > 2);
         QVERIFY(lengthOf(*mesh, cycle) <= 1.05 * around);
         for (std::size_t i = 0; i < cycle.size(); ++i) {
@@ -64,25 +73,42 @@ void TestCycleSearch::find_theHoleOfARing()
             const Vec3 p = mesh->point(cycle[i]).cast<double>();
             QVERIFY(std::hypot(p.x(), p.z()) < size.ring);
         }
-        QVERIFY(search.find(*mesh, v, Around::Tunnel, 0.9 * around).empty());
+        QVERIFY(search.find(*mesh, allOf(*mesh), v, Around::Tunnel, 0.9 * around).empty());
     }
 }
 
-/// From anywhere on it, also where the hole's cycle is no longer than its own.
+/// The tube's cycle is found from anywhere on it, also where the hole's is no longer.
 void TestCycleSearch::find_theTubeOfARing()
 {
     const auto mesh = sculptable(shapes::torus(size));
     const double around = 2 * std::numbers::pi * size.tube;
     core::CycleSearch search;
     for (Slot v = 0; v < mesh->slots().vertices; v += 5) {
-        const std::vector<Slot> cycle = search.find(*mesh, v, Around::Handle, around);
+        const std::vector<Slot> cycle = search.find(*mesh, allOf(*mesh), v, Around::Handle, around);
         QVERIFY(cycle.size() > 2 && lengthOf(*mesh, cycle) <= around);
         Vec3 middle = Vec3::Zero();
         for (Slot w : cycle)
             middle += mesh->point(w).cast<double>() / static_cast<double>(cycle.size());
         QVERIFY(std::abs(std::hypot(middle.x(), middle.z()) - size.ring) < 0.2 * size.tube);
-        QVERIFY(search.find(*mesh, v, Around::Handle, 0.8 * around).empty());
+        QVERIFY(search.find(*mesh, allOf(*mesh), v, Around::Handle, 0.8 * around).empty());
     }
+}
+
+/// Half of a ring has no way around its hole; its tube is whole.
+void TestCycleSearch::find_onlyAmongWhatIsGiven()
+{
+    const auto mesh = sculptable(shapes::torus(size));
+    const double inner = size.ring - size.tube, around = 2 * std::numbers::pi * size.ring;
+    core::SlotSet half;
+    for (Slot v = 0; v < mesh->slots().vertices; ++v) {
+        if (mesh->point(v).x() > -0.1F)
+            half.add(v);
+    }
+    core::CycleSearch search;
+    const Slot v = nearestTo(*mesh, {inner, 0, 0});
+    QVERIFY(search.find(*mesh, half, v, Around::Tunnel, around).empty());
+    QVERIFY(!search.find(*mesh, allOf(*mesh), v, Around::Tunnel, around).empty());
+    QVERIFY(!search.find(*mesh, half, v, Around::Handle, 2 * std::numbers::pi * size.tube).empty());
 }
 
 void TestCycleSearch::find_nothingOnABall()
@@ -92,7 +118,7 @@ void TestCycleSearch::find_nothingOnABall()
     for (Slot v = 0; v < mesh->slots().vertices; v += 7)
         for (const double length : {0.5, 2.0, 4.0})
             for (const Around kind : {Around::Tunnel, Around::Handle})
-                QVERIFY(search.find(*mesh, v, kind, length).empty());
+                QVERIFY(search.find(*mesh, allOf(*mesh), v, kind, length).empty());
 }
 
 void TestCycleSearch::cutCycle_fillsTheHole()
@@ -102,14 +128,15 @@ void TestCycleSearch::cutCycle_fillsTheHole()
     QCOMPARE(eulerNumber(*mesh), 0);
     const double inner = size.ring - size.tube;
     core::CycleSearch search;
-    const std::vector<Slot> cycle = search.find(*mesh, nearestTo(*mesh, {inner, 0, 0}), Around::Tunnel, 8 * inner);
+    const std::vector<Slot> cycle =
+        search.find(*mesh, allOf(*mesh), nearestTo(*mesh, {inner, 0, 0}), Around::Tunnel, 8 * inner);
     mesh->beginStroke();
-    const auto surgery = core::cutCycle(*mesh, cycle, 0.05);
+    const auto surgery = core::cutCycle(*mesh, cycle, core::DrawBack::AlongSurface, 0.05);
     QVERIFY(surgery);
     QVERIFY(surface.tryOperation([&] { mesh->replaceFaces(*surgery); }));
     mesh->endStroke();
     QCOMPARE(eulerNumber(*mesh), 2);
-    QVERIFY(search.find(*mesh, nearestTo(*mesh, {inner, 0.05, 0}), Around::Tunnel, 8 * inner).empty());
+    QVERIFY(search.find(*mesh, allOf(*mesh), nearestTo(*mesh, {inner, 0.05, 0}), Around::Tunnel, 8 * inner).empty());
 }
 
 FETTLE_TEST(TestCycleSearch, QCoreApplication)

@@ -278,12 +278,18 @@ void TestJoints::joints_areQuasiUniform_data()
     QTest::addColumn<double>("radius");
     const core::TriangleMesh balls =
         shapes::together(movedBy(core::icosphere(5, 1), {-1.15F, 0, 0}), movedBy(core::icosphere(5, 1), {1.15F, 0, 0}));
+    core::TriangleMesh plate = clay::slab(3, 0.4, 60);
+    for (core::Vec3f& p : plate.points)
+        p = core::Vec3f(p.y(), -p.x(), p.z());
+    const core::TriangleMesh plates = shapes::together(movedBy(plate, {-0.4F, 0, 0}), movedBy(plate, {0.4F, 0, 0}));
     for (const Tool tool : {Tool::Pull, Tool::Grab, Tool::Inflate, Tool::SnakeHook}) {
         for (const double radius : {0.15, 0.22, 0.32, 0.45}) {
             const std::string_view name = core::name(tool);
             if (tool != Tool::Inflate || radius > 0.2) // which would take far more dabs to get there
                 QTest::addRow("balls, %s, %g", name.data(), radius) << balls << 0.3 << tool << radius;
             QTest::addRow("fingers, %s, %g", name.data(), radius) << clay::twoFingers(0.2) << 0.2 << tool << radius;
+            if (tool != Tool::Inflate || radius > 0.4) // a smaller one would take far more dabs to get there
+                QTest::addRow("plates, %s, %g", name.data(), radius) << plates << 0.4 << tool << radius;
         }
     }
 }
@@ -327,7 +333,7 @@ void TestJoints::eggThroughAPlate_isOneSeam_data()
     }
 }
 
-/// What is dragged through becomes part of the plate, or leaves one hole.
+/// An egg that is dragged through a plate becomes part of it, or leaves one hole.
 void TestJoints::eggThroughAPlate_isOneSeam()
 {
     QFETCH(double, radius);
