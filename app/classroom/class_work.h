@@ -44,7 +44,7 @@ public:
     /// Keeps the model as the turn's work. `before`: what was done before the document's history begins. False: other
     /// work on the model goes on, and nothing is done.
     bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
-    /// Delivers what waits, now and again until nothing waits. While works are held: later.
+    /// Delivers what waits, now and again until nothing waits. Delivers nothing while works are held.
     void deliver();
     /// Works stay on this computer until they are not held any more; then they are delivered.
     void setHeld(bool isHeld);

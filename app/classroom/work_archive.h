@@ -29,7 +29,7 @@ struct TurnWork
     TurnRecord record; ///< step by step, without what was undone
 };
 
-/// Where a turn's work was archived.
+/// The place where a turn's work was archived.
 struct ArchivedWork
 {
     QString folder;  ///< empty: nowhere

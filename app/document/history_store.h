@@ -58,7 +58,7 @@ public:
     ~HistoryStore() override;
 
     void setCap(std::size_t bytes);
-    /// Where spilled deltas go; by default a temporary folder of our own.
+    /// The folder of the spilled deltas; by default a temporary one of our own.
     void setFolder(const QString& folder);
 
     /// The change made at `index` of the undo stack; what was undone there and after it is forgotten.
@@ -77,7 +77,7 @@ public:
     /// Whether the change below, or above, the present `index` of the undo stack is still there.
     bool canUndo(int index) const { return index > m_first; }
     bool canRedo(int index) const { return index < m_end; }
-    /// Where the undo stack can go.
+    /// The range of steps that the undo stack can go to.
     int firstIndex() const { return m_first; }
     int lastIndex() const { return m_end; }
     std::size_t bytesInMemory() const;

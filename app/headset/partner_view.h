@@ -46,7 +46,7 @@ public:
     void press(vr::LessonRequest button);
 
 public Q_SLOTS:
-    /// Where the user at the window points; nothing: nowhere.
+    /// The place where the user at the window points; nothing if at none.
     void point(const std::optional<core::SurfaceHit>& place);
     /// Only the window changes the model, until this is false again or the visit ends.
     void setTakenOver(bool isTakenOver);

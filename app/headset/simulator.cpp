@@ -42,7 +42,7 @@ QJsonObject script()
                                                   {QStringLiteral("aim"), aim}}}};
 }
 
-/// Where the build puts it, or an installation.
+/// Returns the path where the build puts the module, or an installation does.
 QString folderOf(const QString& program)
 {
     for (const char* way : {"/" FETTLE_SIMULATOR_FOLDER, "/../" FETTLE_SIMULATOR_FOLDER})

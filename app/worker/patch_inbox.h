@@ -9,8 +9,8 @@
 
 namespace app
 {
-/// Where one viewer finds what it must draw anew: at most one patch, newer ones merge into it. One thread puts, one
-/// takes; neither waits for the other longer than a move, for merging is done outside the lock.
+/// The place where one viewer finds what it must draw anew: at most one patch, newer ones merge into it. One thread
+/// puts, one takes; neither waits for the other longer than a move, for merging is done outside the lock.
 class PatchInbox : public QObject
 {
     Q_OBJECT

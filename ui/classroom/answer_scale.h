@@ -14,8 +14,8 @@ struct QuestionWords;
 
 /// A question's scale: a button for each point, of which one or none is chosen. A second click takes the choice back.
 ///
-/// Tab comes to one point only; the arrows lead to the others and to other scales, Space, digits and Delete choose, and
-/// Return goes on. Thread: gui.
+/// The Tab key stops at one point only; the arrows lead to the others and to other scales, Space, digits and Delete
+/// choose, and Return goes on. Thread: gui.
 class AnswerScale : public QWidget
 {
     Q_OBJECT

@@ -20,14 +20,14 @@ class QuestionnairePanel : public CoverPanel
 public:
     explicit QuestionnairePanel(QWidget* over);
 
-    /// Without answers.
+    /// Opens the form, without answers, for this pupil.
     void open(const QString& pupil);
     Questionnaire questionnaire() const;
 
 Q_SIGNALS:
-    /// All answers so far, whenever one is given or taken back.
+    /// Emitted with all answers so far when one is given or taken back.
     void answered(const ui::Questionnaire& soFar);
-    /// Done or Skip was pressed; Skip takes all answers back before.
+    /// Emitted when Done or Skip is pressed. Skip takes all answers back first.
     void finished();
 
 private:

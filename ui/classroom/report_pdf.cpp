@@ -156,7 +156,7 @@ RowLayout layoutOf(const ReportRow& row, const std::filesystem::path& path)
     return layout;
 }
 
-/// Beside the question: number of answers, mean, and each point.
+/// The columns beside the question: number of answers, mean, and each point.
 constexpr double questionWidth = 90, answersWidth = 18, meanWidth = 15, pointWidth = 9; ///< mm
 constexpr double questionsTitleHeight = 4, questionsTitleSpace = 16;                    ///< mm
 
@@ -180,7 +180,7 @@ public:
         }
     }
 
-    /// In mm; 0: nobody was asked.
+    /// Returns the height in mm; 0 if nobody was asked.
     double height() const
     {
         double height = m_rows.empty() ? 0 : questionsTitleSpace;

@@ -149,7 +149,7 @@ void TestHeadsetPanels::tools_chooseTheBrush()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// Once, where the trigger is pulled, although the hand goes on; at the surface it becomes part of the model.
+/// A trigger adds one ball, where it is pulled, although the hand goes on. At the surface it becomes part of the model.
 void TestHeadsetPanels::tools_addABall()
 {
     AtTools v;

@@ -337,7 +337,7 @@ void TestSculptWorker::worker_answersWhatABallTouches()
     QVERIFY(!at({0, 0, 60}, byRay));
 }
 
-/// However far the wand goes on: it pulls the new one, and another that is refused waits for the surface.
+/// A stroke adds one ball and pulls it, however far the wand goes on. One that was refused waits for the surface.
 void TestSculptWorker::worker_addsOneSphereAStroke()
 {
     SculptWorker worker;

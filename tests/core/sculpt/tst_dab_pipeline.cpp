@@ -237,7 +237,7 @@ void TestDabPipeline::addedSphere_tooCloseIsRefused()
     QVERIFY(isSound(*sculptor));
 }
 
-/// Else the stamp would be pressed into what it has added.
+/// The second dab would press the stamp into what the first has added.
 void TestDabPipeline::addedStamp_endsTheStroke()
 {
     std::vector<std::uint64_t> states;
@@ -260,8 +260,8 @@ void TestDabPipeline::addedStamp_endsTheStroke()
     QCOMPARE(states[0], states[1]);
 }
 
-/// From a place that is too close for a ball and too far for a pull, as from one inside, a stroke goes on until it
-/// meets the surface, and is the pull that it would have been from there.
+/// A stroke may begin too close for a ball and too far for a pull, or inside. It goes on until it meets the surface,
+/// and is the pull that it would have been from there.
 void TestDabPipeline::addedSphere_refusedIsAPull()
 {
     for (const double start : {1.32, 1.31, 0.3}) {

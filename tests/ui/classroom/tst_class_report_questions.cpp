@@ -40,7 +40,7 @@ private Q_SLOTS:
     void pdf_hasRoomForTheTable();
 };
 
-/// Against a count by hand over answers that are drawn.
+/// Random answers are summed as a count by hand has them.
 void TestClassReportQuestions::sums_countEachAnswerOnce()
 {
     std::array<std::array<int, maxAnswer>, questionCount> expected{};
@@ -118,7 +118,7 @@ void TestClassReportQuestions::html_hasARowForEachQuestion()
     QVERIFY(page.indexOf("<table>") < page.indexOf("<table class=\"questions\">")); // the script sorts the first
 }
 
-/// Whatever number of rows comes before it: it is on the last page, which is added where it has no room.
+/// The table is on the last page, whatever number of rows comes before it. A page is added where it has no room.
 void TestClassReportQuestions::pdf_hasRoomForTheTable()
 {
     const auto pages = [](const ClassReport& report) { return reportPdf(report, "r.pdf").count("/Type /Page\n"); };

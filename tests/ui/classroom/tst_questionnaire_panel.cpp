@@ -147,7 +147,7 @@ void TestQuestionnairePanel::digits_answerFromAnywhere()
     QVERIFY(m_panel->questionnaire().isEmpty());
 }
 
-/// Digit and Return, question by question, and Return on Done: nobody has to reach for the mouse, or skips by mistake.
+/// A digit and Return answer each question, and Return presses Done: nobody needs the mouse, or skips by mistake.
 void TestQuestionnairePanel::allKeys_fillTheForm()
 {
     const QSignalSpy finished(m_panel, &QuestionnairePanel::finished);

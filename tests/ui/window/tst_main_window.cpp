@@ -815,7 +815,7 @@ private Q_SLOTS:
         QCOMPARE(sheet->itemOf(QStringLiteral("brush.radius"))->text(ui::CommandList::Key), QStringLiteral("S"));
     }
 
-    /// Everything that can be is changed, then reset; the next start finds nothing left.
+    /// A reset takes back every change that can be made; the next start finds nothing left.
     void resetBringsEverythingBack()
     {
         const auto isAsAtFirst = [](const MainWindow& window) {

@@ -153,7 +153,7 @@ private Q_SLOTS:
             QVERIFY(areClose(placement.toRoom(p), placed().toRoom(p)));
     }
 
-    /// However it stands and has grown: the axis is the document's Y axis, and above is the room's.
+    /// The axis is the document's Y axis, and above is the room's, however the model stands and has grown.
     void aTiltedModelTurnsAboutItsOwnAxis()
     {
         for (const double tilt : {0.35, 1.0, 2.5}) {
@@ -184,7 +184,7 @@ private Q_SLOTS:
             QVERIFY(areClose(placement.middle(), middle));
             QCOMPARE(placement.lengthToRoom(1), scale);
             const Eigen::Quaterniond upright = placement.rotation();
-            placement.level(); // as it stands already
+            placement.level(); // changes nothing: it stands already
             QVERIFY(upright.angularDistance(placement.rotation()) < tolerance);
         }
     }
