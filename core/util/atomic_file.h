@@ -11,7 +11,7 @@ namespace core
 {
 /// Writes a file so that at each moment the path holds the whole old file or the whole new one, after a power cut too.
 /// Until commit() nothing is seen under the path; without it nothing remains. Through a link the file it points to is
-/// replaced; its permissions stay. Each member throws FileError.
+/// replaced, or made if it is not there; its permissions stay. Each member throws FileError.
 class AtomicFile
 {
 public:

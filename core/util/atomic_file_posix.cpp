@@ -25,6 +25,21 @@ std::filesystem::path folderOf(const std::filesystem::path& target)
     const std::filesystem::path folder = target.parent_path();
     return folder.empty() ? "." : folder;
 }
+/// Where a chain of links ends, whether anything is there or not.
+std::filesystem::path endOfLinks(std::filesystem::path path, std::error_code& error)
+{
+    constexpr int longest = 40; // as the system has it
+    for (int i = 0; std::filesystem::is_symlink(path, error); ++i) {
+        const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+        if (i == longest)
+            error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+        if (error)
+            return path;
+        path = next.is_absolute() ? next : path.parent_path() / next;
+    }
+    error.clear(); // nothing there is no problem
+    return path;
+}
 } // namespace
 
 void syncFolder(const std::filesystem::path& folder)
@@ -80,11 +95,9 @@ bool renameFolder(const std::filesystem::path& from, const std::filesystem::path
 AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_target(path)
 {
     std::error_code error;
-    if (std::filesystem::is_symlink(path, error)) {
-        m_target = std::filesystem::weakly_canonical(path, error);
-        if (error)
-            fail(error.value());
-    }
+    m_target = endOfLinks(path, error);
+    if (error)
+        fail(error.value());
     struct stat status = {};
     const bool exists = ::stat(m_target.c_str(), &status) == 0;
     if (exists && !S_ISREG(status.st_mode))

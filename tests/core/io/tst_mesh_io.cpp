@@ -327,6 +327,7 @@ private Q_SLOTS:
 
     void writing_failsWithoutTrace();
     void writing_replacesWhatLinksPointTo();
+    void writing_makesWhatDanglingLinksPointTo();
     void writing_diskLimitLeavesTheOldFile();
 
 private:
@@ -1034,6 +1035,26 @@ void TestMeshIo::writing_replacesWhatLinksPointTo()
     QVERIFY(sameBits(core::readMesh(target), shapes::tetrahedron()));
     QCOMPARE(static_cast<int>(std::filesystem::status(target).permissions()), 0640);
     std::filesystem::remove(file("link.obj"));
+}
+
+void TestMeshIo::writing_makesWhatDanglingLinksPointTo()
+{
+    std::filesystem::create_directories(file("real"));
+    std::filesystem::create_symlink("real/new.obj", file("first.obj")); // relative to where the link is
+    std::filesystem::create_symlink("first.obj", file("second.obj"));
+    core::writeMesh(file("second.obj"), shapes::tetrahedron());
+    QVERIFY(std::filesystem::is_symlink(file("first.obj")) && std::filesystem::is_symlink(file("second.obj")));
+    QVERIFY(!std::filesystem::is_symlink(file("real/new.obj")));
+    QVERIFY(sameBits(core::readMesh(file("real/new.obj")), shapes::tetrahedron()));
+
+    std::filesystem::create_symlink("nowhere/new.obj", file("lost.obj"));
+    const auto lost = errorOf([&] { core::writeMesh(file("lost.obj"), shapes::tetrahedron()); });
+    QVERIFY(lost && lost->kind == Kind::NoFolder && std::filesystem::is_symlink(file("lost.obj")));
+    std::filesystem::create_symlink("round.obj", file("round.obj"));
+    QVERIFY(errorOf([&] { core::writeMesh(file("round.obj"), shapes::tetrahedron()); }));
+    QVERIFY(std::filesystem::is_symlink(file("round.obj")));
+    for (const char* const name : {"first.obj", "second.obj", "lost.obj", "round.obj"})
+        std::filesystem::remove(file(name));
 }
 
 void TestMeshIo::writing_diskLimitLeavesTheOldFile()
