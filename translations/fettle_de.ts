@@ -4779,14 +4779,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Angekündigt sind %2 Elemente, die Datei hat aber nur Platz für %3.</translation>
     </message>
     <message>
-        <source>%1: this cannot be understood.</source>
-        <translation>%1: Diese Stelle ist unverständlich.</translation>
-    </message>
-    <message>
-        <source>%1: &quot;%2&quot; cannot be understood.</source>
-        <translation>%1: „%2“ ist unverständlich.</translation>
-    </message>
-    <message>
         <source>%1: a coordinate is not a finite number.</source>
         <translation>%1: Eine Koordinate ist keine endliche Zahl.</translation>
     </message>
@@ -5014,6 +5006,186 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: there is no model in this folder (%2).</source>
         <translation>%1: In diesem Ordner liegt kein Modell (%2).</translation>
+    </message>
+    <message>
+        <source>%1 is text in UTF-16, which is not read: save it as UTF-8.</source>
+        <translation>%1 ist Text in UTF-16, das nicht gelesen wird: Speichern Sie die Datei als UTF-8.</translation>
+    </message>
+    <message>
+        <source>corners that faces name twice (%1)</source>
+        <translation>Ecken, die Flächen doppelt nennen (%1)</translation>
+    </message>
+    <message>
+        <source>faces without three different corners (%1)</source>
+        <translation>Flächen ohne drei verschiedene Ecken (%1)</translation>
+    </message>
+    <message>
+        <source>values that its header does not announce</source>
+        <translation>Werte, die ihr Kopf nicht ankündigt</translation>
+    </message>
+    <message>
+        <source>what stands behind the model (%1)</source>
+        <translation>was hinter dem Modell steht (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileFaultMessages</name>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <comment>a word of the format</comment>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>%1: %2 is expected here, but nothing is there.</source>
+        <translation>%1: Hier wird %2 erwartet, aber es steht nichts da.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is expected here, but &quot;%3&quot; is there.</source>
+        <translation>%1: Hier wird %2 erwartet, aber es steht „%3“ da.</translation>
+    </message>
+    <message>
+        <source>%1: the file breaks the rules of its format.</source>
+        <translation>%1: Die Datei verletzt die Regeln ihres Formats.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; breaks the rules of the file&apos;s format.</source>
+        <translation>%1: „%2“ verletzt die Regeln des Dateiformats.</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a count that is not negative and fits here</source>
+        <translation>eine Anzahl, die nicht negativ ist und hierher passt,</translation>
+    </message>
+    <message>
+        <source>a vertex of 3 or 4 numbers, with 3 more for a colour or none,</source>
+        <translation>ein Punkt aus 3 oder 4 Zahlen, mit 3 weiteren für eine Farbe oder ohne,</translation>
+    </message>
+    <message>
+        <source>the number of a vertex</source>
+        <translation>die Nummer eines Punkts</translation>
+    </message>
+    <message>
+        <source>ascii, binary_little_endian or binary_big_endian</source>
+        <translation>ascii, binary_little_endian oder binary_big_endian</translation>
+    </message>
+    <message>
+        <source>a type such as float or int</source>
+        <translation>ein Typ wie float oder int</translation>
+    </message>
+    <message>
+        <source>a type of whole numbers, such as uchar or int,</source>
+        <translation>ein Typ ganzer Zahlen, etwa uchar oder int,</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>an element before its first property</source>
+        <translation>ein Element vor seiner ersten Eigenschaft</translation>
+    </message>
+    <message>
+        <source>one of the units millimeter, micron, centimeter, inch, foot and meter</source>
+        <translation>eine der Einheiten millimeter, micron, centimeter, inch, foot und meter</translation>
+    </message>
+    <message>
+        <source>%1: the element &quot;%2&quot; has no properties x, y and z.</source>
+        <translation>%1: Das Element „%2“ hat keine Eigenschaften x, y und z.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is needed here, but is missing.</source>
+        <translation>%1: „%2“ wird hier gebraucht, fehlt aber.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; comes a second time.</source>
+        <translation>%1: „%2“ kommt ein zweites Mal vor.</translation>
+    </message>
+    <message>
+        <source>%1: the JSON of the file is broken here.</source>
+        <translation>%1: Das JSON der Datei ist hier fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>%1: a chunk with a JSON object is expected first, but another is there.</source>
+        <translation>%1: Zuerst wird ein Abschnitt mit einem JSON-Objekt erwartet, aber da steht ein anderer.</translation>
+    </message>
+    <message>
+        <source>%1: the data in &quot;%2&quot; is not packed as base64, which is expected there.</source>
+        <translation>%1: Die Daten in „%2“ sind nicht als base64 gepackt, wie es dort erwartet wird.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a list, but is something else.</source>
+        <translation>%1: „%2“ sollte eine Liste sein, ist aber etwas anderes.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a JSON object, but is something else or missing.</source>
+        <translation>%1: „%2“ sollte ein JSON-Objekt sein, ist aber etwas anderes oder fehlt.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a whole number that is not negative, but is something else.</source>
+        <translation>%1: „%2“ sollte eine ganze, nicht negative Zahl sein, ist aber etwas anderes.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a list of so many numbers as the format says, but is something else.</source>
+        <translation>%1: „%2“ sollte eine Liste von so vielen Zahlen sein, wie das Format sagt, ist aber etwas anderes.</translation>
+    </message>
+    <message>
+        <source>%1: more is to be read from &quot;%2&quot; than it holds.</source>
+        <translation>%1: Aus „%2“ soll mehr gelesen werden, als darin ist.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; has a type or a count that does not fit what names it.</source>
+        <translation>%1: „%2“ hat einen Typ oder eine Anzahl, die nicht zu dem passt, was es nennt.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; hold themselves, or are nested too deeply.</source>
+        <translation>%1: „%2“ enthalten sich selbst oder sind zu tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>%1 needs the extension %2, which is not read: save it without, in the program that it comes from.</source>
+        <translation>%1 braucht die Erweiterung %2, die nicht gelesen wird: Speichern Sie die Datei ohne sie, in dem Programm, aus dem sie kommt.</translation>
+    </message>
+    <message>
+        <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
+        <translation>%1 ist glTF der Version %2; gelesen wird Version 2: Speichern Sie die Datei als solche.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>
+        <translation>%1: „%2“ führt aus dem Paket hinaus; von anderswo wird nichts gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: the part &quot;%2&quot; is not in the package.</source>
+        <translation>%1: Der Teil „%2“ ist nicht im Paket.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot;, which should say where in the package the model is, names none.</source>
+        <translation>%1: „%2“, das sagen sollte, wo im Paket das Modell ist, nennt keines.</translation>
+    </message>
+    <message>
+        <source>%1: the part &quot;%2&quot; is encrypted, or packed in a way that is not read.</source>
+        <translation>%1: Der Teil „%2“ ist verschlüsselt oder auf eine Art gepackt, die nicht gelesen wird.</translation>
+    </message>
+    <message>
+        <source>%1: the XML of the file is broken here.</source>
+        <translation>%1: Das XML der Datei ist hier fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>%1: a document type is declared here, which models may not have.</source>
+        <translation>%1: Hier wird ein Dokumenttyp erklärt, den Modelle nicht haben dürfen.</translation>
+    </message>
+    <message>
+        <source>%1: XML elements are nested too deeply here.</source>
+        <translation>%1: XML-Elemente sind hier zu tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>%1: an XML tag is longer here than 1 MiB.</source>
+        <translation>%1: Ein XML-Tag ist hier länger als 1 MiB.</translation>
     </message>
 </context>
 <context>

@@ -4764,14 +4764,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1：声明了 %2 个元素，但文件只能容纳 %3 个。</translation>
     </message>
     <message>
-        <source>%1: this cannot be understood.</source>
-        <translation>%1：此处内容无法解析。</translation>
-    </message>
-    <message>
-        <source>%1: &quot;%2&quot; cannot be understood.</source>
-        <translation>%1：无法解析“%2”。</translation>
-    </message>
-    <message>
         <source>%1: a coordinate is not a finite number.</source>
         <translation>%1：有坐标不是有限数。</translation>
     </message>
@@ -4998,6 +4990,186 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: there is no model in this folder (%2).</source>
         <translation>%1：此文件夹中没有模型（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 is text in UTF-16, which is not read: save it as UTF-8.</source>
+        <translation>%1 是 UTF-16 文本，无法读取：请保存为 UTF-8。</translation>
+    </message>
+    <message>
+        <source>corners that faces name twice (%1)</source>
+        <translation>面重复列出的角点（%1）</translation>
+    </message>
+    <message>
+        <source>faces without three different corners (%1)</source>
+        <translation>没有三个不同角点的面（%1）</translation>
+    </message>
+    <message>
+        <source>values that its header does not announce</source>
+        <translation>文件头未声明的值</translation>
+    </message>
+    <message>
+        <source>what stands behind the model (%1)</source>
+        <translation>模型之后的内容（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileFaultMessages</name>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <comment>a word of the format</comment>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>%1: %2 is expected here, but nothing is there.</source>
+        <translation>%1：此处应为%2，但什么也没有。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is expected here, but &quot;%3&quot; is there.</source>
+        <translation>%1：此处应为%2，却是“%3”。</translation>
+    </message>
+    <message>
+        <source>%1: the file breaks the rules of its format.</source>
+        <translation>%1：文件不符合其格式的规则。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; breaks the rules of the file&apos;s format.</source>
+        <translation>%1：“%2”不符合文件格式的规则。</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>一个数</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>一个整数</translation>
+    </message>
+    <message>
+        <source>a count that is not negative and fits here</source>
+        <translation>一个非负且合适的个数</translation>
+    </message>
+    <message>
+        <source>a vertex of 3 or 4 numbers, with 3 more for a colour or none,</source>
+        <translation>由 3 或 4 个数组成的顶点（可另加 3 个颜色值）</translation>
+    </message>
+    <message>
+        <source>the number of a vertex</source>
+        <translation>顶点的编号</translation>
+    </message>
+    <message>
+        <source>ascii, binary_little_endian or binary_big_endian</source>
+        <translation>ascii、binary_little_endian 或 binary_big_endian</translation>
+    </message>
+    <message>
+        <source>a type such as float or int</source>
+        <translation>类型，例如 float 或 int</translation>
+    </message>
+    <message>
+        <source>a type of whole numbers, such as uchar or int,</source>
+        <translation>整数类型，例如 uchar 或 int</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>an element before its first property</source>
+        <translation>位于首个属性之前的元素</translation>
+    </message>
+    <message>
+        <source>one of the units millimeter, micron, centimeter, inch, foot and meter</source>
+        <translation>以下单位之一：millimeter、micron、centimeter、inch、foot、meter</translation>
+    </message>
+    <message>
+        <source>%1: the element &quot;%2&quot; has no properties x, y and z.</source>
+        <translation>%1：元素“%2”没有属性 x、y 和 z。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is needed here, but is missing.</source>
+        <translation>%1：此处需要“%2”，但它不存在。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; comes a second time.</source>
+        <translation>%1：“%2”第二次出现。</translation>
+    </message>
+    <message>
+        <source>%1: the JSON of the file is broken here.</source>
+        <translation>%1：文件的 JSON 在此处有误。</translation>
+    </message>
+    <message>
+        <source>%1: a chunk with a JSON object is expected first, but another is there.</source>
+        <translation>%1：首先应为含 JSON 对象的数据块，却是另一种数据块。</translation>
+    </message>
+    <message>
+        <source>%1: the data in &quot;%2&quot; is not packed as base64, which is expected there.</source>
+        <translation>%1：“%2”中的数据应为 base64 编码，但并非如此。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a list, but is something else.</source>
+        <translation>%1：“%2”应为列表，却是别的内容。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a JSON object, but is something else or missing.</source>
+        <translation>%1：“%2”应为 JSON 对象，却是别的内容或不存在。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a whole number that is not negative, but is something else.</source>
+        <translation>%1：“%2”应为非负整数，却是别的内容。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; should be a list of so many numbers as the format says, but is something else.</source>
+        <translation>%1：“%2”应为格式所规定个数的数字列表，却是别的内容。</translation>
+    </message>
+    <message>
+        <source>%1: more is to be read from &quot;%2&quot; than it holds.</source>
+        <translation>%1：要从“%2”读取的内容多于其所含。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; has a type or a count that does not fit what names it.</source>
+        <translation>%1：“%2”的类型或个数与引用它的内容不符。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; hold themselves, or are nested too deeply.</source>
+        <translation>%1：“%2”包含自身，或嵌套过深。</translation>
+    </message>
+    <message>
+        <source>%1 needs the extension %2, which is not read: save it without, in the program that it comes from.</source>
+        <translation>%1 需要扩展 %2，而该扩展无法读取：请在来源程序中不使用它另行保存。</translation>
+    </message>
+    <message>
+        <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
+        <translation>%1 是 glTF %2 版；可读取的是第 2 版：请保存为该版本。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>
+        <translation>%1：“%2”指向包外；不会读取别处的内容。</translation>
+    </message>
+    <message>
+        <source>%1: the part &quot;%2&quot; is not in the package.</source>
+        <translation>%1：包中没有部件“%2”。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot;, which should say where in the package the model is, names none.</source>
+        <translation>%1：“%2”应指明模型在包中的位置，却未指明。</translation>
+    </message>
+    <message>
+        <source>%1: the part &quot;%2&quot; is encrypted, or packed in a way that is not read.</source>
+        <translation>%1：部件“%2”已加密，或其压缩方式无法读取。</translation>
+    </message>
+    <message>
+        <source>%1: the XML of the file is broken here.</source>
+        <translation>%1：文件的 XML 在此处有误。</translation>
+    </message>
+    <message>
+        <source>%1: a document type is declared here, which models may not have.</source>
+        <translation>%1：此处声明了文档类型，而模型不得含有。</translation>
+    </message>
+    <message>
+        <source>%1: XML elements are nested too deeply here.</source>
+        <translation>%1：此处 XML 元素嵌套过深。</translation>
+    </message>
+    <message>
+        <source>%1: an XML tag is longer here than 1 MiB.</source>
+        <translation>%1：此处的 XML 标签超过 1 MiB。</translation>
     </message>
 </context>
 <context>

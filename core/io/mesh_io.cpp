@@ -375,6 +375,14 @@ FileError tooMany(std::string_view what, std::size_t max, FileError error)
     return withCounts(std::move(error), max);
 }
 
+FileError malformed(FileFault fault, FileError error, std::string_view wanted)
+{
+    error.kind = FileErrorKind::Malformed;
+    error.fault = fault;
+    error.wanted = wanted;
+    return error;
+}
+
 FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t found)
 {
     error.expected = expected;

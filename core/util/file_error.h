@@ -20,9 +20,10 @@ enum class FileErrorKind {
     TooLarge,             ///< expected: the largest size in bytes that is read; found: its size
     UnknownFormat,        ///< token: the ending, without dot
     NotWhatItsEndingSays, ///< token: what the content looks like ("ply", "stl", "obj", "png", ...), or empty
+    Utf16,                ///< text in UTF-16, where only UTF-8 is read
     CutOff,               ///< place: where something is missing, often the file's end; expected, found: sizes, if known
     CountMismatch,        ///< place, expected: elements announced; found: elements that the file has room for
-    Malformed,            ///< place, token: what cannot be understood there, or empty
+    Malformed,            ///< place, fault; token: what is found there or what is wrong, or empty
     NotANumber,           ///< place, token: the word that is not a number, or is infinite or NaN; empty in binary files
     IndexOutOfRange,      ///< place, token: the index as written, expected: number of vertices
     OutsideFolder,        ///< token: another file that it names, which is not in its folder
@@ -39,6 +40,47 @@ enum class FileErrorKind {
     NotWritable, ///< not permitted; systemError
     DiskFull,    ///< systemError
     WriteFailed  ///< systemError
+};
+
+/// What is wrong where a file is Malformed. Each value says what was expected there; the token is what was found
+/// instead, and empty where nothing was. From Missing on the token is what the fault is of.
+enum class FileFault {
+    None,
+    Keyword,         ///< wanted: the word
+    Number,          ///< a decimal number
+    WholeNumber,     ///< a decimal number without a fraction
+    Count,           ///< a whole number, not negative
+    VertexNumbers,   ///< 3 or 4 numbers of a vertex, and 3 of a colour or none
+    VertexIndex,     ///< the number of a vertex
+    PlyEncoding,     ///< ascii, binary_little_endian or binary_big_endian
+    NumberType,      ///< the name of a type
+    WholeNumberType, ///< the name of a type of whole numbers
+    Name,            ///< of an element or a property
+    ElementFirst,    ///< a property follows no element
+    Coordinates,     ///< the properties x, y and z
+    Json,            ///< it does not parse
+    JsonChunk,       ///< a GLB's first chunk is not JSON
+    Base64,          ///< data within a URI
+    LengthUnit,      ///< one of those that 3MF has
+    Missing,         ///< it is not there, though something needs it
+    Repeated,        ///< it comes a second time
+    NotAList,        ///< JSON of another type
+    NotAnObject,     ///< JSON of another type
+    NotAnIndex,      ///< JSON that is no whole number from 0 on
+    NotNumbers,      ///< JSON that is not so many numbers
+    BeyondItsData,   ///< it has fewer bytes than are to be read of it
+    WrongAccessor,   ///< its type or count is none that can be used for what names it
+    TooDeep,         ///< it is nested too deeply, or holds itself
+    NeedsExtension,  ///< without which the shape is not known
+    OldGltf,         ///< glTF of a version before 2
+    OutsidePackage,  ///< a path that leads out of it
+    NotInPackage,    ///< a part of that name
+    NoModelPart,     ///< the package's list of relationships names none
+    PackedOtherwise, ///< encrypted, or packed by a method that is not read
+    XmlSyntax,
+    XmlDocumentType, ///< which no XML may have that is read
+    XmlTooDeep,
+    XmlLongTag
 };
 
 /// Where in a file.
@@ -66,6 +108,8 @@ struct FileError : std::runtime_error
     std::filesystem::path path;
     FilePlace place;
     std::string token; ///< at most 40 bytes, printable ASCII
+    FileFault fault = FileFault::None;
+    std::string wanted; ///< a word of the format, where the fault asks for one
     std::uint64_t expected = 0;
     std::uint64_t found = 0;
     int systemError;

@@ -1,5 +1,6 @@
 #include "ui/util/error_messages.h"
 
+#include "ui/util/file_fault_messages.h"
 #include "ui/util/format_filters.h"
 #include "ui/util/number_format.h"
 #include "ui/util/path_display.h"
@@ -113,6 +114,14 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
         left << tr("textures");
     if (remarks.poses)
         left << tr("poses");
+    if (remarks.repeatedCorners > 0)
+        left << tr("corners that faces name twice (%1)").arg(number(remarks.repeatedCorners));
+    if (remarks.facesOfFewer > 0)
+        left << tr("faces without three different corners (%1)").arg(number(remarks.facesOfFewer));
+    if (remarks.unannounced)
+        left << tr("values that its header does not announce");
+    if (remarks.bytesBehind > 0)
+        left << tr("what stands behind the model (%1)").arg(bytes(remarks.bytesBehind));
     if (!left.isEmpty())
         clauses << tr("left out: %1", "materials, textures")
                        .arg(left.join(tr(", ", "between the parts of a model that are left out")));
@@ -219,6 +228,8 @@ QString ErrorMessages::reading(const core::FileError& error)
         return error.token.empty()
                    ? tr("%1 does not hold what its ending says.").arg(path)
                    : tr("%1 does not hold what its ending says: it looks like %2.").arg(path, token(error).toUpper());
+    case FileErrorKind::Utf16:
+        return tr("%1 is text in UTF-16, which is not read: save it as UTF-8.").arg(path);
     default:
         return {};
     }
@@ -236,8 +247,7 @@ QString ErrorMessages::content(const core::FileError& error)
         return tr("%1: %2 elements are announced, but the file has room for %3.")
             .arg(where, number(error.expected), number(error.found));
     case FileErrorKind::Malformed:
-        return error.token.empty() ? tr("%1: this cannot be understood.").arg(where)
-                                   : tr("%1: \"%2\" cannot be understood.").arg(where, token(error));
+        return FileFaultMessages::sentence(error, where);
     case FileErrorKind::NotANumber:
         return error.token.empty() ? tr("%1: a coordinate is not a finite number.").arg(where)
                                    : tr("%1: \"%2\" is not a finite number.").arg(where, token(error));

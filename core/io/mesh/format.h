@@ -53,6 +53,8 @@ FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at,
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token);
 FileError tooMany(std::string_view what, std::size_t max, FileError error);
 FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t found = 0);
+/// Malformed, in that way.
+FileError malformed(FileFault fault, FileError error, std::string_view wanted = {});
 
 /// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "text", or
 /// empty.

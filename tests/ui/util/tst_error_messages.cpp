@@ -52,6 +52,34 @@ private Q_SLOTS:
         }
     }
 
+    /// Each says more than that something is wrong.
+    void everyFaultHasWordsOfItsOwn()
+    {
+        QSet<QString> seen;
+        for (int k = 0; k <= static_cast<int>(core::FileFault::XmlLongTag); ++k)
+            for (const char* found : {"tok", ""}) {
+                FileError e(FileErrorKind::Malformed, path);
+                e.fault = static_cast<core::FileFault>(k);
+                e.token = found;
+                e.wanted = "outer";
+                e.place = {core::FilePlace::Unit::Line, 12};
+                const QString words = ui::ErrorMessages::sentence(e);
+                verifySentence(words);
+                QVERIFY2(words.contains(QStringLiteral("Löwe.stl")), qPrintable(words));
+                QVERIFY2(words.contains(QStringLiteral("line 12")), qPrintable(words));
+                QVERIFY2(!words.contains(QStringLiteral("understood")), qPrintable(words));
+                if (*found != 0)
+                    QVERIFY2(!seen.contains(words), qPrintable(words));
+                seen << words;
+            }
+        FileError e(FileErrorKind::Malformed, path);
+        e.fault = core::FileFault::Keyword;
+        e.wanted = "outer";
+        e.token = "lop";
+        QVERIFY(ui::ErrorMessages::sentence(e).endsWith(
+            QStringLiteral(": \"outer\" is expected here, but \"lop\" is there.")));
+    }
+
     void missingDataLeavesWholeSentences()
     {
         for (int k = 0; k <= static_cast<int>(FileErrorKind::WriteFailed); ++k)
