@@ -87,8 +87,11 @@ void refuseOtherContent(const io::FileBytes& start, std::uint64_t size, MeshForm
     const std::string_view detected = io::detectFormat(start.bytes, size);
     if (detected == endings[static_cast<std::size_t>(format)] || (format == MeshFormat::ThreeMf && detected == "zip"))
         return;
-    const bool undecided = detected.empty() || detected == "text";
-    const bool couldBe = format == MeshFormat::Obj    ? undecided && start.bytes.find('\0') == std::string_view::npos
+    if (detected == "utf-16" && format != MeshFormat::Glb && format != MeshFormat::ThreeMf)
+        throw FileError(FileErrorKind::Utf16, start.path);
+    const std::string_view text = io::withoutPadding(start.bytes);
+    const bool isWithoutZeros = !text.empty() && text.find('\0') == std::string_view::npos;
+    const bool couldBe = format == MeshFormat::Obj    ? detected == "text" || (detected.empty() && isWithoutZeros)
                          : format == MeshFormat::Gltf ? detected == "text"
                          : format == MeshFormat::Stl  ? detected.empty()
                                                       : false;

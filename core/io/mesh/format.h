@@ -56,8 +56,13 @@ FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t foun
 /// Malformed, in that way.
 FileError malformed(FileFault fault, FileError error, std::string_view wanted = {});
 
-/// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "text", or
-/// empty.
+/// Past a UTF-8 byte order mark.
+std::string_view withoutMark(std::string_view text);
+/// Without what old systems and padding put behind a text: NUL and Ctrl+Z, with blanks between them or not.
+std::string_view withoutPadding(std::string_view text);
+
+/// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "utf-16",
+/// "text", or empty.
 std::string_view detectFormat(std::string_view start, std::uint64_t fileSize);
 
 inline constexpr std::size_t stlHeaderSize = 84;
@@ -67,6 +72,8 @@ std::uint64_t announcedStlTriangles(std::string_view start);
 /// The size is what the header announces. Text never passes: four of its characters announce more than a file can hold.
 bool isBinaryStl(std::string_view start, std::uint64_t fileSize);
 bool isTextStl(std::string_view start);
+/// After the keyword stands BINARY.
+bool isBinaryOff(std::string_view start);
 
 /// Vertices as they stand in the file, axes included, but for the weld and -0 of STL.
 TriangleMesh readStl(const FileBytes& file);

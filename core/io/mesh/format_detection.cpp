@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <initializer_list>
 
 namespace core::io
 {
@@ -16,17 +17,48 @@ struct Magic
 };
 
 constexpr std::array magics{
-    Magic{"ply\n", "ply"},     Magic{"ply\r", "ply"},        Magic{"glTF", "glb"},        Magic{"PK\3\4", "zip"},
-    Magic{"\x89PNG", "png"},   Magic{"\xff\xd8\xff", "jpg"}, Magic{"GIF8", "gif"},        Magic{"%PDF", "pdf"},
-    Magic{"\x1f\x8b", "gz"},   Magic{"\177ELF", "program"},  Magic{"Kaydara FBX", "fbx"}, Magic{"<?xml", "xml"},
-    Magic{"BLENDER", "blend"}, Magic{"<!DOCTYPE", "html"},   Magic{"<html", "html"},
+    Magic{"ply\n", "ply"},
+    Magic{"ply\r", "ply"},
+    Magic{"ply ", "ply"},
+    Magic{"ply\t", "ply"},
+    Magic{"glTF", "glb"},
+    Magic{"PK\3\4", "zip"},
+    Magic{"version https://git-lfs", "git lfs pointer"},
+    Magic{"\x89PNG", "png"},
+    Magic{"\xff\xd8\xff", "jpg"},
+    Magic{"GIF8", "gif"},
+    Magic{"%PDF", "pdf"},
+    Magic{"\x1f\x8b", "gz"},
+    Magic{"\177ELF", "program"},
+    Magic{"Kaydara FBX", "fbx"},
+    Magic{"<?xml", "xml"},
+    Magic{"BLENDER", "blend"},
+    Magic{"<!DOCTYPE", "html"},
+    Magic{"<html", "html"},
 };
 
-bool isText(std::string_view start)
+/// No control characters but those of lines and blanks, and perhaps a stray one in so many: names hold NULs at times.
+bool isText(std::string_view start, std::size_t strayOneIn = 64)
 {
-    return std::none_of(start.begin(), start.end(), [](char c) {
+    const std::string_view text = withoutPadding(start);
+    const auto strays = std::ranges::count_if(text, [](char c) {
         return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v';
     });
+    return !text.empty() && static_cast<std::size_t>(strays) <= text.size() / strayOneIn;
+}
+
+/// Of either order: a byte order mark, or every other byte of the first ones 0.
+bool isUtf16(std::string_view start)
+{
+    constexpr std::size_t looked = 32;
+    const std::string_view first = start.substr(0, looked);
+    const bool isMarked = first.starts_with("\xff\xfe") || first.starts_with("\xfe\xff");
+    std::array<std::size_t, 2> zeros{};
+    for (std::size_t i = isMarked ? 2 : 0; i < first.size(); ++i)
+        zeros[i % 2] += first[i] == 0 ? 1 : 0;
+    const std::size_t pairs = (first.size() - (isMarked ? 2 : 0)) / 2, most = std::max(zeros[0], zeros[1]);
+    return std::min(zeros[0], zeros[1]) == 0 && pairs > 0 &&
+           (isMarked ? 2 * most >= pairs : pairs > 7 && most == pairs);
 }
 
 char lower(char c)
@@ -47,14 +79,19 @@ std::string_view withoutBlanks(std::string_view text)
 }
 
 /// From the first line on that is neither empty nor a comment.
-std::string_view withoutComments(std::string_view text)
+std::string_view withoutComments(std::string_view text, std::initializer_list<std::string_view> marks = {"#"})
 {
-    text = withoutBlanks(text);
-    while (text.starts_with('#')) {
+    text = withoutBlanks(withoutMark(text));
+    while (std::ranges::any_of(marks, [&text](std::string_view mark) { return text.starts_with(mark); })) {
         const std::size_t end = text.find_first_of("\r\n");
         text = end == std::string_view::npos ? std::string_view() : withoutBlanks(text.substr(end));
     }
     return text;
+}
+
+std::string_view firstWord(std::string_view text)
+{
+    return text.substr(0, text.find_first_of(" \t\r\n"));
 }
 
 bool isObj(std::string_view start)
@@ -67,11 +104,35 @@ bool isObj(std::string_view start)
 /// OFF, with ST, C, N, 4 and n before it or not.
 bool isOff(std::string_view start)
 {
-    const std::string_view text = withoutComments(start);
-    const std::string_view keyword = text.substr(0, text.find_first_of(" \t\r\n"));
+    const std::string_view keyword = firstWord(withoutComments(start));
     return keyword.ends_with("OFF") && keyword.find_first_not_of("STCN4nOF") == std::string_view::npos;
 }
 } // namespace
+
+std::string_view withoutMark(std::string_view text)
+{
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+std::string_view withoutPadding(std::string_view text)
+{
+    for (std::size_t size = text.size(); size != 0; --size) {
+        const char last = text[size - 1];
+        if (last == '\0' || last == '\x1a')
+            text = text.substr(0, size - 1);
+        else if (last != ' ' && last != '\t' && last != '\r' && last != '\n')
+            break;
+    }
+    return text;
+}
+
+bool isBinaryOff(std::string_view start)
+{
+    const std::string_view text = withoutComments(start);
+    const std::string_view rest = text.substr(firstWord(text).size());
+    return isOff(start) && firstWord(rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()))) == "BINARY";
+}
 
 std::uint64_t announcedStlTriangles(std::string_view start)
 {
@@ -90,19 +151,30 @@ bool isBinaryStl(std::string_view start, std::uint64_t fileSize)
 /// "solid" alone is no proof: some write it into binary headers.
 bool isTextStl(std::string_view start)
 {
-    const std::string_view text = withoutBlanks(start);
-    return startsWithWord(text, "solid") && isText(text);
+    const std::string_view text = withoutComments(start, {"#", ";", "//"});
+    if (!startsWithWord(text, "solid"))
+        return false;
+    constexpr std::string_view keyword = "facet";
+    constexpr std::size_t strayOneIn = 16; // a name may be padded
+    for (std::size_t at = keyword.size(); at < text.size(); ++at)
+        if (startsWithWord(text.substr(at), keyword))
+            return isText(text, strayOneIn);
+    return isText(text);
 }
 
 std::string_view detectFormat(std::string_view start, std::uint64_t fileSize)
 {
     if (isBinaryStl(start, fileSize))
         return "stl";
+    if (isUtf16(start))
+        return "utf-16";
     for (const Magic& magic : magics)
-        if (start.starts_with(magic.start))
+        if (withoutMark(start).starts_with(magic.start))
             return magic.name;
     if (isTextStl(start))
         return "stl";
+    if (isBinaryOff(start))
+        return "off";
     if (isText(start))
         return isObj(start) ? "obj" : isOff(start) ? "off" : "text";
     return {};

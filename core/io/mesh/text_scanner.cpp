@@ -2,6 +2,8 @@
 
 #include "core/io/mesh/number_parsing.h"
 
+#include <algorithm>
+
 namespace core::io
 {
 namespace
@@ -17,12 +19,23 @@ bool isBlank(char c)
 }
 } // namespace
 
+TextScanner::TextScanner(const FileBytes& file, const char* from, char comment)
+    : m_file(file)
+    , m_at(from == file.bytes.data() ? withoutMark(file.bytes).data() : from)
+    , m_end(file.bytes.data() + withoutPadding(file.bytes).size())
+    , m_comment(comment)
+{
+    m_end = std::max(m_end, m_at); // a body of zeros may follow a header
+}
+
 void TextScanner::skipBlanks()
 {
     for (; m_at != m_end; ++m_at) {
         if (isBlank(*m_at))
             continue;
-        if (!isContinuation(m_at))
+        if (m_comment != '\0' && *m_at == m_comment)
+            m_at = std::find_if(m_at, m_end, isLineEnd);
+        if (m_at == m_end || !isContinuation(m_at))
             return;
         ++m_at; // now at the line end that the backslash takes away
         if (*m_at == '\r' && m_at + 1 != m_end && m_at[1] == '\n')
@@ -39,7 +52,8 @@ std::string_view TextScanner::word()
 {
     skipBlanks();
     const char* const first = m_at;
-    while (m_at != m_end && !isBlank(*m_at) && !isLineEnd(*m_at) && !isContinuation(m_at))
+    while (m_at != m_end && !isBlank(*m_at) && !isLineEnd(*m_at) && !isContinuation(m_at) &&
+           (m_comment == '\0' || *m_at != m_comment))
         ++m_at;
     return {first, static_cast<std::size_t>(m_at - first)};
 }
@@ -72,7 +86,7 @@ bool TextScanner::atLineEnd()
 float TextScanner::toNumber(std::string_view word) const
 {
     if (word.empty())
-        fail(FileErrorKind::Malformed, {});
+        fail(FileFault::Number, {});
     const auto value = parseFloat(word);
     if (!value)
         fail(FileErrorKind::NotANumber, word);
@@ -82,7 +96,7 @@ float TextScanner::toNumber(std::string_view word) const
 std::int64_t TextScanner::toInteger(std::string_view word) const
 {
     if (word.empty())
-        fail(FileErrorKind::Malformed, {});
+        fail(FileFault::WholeNumber, {});
     const auto value = parseInteger(word);
     if (!value)
         fail(FileErrorKind::NotANumber, word);
@@ -91,9 +105,20 @@ std::int64_t TextScanner::toInteger(std::string_view word) const
 
 void TextScanner::fail(FileErrorKind kind, std::string_view word) const
 {
+    throw errorAt(kind, word);
+}
+
+void TextScanner::fail(FileFault fault, std::string_view word, std::string_view wanted) const
+{
+    const FileError error = errorAt(FileErrorKind::Malformed, word);
+    throw error.kind == FileErrorKind::Malformed ? malformed(fault, error, wanted) : error;
+}
+
+FileError TextScanner::errorAt(FileErrorKind kind, std::string_view word) const
+{
     const bool atEnd = word.empty() ? m_at == m_end : word.data() + word.size() == m_end;
     const bool couldBeCut = kind == FileErrorKind::Malformed || kind == FileErrorKind::NotANumber;
     const char* const at = word.empty() ? m_at : word.data();
-    throw errorAtLine(atEnd && couldBeCut ? FileErrorKind::CutOff : kind, m_file, at, word);
+    return errorAtLine(atEnd && couldBeCut ? FileErrorKind::CutOff : kind, m_file, at, word);
 }
 } // namespace core::io

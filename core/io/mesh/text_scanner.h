@@ -4,12 +4,14 @@
 
 namespace core::io
 {
-/// Words of a text file, line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line continues it.
-/// Errors name the line. An error at the very end of the file is CutOff.
+/// Words of a text file, line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line continues it. A
+/// byte order mark at the file's start is passed over, and so is padding at its end. Errors name the line. An error at
+/// the very end of the file is CutOff.
 class TextScanner
 {
 public:
-    TextScanner(const FileBytes& file, const char* from) : m_file(file), m_at(from), m_end(fileEnd(file)) {}
+    /// `comment`: what stands behind it on a line is passed over.
+    TextScanner(const FileBytes& file, const char* from, char comment = '\0');
 
     /// The next word on this line; empty at its end.
     std::string_view word();
@@ -19,6 +21,7 @@ public:
     bool nextLine();
     /// No further word on this line. Leaves the position there.
     bool atLineEnd();
+    bool atFileEnd() const { return m_at == m_end; }
     const char* position() const { return m_at; }
 
     /// Next word on this line, as a finite number, rounded to the nearest float32.
@@ -29,14 +32,17 @@ public:
 
     /// `word` is what is wrong: a part of the file, or empty for what is missing here.
     [[noreturn]] void fail(FileErrorKind kind, std::string_view word) const;
+    /// Malformed: the fault says what was expected in the word's place.
+    [[noreturn]] void fail(FileFault fault, std::string_view word, std::string_view wanted = {}) const;
 
 private:
-    static const char* fileEnd(const FileBytes& file) { return file.bytes.data() + file.bytes.size(); }
+    FileError errorAt(FileErrorKind kind, std::string_view word) const;
     void skipBlanks();
     bool isContinuation(const char* at) const;
 
     FileBytes m_file;
     const char* m_at;
     const char* m_end;
+    char m_comment;
 };
 } // namespace core::io
