@@ -33,7 +33,7 @@ std::string fromBase64(const FileBytes& file, std::string_view text)
         stopCheck();
         const std::uint8_t value = values[static_cast<unsigned char>(c)];
         if (value == none)
-            throw errorWithToken(FileErrorKind::Malformed, file, "base64");
+            throw malformed(FileFault::Base64, errorWithToken({}, file, "base64"));
         bits = bits << 6 | value;
         count += 6;
         if (count >= 8) {
@@ -127,7 +127,7 @@ std::string gltfBuffer(const FileBytes& file, std::string_view uri, std::uint64_
         return readBeside(file, pathBeside(file, uri), bytes);
     const std::size_t at = uri.substr(0, 256).find(packed);
     if (at == std::string_view::npos)
-        throw errorWithToken(FileErrorKind::Malformed, file, uri);
+        throw malformed(FileFault::Base64, errorWithToken({}, file, uri));
     std::string data = fromBase64(file, uri.substr(at + packed.size()));
     if (data.size() < bytes)
         throw withCounts({FileErrorKind::CutOff, file.path}, bytes, data.size());

@@ -3,6 +3,7 @@
 
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/gltf_buffers.h"
+#include "core/io/mesh/gltf_extensions.h"
 #include "core/util/parallel.h"
 
 #include <cmath>
@@ -96,6 +97,16 @@ template <typename Number> void convert(const GltfLayout& layout, std::size_t be
         return convertFrom<float>(layout, begin, end, into);
     }
 }
+
+/// Whether the binary chunk begins there and ends in the file. Some programs do not pad the chunk before it.
+bool isChunkAt(std::string_view bytes, std::size_t at)
+{
+    if (at > bytes.size() || bytes.size() - at < glbChunkHeadSize)
+        return false;
+    const auto size = load<std::uint32_t>(bytes.data() + at, std::endian::little),
+               type = load<std::uint32_t>(bytes.data() + at + 4, std::endian::little);
+    return type == glbBinaryChunk && size <= bytes.size() - at - glbChunkHeadSize;
+}
 } // namespace
 
 GltfDocument::GltfDocument(const FileBytes& file, bool isBinary) : m_file(file), m_bytes(file.bytes.size())
@@ -105,16 +116,16 @@ GltfDocument::GltfDocument(const FileBytes& file, bool isBinary) : m_file(file),
     else
         parse(file.bytes);
     if (!m_document.is_object())
-        throw errorAtByte(FileErrorKind::Malformed, m_file, file.bytes.data() + (isBinary ? glbHeadSize : 0));
+        throw malformed(isBinary ? FileFault::JsonChunk : FileFault::Json,
+                        errorAtByte({}, m_file, file.bytes.data() + (isBinary ? glbHeadSize : 0)));
+    refuseOldVersion();
     refuseExtensions();
     loadBuffers();
 }
 
-void GltfDocument::refuse(std::string_view what) const
+void GltfDocument::refuse(FileFault fault, std::string_view what) const
 {
-    FileError error(FileErrorKind::Malformed, m_file.path);
-    error.token = what;
-    throw error;
+    throw malformed(fault, errorWithToken({}, m_file, what));
 }
 
 void GltfDocument::refuseCutOff() const
@@ -131,7 +142,7 @@ void GltfDocument::readChunks()
         return load<std::uint32_t>(bytes.data() + at, std::endian::little);
     };
     if (numberAtByte(4) != 2)
-        throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + 4, std::to_string(numberAtByte(4)));
+        throw malformed(FileFault::OldGltf, errorAtByte({}, m_file, bytes.data() + 4, std::to_string(numberAtByte(4))));
     if (numberAtByte(8) > bytes.size())
         refuseCutOff();
     for (std::size_t at = glbHeadSize; at + glbChunkHeadSize <= numberAtByte(8);) {
@@ -144,7 +155,9 @@ void GltfDocument::readChunks()
             parse(chunk);
         else if (type == glbBinaryChunk && m_binary.empty())
             m_binary = chunk;
-        at += glbChunkHeadSize + (size + 3) / 4 * 4;
+        at += glbChunkHeadSize + size;
+        if (!isChunkAt(bytes.substr(0, numberAtByte(8)), at))
+            at += (4 - size % 4) % 4;
     }
 }
 
@@ -153,21 +166,34 @@ void GltfDocument::parse(std::string_view text)
     if (sizeBesideTexts(text) > maxJson)
         throw tooMany("JSON", maxJson, errorAtByte({}, m_file, text.data()));
     try {
-        m_document = Json::parse(text);
+        m_document = Json::parse(withoutPadding(text));
     } catch (const Json::parse_error& error) {
-        throw errorAtByte(FileErrorKind::Malformed, m_file, text.data() + std::min(error.byte, text.size()));
+        throw malformed(FileFault::Json, errorAtByte({}, m_file, text.data() + std::min(error.byte, text.size())));
     } catch (const Json::exception&) { // a number beyond all bounds
-        throw errorAtByte(FileErrorKind::Malformed, m_file, text.data());
+        throw malformed(FileFault::Json, errorAtByte({}, m_file, text.data()));
     }
+}
+
+void GltfDocument::refuseOldVersion() const
+{
+    const auto asset = m_document.find("asset");
+    const auto version = asset != m_document.end() && asset->is_object() ? asset->find("version") : m_document.end();
+    if (asset == m_document.end() || !asset->is_object() || version == asset->end() || !version->is_string())
+        return; // as many leave it out
+    const std::string& text = version->get_ref<const std::string&>();
+    if (text.starts_with("0.") || text.starts_with("1."))
+        refuse(FileFault::OldGltf, text);
 }
 
 /// What cannot be passed over.
 void GltfDocument::refuseExtensions() const
 {
-    for (const Json& extension : arrayIn(m_document, "extensionsRequired"))
-        if (extension != "KHR_mesh_quantization" && extension != "KHR_materials_unlit" &&
-            extension != "KHR_texture_transform")
-            refuse(extension.is_string() ? extension.get_ref<const std::string&>() : "extensionsRequired");
+    for (const Json& extension : arrayIn(m_document, "extensionsRequired")) {
+        if (!extension.is_string())
+            refuse(FileFault::NotAList, "extensionsRequired");
+        if (const auto& name = extension.get_ref<const std::string&>(); !isWithoutShape(name))
+            refuse(FileFault::NeedsExtension, name);
+    }
 }
 
 void GltfDocument::loadBuffers()
@@ -175,7 +201,7 @@ void GltfDocument::loadBuffers()
     for (const Json& buffer : arrayIn(m_document, "buffers")) {
         const auto uri = buffer.is_object() ? buffer.find("uri") : buffer.end();
         if (!buffer.is_object() || (uri != buffer.end() && !uri->is_string()))
-            refuse("buffers/" + std::to_string(m_buffers.size()));
+            refuse(FileFault::NotAnObject, "buffers/" + std::to_string(m_buffers.size()));
         if (uri == buffer.end()) { // the chunk is the first one's
             m_buffers.push_back(m_buffers.empty() ? m_binary : std::string_view());
             continue;
@@ -197,14 +223,14 @@ const GltfDocument::Json& GltfDocument::arrayIn(const Json& object, const char* 
     if (found == object.end())
         return none;
     if (!found->is_array())
-        refuse(key);
+        refuse(FileFault::NotAList, key);
     return *found;
 }
 
 std::size_t GltfDocument::toIndex(const Json& value, const char* what) const
 {
     if (!value.is_number_integer() || value < 0)
-        refuse(what);
+        refuse(FileFault::NotAnIndex, what);
     return value.get<std::size_t>();
 }
 
@@ -220,7 +246,8 @@ const GltfDocument::Json& GltfDocument::element(const char* list, std::size_t in
 {
     const Json& elements = arrayIn(m_document, list);
     if (index >= elements.size() || !elements[index].is_object())
-        refuse(std::string(list) + '/' + std::to_string(index));
+        refuse(index >= elements.size() ? FileFault::Missing : FileFault::NotAnObject,
+               std::string(list) + '/' + std::to_string(index));
     return elements[index];
 }
 
@@ -229,11 +256,11 @@ GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size
 {
     const auto index = indexIn(at, "bufferView");
     if (!index)
-        refuse("bufferView");
+        refuse(FileFault::Missing, "bufferView");
     const Json& view = element("bufferViews", *index);
     const std::size_t number = sizeIn(view, "buffer", 0);
     if (number >= m_buffers.size())
-        refuse("buffers/" + std::to_string(number));
+        refuse(FileFault::Missing, "buffers/" + std::to_string(number));
     const std::string_view buffer = m_buffers[number];
     const std::size_t length = sizeIn(view, "byteLength", 0), begin = sizeIn(view, "byteOffset", 0),
                       offset = sizeIn(at, "byteOffset", 0);
@@ -241,7 +268,7 @@ GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size
         refuseCutOff();
     const std::size_t stride = std::max(size, ownStride != 0 ? ownStride : sizeIn(view, "byteStride", size));
     if (offset > length || count == 0 || size > length - offset || (length - offset - size) / stride < count - 1)
-        refuse("bufferViews/" + std::to_string(*index));
+        refuse(FileFault::BeyondItsData, "bufferViews/" + std::to_string(*index));
     return {.first = buffer.data() + begin + offset, .count = count, .stride = stride};
 }
 
@@ -259,7 +286,7 @@ GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max) const
     const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
     const std::size_t count = sizeIn(from, "count", 0);
     if (components < min || components > max || sizeOf(componentType) == 0 || count == 0 || count > m_bytes)
-        refuse(name);
+        refuse(FileFault::WrongAccessor, name);
     GltfLayout layout;
     if (from.contains("bufferView"))
         layout = elementsIn(from, count, sizeOf(componentType) * static_cast<std::size_t>(components), 0);
@@ -280,14 +307,14 @@ GltfDocument::Sparse GltfDocument::sparseOf(std::size_t accessor, const GltfLayo
     const auto part = [&](const char* key) -> const Json& {
         const auto found = sparse->is_object() ? sparse->find(key) : sparse->end();
         if (!sparse->is_object() || found == sparse->end() || !found->is_object())
-            refuse("sparse");
+            refuse(FileFault::NotAnObject, "sparse");
         return *found;
     };
     const auto type = static_cast<int>(std::min<std::size_t>(sizeIn(part("indices"), "componentType", 0), 65535));
     const std::size_t count = sizeIn(*sparse, "count", 0);
     const std::size_t size = sizeOf(layout.componentType) * static_cast<std::size_t>(layout.components);
     if (!isWhole(type) || count > layout.count)
-        refuse("sparse");
+        refuse(FileFault::WrongAccessor, "sparse");
     Sparse result{elementsIn(part("indices"), count, sizeOf(type), sizeOf(type)),
                   elementsIn(part("values"), count, size, size)};
     result.places.componentType = type;
@@ -319,7 +346,7 @@ LargeBuffer<Number> GltfDocument::numbersOf(std::size_t accessor, const GltfLayo
         std::uint32_t place = 0;
         convert(places, i, i + 1, &place);
         if (place >= layout.count)
-            refuse("sparse");
+            refuse(FileFault::WrongAccessor, "sparse");
         convert(values, i, i + 1, &numbers[place * components]);
     }
     return numbers;
@@ -335,7 +362,7 @@ LargeBuffer<std::uint32_t> GltfDocument::wholesOf(std::size_t accessor, const st
 {
     const GltfLayout layout = layoutOf(accessor, 1, 1);
     if (!isWhole(layout.componentType))
-        refuse("accessors/" + std::to_string(accessor));
+        refuse(FileFault::WrongAccessor, "accessors/" + std::to_string(accessor));
     return numbersOf<std::uint32_t>(accessor, layout, stop);
 }
 } // namespace core::io

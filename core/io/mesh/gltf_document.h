@@ -26,7 +26,7 @@ struct GltfLayout
 
 /// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked
 /// for is looked at before anything is read by it: wrong types, indices and sizes throw FileError with the JSON's word
-/// for what is wrong.
+/// for what is wrong. Extensions that it requires are passed over where they say nothing of the shape.
 class GltfDocument
 {
 public:
@@ -55,11 +55,12 @@ public:
     LargeBuffer<float> valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const;
     LargeBuffer<std::uint32_t> wholesOf(std::size_t accessor, const std::stop_token& stop) const;
 
-    [[noreturn]] void refuse(std::string_view what) const;
+    [[noreturn]] void refuse(FileFault fault, std::string_view what) const;
 
 private:
     void readChunks();
     void parse(std::string_view text);
+    void refuseOldVersion() const;
     void refuseExtensions() const;
     void loadBuffers();
     [[noreturn]] void refuseCutOff() const;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <numeric>
 
 namespace core::io
@@ -17,8 +18,8 @@ using Json = GltfDocument::Json;
 
 constexpr int maxDepth = 256;
 constexpr std::size_t maxNodes = 1 << 16;
-/// Vertices and triangles for each byte of the file: a mesh may stand in a scene many times.
-constexpr std::size_t maxCopies = 16, maxFaceCopies = 32;
+/// Vertices and triangles for each byte of the file: a mesh may stand in a scene many times. So many are always taken.
+constexpr std::size_t maxCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 constexpr double millimetres = 1000;
 constexpr std::size_t chunkSize = 1 << 15;
 
@@ -32,9 +33,11 @@ public:
     ReadResult read()
     {
         const Eigen::Matrix4d root = Eigen::Vector4d(millimetres, millimetres, millimetres, 1).asDiagonal();
-        const Json& scene = m_gltf.element("scenes", m_gltf.sizeIn(m_gltf.document(), "scene", 0));
-        for (const Json& node : m_gltf.arrayIn(scene, "nodes"))
-            addNode(m_gltf.toIndex(node, "nodes"), root, 0);
+        for (const std::size_t node : rootNodes())
+            addNode(node, root, 0);
+        if (m_gltf.arrayIn(m_gltf.document(), "nodes").empty() && !hasScene()) // then nothing says where they stand
+            for (std::size_t i = 0; i < m_gltf.arrayIn(m_gltf.document(), "meshes").size(); ++i)
+                addMesh(i, root);
         if (m_hasColors)
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
         if (m_hasMasks)
@@ -51,11 +54,38 @@ private:
                 .poses = m_hasTargets || !m_gltf.arrayIn(document, "skins").empty()};
     }
 
+    bool hasScene() const
+    {
+        return m_gltf.document().contains("scene") || !m_gltf.arrayIn(m_gltf.document(), "scenes").empty();
+    }
+
+    /// The scene's; of a file without scenes those that are no other node's children.
+    std::vector<std::size_t> rootNodes() const
+    {
+        std::vector<std::size_t> roots;
+        if (hasScene()) {
+            const Json& scene = m_gltf.element("scenes", m_gltf.sizeIn(m_gltf.document(), "scene", 0));
+            for (const Json& node : m_gltf.arrayIn(scene, "nodes"))
+                roots.push_back(m_gltf.toIndex(node, "nodes"));
+            return roots;
+        }
+        const std::size_t count = m_gltf.arrayIn(m_gltf.document(), "nodes").size();
+        std::vector<bool> isChild(count, false);
+        for (std::size_t i = 0; i < count; ++i)
+            for (const Json& child : m_gltf.arrayIn(m_gltf.element("nodes", i), "children"))
+                if (const std::size_t index = m_gltf.toIndex(child, "children"); index < count)
+                    isChild[index] = true;
+        for (std::size_t i = 0; i < count; ++i)
+            if (!isChild[i])
+                roots.push_back(i);
+        return roots;
+    }
+
     void addNode(std::size_t index, const Eigen::Matrix4d& above, int depth)
     {
         m_stopCheck();
         if (depth > maxDepth || ++m_nodes > maxNodes)
-            m_gltf.refuse("nodes");
+            m_gltf.refuse(FileFault::TooDeep, "nodes");
         const Json& node = m_gltf.element("nodes", index);
         const Eigen::Matrix4d transform = above * transformOf(node);
         if (const auto mesh = m_gltf.indexIn(node, "mesh"))
@@ -78,11 +108,11 @@ private:
         if (values.empty())
             return std::nullopt;
         if (values.size() != count)
-            m_gltf.refuse(key);
+            m_gltf.refuse(FileFault::NotNumbers, key);
         Eigen::Matrix<double, count, 1> numbers;
         for (int i = 0; i < count; ++i) {
             if (!values[static_cast<std::size_t>(i)].is_number())
-                m_gltf.refuse(key);
+                m_gltf.refuse(FileFault::NotNumbers, key);
             numbers[i] = values[static_cast<std::size_t>(i)].get<double>();
         }
         return numbers;
@@ -105,11 +135,11 @@ private:
     void addPrimitive(const Json& primitive, const Eigen::Matrix4d& transform)
     {
         if (!primitive.is_object())
-            m_gltf.refuse("primitives");
+            m_gltf.refuse(FileFault::NotAnObject, "primitives");
         const std::size_t mode = m_gltf.sizeIn(primitive, "mode", Triangles);
         const auto attributes = primitive.find("attributes");
         if (attributes == primitive.end() || !attributes->is_object())
-            m_gltf.refuse("attributes");
+            m_gltf.refuse(FileFault::NotAnObject, "attributes");
         m_hasTargets = m_hasTargets || primitive.contains("targets");
         const auto positions = m_gltf.indexIn(*attributes, "POSITION");
         if (!positions || (mode != Triangles && mode != TriangleStrip && mode != TriangleFan))
@@ -117,7 +147,7 @@ private:
         const auto first = static_cast<Slot>(m_mesh.points.size());
         const LargeBuffer<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_file.stop);
         const std::size_t count = numbers.size() / 3;
-        if (const std::size_t max = std::min(maxVertices, maxCopies * m_gltf.bytes());
+        if (const std::size_t max = std::min(maxVertices, std::max(alwaysTaken, maxCopies * m_gltf.bytes()));
             m_mesh.points.size() + count > max)
             throw tooMany("vertices", max, errorAtByte({}, m_file, m_file.bytes.data()));
         addPoints(numbers, transform);
@@ -153,7 +183,7 @@ private:
         const LargeBuffer<float> numbers = m_gltf.valuesOf(accessor, layout, m_file.stop);
         const auto components = static_cast<std::size_t>(layout.components);
         if (numbers.size() != count * components)
-            m_gltf.refuse("COLOR_0");
+            m_gltf.refuse(FileFault::WrongAccessor, "COLOR_0");
         m_hasColors = true;
         m_mesh.colors.resize(first + count, Rgb());
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -171,7 +201,7 @@ private:
     {
         const LargeBuffer<float> numbers = m_gltf.valuesOf(accessor, m_gltf.layoutOf(accessor, 1, 1), m_file.stop);
         if (numbers.size() != count)
-            m_gltf.refuse("_MASK");
+            m_gltf.refuse(FileFault::WrongAccessor, "_MASK");
         m_hasMasks = true;
         m_mesh.masks.resize(first + count);
         for (std::size_t i = 0; i < count; ++i)
@@ -200,7 +230,8 @@ private:
     {
         const std::size_t before = m_mesh.triangles.size(),
                           count = mode == Triangles ? corners.size() / 3 : std::max<std::size_t>(corners.size(), 2) - 2;
-        if (const std::size_t max = std::min(maxFaces, maxFaceCopies * m_gltf.bytes()); before + count > max)
+        if (const std::size_t max = std::min(maxFaces, std::max(2 * alwaysTaken, maxFaceCopies * m_gltf.bytes()));
+            before + count > max)
             throw tooMany("faces", max, errorAtByte({}, m_file, m_file.bytes.data()));
         resizeInLargePages(m_mesh.triangles, before + count);
         const auto add = [&](std::size_t at, std::size_t a, std::size_t b, std::size_t c) {
@@ -222,6 +253,12 @@ private:
                     break;
                 }
         });
+        if (mode == Triangles)
+            return;
+        const auto isSeam = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+        const auto strips = std::ranges::remove_if(m_mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before),
+                                                   m_mesh.triangles.end(), isSeam); // what sews strips together
+        m_mesh.triangles.erase(strips.begin(), strips.end());
     }
 
     const FileBytes& m_file;
