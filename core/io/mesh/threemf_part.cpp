@@ -14,8 +14,18 @@ namespace core::io
 namespace
 {
 constexpr std::string_view coreSpace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02|",
-                           materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
+                           firstCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/2013/01|", // before 1.0
+    materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
                            pathAttribute = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
+
+/// Its name in the core's namespace, of today or of the first programs; empty if it is of another.
+std::string_view coreName(std::string_view name)
+{
+    for (const std::string_view space : {coreSpace, firstCoreSpace})
+        if (name.starts_with(space))
+            return name.substr(space.size());
+    return {};
+}
 
 double millimetresOf(std::string_view unit, const XmlAttributes& attributes)
 {
@@ -24,7 +34,7 @@ double millimetresOf(std::string_view unit, const XmlAttributes& attributes)
     for (const auto& [name, millimetres] : units)
         if (unit == name || (unit.empty() && millimetres == 1))
             return millimetres;
-    attributes.refuse(FileErrorKind::Malformed, unit);
+    attributes.refuse(FileFault::LengthUnit, unit);
 }
 
 /// #rrggbb, or #rrggbbaa.
@@ -88,10 +98,10 @@ std::string threeMfPath(const FileBytes& file, std::string_view path)
 {
     std::string within;
     for (std::string_view rest = path; !rest.empty();) {
-        const std::string_view step = rest.substr(0, rest.find('/'));
+        const std::string_view step = rest.substr(0, rest.find_first_of("/\\"));
         rest.remove_prefix(std::min(step.size() + 1, rest.size()));
         if (step == "..")
-            throw errorWithToken(FileErrorKind::Malformed, file, path);
+            throw malformed(FileFault::OutsidePackage, errorWithToken({}, file, path));
         if (step.empty() || step == ".")
             continue;
         within += (within.empty() ? "" : "/") + std::string(step);
@@ -113,8 +123,8 @@ ThreeMfPartReader::~ThreeMfPartReader() = default;
 void ThreeMfPartReader::begin(std::string_view name, const XmlAttributes& attributes)
 {
     m_stopCheck();
-    if (name.starts_with(coreSpace))
-        beginCore(name.substr(coreSpace.size()), attributes);
+    if (const std::string_view ofCore = coreName(name); !ofCore.empty())
+        beginCore(ofCore, attributes);
     if (!name.starts_with(materialSpace))
         return;
     name.remove_prefix(materialSpace.size());
@@ -151,7 +161,7 @@ void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)
     const std::string_view type = attributes.text("type");
     m_object = &m_part.objects[attributes.whole("id")];
     if (!m_object->mesh.points.empty() || !m_object->components.empty())
-        attributes.refuse(FileErrorKind::Malformed, "id"); // it is another one's
+        attributes.refuse(FileFault::Repeated, "id"); // it is another one's
     m_object->isSolid = type.empty() || type == "model" || type == "solidsupport" || type == "surface";
     m_colors->objectGroup = attributes.wholeIfAny("pid");
     m_colors->objectIndex = attributes.wholeIfAny("pindex");
@@ -175,7 +185,7 @@ void ThreeMfPartReader::end(std::string_view name)
 {
     if (name.ends_with("|colorgroup") || name.ends_with("|basematerials"))
         m_colors->openGroup = nullptr;
-    if (!m_object || !name.starts_with(coreSpace) || !name.ends_with("|object"))
+    if (!m_object || coreName(name) != "object")
         return;
     TriangleMesh& mesh = m_object->mesh;
     for (const MeanColor& mean : m_colors->means)

@@ -11,8 +11,9 @@ namespace
 {
 constexpr int maxDepth = 64;
 constexpr std::size_t maxInstances = 1 << 16, maxParts = 1 << 12;
-/// Vertices and triangles for each byte of the file: an object may stand in a build many times.
-constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32;
+/// Vertices and triangles for each byte of the file: an object may stand in a build many times. So many are always
+/// taken.
+constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 
 /// Empty where the package names none.
 std::string modelPathOf(const FileBytes& file, ZipReader& package)
@@ -27,7 +28,9 @@ std::string modelPathOf(const FileBytes& file, ZipReader& package)
                 path = threeMfPath(file, attributes.text("Target"));
         },
         [](std::string_view) {});
-    package.read("_rels/.rels", [&xml](std::string_view piece) { xml.take(piece); });
+    constexpr const char* relationships = "_rels/.rels";
+    package.read(package.find(relationships).value_or(relationships),
+                 [&xml](std::string_view piece) { xml.take(piece); });
     return path;
 }
 
@@ -40,7 +43,7 @@ public:
     {
         const std::string path = modelPathOf(m_file, m_package);
         if (path.empty())
-            throw errorWithToken(FileErrorKind::Malformed, m_file, "_rels/.rels");
+            throw malformed(FileFault::NoModelPart, errorWithToken({}, m_file, "_rels/.rels"));
         const ThreeMfPart& root = part(path);
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
@@ -60,7 +63,8 @@ private:
             if (m_parts.size() > maxParts)
                 throw tooMany("parts", maxParts, errorWithToken({}, m_file, {}));
             ThreeMfPartReader reader(m_file);
-            m_package.read(path, [&reader](std::string_view piece) { reader.take(piece); });
+            m_package.read(m_package.find(path).value_or(path),
+                           [&reader](std::string_view piece) { reader.take(piece); });
             found->second = reader.part();
             m_remarks.textures = m_remarks.textures || found->second.hasTextures;
         }
@@ -76,7 +80,8 @@ private:
         const auto& objects = part(path).objects;
         const auto object = objects.find(component.object);
         if (object == objects.end())
-            throw errorWithToken(FileErrorKind::Malformed, m_file, "objectid " + std::to_string(component.object));
+            throw malformed(FileFault::Missing,
+                            errorWithToken({}, m_file, "objectid " + std::to_string(component.object)));
         if (!object->second.isSolid)
             return;
         const Eigen::Matrix4d transform = above * component.transform;
@@ -88,9 +93,9 @@ private:
     void addMesh(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)
     {
         requireRoom("vertices", m_mesh.points.size() + mesh.points.size(),
-                    std::min(maxVertices, maxVertexCopies * m_file.bytes.size()));
+                    std::min(maxVertices, std::max(alwaysTaken, maxVertexCopies * m_file.bytes.size())));
         requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(),
-                    std::min(maxFaces, maxFaceCopies * m_file.bytes.size()));
+                    std::min(maxFaces, std::max(2 * alwaysTaken, maxFaceCopies * m_file.bytes.size())));
         const auto first = static_cast<Slot>(m_mesh.points.size());
         m_remarks.objects += mesh.triangles.empty() ? 0 : 1;
         const bool isPlain = transform == Eigen::Matrix4d::Identity();

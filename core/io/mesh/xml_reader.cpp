@@ -14,13 +14,12 @@ namespace
 {
 constexpr int maxDepth = 64;
 constexpr std::uint64_t longestTag = 1 << 20;
-constexpr char namespaceEnd = '|';
 } // namespace
 
 std::string_view XmlAttributes::text(std::string_view name) const
 {
     for (const char** pair = m_pairs; *pair; pair += 2)
-        if (name == pair[0]) {
+        if (m_namespaces.attribute(pair[0]) == name) {
             constexpr const char* blanks = " \t\r\n";
             const std::string_view value(pair[1]);
             const std::size_t first = value.find_first_not_of(blanks);
@@ -34,7 +33,7 @@ float XmlAttributes::number(std::string_view name) const
 {
     const std::string_view word = text(name);
     if (word.empty())
-        refuse(FileErrorKind::Malformed, name);
+        refuse(FileFault::Missing, name);
     const auto value = parseFloat(word);
     if (!value)
         refuse(FileErrorKind::NotANumber, word);
@@ -56,13 +55,18 @@ std::uint32_t XmlAttributes::whole(std::string_view name) const
 {
     const auto value = wholeIfAny(name);
     if (!value)
-        refuse(FileErrorKind::Malformed, name);
+        refuse(FileFault::Missing, name);
     return *value;
 }
 
 void XmlAttributes::refuse(FileErrorKind kind, std::string_view token) const
 {
     throw errorWithToken(kind, m_file, token);
+}
+
+void XmlAttributes::refuse(FileFault fault, std::string_view token) const
+{
+    throw malformed(fault, errorWithToken({}, m_file, token));
 }
 
 /// No exception passes through the library: it is kept, and parsing ends.
@@ -73,20 +77,25 @@ struct XmlReader::Callbacks
         auto& reader = *static_cast<XmlReader*>(self);
         reader.guarded([&] {
             if (++reader.m_depth > maxDepth)
-                reader.refuse();
-            reader.m_begin(name, XmlAttributes(reader.m_file, pairs));
+                reader.refuse(FileFault::XmlTooDeep);
+            reader.m_namespaces.begin(pairs);
+            const std::string whole(reader.m_namespaces.element(name)); // attributes are asked for meanwhile
+            reader.m_begin(whole, XmlAttributes(reader.m_file, pairs, reader.m_namespaces));
         });
     }
     static void end(void* self, const char* name)
     {
         auto& reader = *static_cast<XmlReader*>(self);
         --reader.m_depth;
-        reader.guarded([&] { reader.m_end(name); });
+        reader.guarded([&] {
+            reader.m_end(reader.m_namespaces.element(name));
+            reader.m_namespaces.end();
+        });
     }
     static void documentType(void* self, const char*, const char*, const char*, int)
     {
         auto& reader = *static_cast<XmlReader*>(self);
-        reader.guarded([&] { reader.refuse(); });
+        reader.guarded([&] { reader.refuse(FileFault::XmlDocumentType); });
     }
 };
 
@@ -94,7 +103,7 @@ XmlReader::XmlReader(const FileBytes& file, Begin begin, End end)
     : m_file(file)
     , m_begin(std::move(begin))
     , m_end(std::move(end))
-    , m_parser(XML_ParserCreateNS(nullptr, namespaceEnd), &XML_ParserFree)
+    , m_parser(XML_ParserCreate(nullptr), &XML_ParserFree)
 {
     if (!m_parser)
         throw std::bad_alloc();
@@ -129,13 +138,15 @@ void XmlReader::take(std::string_view piece)
     if (status != XML_STATUS_OK && XML_GetErrorCode(m_parser.get()) == XML_ERROR_NO_MEMORY)
         throw std::bad_alloc();
     const auto understood = static_cast<std::uint64_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(m_parser.get())));
-    if (status != XML_STATUS_OK || m_given > understood + longestTag)
-        refuse();
+    if (status != XML_STATUS_OK)
+        refuse(FileFault::XmlSyntax);
+    if (m_given > understood + longestTag)
+        refuse(FileFault::XmlLongTag);
 }
 
-void XmlReader::refuse() const
+void XmlReader::refuse(FileFault fault) const
 {
-    FileError error(FileErrorKind::Malformed, m_file.path);
+    FileError error = malformed(fault, errorWithToken({}, m_file, {}));
     error.place = {FilePlace::Unit::Line, XML_GetCurrentLineNumber(m_parser.get())};
     throw error;
 }

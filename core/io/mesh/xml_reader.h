@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/mesh/format.h"
+#include "core/io/mesh/xml_namespaces.h"
 
 #include <exception>
 #include <functional>
@@ -15,7 +16,11 @@ namespace core::io
 class XmlAttributes
 {
 public:
-    XmlAttributes(const FileBytes& file, const char** pairs) : m_file(file), m_pairs(pairs) {}
+    XmlAttributes(const FileBytes& file, const char** pairs, XmlNamespaces& namespaces)
+        : m_file(file)
+        , m_pairs(pairs)
+        , m_namespaces(namespaces)
+    {}
 
     /// Without blanks around it; empty if there is none.
     std::string_view text(std::string_view name) const;
@@ -26,15 +31,17 @@ public:
     std::optional<std::uint32_t> wholeIfAny(std::string_view name) const;
 
     [[noreturn]] void refuse(FileErrorKind kind, std::string_view token) const;
+    [[noreturn]] void refuse(FileFault fault, std::string_view token) const;
 
 private:
     const FileBytes& m_file;
     const char** m_pairs;
+    XmlNamespaces& m_namespaces;
 };
 
 /// Strangers' XML, parsed piece by piece by a library (expat), in UTF-8 or UTF-16. There are no document types, so
 /// there are no entities but the five, and nothing outside is ever opened; elements lie at most 64 deep, and no tag is
-/// longer than 1 MiB. Errors name the line.
+/// longer than 1 MiB. Names with a prefix that nothing declares have no namespace. Errors name the line.
 class XmlReader
 {
 public:
@@ -49,9 +56,10 @@ public:
 private:
     struct Callbacks;
     void guarded(const std::function<void()>& work);
-    [[noreturn]] void refuse() const;
+    [[noreturn]] void refuse(FileFault fault) const;
 
     const FileBytes& m_file;
+    XmlNamespaces m_namespaces;
     Begin m_begin;
     End m_end;
     std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> m_parser;

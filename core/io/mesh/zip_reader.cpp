@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 namespace core::io
 {
@@ -14,6 +15,22 @@ constexpr std::uint64_t maxTimes = 100, alwaysTaken = std::uint64_t(16) << 20, m
 std::uint64_t limitFor(std::size_t fileSize)
 {
     return std::clamp(maxTimes * fileSize, alwaysTaken, maxUnpacked);
+}
+
+/// With slashes, without percent signs that stand for bytes, in lower case.
+std::string plainName(std::string_view name)
+{
+    std::string plain;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        std::uint8_t byte = 0;
+        const std::string_view hex = name.substr(i + 1, name[i] == '%' ? 2 : 0);
+        const bool isByte =
+            hex.size() == 2 && std::from_chars(hex.data(), hex.data() + 2, byte, 16).ptr == hex.data() + 2;
+        const char c = isByte ? static_cast<char>(byte) : name[i] == '\\' ? '/' : name[i];
+        plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        i += isByte ? 2 : 0;
+    }
+    return plain.starts_with('/') ? plain.substr(1) : plain;
 }
 
 FileError cutOff(const FileBytes& file)
@@ -67,23 +84,35 @@ bool ZipReader::has(const std::string& part) const
     return zip_name_locate(m_zip.get(), part.c_str(), ZIP_FL_NOCASE) >= 0;
 }
 
+std::optional<std::string> ZipReader::find(const std::string& part) const
+{
+    if (has(part))
+        return part;
+    const std::string wanted = plainName(part);
+    for (const std::string& name : names())
+        if (plainName(name) == wanted)
+            return name;
+    return std::nullopt;
+}
+
 void ZipReader::read(const std::string& part, const Take& take)
 {
-    FileError malformed(FileErrorKind::Malformed, m_file.path);
-    malformed.token = part;
+    const auto refused = [&](FileFault fault) { return malformed(fault, errorWithToken({}, m_file, part)); };
     const zip_int64_t index = zip_name_locate(m_zip.get(), part.c_str(), ZIP_FL_NOCASE);
     zip_stat_t stat;
     constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
-    if (index < 0 || zip_stat_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0, &stat) != 0 ||
+    if (index < 0)
+        throw refused(FileFault::NotInPackage);
+    if (zip_stat_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0, &stat) != 0 ||
         (stat.valid & needed) != needed || (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) ||
         stat.encryption_method != ZIP_EM_NONE)
-        throw malformed;
+        throw refused(FileFault::PackedOtherwise);
     if (stat.size > m_left)
         throw unpacksTooLarge(m_file);
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> packed(
         zip_fopen_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
     if (!packed)
-        throw malformed;
+        throw refused(FileFault::PackedOtherwise);
     std::array<char, 1 << 16> piece;
     for (;;) {
         if (m_file.stop.stop_requested())

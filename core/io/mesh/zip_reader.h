@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,12 @@ public:
     std::size_t count() const;
     std::vector<std::string> names() const;
     bool has(const std::string& part) const;
+    /// As `part` is called there: in another case, with backslashes for slashes, or with its percent signs resolved.
+    std::optional<std::string> find(const std::string& part) const;
 
     /// `take` gets a piece after the other; the last one is empty. Throws FileError: Malformed with the part's name if
-    /// it is not there, or is packed in a way that we do not take; CutOff if its bytes are not what they were.
+    /// it is not there, or is encrypted or packed in a way that we do not take; CutOff if its bytes are not what they
+    /// were.
     using Take = std::function<void(std::string_view piece)>;
     void read(const std::string& part, const Take& take);
 

@@ -1,0 +1,53 @@
+// Source: W3C, Namespaces in XML 1.0.
+#include "core/io/mesh/xml_namespaces.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace core::io
+{
+namespace
+{
+constexpr std::string_view declaration = "xmlns";
+} // namespace
+
+void XmlNamespaces::begin(const char** pairs)
+{
+    ++m_depth;
+    for (; *pairs; pairs += 2) {
+        const std::string_view name(pairs[0]);
+        if (name == declaration)
+            m_declared.push_back({"", pairs[1], m_depth});
+        else if (name.starts_with(declaration) && name[declaration.size()] == ':')
+            m_declared.push_back({std::string(name.substr(declaration.size() + 1)), pairs[1], m_depth});
+    }
+}
+
+void XmlNamespaces::end()
+{
+    while (!m_declared.empty() && m_declared.back().depth == m_depth)
+        m_declared.pop_back();
+    --m_depth;
+}
+
+std::string_view XmlNamespaces::element(std::string_view name)
+{
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? joined({}, name) : joined(name.substr(0, colon), name.substr(colon + 1));
+}
+
+std::string_view XmlNamespaces::attribute(std::string_view name)
+{
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? name : joined(name.substr(0, colon), name.substr(colon + 1));
+}
+
+std::string_view XmlNamespaces::joined(std::string_view prefix, std::string_view name)
+{
+    const auto latest = std::ranges::find(m_declared | std::views::reverse, prefix, &Declared::prefix);
+    if (latest == m_declared.rend() || latest->space.empty())
+        return name;
+    m_joined.assign(latest->space).append("|").append(name);
+    return m_joined;
+}
+} // namespace core::io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace core::io
+{
+/// The namespaces that prefixes stand for, as elements begin and end. A prefix that nobody declared stands for none:
+/// what has it belongs to an extension that the file forgot to name, and nobody asks for it.
+class XmlNamespaces
+{
+public:
+    /// The pairs of name and value, null behind the last, of an element that begins.
+    void begin(const char** pairs);
+    void end();
+
+    /// "namespace|name" of an element's or an attribute's name; the name alone where there is no namespace. Elements
+    /// without a prefix have the default one, attributes none. The view lasts until the next call.
+    std::string_view element(std::string_view name);
+    std::string_view attribute(std::string_view name);
+
+private:
+    struct Declared
+    {
+        std::string prefix, space;
+        int depth;
+    };
+    std::string_view joined(std::string_view prefix, std::string_view name);
+
+    std::vector<Declared> m_declared;
+    int m_depth = 0;
+    std::string m_joined;
+};
+} // namespace core::io
