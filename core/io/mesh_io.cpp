@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cctype>
 #include <cerrno>
@@ -107,7 +108,10 @@ void refuseStlSize(const io::FileBytes& start, std::uint64_t size)
         throw io::errorAtByte(FileErrorKind::CutOff, start, start.bytes.data() + size);
     const std::uint64_t announced = io::announcedStlTriangles(start.bytes);
     const std::uint64_t room = (size - io::stlHeaderSize) / io::stlTriangleSize;
-    if (announced == room)
+    constexpr std::uint64_t unknown = 0xffffffff; // some write that, or 0, before they know
+    const bool isWhole = size == io::stlHeaderSize + room * io::stlTriangleSize;
+    const bool isUnknown = announced == 0 || announced == unknown;
+    if (announced == room || (isUnknown ? isWhole && room != 0 : announced < room))
         return;
     const bool cut = announced > room;
     FileError error(cut ? FileErrorKind::CutOff : FileErrorKind::CountMismatch, start.path);
@@ -137,13 +141,13 @@ ReadResult parse(const io::FileBytes& file, MeshFormat format)
 {
     switch (format) {
     case MeshFormat::Stl:
-        return {io::readStl(file), {}};
+        return io::readStl(file);
     case MeshFormat::Obj:
         return io::readObj(file);
     case MeshFormat::Ply:
-        return {io::readPly(file), {}};
+        return io::readPly(file);
     case MeshFormat::Off:
-        return {io::readOff(file), {}};
+        return io::readOff(file);
     case MeshFormat::Glb:
     case MeshFormat::Gltf:
         return io::readGltf(file, format == MeshFormat::Glb);
@@ -188,11 +192,30 @@ bool isWeldedByReader(MeshFormat format)
     return format == MeshFormat::Stl;
 }
 
+bool hasThreeCorners(const Triangle& t)
+{
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+/// They bound nothing, and whatever works on surfaces would stumble over them. How many there were.
+std::size_t eraseFacesOfFewerCorners(std::vector<Triangle>& triangles)
+{
+    constexpr std::size_t chunkSize = 1 << 15;
+    std::atomic<bool> areAny = false;
+    forEachChunk(triangles.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        const auto part = std::span(triangles).subspan(begin, end - begin);
+        if (!areAny && !std::ranges::all_of(part, hasThreeCorners))
+            areAny = true;
+    });
+    return areAny ? std::erase_if(triangles, [](const Triangle& t) { return !hasThreeCorners(t); }) : 0;
+}
+
 /// What was parsed as a document has it.
 void settle(ReadResult& result, const io::FileBytes& file, bool isWelded, UpAxis up)
 {
     if (!isWelded)
         io::weld(result.mesh, file.stop);
+    result.remarks.facesOfFewer += eraseFacesOfFewerCorners(result.mesh.triangles);
     if (result.mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, file.path);
     if (up == UpAxis::Z)

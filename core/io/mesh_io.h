@@ -71,11 +71,12 @@ struct WriteOptions
     DocumentMetadata metadata = {};
 };
 
-/// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may
-/// be degenerate, vertices unused. Vertices of equal bits (-0 = 0) are one, whatever the format: STL knows no others,
-/// and other files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text
-/// numbers are rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units
-/// are the file's; glTF's metres and the unit that a 3MF names become millimetres. What a .gltf names must lie in its
+/// Throws FileError. What it returns has at least one face, indices in range and finite points, and three different
+/// corners in each face, nothing more: faces may be without area, vertices unused. Vertices of equal bits (-0 = 0) are
+/// one, whatever the format: STL knows no others, and other files split them along seams. Vertices and faces keep their
+/// order; polygons are cut into triangles, and corners that they name twice in a row are left out. Text numbers are
+/// rounded to the nearest float32. A file is not read beyond its header when it is too short for it. Units are the
+/// file's; glTF's metres and the unit that a 3MF names become millimetres. What a .gltf names must lie in its
 /// folder, links followed.
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
 /// Its mesh alone.

@@ -76,10 +76,10 @@ bool isTextStl(std::string_view start);
 bool isBinaryOff(std::string_view start);
 
 /// Vertices as they stand in the file, axes included, but for the weld and -0 of STL.
-TriangleMesh readStl(const FileBytes& file);
+ReadResult readStl(const FileBytes& file);
 ReadResult readObj(const FileBytes& file);
-TriangleMesh readPly(const FileBytes& file);
-TriangleMesh readOff(const FileBytes& file);
+ReadResult readPly(const FileBytes& file);
+ReadResult readOff(const FileBytes& file);
 ReadResult readGltf(const FileBytes& file, bool isBinary); ///< in mm
 /// In mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times.
 ReadResult readThreeMf(const FileBytes& file);

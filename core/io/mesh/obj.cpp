@@ -19,7 +19,11 @@ using RawColor = std::array<float, 3>;
 class ObjReader
 {
 public:
-    explicit ObjReader(const FileBytes& file) : m_file(file), m_text(file, afterMark(file)), m_stopCheck(file.stop) {}
+    explicit ObjReader(const FileBytes& file)
+        : m_file(file)
+        , m_text(file, file.bytes.data(), '#')
+        , m_stopCheck(file.stop)
+    {}
 
     ReadResult read()
     {
@@ -29,19 +33,13 @@ public:
         if (m_mesh.points.empty() && m_faces.faces() == 0)
             throw FileError(FileErrorKind::NotWhatItsEndingSays, m_file.path);
         checkLargestIndex();
-        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
+        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         makeColors();
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
         return {std::move(m_mesh), m_remarks};
     }
 
 private:
-    /// Past a UTF-8 byte order mark.
-    static const char* afterMark(const FileBytes& file)
-    {
-        return file.bytes.data() + (file.bytes.starts_with("\xef\xbb\xbf") ? 3 : 0);
-    }
-
     void readLine()
     {
         m_stopCheck();
@@ -64,7 +62,7 @@ private:
         while (count < numbers.size() && !m_text.atLineEnd())
             numbers[count++] = m_text.number();
         if (count < 3 || count == 5 || !m_text.atLineEnd())
-            m_text.fail(FileErrorKind::Malformed, m_text.word());
+            m_text.fail(FileFault::VertexNumbers, m_text.word());
         if (m_mesh.points.size() == maxVertices)
             throw tooMany("vertices", maxVertices, errorAtLine({}, m_file, m_text.position()));
         if (count >= 6) {
@@ -78,8 +76,13 @@ private:
     {
         while (!m_text.atLineEnd())
             m_faces.addCorner(readCorner());
-        if (m_faces.cornersOfOpenFace() < 3)
-            m_text.fail(FileErrorKind::Malformed, {});
+        if (m_faces.cornersOfOpenFace() < 3) {
+            if (m_text.atFileEnd())
+                m_text.fail(FileErrorKind::CutOff, {});
+            m_faces.dropOpenFace(); // a point or an edge
+            ++m_remarks.facesOfFewer;
+            return;
+        }
         if (m_faces.cornersOfOpenFace() > maxCorners)
             throw tooMany("corners", maxCorners, errorAtLine({}, m_file, m_text.position()));
         if (m_faces.corners() > 3 * maxFaces)
@@ -93,7 +96,7 @@ private:
         const std::string_view word = m_text.word();
         const std::string_view vertex = word.substr(0, word.find('/'));
         if (vertex.empty())
-            m_text.fail(FileErrorKind::Malformed, word);
+            m_text.fail(FileFault::VertexIndex, word);
         const std::int64_t number = m_text.toInteger(vertex);
         const std::int64_t index = number < 0 ? static_cast<std::int64_t>(m_mesh.points.size()) + number : number - 1;
         if (index < 0 || index >= static_cast<std::int64_t>(maxVertices))

@@ -1,6 +1,7 @@
 // OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a
-// line, whose colour is passed over.
+// line or over several, whose colour is passed over. Comments stand anywhere. off_binary.h reads BINARY.
 
+#include "core/io/mesh/off_binary.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"
 #include "core/io/mesh/text_scanner.h"
@@ -23,15 +24,21 @@ constexpr RawColor noColor{-1, -1, -1};
 class OffReader
 {
 public:
-    explicit OffReader(const FileBytes& file) : m_file(file), m_text(file, file.bytes.data()), m_stopCheck(file.stop) {}
+    explicit OffReader(const FileBytes& file)
+        : m_file(file)
+        , m_text(file, file.bytes.data(), '#')
+        , m_stopCheck(file.stop)
+    {}
 
-    TriangleMesh read()
+    ReadResult read()
     {
         readKeyword();
+        if (isBinaryOff(m_file.bytes.substr(0, startSize)))
+            return readBinary();
         const std::size_t vertices = readCount("vertices", maxVertices, minVertex);
         const std::size_t faces = readCount("faces", maxFaces, minFace);
         m_mesh.points.reserve(vertices);
-        m_text.word(); // edges; on this line, if at all
+        skipEdges();
         while (m_mesh.points.size() < vertices) {
             toLine();
             readVertex();
@@ -40,9 +47,9 @@ public:
             toLine();
             readFace(vertices);
         }
-        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
+        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         makeColors();
-        return std::move(m_mesh);
+        return {std::move(m_mesh), m_remarks};
     }
 
 private:
@@ -56,25 +63,26 @@ private:
             rest.remove_prefix(has ? part.size() : 0);
             return has;
         };
-        takes("ST");
+        m_hasTexture = takes("ST");
         m_hasColors = takes("C");
         m_coordinates = takes("N") ? 6 : 3;
         if (rest != "OFF")
-            m_text.fail(FileErrorKind::Malformed, keyword);
+            m_text.fail(FileFault::Keyword, keyword, "OFF");
     }
 
-    /// The next word that is not of a comment; CutOff at the end of the file.
+    ReadResult readBinary()
+    {
+        m_text.nextLine();
+        return BinaryOff{m_file, m_text.position(), m_coordinates > 3, m_hasColors, m_hasTexture}.read();
+    }
+
+    /// On this line or a later one; CutOff at the end of the file.
     std::string_view nextWord()
     {
-        for (;;) {
-            const std::string_view word = m_text.wordAnywhere();
-            if (!word.starts_with('#')) {
-                if (word.empty())
-                    m_text.fail(FileErrorKind::CutOff, {});
-                return word;
-            }
-            m_text.nextLine();
-        }
+        const std::string_view word = m_text.wordAnywhere();
+        if (word.empty())
+            m_text.fail(FileErrorKind::CutOff, {});
+        return word;
     }
 
     std::size_t readCount(std::string_view what, std::size_t max, std::size_t minBytes)
@@ -82,12 +90,25 @@ private:
         const std::string_view word = nextWord();
         const std::int64_t count = m_text.toInteger(word);
         if (count < 0)
-            m_text.fail(FileErrorKind::Malformed, word);
+            m_text.fail(FileFault::Count, word);
         if (static_cast<std::uint64_t>(count) > max)
             throw tooMany(what, max, errorAtLine({}, m_file, word.data()));
         if (static_cast<std::uint64_t>(count) > m_file.bytes.size() / minBytes)
             throw errorAtLine(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
         return static_cast<std::size_t>(count);
+    }
+
+    /// Their number stands on this line, or alone on the next; many leave it out.
+    void skipEdges()
+    {
+        TextScanner ahead = m_text;
+        if (!m_text.atLineEnd()) {
+            m_text.word();
+            return;
+        }
+        ahead.wordAnywhere();
+        if (ahead.atLineEnd())
+            m_text.wordAnywhere();
     }
 
     /// To the next line with words that are not a comment.
@@ -97,19 +118,17 @@ private:
         do
             if (!m_text.nextLine())
                 m_text.fail(FileErrorKind::CutOff, {});
-        while (m_text.atLineEnd() || *m_text.position() == '#');
+        while (m_text.atLineEnd());
     }
-
-    bool isLineDone() { return m_text.atLineEnd() || *m_text.position() == '#'; }
 
     void readVertex()
     {
         std::array<float, 3> point;
         for (float& x : point)
-            x = m_text.number();
+            x = m_text.toNumber(nextWord());
         for (std::size_t i = point.size(); i < m_coordinates; ++i)
-            m_text.number();
-        if (m_hasColors && !isLineDone())
+            nextWord(); // whatever it is
+        if (m_hasColors && !m_text.atLineEnd())
             readColor();
         m_mesh.points.emplace_back(point[0], point[1], point[2]);
     }
@@ -121,7 +140,7 @@ private:
         RawColor& color = m_colors.emplace_back();
         for (float& c : color)
             c = readComponent();
-        if (!isLineDone())
+        if (!m_text.atLineEnd())
             readComponent();
     }
 
@@ -155,9 +174,13 @@ private:
         const std::string_view word = m_text.word();
         const std::int64_t corners = m_text.toInteger(word);
         if (corners < 1)
-            m_text.fail(FileErrorKind::Malformed, word);
-        if (corners < 3) // a point or an edge
+            m_text.fail(FileFault::Count, word);
+        if (corners < 3) { // a point or an edge
+            for (std::int64_t i = 0; i < corners; ++i)
+                readCorner(vertices);
+            ++m_remarks.facesOfFewer;
             return;
+        }
         if (corners > static_cast<std::int64_t>(maxCorners))
             throw tooMany("corners", maxCorners, errorAtLine({}, m_file, word.data()));
         for (std::int64_t i = 0; i < corners; ++i)
@@ -167,7 +190,7 @@ private:
 
     Slot readCorner(std::size_t vertices)
     {
-        const std::string_view word = m_text.word();
+        const std::string_view word = nextWord();
         const std::int64_t index = m_text.toInteger(word);
         if (index < 0 || index >= static_cast<std::int64_t>(vertices))
             throw withCounts(errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word), vertices);
@@ -177,17 +200,18 @@ private:
     const FileBytes& m_file;
     TextScanner m_text;
     StopCheck m_stopCheck;
-    bool m_hasColors = false;
+    bool m_hasColors = false, m_hasTexture = false;
     std::size_t m_coordinates = 3; ///< of a vertex, before its colour
     TriangleMesh m_mesh;
     std::vector<RawColor> m_colors; ///< as in the file; shorter than the points while none came since
     bool m_hasFractions = false;
     float m_largest = 0;
     Polygons m_faces;
+    ReadRemarks m_remarks;
 };
 } // namespace
 
-TriangleMesh readOff(const FileBytes& file)
+ReadResult readOff(const FileBytes& file)
 {
     return OffReader(file).read();
 }

@@ -1,11 +1,12 @@
-// PLY: the header announces elements and their properties; the vertex and face elements are read, the others passed
-// over.
+// PLY: the header announces elements and their properties; vertices, faces and triangle strips are read, the other
+// elements passed over.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/ply_source.h"
 #include "core/io/mesh/polygons.h"
 #include "core/io/mesh/record_writer.h"
 #include "core/io/mesh/text_writer.h"
+#include "core/io/mesh/triangle_strips.h"
 
 #include <algorithm>
 #include <array>
@@ -96,7 +97,7 @@ public:
             m_vertices = vertices->count;
     }
 
-    TriangleMesh read()
+    ReadResult read()
     {
         for (const PlyElement& element : m_header.elements) {
             requireRoom(element);
@@ -104,12 +105,17 @@ public:
                 readVertices(element);
             else if (element.name == "face")
                 readFaces(element);
+            else if (element.name == "tristrips")
+                readStrips(element);
             else
                 skipAll(element);
         }
         if (m_mesh.triangles.empty())
-            m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
-        return std::move(m_mesh);
+            m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
+        const std::vector<Triangle>& strips = m_strips.triangles();
+        m_mesh.triangles.insert(m_mesh.triangles.end(), strips.begin(), strips.end());
+        m_remarks.unannounced = m_source.hasMore();
+        return {std::move(m_mesh), m_remarks};
     }
 
 private:
@@ -135,7 +141,7 @@ private:
         requireFew(element, "vertices", maxVertices);
         const std::vector<Role> roles = rolesOf(element, true);
         if (!has(roles, {Role::X, Role::Y, Role::Z}))
-            throw errorAtLine(FileErrorKind::Malformed, m_file, element.line, element.name);
+            throw malformed(FileFault::Coordinates, errorAtLine({}, m_file, element.line, element.name));
         const bool colored = has(roles, {Role::Red, Role::Green, Role::Blue});
         resizeInLargePages(m_mesh.points, element.count);
         if (colored)
@@ -204,8 +210,50 @@ private:
                 return;
         for (std::uint64_t i = 0; i < element.count; ++i) {
             m_stopCheck();
-            readFace(m_source, element, roles, m_faces);
+            m_remarks.facesOfFewer += readFace(m_source, element, roles, m_faces) ? 0 : 1;
         }
+    }
+
+    /// Each list is a strip; each index that is no vertex's but -1 ends one and begins the next.
+    void readStrips(const PlyElement& element)
+    {
+        requireFew(element, "triangle strips", maxFaces);
+        const std::vector<Role> roles = rolesOf(element, false);
+        if (!has(roles, {Role::Corners}))
+            return skipAll(element);
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            m_source.beginElement();
+            for (std::size_t k = 0; k < roles.size(); ++k)
+                roles[k] == Role::Corners ? readStrip(element.properties[k]) : skip(m_source, element.properties[k]);
+            m_source.endElement();
+        }
+    }
+
+    void readStrip(const PlyProperty& property)
+    {
+        constexpr std::int64_t minusOneUnsigned = 0xffffffff;
+        m_strips.restart();
+        for (std::int64_t left = lengthOf(m_source, property); left > 0; --left) {
+            m_stopCheck();
+            const std::int64_t index = m_source.listed(property.type);
+            if (index == -1 || index == minusOneUnsigned) {
+                m_strips.restart();
+                continue;
+            }
+            if (index < 0 || static_cast<std::uint64_t>(index) >= m_vertices)
+                m_source.fail(FileErrorKind::IndexOutOfRange, m_vertices, std::to_string(index));
+            m_strips.add(static_cast<Slot>(index));
+            if (m_strips.triangles().size() > maxFaces)
+                m_source.fail(FileErrorKind::TooManyElements, maxFaces, "faces");
+        }
+    }
+
+    static std::int64_t lengthOf(Source& source, const PlyProperty& property)
+    {
+        const std::int64_t count = source.whole(*property.countType);
+        if (count < 0)
+            source.fail(FileFault::Count);
+        return count;
     }
 
     /// On all cores. False, and nothing is changed, if not all faces have as many corners as the first, or if anything
@@ -218,7 +266,8 @@ private:
         try {
             Polygons first;
             Source afterFirst = m_source;
-            readFace(afterFirst, element, roles, first);
+            if (!readFace(afterFirst, element, roles, first))
+                return false;
             const std::uint64_t size = m_source.bytesLeft() - afterFirst.bytesLeft(),
                                 trianglesEach = first.corners() - 2;
             if (element.count > m_source.bytesLeft() / size || element.count * trianglesEach > maxFaces)
@@ -244,9 +293,14 @@ private:
                 Polygons faces;
                 faces.reserve(end - begin, trianglesEach + 2);
                 readAll(faces);
-                if (areRows)
-                    std::ranges::copy(faces.triangles(m_mesh.points, StopCheck(m_file.stop)),
-                                      triangles.begin() + static_cast<std::ptrdiff_t>(begin * trianglesEach));
+                if (!areRows)
+                    return;
+                ReadRemarks remarks;
+                const std::vector<Triangle> cut = faces.triangles(m_mesh.points, StopCheck(m_file.stop), remarks);
+                if (cut.size() != (end - begin) * trianglesEach)
+                    areRows = false; // corners were left out
+                else
+                    std::ranges::copy(cut, triangles.begin() + static_cast<std::ptrdiff_t>(begin * trianglesEach));
             });
             if (!areRows)
                 return false;
@@ -258,30 +312,38 @@ private:
         }
     }
 
+    /// False, and nothing is added, if it is a point or an edge.
     template <typename Faces>
-    void readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Faces& faces) const
+    bool readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Faces& faces) const
     {
+        bool isFace = false;
         source.beginElement();
         for (std::size_t k = 0; k < roles.size(); ++k)
-            roles[k] == Role::Corners ? readCorners(source, element.properties[k], faces)
-                                      : skip(source, element.properties[k]);
+            if (roles[k] == Role::Corners)
+                isFace = readCorners(source, element.properties[k], faces) || isFace;
+            else
+                skip(source, element.properties[k]);
         source.endElement();
+        return isFace;
     }
 
-    template <typename Faces> void readCorners(Source& source, const PlyProperty& property, Faces& faces) const
+    template <typename Faces> bool readCorners(Source& source, const PlyProperty& property, Faces& faces) const
     {
-        const std::int64_t count = source.whole(*property.countType);
-        if (count < 3)
-            source.fail(FileErrorKind::Malformed);
+        const std::int64_t count = lengthOf(source, property);
+        if (count < 3) {
+            source.skip(property.type, static_cast<std::uint64_t>(count));
+            return false;
+        }
         if (count > static_cast<std::int64_t>(maxCorners))
             source.fail(FileErrorKind::TooManyElements, maxCorners, "corners");
         for (std::int64_t i = 0; i < count; ++i) {
-            const std::int64_t index = source.whole(property.type);
+            const std::int64_t index = source.listed(property.type);
             if (index < 0 || static_cast<std::uint64_t>(index) >= m_vertices)
                 source.fail(FileErrorKind::IndexOutOfRange, m_vertices, std::to_string(index));
             faces.addCorner(static_cast<Slot>(index));
         }
         faces.endFace();
+        return true;
     }
 
     void skipAll(const PlyElement& element)
@@ -299,9 +361,7 @@ private:
 
     static void skip(Source& source, const PlyProperty& property)
     {
-        const std::int64_t count = property.countType ? source.whole(*property.countType) : 1;
-        if (count < 0)
-            source.fail(FileErrorKind::Malformed);
+        const std::int64_t count = property.isList() ? lengthOf(source, property) : 1;
         source.skip(property.type, static_cast<std::uint64_t>(count));
     }
 
@@ -312,6 +372,8 @@ private:
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     Polygons m_faces;
+    TriangleStrips m_strips;
+    ReadRemarks m_remarks;
 };
 
 void writeHeader(TextWriter& text, const TriangleMesh& mesh, const WriteOptions& options)
@@ -358,7 +420,7 @@ void writeBinary(AtomicFile& out, const TriangleMesh& mesh)
 }
 } // namespace
 
-TriangleMesh readPly(const FileBytes& file)
+ReadResult readPly(const FileBytes& file)
 {
     const PlyHeader header = readPlyHeader(file);
     if (header.encoding == PlyEncoding::Ascii)

@@ -27,29 +27,32 @@ constexpr std::array typeNames{
 class HeaderReader
 {
 public:
-    explicit HeaderReader(const FileBytes& file) : m_text(file, file.bytes.data()) {}
+    explicit HeaderReader(const FileBytes& file)
+        : m_file(file)
+        , m_text(file, file.bytes.data())
+        , m_linesEndBackwards(withoutMark(file.bytes).starts_with("ply\n\r") &&
+                              !withoutMark(file.bytes).starts_with("ply\n\r\n"))
+    {}
 
     PlyHeader read()
     {
-        bool detectedFormat = false;
+        bool hasFormat = false;
         while (nextLine()) {
             const char* const line = m_text.position();
             const std::string_view keyword = m_text.word();
             if (keyword == "end_header")
                 break;
             if (keyword == "format")
-                detectedFormat = readFormat();
+                hasFormat = readFormat();
             else if (keyword == "element")
                 readElement(line);
             else if (keyword == "property")
                 readProperty();
-            else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
-                m_text.fail(FileErrorKind::Malformed, keyword);
-        }
-        if (!detectedFormat)
-            m_text.fail(FileErrorKind::Malformed, {});
+        } // comments, and what programs write that meant them
+        if (!hasFormat)
+            m_text.fail(FileFault::Keyword, {}, "format");
         m_text.nextLine();
-        m_header.body = m_text.position();
+        m_header.body = m_text.position() + (m_linesEndBackwards && !m_text.atFileEnd() ? 1 : 0);
         return std::move(m_header);
     }
 
@@ -67,7 +70,7 @@ private:
         const std::string_view word = m_text.word();
         const auto found = std::ranges::find(names, word);
         if (found == names.end())
-            m_text.fail(FileErrorKind::Malformed, word);
+            m_text.fail(FileFault::PlyEncoding, word);
         m_header.encoding = static_cast<PlyEncoding>(found - names.begin());
         return true;
     }
@@ -77,29 +80,29 @@ private:
         const std::string_view name = m_text.word();
         const std::string_view count = m_text.word();
         if (name.empty() || m_header.find(name))
-            m_text.fail(FileErrorKind::Malformed, name);
+            m_text.fail(name.empty() ? FileFault::Name : FileFault::Repeated, name);
         const std::int64_t number = m_text.toInteger(count);
         if (number < 0)
-            m_text.fail(FileErrorKind::Malformed, count);
+            m_text.fail(FileFault::Count, count);
         m_header.elements.push_back({name, static_cast<std::uint64_t>(number), {}, line});
     }
 
     void readProperty()
     {
         if (m_header.elements.empty())
-            m_text.fail(FileErrorKind::Malformed, "property");
+            throw malformed(FileFault::ElementFirst, errorAtLine({}, m_file, m_text.position(), "property"));
         PlyProperty property;
         std::string_view word = m_text.word();
         if (word == "list") {
             property.countType = toType(m_text.word());
             if (!isWhole(*property.countType))
-                m_text.fail(FileErrorKind::Malformed, "list");
+                throw malformed(FileFault::WholeNumberType, errorAtLine({}, m_file, m_text.position(), "list"));
             word = m_text.word();
         }
         property.type = toType(word);
         property.name = m_text.word();
         if (property.name.empty())
-            m_text.fail(FileErrorKind::Malformed, {});
+            m_text.fail(FileFault::Name, {});
         m_header.elements.back().properties.push_back(property);
     }
 
@@ -107,12 +110,14 @@ private:
     {
         const auto found = std::ranges::find(typeNames, word, &TypeName::name);
         if (found == typeNames.end())
-            m_text.fail(FileErrorKind::Malformed, word);
+            m_text.fail(FileFault::NumberType, word);
         return found->type;
     }
 
+    const FileBytes& m_file;
     TextScanner m_text;
     PlyHeader m_header;
+    bool m_linesEndBackwards; ///< \n\r: the last one's second byte is no part of the body
 };
 } // namespace
 

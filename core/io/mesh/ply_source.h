@@ -18,7 +18,7 @@ public:
 
     std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(fileEnd() - m_text.position()); }
 
-    /// An element is a line.
+    /// An element is a line, but for lists, which may go on on the next.
     void beginElement()
     {
         while (m_text.atLineEnd())
@@ -27,33 +27,41 @@ public:
     }
     void endElement()
     {
-        if (!m_text.atLineEnd())
-            m_text.fail(FileErrorKind::Malformed, m_text.word());
+        for (; !m_text.atLineEnd(); m_text.word())
+            m_hasMore = true;
     }
+    /// Any element so far had more values than it was to have.
+    bool hasMore() const { return m_hasMore; }
 
     std::int64_t whole(PlyType) { return m_text.toInteger(m_last = m_text.word()); }
+    std::int64_t listed(PlyType) { return m_text.toInteger(m_last = m_text.wordAnywhere()); } ///< one of a list
     float number(PlyType) { return m_text.toNumber(m_last = m_text.word()); }
     void skip(PlyType, std::uint64_t count)
     {
         for (; count != 0; --count)
-            if (m_text.word().empty())
-                m_text.fail(FileErrorKind::Malformed, {});
+            if ((count == 1 ? m_text.word() : m_text.wordAnywhere()).empty())
+                m_text.fail(FileFault::Number, {});
     }
 
     /// About the value read last.
     [[noreturn]] void fail(FileErrorKind kind, std::uint64_t expected = 0, std::string_view token = {}) const
     {
-        FileError error = errorAtLine(kind, m_file, m_text.position(), token.empty() ? m_last : token);
-        error.expected = expected;
-        throw error;
+        throw withCounts(errorAt(kind, token), expected);
     }
+    [[noreturn]] void fail(FileFault fault) const { throw malformed(fault, errorAt({}, {})); }
 
 private:
+    FileError errorAt(FileErrorKind kind, std::string_view token) const
+    {
+        return errorAtLine(kind, m_file, m_last.empty() ? m_text.position() : m_last.data(),
+                           token.empty() ? m_last : token);
+    }
     const char* fileEnd() const { return m_file.bytes.data() + m_file.bytes.size(); }
 
     FileBytes m_file;
     TextScanner m_text;
     std::string_view m_last;
+    bool m_hasMore = false;
 };
 
 class PlyBinarySource
@@ -74,6 +82,7 @@ public:
     std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(m_end - m_at); }
     void beginElement() {}
     void endElement() {}
+    bool hasMore() const { return false; }
 
     std::int64_t whole(PlyType type)
     {
@@ -97,6 +106,8 @@ public:
         }
         return 0;
     }
+
+    std::int64_t listed(PlyType type) { return whole(type); }
 
     float number(PlyType type)
     {
@@ -122,6 +133,7 @@ public:
         error.expected = expected;
         throw error;
     }
+    [[noreturn]] void fail(FileFault fault) const { throw malformed(fault, errorAtByte({}, m_file, m_last)); }
 
 private:
     template <typename Number> Number next()

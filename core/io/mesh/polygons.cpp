@@ -1,44 +1,14 @@
 #include "core/io/mesh/polygons.h"
 
-#include "core/geometry/predicates.h"
+#include "core/io/mesh/ear_clipping.h"
+#include "core/io/mesh/flat_polygon.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace core::io
 {
 namespace
 {
-/// A polygon seen along the axis in which its area is largest. Its sense: 1 if counter-clockwise there, else -1.
-class FlatPolygon
-{
-public:
-    FlatPolygon(const std::vector<Vec3f>& points, std::span<const Slot> corners) : m_points(points)
-    {
-        Vec3 area = Vec3::Zero();
-        const Vec3 origin = point(corners[0]);
-        for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-            area += (point(corners[i]) - origin).cross(point(corners[i + 1]) - origin);
-        area.cwiseAbs().maxCoeff(&m_axis);
-        m_sense = area[m_axis] < 0 ? -1 : 1;
-    }
-
-    /// 1 if the path a, b, c turns as the polygon does, -1 against it, 0 straight. Exact.
-    int turn(Slot a, Slot b, Slot c) const
-    {
-        return m_sense * FloatPredicates::orient2d(m_points[a], m_points[b], m_points[c], m_axis);
-    }
-
-    double squaredDistance(Slot a, Slot b) const { return (point(a) - point(b)).squaredNorm(); }
-
-private:
-    Vec3 point(Slot corner) const { return m_points[corner].cast<double>(); }
-
-    const std::vector<Vec3f>& m_points;
-    int m_axis = 0;
-    int m_sense = 1;
-};
-
 void appendQuad(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std::span<const Slot> c)
 {
     const bool firstWorks = polygon.turn(c[0], c[1], c[2]) > 0 && polygon.turn(c[0], c[2], c[3]) > 0;
@@ -53,40 +23,62 @@ void appendQuad(std::vector<Triangle>& triangles, const FlatPolygon& polygon, st
     }
 }
 
-/// Is the corner at i convex, and is no other corner in the triangle it would cut off?
-bool isEar(const FlatPolygon& polygon, const std::vector<Slot>& ring, std::size_t i)
+/// A polygon's corners without those that stand where the one before does, and without the tips of slits: paths that
+/// go somewhere and straight back.
+class CleanRing
 {
-    const std::size_t n = ring.size();
-    const Slot a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
-    if (polygon.turn(a, b, c) <= 0)
-        return false;
-    return std::none_of(ring.begin(), ring.end(), [&](Slot p) {
-        return p != a && p != b && p != c && polygon.turn(a, b, p) >= 0 && polygon.turn(b, c, p) >= 0 &&
-               polygon.turn(c, a, p) >= 0;
-    });
-}
-
-void clipEars(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std::vector<Slot> ring,
-              StopCheck& stopCheck)
-{
-    std::size_t i = 0, tried = 0;
-    bool simple = true; // until no ear is left: a simple polygon always has one
-    while (ring.size() > 3) {
-        const std::size_t n = ring.size();
-        stopCheck(n);
-        simple = simple && tried < n;
-        if (simple && !isEar(polygon, ring, i)) {
-            i = (i + 1) % n;
-            ++tried;
-            continue;
+public:
+    CleanRing(const std::vector<Vec3f>& points, std::span<const Slot> corners) : m_points(points)
+    {
+        for (const Slot corner : corners) {
+            m_ring.push_back(corner);
+            while (dropLast()) {
+            }
         }
-        triangles.push_back({ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]});
-        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
-        i = i == ring.size() ? 0 : (i + 1) % ring.size(); // one further: a fan would give slivers
-        tried = 0;
+        while (dropAcrossEnds()) {
+        }
     }
-    triangles.push_back({ring[0], ring[1], ring[2]});
-}
+
+    /// Without making one: most have nothing to drop.
+    static bool isNeeded(const std::vector<Vec3f>& points, std::span<const Slot> corners)
+    {
+        const std::size_t n = corners.size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (const std::size_t further : {i + 1, i + 2})
+                if (areSame(points, corners[i], corners[further % n]))
+                    return true;
+        return false;
+    }
+
+    std::span<const Slot> corners() const { return std::span(m_ring).subspan(m_first); }
+
+private:
+    static bool areSame(const std::vector<Vec3f>& points, Slot a, Slot b) { return a == b || points[a] == points[b]; }
+    bool areSame(std::size_t i, std::size_t k) const { return areSame(m_points, m_ring[i], m_ring[k]); }
+
+    bool dropLast()
+    {
+        const std::size_t n = m_ring.size();
+        const bool isDouble = n >= 2 && areSame(n - 1, n - 2), isTip = !isDouble && n >= 3 && areSame(n - 1, n - 3);
+        m_ring.resize(n - (isDouble ? 1 : isTip ? 2 : 0));
+        return isDouble || isTip;
+    }
+
+    bool dropAcrossEnds()
+    {
+        const std::size_t left = m_ring.size() - m_first, last = m_ring.size() - 1;
+        const bool isDouble = left >= 2 && areSame(m_first, last), couldHaveTip = !isDouble && left >= 3,
+                   isLastTip = couldHaveTip && areSame(m_first, last - 1),
+                   isFirstTip = couldHaveTip && !isLastTip && areSame(m_first + 1, last);
+        m_first += isFirstTip ? 1 : 0;
+        m_ring.resize(m_ring.size() - (isDouble || isLastTip || isFirstTip ? 1 : 0));
+        return isDouble || isLastTip || isFirstTip;
+    }
+
+    const std::vector<Vec3f>& m_points;
+    std::vector<Slot> m_ring;
+    std::size_t m_first = 0; ///< of the ring
+};
 } // namespace
 
 void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners,
@@ -102,21 +94,31 @@ void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& p
     if (corners.size() == 4)
         appendQuad(triangles, polygon, corners);
     else
-        clipEars(triangles, polygon, {corners.begin(), corners.end()}, stopCheck);
+        clipEars(triangles, points, corners, stopCheck);
 }
 
-std::vector<Triangle> Polygons::triangles(const std::vector<Vec3f>& points, StopCheck stopCheck) const
+std::vector<Triangle> Polygons::triangles(const std::vector<Vec3f>& points, StopCheck stopCheck,
+                                          ReadRemarks& remarks) const
 {
     std::vector<Triangle> result;
     result.reserve(m_corners.size() - 2 * m_ends.size());
     std::size_t first = 0;
     for (const std::size_t end : m_ends) {
         stopCheck();
-        if (end - first == 3) // most are
-            result.push_back({m_corners[first], m_corners[first + 1], m_corners[first + 2]});
-        else
-            appendPolygon(result, points, std::span(m_corners).subspan(first, end - first), stopCheck);
+        const auto corners = std::span(m_corners).subspan(first, end - first);
         first = end;
+        if (corners.size() == 3) { // most have
+            result.push_back({corners[0], corners[1], corners[2]});
+        } else if (!CleanRing::isNeeded(points, corners)) {
+            appendPolygon(result, points, corners, stopCheck);
+        } else {
+            const CleanRing ring(points, corners);
+            remarks.repeatedCorners += corners.size() - ring.corners().size();
+            if (ring.corners().size() < 3)
+                ++remarks.facesOfFewer;
+            else
+                appendPolygon(result, points, ring.corners(), stopCheck);
+        }
     }
     return result;
 }

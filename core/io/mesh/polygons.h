@@ -8,12 +8,12 @@
 
 namespace core::io
 {
-/// Ear clipping takes the square of the corners' number at worst.
-inline constexpr std::size_t maxCorners = 4096;
+/// Of one face. Outlines of scans and texts have tens of thousands.
+inline constexpr std::size_t maxCorners = std::size_t(1) << 20;
 
 /// Appends the triangles of one face with at least three corners, wound as the polygon is; no new vertices. A quad is
-/// cut at its reflex corner, or along the shorter diagonal; larger polygons by ear clipping in the plane in which they
-/// are largest. A polygon that crosses itself, or has no area, gives triangles too, of whatever use.
+/// cut at its reflex corner, or along the shorter diagonal; larger polygons by ear clipping (ear_clipping.h). A polygon
+/// that crosses itself, or has no area, gives triangles too, of whatever use.
 void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners,
                    StopCheck& stopCheck);
 
@@ -30,12 +30,16 @@ public:
     /// Ends the face whose corners were added since the last.
     void endFace() { m_ends.push_back(static_cast<Slot>(m_corners.size())); }
 
+    /// Takes its corners away.
+    void dropOpenFace() { m_corners.resize(m_ends.empty() ? 0 : m_ends.back()); }
+
     std::size_t cornersOfOpenFace() const { return m_corners.size() - (m_ends.empty() ? 0 : m_ends.back()); }
     std::size_t faces() const { return m_ends.size(); }
     std::size_t corners() const { return m_corners.size(); }
 
-    /// Throws ReadingCancelled.
-    std::vector<Triangle> triangles(const std::vector<Vec3f>& points, StopCheck stopCheck) const;
+    /// Corners that a polygon names twice in a row, or only to go back, are left out, and so is one of which fewer than
+    /// three are left; both are counted. Throws ReadingCancelled.
+    std::vector<Triangle> triangles(const std::vector<Vec3f>& points, StopCheck stopCheck, ReadRemarks& remarks) const;
 
 private:
     std::vector<Slot> m_corners;

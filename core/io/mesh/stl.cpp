@@ -8,6 +8,7 @@
 #include "core/io/mesh/text_writer.h"
 #include "core/io/mesh/vertex_welder.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -50,9 +51,39 @@ TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std
                 throw errorAtByte(FileErrorKind::NotANumber, file, at);
 }
 
-TriangleMesh readBinary(const FileBytes& file)
+/// Whether the record could be one: finite, its corners in three places. Padding is not.
+bool isTriangle(const FileBytes& file, std::size_t number)
 {
-    const std::size_t count = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
+    std::array<std::array<float, 3>, 3> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[i][k] = load<float>(cornerAt(file, 3 * number + i) + 4 * k, std::endian::little);
+    const auto isFinite = [](const auto& p) {
+        return std::ranges::all_of(p, [](float x) { return std::isfinite(x); });
+    };
+    return std::ranges::all_of(corners, isFinite) && corners[0] != corners[1] && corners[1] != corners[2] &&
+           corners[2] != corners[0];
+}
+
+/// As many as the header says; all that there are, if it says what programs write that do not know yet (0, or all
+/// bits), or if what follows the announced ones is nothing but triangles.
+std::size_t trianglesIn(const FileBytes& file)
+{
+    constexpr std::uint64_t unknown = 0xffffffff;
+    const std::uint64_t announced = announcedStlTriangles(file.bytes),
+                        room = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
+    const bool isWhole = stlHeaderSize + room * stlTriangleSize == file.bytes.size();
+    if (announced == room || announced == 0 || announced == unknown)
+        return room;
+    for (std::uint64_t i = announced; i < room; ++i)
+        if (!isWhole || !isTriangle(file, i))
+            return announced;
+    return room;
+}
+
+ReadResult readBinary(const FileBytes& file)
+{
+    const std::size_t count = trianglesIn(file);
     const auto corners = [&file](std::size_t begin, std::span<Vec3f> into) {
         for (Vec3f& p : into) {
             const char* const at = cornerAt(file, begin++);
@@ -70,9 +101,13 @@ TriangleMesh readBinary(const FileBytes& file)
     });
     StopCheck stopCheck(file.stop);
     mesh.colors = stlColors(file.bytes.substr(0, stlHeaderSize - 4), words, mesh, stopCheck);
-    return mesh;
+    ReadRemarks remarks;
+    remarks.bytesBehind = file.bytes.size() - stlHeaderSize - count * stlTriangleSize;
+    return {std::move(mesh), remarks};
 }
 
+/// Free of form but for its words: normals may be missing, comments (#, ;, //) stand anywhere, words behind a loop or a
+/// facet are passed over, and so is all before the first solid and between solids.
 class TextStlReader
 {
 public:
@@ -82,52 +117,79 @@ public:
         , m_stopCheck(file.stop)
     {}
 
-    TriangleMesh read()
+    ReadResult read()
     {
-        while (readSolid()) {
-        }
+        while (findSolid())
+            readSolid();
         const auto load = [this](std::size_t begin, std::span<Vec3f> into) {
             std::ranges::copy_n(m_corners.begin() + static_cast<std::ptrdiff_t>(begin),
                                 static_cast<std::ptrdiff_t>(into.size()), into.begin());
         };
-        return meshOf(m_corners.size() / 3, load, m_file.stop);
+        return {meshOf(m_corners.size() / 3, load, m_file.stop), {}};
     }
 
 private:
-    /// False at the end of the file.
-    bool readSolid()
+    /// To the line behind the next "solid", which a name may follow. Facets outside of solids are not passed over.
+    bool findSolid()
     {
-        const std::string_view word = m_text.wordAnywhere();
-        if (word.empty())
-            return false;
-        require(word, "solid");
-        for (m_text.nextLine();; readFacet()) { // the rest of the line is a name
-            const std::string_view next = m_text.wordAnywhere();
-            if (is(next, "endsolid"))
-                break;
-            require(next, "facet");
+        for (bool hasLine = true; hasLine; hasLine = m_text.nextLine()) {
+            const std::string_view word = m_text.word();
+            if (is(word, "facet"))
+                m_text.fail(FileFault::Keyword, word, "solid");
+            if (!is(word, "solid"))
+                continue;
+            m_text.nextLine();
+            return true;
         }
-        m_text.nextLine();
-        return true;
+        return false;
     }
 
-    void readFacet()
+    void readSolid()
+    {
+        for (std::string_view word = nextWord(); !is(word, "endsolid"); word = wordAfterLine("facet"))
+            readFacet(word);
+        m_text.nextLine();
+    }
+
+    void readFacet(std::string_view word)
     {
         m_stopCheck();
-        require(m_text.wordAnywhere(), "normal");
-        for (int i = 0; i < 3; ++i) // whatever it is: the corners tell
-            if (m_text.wordAnywhere().empty())
-                m_text.fail(FileErrorKind::Malformed, {});
-        require(m_text.wordAnywhere(), "outer");
-        require(m_text.wordAnywhere(), "loop");
+        require(word, "facet");
+        word = nextWord();
+        if (is(word, "normal"))
+            for (int i = 0; i < 4 && !is(word, "outer"); ++i) // whatever it is: the corners tell
+                word = nextWord();
+        require(word, "outer");
+        require(nextWord(), "loop");
+        word = wordAfterLine("vertex");
         for (int corner = 0; corner < 3; ++corner) {
-            require(m_text.wordAnywhere(), "vertex");
+            require(corner == 0 ? word : nextWord(), "vertex");
             Vec3f& p = m_corners.emplace_back();
             for (int i = 0; i < 3; ++i)
-                p[i] = m_text.toNumber(m_text.wordAnywhere()) + 0.0F;
+                p[i] = m_text.toNumber(nextWord()) + 0.0F;
         }
-        require(m_text.wordAnywhere(), "endloop");
-        require(m_text.wordAnywhere(), "endfacet");
+        require(nextWord(), "endloop");
+        require(wordAfterLine("endfacet"), "endfacet");
+    }
+
+    /// Past comments. Empty at the end of the file.
+    std::string_view nextWord()
+    {
+        for (;;) {
+            const std::string_view word = m_text.wordAnywhere();
+            if (!word.starts_with('#') && !word.starts_with(';') && !word.starts_with("//"))
+                return word;
+            m_text.nextLine();
+        }
+    }
+
+    /// The keyword, if it stands on this line; else the first word of the lines that follow.
+    std::string_view wordAfterLine(std::string_view keyword)
+    {
+        while (!m_text.atLineEnd())
+            if (const std::string_view word = m_text.word(); is(word, keyword) || is(word, "endsolid"))
+                return word;
+        return nextWord();
     }
 
     static bool is(std::string_view word, std::string_view keyword)
@@ -139,7 +201,7 @@ private:
     void require(std::string_view word, std::string_view keyword) const
     {
         if (!is(word, keyword))
-            m_text.fail(FileErrorKind::Malformed, word);
+            m_text.fail(FileFault::Keyword, word, keyword);
     }
 
     FileBytes m_file;
@@ -189,7 +251,7 @@ void writeText(AtomicFile& out, const TriangleMesh& mesh)
 }
 } // namespace
 
-TriangleMesh readStl(const FileBytes& file)
+ReadResult readStl(const FileBytes& file)
 {
     const bool isText = !isBinaryStl(file.bytes, file.bytes.size()) && isTextStl(file.bytes.substr(0, startSize));
     return isText ? TextStlReader(file).read() : readBinary(file);

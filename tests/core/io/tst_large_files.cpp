@@ -256,11 +256,15 @@ private Q_SLOTS:
     {
         TriangleMesh mesh;
         mesh.points.assign(1'000'000, Vec3f(1, 2, 3));
-        mesh.triangles.push_back({0, 1, 2});
+        mesh.triangles.push_back({0, 1, 2}); // in one place: it is left out
+        mesh.triangles.push_back({999'999, 1'000'000, 1'000'001});
+        mesh.points.emplace_back(4.0F, 5.0F, 6.0F);
+        mesh.points.emplace_back(7.0F, 8.0F, 10.0F);
         core::writeMesh(path("one.ply"), mesh);
-        const TriangleMesh read = core::readMesh(path("one.ply"));
-        QCOMPARE(read.points.size(), std::size_t(1));
-        QVERIFY((read.triangles == std::vector<Triangle>{{0, 0, 0}}));
+        const core::ReadResult read = core::readModel(path("one.ply"));
+        QCOMPARE(read.mesh.points.size(), std::size_t(3));
+        QVERIFY((read.mesh.triangles == std::vector<Triangle>{{0, 1, 2}}));
+        QCOMPARE(read.remarks.facesOfFewer, std::size_t(1));
     }
 
     void stopsWhenAsked()

@@ -111,7 +111,7 @@ TriangleMesh wildMesh(bool colored, bool minusZero)
     };
     for (Slot i = 0; i < count; ++i) {
         mesh.points.emplace_back(coordinate(), coordinate(), coordinate());
-        mesh.triangles.push_back({i, (i + 1) % count, Slot(engine() % count)});
+        mesh.triangles.push_back({i, (i + 1) % count, Slot((i + 2 + engine() % (count - 2)) % count)});
         if (colored)
             mesh.colors.push_back({std::uint8_t(engine()), std::uint8_t(engine()), std::uint8_t(engine())});
     }
@@ -731,8 +731,10 @@ void TestMeshIo::badInput_data()
 
     row("stl cut off", "a.stl", stl.left(200), Kind::CutOff, "byte 200");
     row("stl cut off in the header", "a.stl", QByteArray(40, '\0'), Kind::CutOff, "byte 40");
-    row("stl lying high", "a.stl", stlWith(80, "\xff\xff\xff\xff"), Kind::CutOff, "byte 284");
-    row("stl lying low", "a.stl", stlWith(80, QByteArray(4, '\0')), Kind::CountMismatch, "byte 80");
+    row("stl lying high", "a.stl", stlWith(80, "\xff\xff\xff\x7f"), Kind::CutOff, "byte 284");
+    row("stl lying by one", "a.stl", stlWith(80, QByteArray("\5\0\0\0", 4)), Kind::CutOff, "byte 284");
+    row("stl of unknown count cut off", "a.stl", stlWith(80, "\xff\xff\xff\xff").chopped(1), Kind::CutOff, "byte 283");
+    row("stl lying low", "a.stl", stlWith(80, QByteArray(4, '\0')) + 'x', Kind::CountMismatch, "byte 80");
     row("stl with nan", "a.stl", stlWith(84 + 50 + 12 + 4, QByteArray("\0\0\xc0\x7f", 4)), Kind::NotANumber,
         "byte 150");
     row("stl with infinity", "a.stl", stlWith(96, QByteArray("\0\0\x80\xff", 4)), Kind::NotANumber, "byte 96");
@@ -759,13 +761,13 @@ void TestMeshIo::badInput_data()
         "-4");
     row("obj index beyond 64 bits", "a.obj", "v 0 0 0\nf 99999999999999999999 1 1\n", Kind::NotANumber, "line 2",
         "99999999999999999999");
-    row("obj face of two", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\nv 0 0 1\n", Kind::Malformed, "line 3");
+    row("obj face of two", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\nv 0 0 1\n", Kind::NoFaces, "");
     row("obj cut off", "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2", Kind::CutOff, "line 4");
     row("obj without faces", "a.obj", "v 0 0 0\nv 1 0 0\n", Kind::NoFaces, "");
 
     row("obj as off", "a.off", smallObj, Kind::NotWhatItsEndingSays, "byte 0", "obj");
     row("off in four dimensions", "a.off", "4OFF\n1 1 0\n0 0 0 0\n", Kind::Malformed, "line 1", "4OFF");
-    row("binary off", "a.off", "OFF BINARY\n0000", Kind::NotANumber, "line 1", "BINARY");
+    row("binary off", "a.off", "OFF BINARY\n0000", Kind::TooManyElements, "byte 11", "vertices");
     row("off lying", "a.off", "OFF\n4000 1 0\n0 0 0\n", Kind::CutOff, "line 4");
     row("off with too many", "a.off", "OFF\n4000000000 1 0\n0 0 0\n", Kind::TooManyElements, "line 2", "vertices");
     row("off with nan", "a.off", "OFF\n3 1 0\n0 0 0\n0 nan 0\n1 1 1\n3 0 1 2\n", Kind::NotANumber, "line 4", "nan");
@@ -816,11 +818,12 @@ void TestMeshIo::badInput_data()
     row("ply with nan", "a.ply", ply + "0 0 0\n1 0 NaN\n1 1 0\n3 0 1 2\n", Kind::NotANumber, "line 11", "NaN");
     row("ply index too large", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n", Kind::IndexOutOfRange, "line 13", "3");
     row("ply index negative", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n3 0 -1 2\n", Kind::IndexOutOfRange, "line 13", "-1");
-    row("ply face of two", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n2 0 1\n", Kind::Malformed, "line 13", "2");
-    row("ply face too large", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n100000 0 1\n", Kind::TooManyElements, "line 13",
+    row("ply face of two", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n2 0 1\n", Kind::NoFaces, "");
+    row("ply face of less than none", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n-3 0 1 2\n", Kind::Malformed, "line 13",
+        "-3");
+    row("ply face too large", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n100000000 0 1\n", Kind::TooManyElements, "line 13",
         "corners");
-    row("ply with too much on a line", "a.ply", ply + "0 0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", Kind::Malformed, "line 10",
-        "0");
+    row("ply face lying", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n100000 0 1\n", Kind::CutOff, "line 14");
     row("ply without faces", "a.ply", QByteArray(ply).replace("face 1", "face 0") + "0 0 0\n1 0 0\n1 1 0\n",
         Kind::NoFaces, "");
 }

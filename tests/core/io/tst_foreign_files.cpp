@@ -1,0 +1,1077 @@
+// Files as other programs write them, which are not quite by the book: each is read as the same model in a plain file.
+// What is broken is told by what was expected, what was found and where; whatever the bytes, nothing crashes.
+
+#include "core/io/mesh_io.h"
+#include "core/util/file_error.h"
+#include "tests/support/effort.h"
+#include "tests/support/shapes.h"
+#include "tests/support/test_main.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <zip.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <random>
+
+namespace
+{
+using core::FileError;
+using core::FileFault;
+using core::FilePlace;
+using core::Slot;
+using core::TriangleMesh;
+using core::Vec3f;
+using Kind = core::FileErrorKind;
+
+/// The box of all tests, 10 x 20 x 30: corner i stands at 10 where bit 0 of i is set, at 20 where bit 1 is, ...
+const std::vector<std::vector<int>> quads{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                          {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+Vec3f cornerOf(int i)
+{
+    return {i & 1 ? 10.0F : 0.0F, i & 2 ? 20.0F : 0.0F, i & 4 ? 30.0F : 0.0F};
+}
+
+std::string wordsOf(int corner)
+{
+    const Vec3f p = cornerOf(corner);
+    return std::to_string(int(p.x())) + ' ' + std::to_string(int(p.y())) + ' ' + std::to_string(int(p.z()));
+}
+
+std::vector<std::array<int, 3>> boxTriangles()
+{
+    std::vector<std::array<int, 3>> all;
+    for (const auto& q : quads) {
+        all.push_back({q[0], q[1], q[2]});
+        all.push_back({q[0], q[2], q[3]});
+    }
+    return all;
+}
+
+/// Each triangle's corners, from the least one on; sorted.
+std::vector<std::array<float, 9>> surfaceOf(const TriangleMesh& mesh)
+{
+    const auto less = [](const Vec3f& a, const Vec3f& b) {
+        return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+    };
+    std::vector<std::array<float, 9>> surface;
+    for (const core::Triangle& t : mesh.triangles) {
+        std::array<Vec3f, 3> corners{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), less), corners.end());
+        auto& flat = surface.emplace_back();
+        for (std::size_t i = 0; i < 9; ++i)
+            flat[i] = corners[i / 3][static_cast<Eigen::Index>(i % 3)];
+    }
+    std::ranges::sort(surface);
+    return surface;
+}
+
+double volumeOf(const TriangleMesh& mesh)
+{
+    double six = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        six += mesh.points[a].cast<double>().dot(mesh.points[b].cast<double>().cross(mesh.points[c].cast<double>()));
+    return six / 6;
+}
+
+/// Each edge is used once in each direction.
+bool isClosed(const TriangleMesh& mesh)
+{
+    std::vector<std::pair<Slot, Slot>> there, back;
+    for (const core::Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            there.emplace_back(t[i], t[(i + 1) % 3]);
+            back.emplace_back(t[(i + 1) % 3], t[i]);
+        }
+    std::ranges::sort(there);
+    std::ranges::sort(back);
+    return there == back && std::ranges::adjacent_find(there) == there.end();
+}
+
+bool isSound(const TriangleMesh& mesh)
+{
+    for (const core::Triangle& t : mesh.triangles) {
+        for (const Slot corner : t)
+            if (corner >= mesh.points.size())
+                return false;
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+            return false;
+    }
+    return !mesh.triangles.empty() && (mesh.colors.empty() || mesh.colors.size() == mesh.points.size()) &&
+           std::ranges::all_of(mesh.points, [](const Vec3f& p) { return p.allFinite(); });
+}
+
+template <typename Number> std::string binary(Number number, std::endian order = std::endian::little)
+{
+    auto bytes = std::bit_cast<std::array<char, sizeof number>>(number);
+    if (order != std::endian::native)
+        std::reverse(bytes.begin(), bytes.end());
+    return {bytes.data(), bytes.size()};
+}
+
+std::string replaced(std::string text, std::string_view old, std::string_view by)
+{
+    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+        text.replace(at, old.size(), by);
+    return text;
+}
+
+const std::string zero(1, '\0');
+
+std::string objVertices(const std::string& behind = "")
+{
+    std::string text;
+    for (int i = 0; i < 8; ++i)
+        text += "v " + wordsOf(i) + behind + "\n";
+    return text;
+}
+
+std::string objFaces(const std::string& behind = "")
+{
+    std::string text;
+    for (const auto& q : quads) {
+        text += "f";
+        for (const int corner : q)
+            text += ' ' + std::to_string(corner + 1);
+        text += behind + "\n";
+    }
+    return text;
+}
+
+struct TextStl
+{
+    std::string normal = " normal 0 0 1", behindLoop = {}, behindEnd = {}, behindFacet = {}, between = {},
+                head = "solid a box\n", tail = "endsolid a box\n";
+
+    std::string text() const
+    {
+        std::string all = head;
+        for (const auto& t : boxTriangles()) {
+            all += between + " facet" + normal + "\n  outer loop" + behindLoop + "\n";
+            for (const int corner : t)
+                all += "   vertex " + wordsOf(corner) + "\n" + between;
+            all += "  endloop" + behindEnd + "\n endfacet" + behindFacet + "\n";
+        }
+        return all + between + tail;
+    }
+};
+
+std::string binaryStl(std::uint32_t count, const std::string& behind = "", std::string head = "box")
+{
+    head.resize(80, ' ');
+    head += binary(count);
+    for (const auto& t : boxTriangles()) {
+        head += std::string(12, '\0');
+        for (const int corner : t)
+            for (int k = 0; k < 3; ++k)
+                head += binary(cornerOf(corner)[k]);
+        head += std::string(2, '\0');
+    }
+    return head + behind;
+}
+
+/// A PLY of the box's points and of what else the parts of the header and of the body say.
+struct Ply
+{
+    std::string format = "ascii", elements = {}, body = {}, vertexLine = "\n", early = {};
+
+    bool isText() const { return format == "ascii"; }
+    std::endian order() const { return format == "binary_big_endian" ? std::endian::big : std::endian::little; }
+    std::string whole(std::int32_t x) const { return isText() ? std::to_string(x) + ' ' : binary(x, order()); }
+
+    std::string text(const std::string& properties = "") const
+    {
+        std::string all = "ply\nformat " + format + " 1.0\n" + early +
+                          "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n" + properties +
+                          elements + "end_header\n";
+        for (int i = 0; i < 8; ++i) {
+            if (isText())
+                all += wordsOf(i) + vertexLine;
+            else
+                for (int k = 0; k < 3; ++k)
+                    all += binary(cornerOf(i)[k], order());
+        }
+        return all + body;
+    }
+    void addList(const std::vector<int>& entries, const std::string& end = "\n")
+    {
+        body += whole(static_cast<std::int32_t>(entries.size()));
+        for (const int entry : entries)
+            body += whole(entry);
+        body += isText() ? end : "";
+    }
+};
+
+/// One strip a quad, from a corner on: 0, 1, 3, 2 of its ring. The diagonals are others than the plain box's.
+std::vector<int> stripOf(const std::vector<int>& quad)
+{
+    return {quad[1], quad[2], quad[0], quad[3]};
+}
+
+std::string strips(const std::string& format, bool isUnsigned = false)
+{
+    Ply ply{.format = format};
+    std::vector<int> all;
+    for (const auto& quad : quads) {
+        for (const int corner : stripOf(quad))
+            all.push_back(corner);
+        all.push_back(-1);
+    }
+    ply.elements =
+        std::string("element tristrips 1\nproperty list int ") + (isUnsigned ? "uint" : "int") + " vertex_indices\n";
+    ply.addList(all);
+    return isUnsigned ? replaced(ply.text(), "-1", "4294967295") : ply.text();
+}
+
+/// All in one strip: sewn by triangles that name a corner twice, an even and an odd number of them.
+std::string sewnStrip(const std::string& format)
+{
+    Ply ply{.format = format};
+    std::vector<int> all;
+    const auto& q = quads[0]; // as two strips of one triangle
+    std::vector<std::vector<int>> parts{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}};
+    std::transform(quads.begin() + 1, quads.end(), std::back_inserter(parts), stripOf);
+    for (const std::vector<int>& strip : parts) {
+        if (!all.empty())
+            all.insert(all.end(), {all.back(), strip[0]});
+        if (all.size() % 2 != 0) // each begins where none is turned
+            all.push_back(strip[0]);
+        all.insert(all.end(), strip.begin(), strip.end());
+    }
+    ply.elements = "element tristrips 1\nproperty list int int vertex_indices\n";
+    ply.addList(all);
+    return ply.text();
+}
+
+std::string plyFaces(const std::string& format, const std::vector<std::vector<int>>& faces, const Ply& like = {},
+                     const std::string& end = "\n")
+{
+    Ply ply = like;
+    ply.format = format;
+    ply.elements = "element face " + std::to_string(faces.size()) + "\nproperty list int int vertex_indices\n";
+    for (const auto& face : faces)
+        ply.addList(face, end);
+    return ply.text();
+}
+
+/// The quads with a corner named twice, an outline that ends where it begins, a slit, and a point, an edge and a
+/// triangle without a third corner.
+std::vector<std::vector<int>> clumsyFaces()
+{
+    auto faces = quads;
+    faces[0] = {0, 2, 2, 2, 3, 1, 0};
+    faces[1] = {4, 5, 7, 6, 4};
+    faces[2] = {0, 1, 6, 1, 5, 4}; // a slit to 6 and back
+    faces[3] = {2, 2, 6, 7, 3, 3, 2};
+    faces.push_back({1});
+    faces.push_back({1, 2});
+    faces.push_back({1, 2, 2});
+    faces.push_back({5, 4, 5, 4});
+    return faces;
+}
+
+std::string offOf(const std::string& keyword, const std::string& sizes, const std::string& vertexEnd,
+                  const std::string& within, const std::string& faceEnd)
+{
+    std::string text = keyword + sizes;
+    for (int i = 0; i < 8; ++i)
+        text += replaced(wordsOf(i), " ", within) + vertexEnd;
+    for (const auto& q : quads) {
+        text += "4";
+        for (const int corner : q)
+            text += within + std::to_string(corner);
+        text += faceEnd;
+    }
+    return text;
+}
+
+struct BinaryOff
+{
+    std::endian order = std::endian::big;
+    std::string keyword = "OFF";
+    bool countsComponents = true;
+    int normals = 0, components = 0, texture = 0, ofFace = 0;
+
+    std::string bytes(std::uint32_t vertices = 8, std::uint32_t faces = 6) const
+    {
+        std::string all = keyword + " BINARY\n" + binary(vertices, order) + binary(faces, order) + binary(12U, order);
+        for (int i = 0; i < 8; ++i) {
+            for (int k = 0; k < 3; ++k)
+                all += binary(cornerOf(i)[k], order);
+            for (int k = 0; k < normals + components + texture; ++k)
+                all += binary(k >= normals ? 1.0F : 0.5F, order);
+        }
+        for (const auto& q : quads) {
+            all += binary(4U, order);
+            for (const int corner : q)
+                all += binary(corner, order);
+            if (countsComponents)
+                all += binary(ofFace, order);
+            for (int k = 0; k < ofFace; ++k)
+                all += binary(0.25F, order);
+        }
+        return all;
+    }
+};
+
+std::string glbOf(const std::string& json, const std::string& chunk, bool isPadded)
+{
+    const auto padded = [isPadded](std::string text, char with) {
+        if (isPadded)
+            text.resize((text.size() + 3) / 4 * 4, with);
+        return text;
+    };
+    const std::string text = padded(json, ' '), bytes = padded(chunk, '\0');
+    const auto number = [](std::size_t x) { return binary(static_cast<std::uint32_t>(x)); };
+    return "glTF" + number(2) + number(28 + text.size() + bytes.size()) + number(text.size()) + "JSON" + text +
+           number(bytes.size()) + std::string("BIN\0", 4) + bytes;
+}
+
+/// In metres, as glTF has it; `scene` and `nodes` with a comma behind, or empty.
+std::string glbBox(const std::string& scene = R"("scene":0,"scenes":[{"nodes":[0]}],)",
+                   const std::string& nodes = R"("nodes":[{"mesh":0}],)", const std::string& more = "",
+                   bool isPadded = true)
+{
+    std::string bytes;
+    for (int i = 0; i < 8; ++i)
+        for (int k = 0; k < 3; ++k)
+            bytes += binary(cornerOf(i)[k] / 1000);
+    std::string corners;
+    for (const auto& t : boxTriangles())
+        for (const int corner : t)
+            corners += static_cast<char>(corner);
+    return glbOf("{" + more + scene + nodes +
+                     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
+                     R"({"bufferView":0,"componentType":5126,"count":8,"type":"VEC3"},)"
+                     R"({"bufferView":1,"componentType":5121,"count":36,"type":"SCALAR"}],"bufferViews":[)"
+                     R"({"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":36}],)"
+                     R"("buffers":[{"byteLength":132}]})",
+                 bytes + corners, isPadded);
+}
+
+using Parts = std::vector<std::pair<std::string, std::string>>;
+
+std::string relationships(const std::string& target)
+{
+    return R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship )"
+           R"(Target=")" +
+           target + R"(" Id="x" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+}
+
+std::string modelOf(const std::string& space = "core/2015/02", const std::string& more = "",
+                    const std::string& prefix = "")
+{
+    std::string text = "<" + prefix + "model xmlns" +
+                       (prefix.empty() ? "" : ":" + prefix.substr(0, prefix.size() - 1)) +
+                       "=\"http://schemas.microsoft.com/3dmanufacturing/" + space + "\"><" + prefix + "resources>" +
+                       more + "<" + prefix + "object id=\"1\"><" + prefix + "mesh><" + prefix + "vertices>";
+    for (int i = 0; i < 8; ++i) {
+        const Vec3f p = cornerOf(i);
+        text += "<" + prefix + "vertex x=\"" + std::to_string(p.x()) + "\" y=\"" + std::to_string(p.y()) + "\" z=\"" +
+                std::to_string(p.z()) + "\"/>";
+    }
+    text += "</" + prefix + "vertices><" + prefix + "triangles>";
+    for (const auto& [a, b, c] : boxTriangles())
+        text += "<" + prefix + "triangle v1=\"" + std::to_string(a) + "\" v2=\"" + std::to_string(b) + "\" v3=\"" +
+                std::to_string(c) + "\"/>";
+    return text + "</" + prefix + "triangles></" + prefix + "mesh></" + prefix + "object></" + prefix + "resources><" +
+           prefix + "build><" + prefix + "item objectid=\"1\"/></" + prefix + "build></" + prefix + "model>";
+}
+
+std::string packageOf(const std::filesystem::path& path, const Parts& parts, int packing = ZIP_CM_DEFLATE)
+{
+    std::filesystem::remove(path);
+    zip* const archive = zip_open(path.c_str(), ZIP_CREATE, nullptr);
+    for (const auto& [name, text] : parts) {
+        const auto index =
+            zip_file_add(archive, name.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0);
+        zip_set_file_compression(archive, static_cast<zip_uint64_t>(index), packing, 0);
+    }
+    zip_close(archive);
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string utf16(std::string_view text, std::endian order, bool isMarked)
+{
+    std::string wide = isMarked ? binary(char16_t(0xfeff), order) : std::string();
+    for (const char c : text)
+        wide += binary(static_cast<char16_t>(c), order);
+    return wide;
+}
+
+struct Sample
+{
+    const char* what;
+    const char* name;
+    std::string bytes;
+};
+
+std::vector<Sample> objSamples()
+{
+    const std::string v = objVertices(), f = objFaces();
+    std::string clumsy = v + "v 0 20 0\n";
+    for (auto face : clumsyFaces()) {
+        clumsy += "f";
+        for (const int corner : face)
+            clumsy += ' ' + std::to_string(corner == 2 && face.size() == 7 ? 9 : corner + 1);
+        clumsy += "\n";
+    }
+    return {{"obj", "a.obj", v + f},
+            {"obj comments behind values", "a.obj", objVertices(" # corner") + objFaces("\t# face 1 2 3")},
+            {"obj comments that touch values", "a.obj", objVertices("#1") + objFaces("#2")},
+            {"obj comment that ends in a backslash", "a.obj", objVertices(" # c\\") + objFaces(" # \\")},
+            {"obj comment on a continued line", "a.obj", replaced(v, " 20 ", " \\\n 20 ") + objFaces(" \\\n # 4")},
+            {"obj mark", "a.obj", "\xef\xbb\xbf" + v + f},
+            {"obj NUL last", "a.obj", v + f + zero},
+            {"obj NUL behind the last number", "a.obj", v + f.substr(0, f.size() - 1) + zero},
+            {"obj Ctrl+Z behind the last number", "a.obj", v + f.substr(0, f.size() - 1) + "\x1a"},
+            {"obj padded", "a.obj", v + f + "\x1a\r\n" + std::string(500, '\0')},
+            {"obj NUL in a name", "a.obj", "o a" + zero + "b\n" + v + f},
+            {"obj repeated corners, points and edges", "a.obj", clumsy},
+            {"obj points, lines and edges", "a.obj", v + "p 1\nl 1 2 3\nf 1 2\n" + f + "f 3\n"}};
+}
+
+std::vector<Sample> stlSamples()
+{
+    const std::string plain = TextStl().text();
+    std::vector<Sample> all{
+        {"stl", "a.stl", plain},
+        {"stl without normals", "a.stl", TextStl{.normal = ""}.text()},
+        {"stl normal without numbers", "a.stl", TextStl{.normal = " normal"}.text()},
+        {"stl normal of two numbers", "a.stl", TextStl{.normal = " normal 0 1"}.text()},
+        {"stl words behind", "a.stl",
+         TextStl{.behindLoop = " 1", .behindEnd = " of 3", .behindFacet = " number 7 facets"}.text()},
+        {"stl comments", "a.stl",
+         TextStl{
+             .behindLoop = " # a", .behindEnd = " ; b", .behindFacet = " // c", .between = "# facet vertex 1\n ; x\n"}
+             .text()},
+        {"stl comments around", "a.stl",
+         TextStl{.head = "; by hand\n# twice\nsolid x\n", .tail = "endsolid x\n; the end\n"}.text()},
+        {"stl words around and between", "a.stl", plain + "made by hand\n\nsolid two\nendsolid two\n-- end --\n"},
+        {"stl mark", "a.stl", "\xef\xbb\xbf" + plain},
+        {"stl NUL last", "a.stl", plain + zero},
+        {"stl Ctrl+Z last", "a.stl", plain + "\x1a"},
+        {"stl Ctrl+Z behind the last word", "a.stl", TextStl{.tail = "endsolid\x1a"}.text()},
+        {"stl NUL in its name", "a.stl", replaced(plain, "a box", "a" + zero + "box")},
+        {"stl padded name", "a.stl", TextStl{.head = "solid " + std::string(80, '\0') + "\n"}.text()},
+        {"stl rubbish behind", "a.stl", plain + "\x01\x02\xff\xfe" + std::string(40, '\0') + "\x80 solid\n"},
+        {"stl capitals and CR", "a.stl", replaced(replaced(plain, "\n", "\r"), "facet", "FACET")},
+        {"binary stl", "a.stl", binaryStl(12)},
+        {"binary stl of unknown count, 0", "a.stl", binaryStl(0)},
+        {"binary stl of unknown count, all bits", "a.stl", binaryStl(0xffffffff)},
+        {"binary stl that counts too few", "a.stl", binaryStl(11)},
+        {"binary stl of facets and a rest", "a.stl", binaryStl(12, "x", "solid facet normal vertex")}};
+    for (const char* const head : {"box", "solid box"})
+        for (const std::size_t spare : {1, 2, 49, 50, 51, 100, 1000})
+            all.push_back({"binary stl with a rest", "a.stl", binaryStl(12, std::string(spare, '\0'), head)});
+    all.push_back({"binary stl with words behind", "a.stl", binaryStl(12, std::string(50, 'w'))});
+    return all;
+}
+
+std::vector<Sample> plySamples()
+{
+    const std::string plain = plyFaces("ascii", quads);
+    std::vector<Sample> all{
+        {"ply", "a.ply", plain},
+        {"ply stray lines in the header", "a.ply",
+         replaced(plain, "1.0\n", "1.0\nCreated by some program\n\n; element vertex 9\n")},
+        {"ply more columns", "a.ply", plyFaces("ascii", quads, {.vertexLine = " 0.5 red\n"}, " 255 0 0\n")},
+        {"ply lists over lines", "a.ply", replaced(plyFaces("ascii", quads, {}, "@"), " @", "\n")},
+        {"ply mark", "a.ply", "\xef\xbb\xbf" + plain},
+        {"ply mark and CR LF", "a.ply", "\xef\xbb\xbf" + replaced(plain, "\n", "\r\n")},
+        {"ply NUL last", "a.ply", plain.substr(0, plain.size() - 1) + zero},
+        {"ply Ctrl+Z last", "a.ply", plain + "\x1a"},
+        {"ply rubbish behind", "a.ply", plain + "made by hand \xff" + zero + "\n"},
+        {"ply blank behind its first word", "a.ply", "ply \n" + plain.substr(4)},
+        {"ply unsigned strips", "a.ply", strips("ascii", true)},
+        {"ply lists in the middle of lines", "a.ply", replaced(plain, "4 0 2 3 1", "4 0\n2 3\n\n1")}};
+    for (const char* const format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+        all.push_back({"ply repeated corners, points and edges", "a.ply", plyFaces(format, clumsyFaces())});
+        all.push_back({"ply strips", "a.ply", strips(format)});
+        all.push_back({"ply sewn strip", "a.ply", sewnStrip(format)});
+        Ply mixed{.format = format}; // a strip a list, and faces before them
+        mixed.elements = "element face 3\nproperty list int int vertex_index\nelement tristrips 3\n"
+                         "property int what\nproperty list int int vertex_index\n";
+        for (std::size_t i = 0; i < 3; ++i)
+            mixed.addList(quads[i]);
+        for (std::size_t i = 3; i < 6; ++i) {
+            mixed.body += mixed.whole(7);
+            mixed.addList(stripOf(quads[i]));
+        }
+        all.push_back({"ply faces and strips", "a.ply", mixed.text()});
+    }
+    const std::string bytes = plyFaces("binary_little_endian", quads);
+    const std::size_t end = bytes.find("end_header\n") + 11;
+    all.push_back({"ply binary, LF CR", "a.ply", replaced(bytes.substr(0, end), "\n", "\n\r") + bytes.substr(end)});
+    all.push_back({"ply binary, zeros behind", "a.ply", bytes + std::string(100, '\0')});
+    return all;
+}
+
+std::vector<Sample> offSamples()
+{
+    std::vector<Sample> all{
+        {"off", "a.off", offOf("OFF\n", "8 6 0\n", "\n", " ", "\n")},
+        {"off faces over lines", "a.off", replaced(offOf("OFF\n", "8 6 0\n", "\n", " ", "\n"), " 3 ", "\n3 \n\n")},
+        {"off all over lines", "a.off", offOf("OFF\n", "8\n6\n0\n", "\n", "\n", "\n")},
+        {"off comments", "a.off", offOf("# a\nOFF # b\n#c\n", "8 6 # 0\n", " # d\n# e\n", " ", "# f\n")},
+        {"off comments within", "a.off", offOf("OFF\n", "8 6 0\n", "\n", " # 1\n", "\n")},
+        {"off more columns", "a.off", offOf("OFF\n", "8 6 0\n", " 0.5 0.5\n", " ", " 255 0 0\n")},
+        {"off mark", "a.off", "\xef\xbb\xbf" + offOf("OFF\n", "8 6 0\n", "\n", " ", "\n")},
+        {"off NUL last", "a.off", offOf("OFF\n", "8 6 0\n", "\n", " ", "\n") + zero},
+        {"off Ctrl+Z last", "a.off", offOf("OFF\n", "8 6 0\r\n", "\r\n", " ", "\r\n") + "\x1a"},
+        {"off rubbish behind", "a.off", offOf("OFF\n", "8 6 0\n", "\n", " ", "\n") + "the end\xff\x01\n"},
+        {"off repeated corners", "a.off",
+         replaced(replaced(replaced(offOf("OFF\n", "8 9 0\n", "\n", " ", "\n"), "4 0 2 3 1", "6 0 2 2 3 1 0"),
+                           "4 4 5 7 6", "3 1 2 2\n2 0 1\n1 0\n5 4 5 7 6 4"),
+                  "4 0 1 5 4", "6 0 1 6 1 5 4")}};
+    for (const std::endian order : {std::endian::big, std::endian::little})
+        for (const bool counts : {true, false}) {
+            all.push_back({"binary off", "a.off", BinaryOff{.order = order, .countsComponents = counts}.bytes()});
+            all.push_back({"binary off with a rest", "a.off",
+                           BinaryOff{.order = order, .countsComponents = counts}.bytes() + "\n\n"});
+            all.push_back(
+                {"binary off with normals", "a.off",
+                 BinaryOff{.order = order, .keyword = "NOFF", .countsComponents = counts, .normals = 3}.bytes()});
+            all.push_back(
+                {"binary off with texture", "a.off",
+                 BinaryOff{.order = order, .keyword = "STOFF", .countsComponents = counts, .texture = 2}.bytes()});
+            for (const int components : {3, 4})
+                all.push_back({"binary off with colours", "a.off",
+                               BinaryOff{.order = order,
+                                         .keyword = "STCNOFF",
+                                         .countsComponents = counts,
+                                         .normals = 3,
+                                         .components = components,
+                                         .texture = 2}
+                                   .bytes()});
+        }
+    for (const int ofFace : {1, 3, 4})
+        all.push_back({"binary off with coloured faces", "a.off", BinaryOff{.ofFace = ofFace}.bytes()});
+    return all;
+}
+
+std::vector<Sample> gltfSamples()
+{
+    std::vector<Sample> all{
+        {"glb", "a.glb", glbBox()},
+        {"glb not padded", "a.glb",
+         glbBox(R"("scenes":[{"nodes":[0]}],)", R"("nodes":[{"mesh":0}],)", R"("asset":{"version":"2.0"}, )", false)},
+        {"glb not padded, a byte more", "a.glb",
+         glbBox(R"("scenes":[{"nodes":[0]}],)", R"("nodes":[{"mesh":0}],)", R"("asset":{"version":"2.0"},  )", false)},
+        {"glb not padded, two bytes more", "a.glb",
+         glbBox(R"("scenes":[{"nodes":[0]}],)", R"("nodes":[{"mesh":0}],)", R"("asset":{"version":"2.0"},   )", false)},
+        {"glb without a scene", "a.glb", glbBox("")},
+        {"glb without a scene, tree", "a.glb",
+         glbBox("", R"("nodes":[{"mesh":0,"translation":[0,1,0]},{"children":[0],"translation":[0,-1,0]}],)")},
+        {"glb without a scene, empty list", "a.glb", glbBox(R"("scenes":[],)")},
+        {"glb without nodes", "a.glb", glbBox("", "")}};
+    for (const std::string extension :
+         {"EXT_texture_webp", "EXT_texture_avif", "KHR_texture_basisu", "KHR_texture_transform", "MSFT_texture_dds",
+          "KHR_materials_unlit", "KHR_materials_clearcoat", "KHR_materials_variants", "KHR_lights_punctual",
+          "EXT_lights_image_based", "KHR_mesh_quantization", "KHR_xmp_json_ld", "KHR_animation_pointer", "VRM",
+          "VRMC_materials_mtoon", "ADOBE_materials_thin_transparency", "FB_ngon_encoding"})
+        all.push_back({"glb that requires an extension without shape", "a.glb",
+                       glbBox(R"("scenes":[{"nodes":[0]}],)", R"("nodes":[{"mesh":0}],)",
+                              R"("extensionsRequired":[")" + extension + "\"],")});
+    return all;
+}
+
+std::vector<Sample> packageSamples(const std::filesystem::path& path)
+{
+    const auto package = [&path](const std::string& target, const std::string& part, const std::string& model,
+                                 const char* list = "_rels/.rels") {
+        return packageOf(path, {{list, relationships(target)}, {part, model}});
+    };
+    const std::string stray = R"(<m:colorgroup id="5"><m:color color="#FF0000" m:what="1"/></m:colorgroup>)";
+    return {
+        {"3mf", "a.3mf", package("/3D/a.model", "3D/a.model", modelOf())},
+        {"3mf of 2013", "a.3mf", package("/3D/a.model", "3D/a.model", modelOf("2013/01"))},
+        {"3mf with prefixes", "a.3mf", package("/3D/a.model", "3D/a.model", modelOf("core/2015/02", "", "c:"))},
+        {"3mf with undeclared prefixes", "a.3mf", package("/3D/a.model", "3D/a.model", modelOf("core/2015/02", stray))},
+        {"3mf target with a percent sign", "a.3mf", package("/3D/my%20box.model", "3D/my box.model", modelOf())},
+        {"3mf part with a percent sign", "a.3mf", package("/3D/my box.model", "3D/my%20box.model", modelOf())},
+        {"3mf backslashes in the package", "a.3mf", package("/3D/a.model", "3D\\a.model", modelOf(), "_rels\\.rels")},
+        {"3mf backslashes in the target", "a.3mf", package("\\3D\\a.model", "3D/a.model", modelOf())},
+        {"3mf other case", "a.3mf", package("/3d/A.MODEL", "3D/a.model", modelOf(), "_RELS/.rels")}};
+}
+} // namespace
+
+class TestForeignFiles : public QObject
+{
+    Q_OBJECT
+
+    static constexpr unsigned seed = 20261126;
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(m_dir.isValid()); }
+
+    void samples_areThePlainModel();
+    void cutSamples_neverGetThrough();
+    void mutatedSamples_neverGetThrough();
+    void whatIsLeftOut_isTold_data();
+    void whatIsLeftOut_isTold();
+    void binaryOff_keepsColors();
+    void strips_faceAsTheirFirstTriangle();
+    void largePolygons_areFilled_data();
+    void largePolygons_areFilled();
+    void polygonsThatCrossThemselves_end();
+    void manyCopiesInASmallPackage_areRead();
+    void faults_areTold_data();
+    void faults_areTold();
+    void packageFaults_areTold_data();
+    void packageFaults_areTold();
+    void utf16_isTold_data();
+    void utf16_isTold();
+
+private:
+    std::filesystem::path file(const std::string& name) const
+    {
+        return std::filesystem::path(m_dir.path().toStdString()) / name;
+    }
+    std::vector<Sample> allSamples() const
+    {
+        std::vector<Sample> all;
+        for (const auto& some : {objSamples(), stlSamples(), plySamples(), offSamples(), gltfSamples(),
+                                 packageSamples(file("package.3mf"))})
+            all.insert(all.end(), some.begin(), some.end());
+        return all;
+    }
+    core::ReadResult read(const std::string& name, std::string_view bytes) const
+    {
+        std::filesystem::remove(file(name));
+        std::ofstream(file(name), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        return core::readModel(file(name), {.up = core::UpAxis::Y});
+    }
+    static std::optional<FileError> errorOf(const std::function<void()>& action)
+    {
+        try {
+            action();
+        } catch (const FileError& error) {
+            return error;
+        }
+        return std::nullopt;
+    }
+
+    QTemporaryDir m_dir;
+};
+
+/// The box's faces, but for the diagonals of strips: the same points, closed, of the same volume.
+void TestForeignFiles::samples_areThePlainModel()
+{
+    const TriangleMesh plain = read("plain.obj", objVertices() + objFaces()).mesh;
+    QCOMPARE(volumeOf(plain), 6000.0);
+    QVERIFY(isClosed(plain));
+    for (const Sample& sample : allSamples()) {
+        std::optional<TriangleMesh> mesh;
+        const auto error = errorOf([&] { mesh = read(sample.name, sample.bytes).mesh; });
+        const QByteArray what =
+            QByteArray(sample.what) + (error ? ", refused: " + error->token : std::string()).c_str();
+        QVERIFY2(mesh, what.constData());
+        QVERIFY2(isSound(*mesh) && isClosed(*mesh), what.constData());
+        QVERIFY2(std::abs(volumeOf(*mesh) - 6000) < 1e-3, what.constData());
+        const bool isStrip = std::string_view(sample.what).find("strip") != std::string_view::npos;
+        QVERIFY2(isStrip ? mesh->triangles.size() == 12 : surfaceOf(*mesh) == surfaceOf(plain), what.constData());
+    }
+}
+
+void TestForeignFiles::cutSamples_neverGetThrough()
+{
+    const std::size_t step = byEffort(7, 1, 1);
+    for (const Sample& sample : allSamples())
+        for (std::size_t size = 0; size < sample.bytes.size(); size += step) {
+            std::optional<TriangleMesh> mesh;
+            const auto error =
+                errorOf([&] { mesh = core::parseMesh(sample.name, std::string_view(sample.bytes).substr(0, size)); });
+            QVERIFY2(error || isSound(*mesh), sample.what);
+        }
+}
+
+void TestForeignFiles::mutatedSamples_neverGetThrough()
+{
+    const int rounds = byEffort(100, 1'000, 50'000);
+    const std::vector<std::string> words{"-1",
+                                         "0",
+                                         "4294967295",
+                                         "99999999999",
+                                         "1e99",
+                                         "nan",
+                                         "#",
+                                         "\n",
+                                         "\r",
+                                         "\\\n",
+                                         " ",
+                                         "3",
+                                         "tristrips",
+                                         "list",
+                                         zero,
+                                         "\x1a",
+                                         "solid",
+                                         "facet",
+                                         "\xef\xbb\xbf",
+                                         "BINARY",
+                                         "\xff\xff\xff\xff",
+                                         "endsolid",
+                                         "OFF",
+                                         "scenes"};
+    std::mt19937 engine(seed);
+    for (const Sample& sample : allSamples())
+        for (int round = 0; round < rounds; ++round) {
+            std::string bytes = sample.bytes;
+            for (auto edits = 1 + engine() % 3; edits != 0; --edits) {
+                const std::size_t at = engine() % bytes.size();
+                if (engine() % 2 == 0)
+                    bytes[at] = static_cast<char>(engine());
+                else
+                    bytes.replace(at, engine() % 6, words[engine() % words.size()]);
+            }
+            std::optional<TriangleMesh> mesh;
+            const auto error = errorOf([&] { mesh = core::parseMesh(sample.name, bytes); });
+            QVERIFY2(error || isSound(*mesh), qPrintable(QStringLiteral("%1, round %2").arg(sample.what).arg(round)));
+        }
+}
+
+void TestForeignFiles::whatIsLeftOut_isTold_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<quint64>("repeated");
+    QTest::addColumn<quint64>("fewer");
+    QTest::addColumn<bool>("unannounced");
+    QTest::addColumn<quint64>("behind");
+    const auto row = [](const char* what, const char* name, const std::string& bytes, quint64 repeated, quint64 fewer,
+                        bool unannounced, quint64 behind) {
+        QTest::newRow(what) << QString(name) << QByteArray::fromStdString(bytes) << repeated << fewer << unannounced
+                            << behind;
+    };
+    const std::string v = objVertices(), f = objFaces();
+    row("nothing", "a.obj", v + f, 0, 0, false, 0);
+    row("comments", "a.obj", objVertices(" # a") + objFaces(" # b"), 0, 0, false, 0);
+    row("a corner twice", "a.obj", v + replaced(f, "f 1 3 4 2", "f 1 3 3 4 2"), 1, 0, false, 0);
+    row("an outline that is closed", "a.obj", v + replaced(f, "f 1 3 4 2", "f 1 3 4 2 1"), 1, 0, false, 0);
+    row("an edge and a point", "a.obj", v + f + "f 1 2\nf 3\n", 0, 2, false, 0);
+    row("a triangle of two", "a.obj", v + f + "f 1 2 2\n", 0, 1, false, 0);
+    row("more columns", "a.ply", plyFaces("ascii", quads, {.vertexLine = " 1\n"}), 0, 0, true, 0);
+    row("sewn strips", "a.ply", sewnStrip("ascii"), 0, 0, false, 0);
+    row("a rest", "a.stl", binaryStl(12, std::string(50, '\0')), 0, 0, false, 50);
+    row("no rest", "a.stl", binaryStl(11), 0, 0, false, 0);
+    row("a rest of OFF", "a.off", BinaryOff().bytes() + "xyz", 0, 0, false, 3);
+}
+
+void TestForeignFiles::whatIsLeftOut_isTold()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, bytes);
+    const core::ReadRemarks remarks = read(name.toStdString(), bytes.toStdString()).remarks;
+    QTEST(quint64(remarks.repeatedCorners), "repeated");
+    QTEST(quint64(remarks.facesOfFewer), "fewer");
+    QTEST(remarks.unannounced, "unannounced");
+    QTEST(quint64(remarks.bytesBehind), "behind");
+}
+
+void TestForeignFiles::binaryOff_keepsColors()
+{
+    for (const int components : {3, 4}) {
+        const TriangleMesh mesh =
+            read("a.off", BinaryOff{.keyword = "COFF", .components = components, .ofFace = 3}.bytes()).mesh;
+        QVERIFY((mesh.colors == std::vector<core::Rgb>(8, core::Rgb{255, 255, 255})));
+    }
+}
+
+/// A long ribbon round a cylinder: all triangles face outwards, whatever the strip's length and its restarts.
+void TestForeignFiles::strips_faceAsTheirFirstTriangle()
+{
+    for (const int restartEach : {0, 6, 8}) {
+        constexpr int around = 50;
+        std::string vertices, entries;
+        int count = 0;
+        for (int i = 0; i < around; ++i) {
+            const double angle = 2 * std::numbers::pi * i / around;
+            for (int z = 0; z < 2; ++z)
+                vertices += std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + ' ' +
+                            std::to_string(z) + '\n';
+        }
+        const auto add = [&](int entry) {
+            entries += std::to_string(entry) + ' ';
+            ++count;
+        };
+        for (int i = 0, since = 0; i <= around; ++i) {
+            const int first = 2 * (i % around);
+            add(first + 1);
+            add(first);
+            since += 2;
+            if (restartEach != 0 && since >= restartEach && i < around) {
+                add(-1);
+                add(first + 1);
+                add(first);
+                since = 2;
+            }
+        }
+        const TriangleMesh mesh = read("a.ply", "ply\nformat ascii 1.0\nelement vertex " + std::to_string(2 * around) +
+                                                    "\nproperty float x\nproperty float y\nproperty float z\n"
+                                                    "element tristrips 1\nproperty list int int vertex_indices\n"
+                                                    "end_header\n" +
+                                                    vertices + std::to_string(count) + ' ' + entries + '\n')
+                                      .mesh;
+        QCOMPARE(mesh.triangles.size(), std::size_t(2 * around));
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Vec3f normal = (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+            QVERIFY(normal.head<2>().dot(mesh.points[a].head<2>()) > 0);
+        }
+    }
+}
+
+void TestForeignFiles::largePolygons_areFilled_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("corners");
+    for (const int corners : {1000, 4097, 20'000, 100'000}) {
+        QTest::addRow("circle %d", corners) << 0 << corners;
+        QTest::addRow("star %d", corners) << 1 << corners;
+        QTest::addRow("comb %d", corners) << 2 << corners;
+        QTest::addRow("spiral %d", corners) << 3 << corners;
+    }
+}
+
+/// The triangles face as the polygon does, and have its area together: they fill it, and nothing else.
+void TestForeignFiles::largePolygons_areFilled()
+{
+    QFETCH(int, kind);
+    QFETCH(int, corners);
+    std::mt19937 engine(seed);
+    std::vector<std::array<double, 2>> ring;
+    const auto polar = [&ring](double angle, double r) { ring.push_back({r * std::cos(angle), r * std::sin(angle)}); };
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / corners;
+        const int half = corners / 2, arm = i < half ? i : corners - 1 - i;
+        if (kind == 0)
+            polar(angle, 1000);
+        else if (kind == 1)
+            polar(angle, std::uniform_real_distribution(500.0, 1000.0)(engine));
+        else if (kind == 2)
+            ring.push_back(i == 0             ? std::array{0.0, -1.0}
+                           : i == corners - 1 ? std::array{0.0, 1000.0}
+                           : i == 1           ? std::array{double(corners), -1.0}
+                                              : std::array{double(corners - i), i % 2 == 0 ? 0.0 : 1000.0});
+        else
+            polar(40.0 * std::numbers::pi * arm / half, (i < half ? 12.0 : 10.0) + 1000.0 * arm / half);
+    }
+    std::string obj = "# ring\n", face = "f";
+    std::vector<Vec3f> points;
+    for (int i = 0; i < corners; ++i) {
+        const auto& [x, y] = ring[std::size_t(i)];
+        points.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.0F);
+        std::array<char, 64> line;
+        obj.append(line.data(), std::size_t(std::snprintf(line.data(), line.size(), "v %.9g %.9g 0\n",
+                                                          double(points.back().x()), double(points.back().y()))));
+        face += ' ' + std::to_string(i + 1);
+    }
+    const TriangleMesh mesh = read("a.obj", obj + face + "\n").mesh;
+    double expected = 0, sum = 0;
+    const auto crossOf = [](const Vec3f& p, const Vec3f& q) {
+        return double(p.x()) * double(q.y()) - double(q.x()) * double(p.y());
+    };
+    for (std::size_t i = 0; i < points.size(); ++i)
+        expected += crossOf(points[i], points[(i + 1) % points.size()]) / 2;
+    const double sense = expected < 0 ? -1 : 1;
+    QCOMPARE(mesh.triangles.size(), points.size() - 2);
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const double area = (crossOf(mesh.points[a], mesh.points[b]) + crossOf(mesh.points[b], mesh.points[c]) +
+                             crossOf(mesh.points[c], mesh.points[a])) /
+                            2;
+        QVERIFY(sense * area > -1e-6 * std::abs(expected));
+        sum += area;
+    }
+    QVERIFY2(std::abs(sum - expected) < 1e-6 * std::abs(expected),
+             qPrintable(QString::number(sum / expected, 'g', 12)));
+}
+
+void TestForeignFiles::polygonsThatCrossThemselves_end()
+{
+    std::mt19937 engine(seed);
+    std::string obj, face = "f";
+    constexpr int corners = 6000;
+    for (int i = 0; i < corners; ++i) {
+        obj += "v " + std::to_string(engine() % 1000) + ' ' + std::to_string(engine() % 1000) + " 0\n";
+        face += ' ' + std::to_string(i + 1);
+    }
+    QVERIFY(isSound(read("a.obj", obj + face + "\n").mesh));
+}
+
+/// 6000 boxes in two kilobytes.
+void TestForeignFiles::manyCopiesInASmallPackage_areRead()
+{
+    const auto assembly = [](int id, int of, int times) {
+        std::string text = "<object id=\"" + std::to_string(id) + "\"><components>";
+        for (int i = 0; i < times; ++i)
+            text += "<component objectid=\"" + std::to_string(of) + "\" transform=\"1 0 0 0 1 0 0 0 1 " +
+                    std::to_string((id == 2 ? 20 : 2000) * i) + " 0 0\"/>";
+        return text + "</components></object>";
+    };
+    std::string model = replaced(modelOf(), "</object>", "</object>" + assembly(2, 1, 80) + assembly(3, 2, 75));
+    model = replaced(model, "item objectid=\"1\"", "item objectid=\"3\"");
+    const std::string bytes =
+        packageOf(file("many.3mf"), {{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", model}});
+    QVERIFY(bytes.size() < 4000);
+    QCOMPARE(core::readMesh(file("many.3mf")).triangles.size(), std::size_t(72'000));
+}
+
+void TestForeignFiles::faults_areTold_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<Kind>("kind");
+    QTest::addColumn<FileFault>("fault");
+    QTest::addColumn<QString>("place");
+    QTest::addColumn<QString>("token");
+    QTest::addColumn<QString>("wanted");
+    const auto row = [](const char* what, const char* name, const std::string& bytes, Kind kind, FileFault fault,
+                        const char* place, const char* token = "", const char* wanted = "") {
+        QTest::newRow(what) << QString(name) << QByteArray::fromStdString(bytes) << kind << fault << QString(place)
+                            << QString(token) << QString(wanted);
+    };
+    const std::string v = objVertices(), f = objFaces();
+    row("obj vertex of two", "a.obj", "v 1 2 # 3\n" + v + f, Kind::Malformed, FileFault::VertexNumbers, "line 1");
+    row("obj corner without vertex", "a.obj", v + "f 1 /2 3\n" + f, Kind::Malformed, FileFault::VertexIndex, "line 9",
+        "/2");
+    row("stl other word", "a.stl", replaced(TextStl().text(), "endloop", "endlop"), Kind::Malformed, FileFault::Keyword,
+        "line 7", "endlop", "endloop");
+    row("stl of four numbers", "a.stl", replaced(TextStl().text(), "vertex 0 20 0", "vertex 0 2 0 0"), Kind::Malformed,
+        FileFault::Keyword, "line 5", "0", "vertex");
+    row("stl facets outside", "a.stl", TextStl().text() + TextStl{.head = "", .tail = ""}.text(), Kind::Malformed,
+        FileFault::Keyword, "line 87", "facet", "solid");
+    row("stl quads", "a.stl", replaced(TextStl().text(), "  endloop", "   vertex 1 1 1\n  endloop"), Kind::Malformed,
+        FileFault::Keyword, "line 7", "vertex", "endloop");
+    row("off other keyword", "a.off", "nOFF\n3\n", Kind::Malformed, FileFault::Keyword, "line 1", "nOFF", "OFF");
+    row("off count below none", "a.off", "OFF\n-8 6 0\n", Kind::Malformed, FileFault::Count, "line 2", "-8");
+    row("off vertices that lie", "a.off", offOf("OFF\n", "9 6 0\n", "\n", " ", "\n"), Kind::CutOff, FileFault::None,
+        "line 17");
+    row("binary off cut off", "a.off", BinaryOff().bytes().substr(0, 150), Kind::CutOff, FileFault::None, "byte 150");
+    row("binary off vertices that lie", "a.off", BinaryOff().bytes(0x7fff), Kind::CutOff, FileFault::None, "end");
+    row("binary off with an index too large", "a.off",
+        replaced(BinaryOff().bytes(), binary(7, std::endian::big), binary(9, std::endian::big)), Kind::IndexOutOfRange,
+        FileFault::None, "byte 155", "9");
+    row("ply without format", "a.ply", "ply\nelement vertex 1\nend_header\n0\n", Kind::Malformed, FileFault::Keyword,
+        "line 3", "", "format");
+    row("ply of unknown encoding", "a.ply", "ply\nformat utf8 1.0\nend_header\n", Kind::Malformed,
+        FileFault::PlyEncoding, "line 2", "utf8");
+    row("ply element twice", "a.ply", "ply\nformat ascii 1.0\nelement face 1\nelement face 1\n", Kind::Malformed,
+        FileFault::Repeated, "line 4", "face");
+    row("ply property of nothing", "a.ply", "ply\nformat ascii 1.0\nproperty float x\n", Kind::Malformed,
+        FileFault::ElementFirst, "line 3", "property");
+    row("ply list of float count", "a.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list float int a\n",
+        Kind::Malformed, FileFault::WholeNumberType, "line 4", "list");
+    row("ply strip beyond the points", "a.ply", replaced(strips("ascii"), " 7 ", " 8 "), Kind::IndexOutOfRange,
+        FileFault::None, "line 18", "8");
+    row("ply strip of another negative number", "a.ply", replaced(strips("ascii"), "-1", "-2"), Kind::IndexOutOfRange,
+        FileFault::None, "line 18", "-2");
+    row("ply strips that lie", "a.ply", replaced(strips("ascii"), "\n30 ", "\n31 "), Kind::CutOff, FileFault::None,
+        "line 19");
+    row("ply strips below none", "a.ply", replaced(strips("ascii"), "\n30 ", "\n-30 "), Kind::Malformed,
+        FileFault::Count, "line 18", "-30");
+    row("glb of an extension with shape", "a.glb",
+        glbBox("", "", R"("extensionsRequired":["EXT_mesh_gpu_instancing"],)"), Kind::Malformed,
+        FileFault::NeedsExtension, "", "EXT_mesh_gpu_instancing");
+    row("glb of an extension unknown", "a.glb", glbBox("", "", R"("extensionsRequired":["ACME_shapes"],)"),
+        Kind::Malformed, FileFault::NeedsExtension, "", "ACME_shapes");
+    row("glb of a scene that is not there", "a.glb", glbBox(R"("scene":3,"scenes":[{}],)"), Kind::Malformed,
+        FileFault::Missing, "", "scenes/3");
+    row("glb of version 1", "a.glb", glbBox("", "", R"("asset":{"version":"1.0"},)"), Kind::Malformed,
+        FileFault::OldGltf, "", "1.0");
+    row("glb without points", "a.glb", replaced(glbBox(), "\"count\":8", "\"count\":9"), Kind::Malformed,
+        FileFault::BeyondItsData, "", "bufferViews/0");
+    row("glb without anything", "a.glb", glbOf("{}", "", true), Kind::NoFaces, FileFault::None, "");
+    row("glb nodes of themselves", "a.glb", glbBox("", R"("nodes":[{"children":[0],"mesh":0}],"x":0,)"), Kind::NoFaces,
+        FileFault::None, "");
+}
+
+void TestForeignFiles::faults_areTold()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, bytes);
+    QFETCH(Kind, kind);
+    QFETCH(QString, place);
+    const auto error = errorOf([&] { read(name.toStdString(), bytes.toStdString()); });
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(kind));
+    QTEST(error->fault, "fault");
+    QTEST(QString::fromStdString(error->token), "token");
+    QTEST(QString::fromStdString(error->wanted), "wanted");
+    if (place == "end")
+        place = QStringLiteral("byte %1").arg(bytes.size());
+    const QString unit = error->place.unit == FilePlace::Unit::Line ? QStringLiteral("line ") : QStringLiteral("byte ");
+    QCOMPARE(error->place.unit == FilePlace::Unit::None ? QString() : unit + QString::number(error->place.number),
+             place);
+}
+
+void TestForeignFiles::packageFaults_areTold_data()
+{
+    QTest::addColumn<QString>("target");
+    QTest::addColumn<QByteArray>("model");
+    QTest::addColumn<int>("packing");
+    QTest::addColumn<FileFault>("fault");
+    QTest::addColumn<QString>("token");
+    const auto row = [](const char* what, FileFault fault, const char* token, const std::string& model,
+                        const char* target = "/3D/a.model", int packing = ZIP_CM_DEFLATE) {
+        QTest::newRow(what) << QString(target) << QByteArray::fromStdString(model) << packing << fault
+                            << QString(token);
+    };
+    row("part that is not there", FileFault::NotInPackage, "3D/b.model", modelOf(), "/3D/b.model");
+    row("out of the package", FileFault::OutsidePackage, "/../a.model", modelOf(), "/../a.model");
+    row("out of the package by backslashes", FileFault::OutsidePackage, "..\\a.model", modelOf(), "..\\a.model");
+    row("unit", FileFault::LengthUnit, "mile", replaced(modelOf(), "><resources>", " unit=\"mile\"><resources>"));
+    row("no third corner", FileFault::Missing, "v3", replaced(modelOf(), "v3", "v4"));
+    row("no such object", FileFault::Missing, "objectid 2", replaced(modelOf(), "objectid=\"1\"", "objectid=\"2\""));
+    row("document type", FileFault::XmlDocumentType, "", "<!DOCTYPE model>" + modelOf());
+    row("attribute twice", FileFault::XmlSyntax, "", replaced(modelOf(), "<item ", "<item objectid=\"1\" "));
+    row("not closed", FileFault::XmlSyntax, "", replaced(modelOf(), "</build>", ""));
+    if (zip_compression_method_supported(ZIP_CM_BZIP2, 1) != 0)
+        row("packed otherwise", FileFault::PackedOtherwise, "_rels/.rels", modelOf(), "/3D/a.model", ZIP_CM_BZIP2);
+}
+
+void TestForeignFiles::packageFaults_areTold()
+{
+    QFETCH(QString, target);
+    QFETCH(QByteArray, model);
+    QFETCH(int, packing);
+    const auto path = file("faulty.3mf");
+    packageOf(path, {{"_rels/.rels", relationships(target.toStdString())}, {"3D/a.model", model.toStdString()}},
+              packing);
+    const auto error = errorOf([&] { core::readMesh(path); });
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::Malformed));
+    QTEST(error->fault, "fault");
+    QTEST(QString::fromStdString(error->token), "token");
+}
+
+void TestForeignFiles::utf16_isTold_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("obj") << "a.obj" << QByteArray::fromStdString(objVertices() + objFaces());
+    QTest::newRow("stl") << "a.stl" << QByteArray::fromStdString(TextStl().text());
+    QTest::newRow("ply") << "a.ply" << QByteArray::fromStdString(plyFaces("ascii", quads));
+    QTest::newRow("off") << "a.off" << QByteArray::fromStdString(offOf("OFF\n", "8 6 0\n", "\n", " ", "\n"));
+    QTest::newRow("gltf") << "a.gltf" << QByteArray(R"({"asset":{"version":"2.0"},"nodes":[]})");
+}
+
+void TestForeignFiles::utf16_isTold()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, text);
+    for (const std::endian order : {std::endian::little, std::endian::big})
+        for (const bool isMarked : {true, false}) {
+            const auto error = errorOf([&] { read(name.toStdString(), utf16(text.toStdString(), order, isMarked)); });
+            QVERIFY(error);
+            QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::Utf16));
+        }
+}
+
+FETTLE_TEST(TestForeignFiles)
+#include "tst_foreign_files.moc"
