@@ -197,7 +197,7 @@ bool hasThreeCorners(const Triangle& t)
     return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
 }
 
-/// They bound nothing, and whatever works on surfaces would stumble over them. How many there were.
+/// Erases faces with fewer than three different corners, which bound nothing. Returns how many there were.
 std::size_t eraseFacesOfFewerCorners(std::vector<Triangle>& triangles)
 {
     constexpr std::size_t chunkSize = 1 << 15;

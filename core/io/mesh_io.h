@@ -44,10 +44,10 @@ struct ReadRemarks
     std::size_t objects = 1; ///< they are one mesh now
     bool materials = false, textures = false;
     bool poses = false;              ///< skins and morph targets: the model stands as it was made
-    std::size_t repeatedCorners = 0; ///< named twice in a row by a polygon; left out
-    std::size_t facesOfFewer = 0;    ///< than three different corners; left out
-    bool unannounced = false;        ///< more values than the file's header says; left out
-    std::uint64_t bytesBehind = 0;   ///< behind a binary model; left out
+    std::size_t repeatedCorners = 0; ///< corners left out that a polygon names twice in a row
+    std::size_t facesOfFewer = 0;    ///< faces left out with fewer than three different corners
+    bool unannounced = false;        ///< values were left out that the file's header does not announce
+    std::uint64_t bytesBehind = 0;   ///< the bytes behind a binary model, left out
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };

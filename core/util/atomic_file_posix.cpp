@@ -25,10 +25,10 @@ std::filesystem::path folderOf(const std::filesystem::path& target)
     const std::filesystem::path folder = target.parent_path();
     return folder.empty() ? "." : folder;
 }
-/// Where a chain of links ends, whether anything is there or not.
+/// Returns the path at which a chain of links ends, whether anything is there or not.
 std::filesystem::path endOfLinks(std::filesystem::path path, std::error_code& error)
 {
-    constexpr int longest = 40; // as the system has it
+    constexpr int longest = 40; // the system's own limit
     for (int i = 0; std::filesystem::is_symlink(path, error); ++i) {
         const std::filesystem::path next = std::filesystem::read_symlink(path, error);
         if (i == longest)

@@ -42,8 +42,8 @@ enum class FileErrorKind {
     WriteFailed  ///< systemError
 };
 
-/// What is wrong where a file is Malformed. Each value says what was expected there; the token is what was found
-/// instead, and empty where nothing was. From Missing on the token is what the fault is of.
+/// The fault of a file that is Malformed. Up to LengthUnit each value says what was expected at the place, and the
+/// token is what was found instead, empty if nothing was; from Missing on the token is the thing that is at fault.
 enum class FileFault {
     None,
     Keyword,         ///< wanted: the word

@@ -12,7 +12,8 @@ namespace core::io
 {
 namespace
 {
-/// Places of a polygon's ring, by cells in the plane in which it is seen. About one place a cell.
+/// A grid over a polygon's corners in the plane in which it is seen, about one corner a cell. A place is a corner's
+/// position in the ring.
 class RingGrid
 {
 public:
@@ -35,7 +36,7 @@ public:
 
     void remove(std::size_t place) { std::erase(cellOf(place), static_cast<Slot>(place)); }
 
-    /// Whether it holds of any place in the cells that the box of these three touches.
+    /// Returns whether `holds` is true of any place in the cells that the box of these three corners touches.
     template <typename Holds> bool anyIn(const std::array<Slot, 3>& corners, Holds holds) const
     {
         std::array<std::size_t, 2> first, last;
@@ -54,7 +55,7 @@ public:
 private:
     float seen(Slot corner, std::size_t k) const { return m_polygon.seen(corner, static_cast<int>(k)); }
 
-    /// Never falls as x grows: what is in a box is in the box's cells.
+    /// Returns the row or column of a coordinate. It never falls as x grows: what is in a box is in the box's cells.
     std::size_t step(float x, std::size_t k) const
     {
         const double part = m_size[k] > 0 ? (static_cast<double>(x) - static_cast<double>(m_min[k])) / m_size[k] : 0;
@@ -93,8 +94,9 @@ public:
         }
     }
 
-    /// A corner is asked again only after one of its neighbours went, or after all others were asked: a simple polygon
-    /// always has an ear, and one that crosses itself may have none, and is cut anyhow.
+    /// Cuts ears until a triangle is left. Tests a corner again only after one of its neighbours went, or after all
+    /// others were tested. A simple polygon always has an ear; one that crosses itself may have none, and is cut
+    /// anyhow.
     void clip(StopCheck& stopCheck)
     {
         enqueueAll();
@@ -129,7 +131,7 @@ private:
     struct Waiting
     {
         Slot place;
-        std::uint32_t turn; ///< of the place when it came; another one: it waits further behind, or is gone
+        std::uint32_t turn; ///< the place's when it was enqueued; the entry is void if it has another one now
     };
 
     void enqueue(Slot place) { m_waiting.push_back({place, ++m_turns[place]}); }
@@ -141,7 +143,7 @@ private:
             enqueue(place);
     }
 
-    /// Is the corner convex, and is no other corner in the triangle it would cut off?
+    /// Returns whether the corner is convex and no other one lies in the triangle that it would cut off.
     bool isEar(Slot place) const
     {
         const Slot a = m_ring[m_previous[place]], b = m_ring[place], c = m_ring[m_next[place]];
@@ -154,7 +156,7 @@ private:
         });
     }
 
-    /// The neighbours wait at the end: one corner further at a time, since a fan would give slivers.
+    /// Cuts the corner off. Its neighbours go to the end of the queue: cut at once, they would make a fan of slivers.
     void cut(Slot place)
     {
         const Slot before = m_previous[place], behind = m_next[place];
@@ -173,8 +175,8 @@ private:
     std::span<const Slot> m_ring;
     FlatPolygon m_polygon;
     RingGrid m_grid;
-    std::vector<Slot> m_next, m_previous; ///< of each place, among those that are left
-    std::vector<std::uint32_t> m_turns;   ///< of each place
+    std::vector<Slot> m_next, m_previous; ///< the neighbours of each place, among those that are left
+    std::vector<std::uint32_t> m_turns;   ///< how often each place was enqueued; or gone
     std::deque<Waiting> m_waiting;
     std::size_t m_left;
     Slot m_last = 0; ///< a place that is left

@@ -8,10 +8,10 @@
 
 namespace core::io
 {
-/// Appends the triangles of a face with at least four corners: ears, one after the other around it, in the plane in
-/// which it is largest. Exact: a simple polygon is filled and nothing else. Corners are looked for in a grid, so that
-/// the cost is some hundred questions a corner, whatever their number; shapes whose parts all lie across each other
-/// take the square of it. Throws ReadingCancelled.
+/// Triangulates a face with at least four corners by ear clipping, in the plane in which its area is largest, and
+/// appends the triangles. Exact: a simple polygon is filled and nothing else. Cost: some hundred tests a corner,
+/// whatever their number, since a grid finds those in a triangle; the square of the corners if triangles are about as
+/// large as the face. Throws ReadingCancelled.
 void clipEars(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners,
               StopCheck& stopCheck);
 } // namespace core::io

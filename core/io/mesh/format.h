@@ -53,12 +53,12 @@ FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at,
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token);
 FileError tooMany(std::string_view what, std::size_t max, FileError error);
 FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t found = 0);
-/// Malformed, in that way.
+/// Returns the error as Malformed, with the fault; `wanted`: see FileError.
 FileError malformed(FileFault fault, FileError error, std::string_view wanted = {});
 
-/// Past a UTF-8 byte order mark.
+/// Returns the text behind a UTF-8 byte order mark, if it begins with one.
 std::string_view withoutMark(std::string_view text);
-/// Without what old systems and padding put behind a text: NUL and Ctrl+Z, with blanks between them or not.
+/// Returns the text without the NUL and Ctrl+Z that old systems and padding put behind it, and the blanks between them.
 std::string_view withoutPadding(std::string_view text);
 
 /// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "utf-16",
@@ -72,7 +72,7 @@ std::uint64_t announcedStlTriangles(std::string_view start);
 /// The size is what the header announces. Text never passes: four of its characters announce more than a file can hold.
 bool isBinaryStl(std::string_view start, std::uint64_t fileSize);
 bool isTextStl(std::string_view start);
-/// After the keyword stands BINARY.
+/// Returns whether BINARY follows the keyword OFF.
 bool isBinaryOff(std::string_view start);
 
 /// Vertices as they stand in the file, axes included, but for the weld and -0 of STL.

@@ -37,7 +37,8 @@ constexpr std::array magics{
     Magic{"<html", "html"},
 };
 
-/// No control characters but those of lines and blanks, and perhaps a stray one in so many: names hold NULs at times.
+/// Returns whether it has no control characters but those of lines and blanks. One in `strayOneIn` may be any, since
+/// names are padded by NULs at times.
 bool isText(std::string_view start, std::size_t strayOneIn = 64)
 {
     const std::string_view text = withoutPadding(start);
@@ -47,7 +48,7 @@ bool isText(std::string_view start, std::size_t strayOneIn = 64)
     return !text.empty() && static_cast<std::size_t>(strays) <= text.size() / strayOneIn;
 }
 
-/// Of either order: a byte order mark, or every other byte of the first ones 0.
+/// Returns whether it is UTF-16 of either byte order: it has a mark, or every other byte of its first ones is 0.
 bool isUtf16(std::string_view start)
 {
     constexpr std::size_t looked = 32;

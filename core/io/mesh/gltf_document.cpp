@@ -98,7 +98,7 @@ template <typename Number> void convert(const GltfLayout& layout, std::size_t be
     }
 }
 
-/// Whether the binary chunk begins there and ends in the file. Some programs do not pad the chunk before it.
+/// Returns whether the binary chunk begins there and ends in the file. Some programs do not pad the chunk before it.
 bool isChunkAt(std::string_view bytes, std::size_t at)
 {
     if (at > bytes.size() || bytes.size() - at < glbChunkHeadSize)

@@ -18,7 +18,8 @@ using Json = GltfDocument::Json;
 
 constexpr int maxDepth = 256;
 constexpr std::size_t maxNodes = 1 << 16;
-/// Vertices and triangles for each byte of the file: a mesh may stand in a scene many times. So many are always taken.
+/// The vertices and triangles for each byte of the file at most, since a mesh may stand in a scene many times; and the
+/// number that is always read.
 constexpr std::size_t maxCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 constexpr double millimetres = 1000;
 constexpr std::size_t chunkSize = 1 << 15;
@@ -59,7 +60,7 @@ private:
         return m_gltf.document().contains("scene") || !m_gltf.arrayIn(m_gltf.document(), "scenes").empty();
     }
 
-    /// The scene's; of a file without scenes those that are no other node's children.
+    /// Returns the nodes of the scene; of a file without scenes those that are no other node's children.
     std::vector<std::size_t> rootNodes() const
     {
         std::vector<std::size_t> roots;
@@ -256,9 +257,9 @@ private:
         if (mode == Triangles)
             return;
         const auto isSeam = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
-        const auto strips = std::ranges::remove_if(m_mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before),
-                                                   m_mesh.triangles.end(), isSeam); // what sews strips together
-        m_mesh.triangles.erase(strips.begin(), strips.end());
+        const auto begin = m_mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before);
+        m_mesh.triangles.erase(std::remove_if(begin, m_mesh.triangles.end(), isSeam), // connects strips
+                               m_mesh.triangles.end()); // Clang 14, which the fuzzers need, knows no ranges::remove_if
     }
 
     const FileBytes& m_file;

@@ -76,7 +76,7 @@ private:
         return BinaryOff{m_file, m_text.position(), m_coordinates > 3, m_hasColors, m_hasTexture}.read();
     }
 
-    /// On this line or a later one; CutOff at the end of the file.
+    /// Returns the next word, on this line or a later one. Throws CutOff at the end of the file.
     std::string_view nextWord()
     {
         const std::string_view word = m_text.wordAnywhere();
@@ -98,7 +98,7 @@ private:
         return static_cast<std::size_t>(count);
     }
 
-    /// Their number stands on this line, or alone on the next; many leave it out.
+    /// Skips the number of edges, which stands on this line, or alone on the next. Many programs leave it out.
     void skipEdges()
     {
         TextScanner ahead = m_text;

@@ -18,8 +18,8 @@ namespace
 struct Dialect
 {
     std::endian order;
-    bool countsComponents;  ///< behind each face
-    std::size_t components; ///< of a vertex's colour
+    bool countsComponents;  ///< a number of colour components follows each face
+    std::size_t components; ///< the components of a vertex's colour
 };
 
 class BodyReader
@@ -46,7 +46,7 @@ public:
         m_remarks.bytesBehind = static_cast<std::uint64_t>(m_end - m_at);
     }
 
-    /// After read() has gone through all of it.
+    /// Returns the mesh. Precondition: read() has returned.
     ReadResult result()
     {
         m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
@@ -104,7 +104,7 @@ private:
         for (int k = 0; k < 3; ++k)
             point[k] = finite();
         for (int k = 0; m_off.hasNormals && k < 3; ++k)
-            next<float>(); // whatever it is
+            next<float>(); // skips the normal, whatever it is
         if (m_off.hasColors)
             readColor();
         for (int k = 0; m_off.hasTexture && k < 2; ++k)
@@ -166,8 +166,8 @@ private:
 
 ReadResult BinaryOff::read() const
 {
-    std::optional<BodyReader> withRest; // the first that fits but for what stands behind it
-    std::optional<FileError> problem;   ///< of the way that went furthest
+    std::optional<BodyReader> withRest; // the first that leaves only some bytes behind the model
+    std::optional<FileError> problem;   // the problem of the reading that came furthest
     const char* furthest = nullptr;
     for (const std::endian order : {std::endian::big, std::endian::little})
         for (const bool countsComponents : {true, false})

@@ -214,7 +214,7 @@ private:
         }
     }
 
-    /// Each list is a strip; each index that is no vertex's but -1 ends one and begins the next.
+    /// Reads an element of triangle strips. Each list is a strip; the index -1 ends one and begins the next.
     void readStrips(const PlyElement& element)
     {
         requireFew(element, "triangle strips", maxFaces);
@@ -312,7 +312,7 @@ private:
         }
     }
 
-    /// False, and nothing is added, if it is a point or an edge.
+    /// Adds the face. Returns false, and adds nothing, if it is a point or an edge.
     template <typename Faces>
     bool readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Faces& faces) const
     {

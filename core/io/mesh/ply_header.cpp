@@ -48,7 +48,7 @@ public:
                 readElement(line);
             else if (keyword == "property")
                 readProperty();
-        } // comments, and what programs write that meant them
+        } // else it is a comment, or an unknown keyword
         if (!hasFormat)
             m_text.fail(FileFault::Keyword, {}, "format");
         m_text.nextLine();

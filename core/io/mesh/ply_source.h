@@ -18,7 +18,7 @@ public:
 
     std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(fileEnd() - m_text.position()); }
 
-    /// An element is a line, but for lists, which may go on on the next.
+    /// Reads text. An element is a line, but its lists may go on on the next.
     void beginElement()
     {
         while (m_text.atLineEnd())
@@ -30,7 +30,7 @@ public:
         for (; !m_text.atLineEnd(); m_text.word())
             m_hasMore = true;
     }
-    /// Any element so far had more values than it was to have.
+    /// Returns whether any element so far had more values than the header says.
     bool hasMore() const { return m_hasMore; }
 
     std::int64_t whole(PlyType) { return m_text.toInteger(m_last = m_text.word()); }

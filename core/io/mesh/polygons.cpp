@@ -23,8 +23,8 @@ void appendQuad(std::vector<Triangle>& triangles, const FlatPolygon& polygon, st
     }
 }
 
-/// A polygon's corners without those that stand where the one before does, and without the tips of slits: paths that
-/// go somewhere and straight back.
+/// Drops a polygon's corners that equal the one before, and the tips of slits: paths that go somewhere and straight
+/// back.
 class CleanRing
 {
 public:
@@ -39,7 +39,7 @@ public:
         }
     }
 
-    /// Without making one: most have nothing to drop.
+    /// Returns whether there is anything to drop. Most polygons have nothing.
     static bool isNeeded(const std::vector<Vec3f>& points, std::span<const Slot> corners)
     {
         const std::size_t n = corners.size();
@@ -77,7 +77,7 @@ private:
 
     const std::vector<Vec3f>& m_points;
     std::vector<Slot> m_ring;
-    std::size_t m_first = 0; ///< of the ring
+    std::size_t m_first = 0; ///< the ring begins here
 };
 } // namespace
 

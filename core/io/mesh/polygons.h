@@ -8,7 +8,7 @@
 
 namespace core::io
 {
-/// Of one face. Outlines of scans and texts have tens of thousands.
+/// The largest number of corners of a face. Outlines of scans and texts have tens of thousands.
 inline constexpr std::size_t maxCorners = std::size_t(1) << 20;
 
 /// Appends the triangles of one face with at least three corners, wound as the polygon is; no new vertices. A quad is
@@ -30,15 +30,15 @@ public:
     /// Ends the face whose corners were added since the last.
     void endFace() { m_ends.push_back(static_cast<Slot>(m_corners.size())); }
 
-    /// Takes its corners away.
+    /// Removes the corners of the open face.
     void dropOpenFace() { m_corners.resize(m_ends.empty() ? 0 : m_ends.back()); }
 
     std::size_t cornersOfOpenFace() const { return m_corners.size() - (m_ends.empty() ? 0 : m_ends.back()); }
     std::size_t faces() const { return m_ends.size(); }
     std::size_t corners() const { return m_corners.size(); }
 
-    /// Corners that a polygon names twice in a row, or only to go back, are left out, and so is one of which fewer than
-    /// three are left; both are counted. Throws ReadingCancelled.
+    /// Returns the triangles of all faces. Leaves out corners that a polygon names twice in a row, or only to go back,
+    /// and polygons of which fewer than three are left; counts both in the remarks. Throws ReadingCancelled.
     std::vector<Triangle> triangles(const std::vector<Vec3f>& points, StopCheck stopCheck, ReadRemarks& remarks) const;
 
 private:

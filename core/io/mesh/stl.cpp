@@ -51,7 +51,7 @@ TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std
                 throw errorAtByte(FileErrorKind::NotANumber, file, at);
 }
 
-/// Whether the record could be one: finite, its corners in three places. Padding is not.
+/// Returns whether the record can be a triangle: it is finite, with corners in three places. Padding is not.
 bool isTriangle(const FileBytes& file, std::size_t number)
 {
     std::array<std::array<float, 3>, 3> corners;
@@ -65,8 +65,8 @@ bool isTriangle(const FileBytes& file, std::size_t number)
            corners[2] != corners[0];
 }
 
-/// As many as the header says; all that there are, if it says what programs write that do not know yet (0, or all
-/// bits), or if what follows the announced ones is nothing but triangles.
+/// Returns the number of triangles to read: as many as the header says; or all that there are, if it says what programs
+/// write that do not know yet (0, or all bits), or if what follows the announced ones is nothing but triangles.
 std::size_t trianglesIn(const FileBytes& file)
 {
     constexpr std::uint64_t unknown = 0xffffffff;
@@ -106,8 +106,8 @@ ReadResult readBinary(const FileBytes& file)
     return {std::move(mesh), remarks};
 }
 
-/// Free of form but for its words: normals may be missing, comments (#, ;, //) stand anywhere, words behind a loop or a
-/// facet are passed over, and so is all before the first solid and between solids.
+/// Reads text STL by its words, wherever lines end. Normals may be missing, comments (#, ;, //) may stand anywhere.
+/// Skips words behind a loop or a facet, and all before the first solid and between solids.
 class TextStlReader
 {
 public:
@@ -129,7 +129,7 @@ public:
     }
 
 private:
-    /// To the line behind the next "solid", which a name may follow. Facets outside of solids are not passed over.
+    /// Skips all up to the line behind the next "solid", which a name may follow, but no facet.
     bool findSolid()
     {
         for (bool hasLine = true; hasLine; hasLine = m_text.nextLine()) {
@@ -157,7 +157,7 @@ private:
         require(word, "facet");
         word = nextWord();
         if (is(word, "normal"))
-            for (int i = 0; i < 4 && !is(word, "outer"); ++i) // whatever it is: the corners tell
+            for (int i = 0; i < 4 && !is(word, "outer"); ++i) // skips the normal: the corners tell it
                 word = nextWord();
         require(word, "outer");
         require(nextWord(), "loop");
@@ -172,7 +172,7 @@ private:
         require(wordAfterLine("endfacet"), "endfacet");
     }
 
-    /// Past comments. Empty at the end of the file.
+    /// Returns the next word that is no comment's; an empty one at the end of the file.
     std::string_view nextWord()
     {
         for (;;) {
@@ -183,7 +183,7 @@ private:
         }
     }
 
-    /// The keyword, if it stands on this line; else the first word of the lines that follow.
+    /// Returns the keyword if it stands on this line, else the first word of the lines that follow.
     std::string_view wordAfterLine(std::string_view keyword)
     {
         while (!m_text.atLineEnd())

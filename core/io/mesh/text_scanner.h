@@ -4,13 +4,13 @@
 
 namespace core::io
 {
-/// Words of a text file, line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line continues it. A
-/// byte order mark at the file's start is passed over, and so is padding at its end. Errors name the line. An error at
+/// Reads the words of a text file, line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line
+/// continues it. Skips a byte order mark at the file's start and padding at its end. Errors name the line. An error at
 /// the very end of the file is CutOff.
 class TextScanner
 {
 public:
-    /// `comment`: what stands behind it on a line is passed over.
+    /// `comment`: skips from this character to the end of a line.
     TextScanner(const FileBytes& file, const char* from, char comment = '\0');
 
     /// The next word on this line; empty at its end.
@@ -32,7 +32,7 @@ public:
 
     /// `word` is what is wrong: a part of the file, or empty for what is missing here.
     [[noreturn]] void fail(FileErrorKind kind, std::string_view word) const;
-    /// Malformed: the fault says what was expected in the word's place.
+    /// Throws Malformed; the fault says what was expected in the word's place.
     [[noreturn]] void fail(FileFault fault, std::string_view word, std::string_view wanted = {}) const;
 
 private:

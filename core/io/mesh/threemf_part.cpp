@@ -18,7 +18,7 @@ constexpr std::string_view coreSpace = "http://schemas.microsoft.com/3dmanufactu
     materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
                            pathAttribute = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
 
-/// Its name in the core's namespace, of today or of the first programs; empty if it is of another.
+/// Returns the name without the core's namespace, that of today or of the first programs; empty if it has another.
 std::string_view coreName(std::string_view name)
 {
     for (const std::string_view space : {coreSpace, firstCoreSpace})
@@ -161,7 +161,7 @@ void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)
     const std::string_view type = attributes.text("type");
     m_object = &m_part.objects[attributes.whole("id")];
     if (!m_object->mesh.points.empty() || !m_object->components.empty())
-        attributes.refuse(FileFault::Repeated, "id"); // it is another one's
+        attributes.refuse(FileFault::Repeated, "id"); // another object has it
     m_object->isSolid = type.empty() || type == "model" || type == "solidsupport" || type == "surface";
     m_colors->objectGroup = attributes.wholeIfAny("pid");
     m_colors->objectIndex = attributes.wholeIfAny("pindex");

@@ -11,8 +11,8 @@ namespace
 {
 constexpr int maxDepth = 64;
 constexpr std::size_t maxInstances = 1 << 16, maxParts = 1 << 12;
-/// Vertices and triangles for each byte of the file: an object may stand in a build many times. So many are always
-/// taken.
+/// The vertices and triangles for each byte of the file at most, since an object may stand in a build many times; and
+/// the number that is always read.
 constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 
 /// Empty where the package names none.

@@ -8,9 +8,9 @@
 
 namespace core::io
 {
-/// Corners one by one into triangles: each with the two before it, every second one wound the other way, so that all
-/// face as the strip's first one does. A triangle that names a corner twice is none: strips are sewn together, and
-/// turned, by such.
+/// Makes triangles of the corners of strips: each corner with the two before it, every second one wound the other way,
+/// so that all face as the strip's first one does. Leaves out triangles that name a corner twice, by which strips are
+/// connected and turned.
 class TriangleStrips
 {
 public:
@@ -33,7 +33,7 @@ public:
 
 private:
     std::vector<Triangle> m_triangles;
-    std::size_t m_corners = 0; ///< of the strip
+    std::size_t m_corners = 0; ///< the corners of the strip so far
     Slot m_beforeLast = 0, m_last = 0;
 };
 } // namespace core::io

@@ -2,7 +2,6 @@
 #include "core/io/mesh/xml_namespaces.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace core::io
 {
@@ -44,7 +43,8 @@ std::string_view XmlNamespaces::attribute(std::string_view name)
 
 std::string_view XmlNamespaces::joined(std::string_view prefix, std::string_view name)
 {
-    const auto latest = std::ranges::find(m_declared | std::views::reverse, prefix, &Declared::prefix);
+    const auto latest =
+        std::find_if(m_declared.rbegin(), m_declared.rend(), [&](const Declared& d) { return d.prefix == prefix; });
     if (latest == m_declared.rend() || latest->space.empty())
         return name;
     m_joined.assign(latest->space).append("|").append(name);

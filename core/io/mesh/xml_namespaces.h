@@ -6,17 +6,17 @@
 
 namespace core::io
 {
-/// The namespaces that prefixes stand for, as elements begin and end. A prefix that nobody declared stands for none:
-/// what has it belongs to an extension that the file forgot to name, and nobody asks for it.
+/// Keeps the namespaces that prefixes stand for, as elements begin and end. A prefix that is not declared stands for
+/// none: names with it belong to an extension that the file forgot to declare, and are not read.
 class XmlNamespaces
 {
 public:
-    /// The pairs of name and value, null behind the last, of an element that begins.
+    /// Begins an element. `attributes`: pairs of name and value, null behind the last.
     void begin(const char** pairs);
     void end();
 
-    /// "namespace|name" of an element's or an attribute's name; the name alone where there is no namespace. Elements
-    /// without a prefix have the default one, attributes none. The view lasts until the next call.
+    /// Returns "namespace|name" of an element's or an attribute's name; the name alone where it has no namespace.
+    /// Elements without a prefix have the default one, attributes none. The view lasts until the next call.
     std::string_view element(std::string_view name);
     std::string_view attribute(std::string_view name);
 

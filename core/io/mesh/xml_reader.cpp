@@ -79,7 +79,7 @@ struct XmlReader::Callbacks
             if (++reader.m_depth > maxDepth)
                 reader.refuse(FileFault::XmlTooDeep);
             reader.m_namespaces.begin(pairs);
-            const std::string whole(reader.m_namespaces.element(name)); // attributes are asked for meanwhile
+            const std::string whole(reader.m_namespaces.element(name)); // the view would not outlast the attributes
             reader.m_begin(whole, XmlAttributes(reader.m_file, pairs, reader.m_namespaces));
         });
     }

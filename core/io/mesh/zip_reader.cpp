@@ -17,7 +17,7 @@ std::uint64_t limitFor(std::size_t fileSize)
     return std::clamp(maxTimes * fileSize, alwaysTaken, maxUnpacked);
 }
 
-/// With slashes, without percent signs that stand for bytes, in lower case.
+/// Returns the path with slashes, in lower case, and with the bytes that percent signs stand for.
 std::string plainName(std::string_view name)
 {
     std::string plain;

@@ -27,7 +27,7 @@ public:
     std::size_t count() const;
     std::vector<std::string> names() const;
     bool has(const std::string& part) const;
-    /// As `part` is called there: in another case, with backslashes for slashes, or with its percent signs resolved.
+    /// Returns the name that `part` has in the package: in another case, with backslashes, or with percent signs.
     std::optional<std::string> find(const std::string& part) const;
 
     /// `take` gets a piece after the other; the last one is empty. Throws FileError: Malformed with the part's name if
