@@ -1,7 +1,7 @@
-// glTF: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made
-// millimetres.
+// Reads glTF: the triangles of each primitive with the transforms above it, metres made millimetres.
 
 #include "core/io/mesh/gltf_document.h"
+#include "core/io/mesh/gltf_scene.h"
 #include "core/io/mesh/srgb.h"
 #include "core/util/parallel.h"
 
@@ -16,8 +16,6 @@ namespace
 {
 using Json = GltfDocument::Json;
 
-constexpr int maxDepth = 256;
-constexpr std::size_t maxNodes = 1 << 16;
 /// The vertices and triangles for each byte of the file at most, since a mesh may stand in a scene many times; and the
 /// number that is always read.
 constexpr std::size_t maxCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
@@ -33,12 +31,9 @@ public:
 
     ReadResult read()
     {
+        const auto add = [&](std::size_t mesh, const Eigen::Matrix4d& transform) { addMesh(mesh, transform); };
         const Eigen::Matrix4d root = Eigen::Vector4d(millimetres, millimetres, millimetres, 1).asDiagonal();
-        for (const std::size_t node : rootNodes())
-            addNode(node, root, 0);
-        if (m_gltf.arrayIn(m_gltf.document(), "nodes").empty() && !hasScene()) // then nothing says where they stand
-            for (std::size_t i = 0; i < m_gltf.arrayIn(m_gltf.document(), "meshes").size(); ++i)
-                addMesh(i, root);
+        GltfScene(m_gltf, m_stopCheck).forEachMesh(root, add);
         if (m_hasColors)
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
         if (m_hasMasks)
@@ -55,82 +50,11 @@ private:
                 .poses = m_hasTargets || !m_gltf.arrayIn(document, "skins").empty()};
     }
 
-    bool hasScene() const
-    {
-        return m_gltf.document().contains("scene") || !m_gltf.arrayIn(m_gltf.document(), "scenes").empty();
-    }
-
-    /// Returns the nodes of the scene; of a file without scenes those that are no other node's children.
-    std::vector<std::size_t> rootNodes() const
-    {
-        std::vector<std::size_t> roots;
-        if (hasScene()) {
-            const Json& scene = m_gltf.element("scenes", m_gltf.sizeIn(m_gltf.document(), "scene", 0));
-            for (const Json& node : m_gltf.arrayIn(scene, "nodes"))
-                roots.push_back(m_gltf.toIndex(node, "nodes"));
-            return roots;
-        }
-        const std::size_t count = m_gltf.arrayIn(m_gltf.document(), "nodes").size();
-        std::vector<bool> isChild(count, false);
-        for (std::size_t i = 0; i < count; ++i)
-            for (const Json& child : m_gltf.arrayIn(m_gltf.element("nodes", i), "children"))
-                if (const std::size_t index = m_gltf.toIndex(child, "children"); index < count)
-                    isChild[index] = true;
-        for (std::size_t i = 0; i < count; ++i)
-            if (!isChild[i])
-                roots.push_back(i);
-        return roots;
-    }
-
-    void addNode(std::size_t index, const Eigen::Matrix4d& above, int depth)
-    {
-        m_stopCheck();
-        if (depth > maxDepth || ++m_nodes > maxNodes)
-            m_gltf.refuse(FileFault::TooDeep, "nodes");
-        const Json& node = m_gltf.element("nodes", index);
-        const Eigen::Matrix4d transform = above * transformOf(node);
-        if (const auto mesh = m_gltf.indexIn(node, "mesh"))
-            addMesh(*mesh, transform);
-        for (const Json& child : m_gltf.arrayIn(node, "children"))
-            addNode(m_gltf.toIndex(child, "children"), transform, depth + 1);
-    }
-
     void addMesh(std::size_t index, const Eigen::Matrix4d& transform)
     {
         ++m_objects;
         for (const Json& primitive : m_gltf.arrayIn(m_gltf.element("meshes", index), "primitives"))
             addPrimitive(primitive, transform);
-    }
-
-    template <int count>
-    std::optional<Eigen::Matrix<double, count, 1>> numbersIn(const Json& node, const char* key) const
-    {
-        const Json& values = m_gltf.arrayIn(node, key);
-        if (values.empty())
-            return std::nullopt;
-        if (values.size() != count)
-            m_gltf.refuse(FileFault::NotNumbers, key);
-        Eigen::Matrix<double, count, 1> numbers;
-        for (int i = 0; i < count; ++i) {
-            if (!values[static_cast<std::size_t>(i)].is_number())
-                m_gltf.refuse(FileFault::NotNumbers, key);
-            numbers[i] = values[static_cast<std::size_t>(i)].get<double>();
-        }
-        return numbers;
-    }
-
-    Eigen::Matrix4d transformOf(const Json& node) const
-    {
-        if (const auto matrix = numbersIn<16>(node, "matrix"))
-            return Eigen::Map<const Eigen::Matrix4d>(matrix->data()); // columns first, as glTF has them
-        Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-        if (const auto by = numbersIn<3>(node, "translation"))
-            transform.translate(*by);
-        if (const auto turn = numbersIn<4>(node, "rotation"))
-            transform.rotate(Eigen::Quaterniond((*turn)[3], (*turn)[0], (*turn)[1], (*turn)[2]).normalized());
-        if (const auto scale = numbersIn<3>(node, "scale"))
-            transform.scale(*scale);
-        return transform.matrix();
     }
 
     void addPrimitive(const Json& primitive, const Eigen::Matrix4d& transform)
@@ -268,7 +192,6 @@ private:
     TriangleMesh m_mesh;
     bool m_hasColors = false, m_hasMasks = false, m_hasTargets = false;
     std::size_t m_objects = 0;
-    std::size_t m_nodes = 0;
 };
 } // namespace
 

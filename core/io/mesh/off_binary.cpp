@@ -22,28 +22,94 @@ struct Dialect
     std::size_t components; ///< the components of a vertex's colour
 };
 
+/// Reads numbers of 32 bits, one after the other. Throws FileError.
+class NumberInput
+{
+public:
+    NumberInput(const FileBytes& file, const char* at, std::endian order)
+        : m_file(file)
+        , m_at(at)
+        , m_end(file.bytes.data() + file.bytes.size())
+        , m_order(order)
+    {}
+
+    std::uint32_t whole() { return next<std::uint32_t>(); }
+    float real() { return next<float>(); }
+    float finite()
+    {
+        const float number = real();
+        if (!std::isfinite(number))
+            throw errorAtLast(FileErrorKind::NotANumber);
+        return number;
+    }
+
+    /// Reads the number of elements of at least so many bytes each. `what`: their name in an error.
+    std::size_t count(std::string_view what, std::size_t max, std::size_t bytesEach)
+    {
+        const std::uint32_t number = whole();
+        if (number > max)
+            throw tooMany(what, max, errorAtLast({}));
+        requireBytes(std::uint64_t(number) * bytesEach);
+        return number;
+    }
+
+    void skip(std::size_t numbers)
+    {
+        requireBytes(numbers * size);
+        m_at += numbers * size;
+    }
+
+    FileError errorAtLast(FileErrorKind kind, std::string_view token = {}) const
+    {
+        return errorAtByte(kind, m_file, m_at - size, token);
+    }
+
+    std::size_t bytesLeft() const { return static_cast<std::size_t>(m_end - m_at); }
+
+private:
+    static constexpr std::size_t size = 4;
+
+    template <typename Number> Number next()
+    {
+        requireBytes(size);
+        m_at += size;
+        return load<Number>(m_at - size, m_order);
+    }
+
+    void requireBytes(std::uint64_t count) const
+    {
+        if (count > bytesLeft())
+            throw withCounts(errorAtByte(FileErrorKind::CutOff, m_file, m_end),
+                             m_file.bytes.size() - bytesLeft() + count, m_file.bytes.size());
+    }
+
+    const FileBytes& m_file;
+    const char* m_at;
+    const char* m_end;
+    std::endian m_order;
+};
+
 class BodyReader
 {
 public:
     BodyReader(const BinaryOff& off, const Dialect& dialect)
         : m_off(off)
         , m_dialect(dialect)
-        , m_at(off.body)
-        , m_end(off.file.bytes.data() + off.file.bytes.size())
+        , m_input(off.file, off.body, dialect.order)
         , m_stopCheck(off.file.stop)
     {}
 
     void read()
     {
-        const std::size_t vertices = count("vertices", maxVertices, 4 * numbersEach()),
-                          faces = count("faces", maxFaces, 4);
-        next<std::uint32_t>(); // edges
+        const std::size_t vertices = m_input.count("vertices", maxVertices, 4 * numbersEach());
+        const std::size_t faces = m_input.count("faces", maxFaces, 4);
+        m_input.skip(1); // the number of edges
         m_mesh.points.reserve(vertices);
         for (std::size_t i = 0; i < vertices; ++i)
             readVertex();
         for (std::size_t i = 0; i < faces; ++i)
             readFace(vertices);
-        m_remarks.bytesBehind = static_cast<std::uint64_t>(m_end - m_at);
+        m_remarks.bytesBehind = m_input.bytesLeft();
     }
 
     /// Returns the mesh. Precondition: read() has returned.
@@ -53,8 +119,7 @@ public:
         return {std::move(m_mesh), m_remarks};
     }
 
-    bool isWhole() const { return m_at == m_end; }
-    const char* position() const { return m_at; }
+    std::size_t bytesLeft() const { return m_input.bytesLeft(); }
 
 private:
     std::size_t numbersEach() const
@@ -63,52 +128,18 @@ private:
                (m_off.hasTexture ? 2U : 0U);
     }
 
-    void requireRoom(std::uint64_t elements, std::size_t size) const
-    {
-        if (elements * size > static_cast<std::uint64_t>(m_end - m_at))
-            throw withCounts(errorAtByte(FileErrorKind::CutOff, m_off.file, m_end),
-                             static_cast<std::uint64_t>(m_at - m_off.file.bytes.data()) + elements * size,
-                             m_off.file.bytes.size());
-    }
-
-    template <typename Number> Number next()
-    {
-        requireRoom(1, sizeof(Number));
-        m_at += sizeof(Number);
-        return load<Number>(m_at - sizeof(Number), m_dialect.order);
-    }
-
-    const char* lastAt() const { return m_at - 4; }
-
-    std::size_t count(std::string_view what, std::size_t max, std::size_t sizeEach)
-    {
-        const auto number = next<std::uint32_t>();
-        if (number > max)
-            throw tooMany(what, max, errorAtByte({}, m_off.file, lastAt()));
-        requireRoom(number, sizeEach);
-        return number;
-    }
-
-    float finite()
-    {
-        const auto number = next<float>();
-        if (!std::isfinite(number))
-            throw errorAtByte(FileErrorKind::NotANumber, m_off.file, lastAt());
-        return number;
-    }
-
     void readVertex()
     {
         m_stopCheck();
         Vec3f& point = m_mesh.points.emplace_back();
         for (int k = 0; k < 3; ++k)
-            point[k] = finite();
-        for (int k = 0; m_off.hasNormals && k < 3; ++k)
-            next<float>(); // skips the normal, whatever it is
+            point[k] = m_input.finite();
+        if (m_off.hasNormals)
+            m_input.skip(3);
         if (m_off.hasColors)
             readColor();
-        for (int k = 0; m_off.hasTexture && k < 2; ++k)
-            next<float>();
+        if (m_off.hasTexture)
+            m_input.skip(2);
     }
 
     void readColor()
@@ -116,47 +147,36 @@ private:
         constexpr float full = 255.0F;
         std::array<std::uint8_t, 4> color{};
         for (std::size_t k = 0; k < m_dialect.components; ++k)
-            color[k] = static_cast<std::uint8_t>(std::lround(std::clamp(finite() * full, 0.0F, full)));
+            color[k] = static_cast<std::uint8_t>(std::lround(std::clamp(m_input.finite() * full, 0.0F, full)));
         m_mesh.colors.push_back({color[0], color[1], color[2]});
     }
 
     void readFace(std::size_t vertices)
     {
         m_stopCheck();
-        const auto corners = next<std::uint32_t>();
-        if (corners > maxCorners)
-            throw tooMany("corners", maxCorners, errorAtByte({}, m_off.file, lastAt()));
+        const std::size_t corners = m_input.count("corners", maxCorners, 4);
         if (corners == 0)
-            throw malformed(FileFault::Count, errorAtByte({}, m_off.file, lastAt(), "0"));
-        requireRoom(corners, 4);
-        for (std::uint32_t i = 0; i < corners; ++i) {
-            const auto index = next<std::uint32_t>();
+            throw malformed(FileFault::Count, m_input.errorAtLast({}, "0"));
+        for (std::size_t i = 0; i < corners; ++i) {
+            const std::uint32_t index = m_input.whole();
             if (index >= vertices)
-                throw withCounts(
-                    errorAtByte(FileErrorKind::IndexOutOfRange, m_off.file, lastAt(), std::to_string(index)), vertices);
+                throw withCounts(m_input.errorAtLast(FileErrorKind::IndexOutOfRange, std::to_string(index)), vertices);
             if (corners >= 3)
                 m_faces.addCorner(index);
         }
         if (corners >= 3)
             m_faces.endFace();
+        else
+            ++m_remarks.facesOfFewer;
         if (m_dialect.countsComponents)
-            skipComponents();
+            m_input.skip(m_input.count("colour components", maxComponents, 4));
     }
 
-    void skipComponents()
-    {
-        constexpr std::uint32_t most = 4;
-        const auto components = next<std::uint32_t>();
-        if (components > most)
-            throw tooMany("colour components", most, errorAtByte({}, m_off.file, lastAt()));
-        requireRoom(components, sizeof(float));
-        m_at += components * sizeof(float);
-    }
+    static constexpr std::size_t maxComponents = 4;
 
     const BinaryOff& m_off;
     Dialect m_dialect;
-    const char* m_at;
-    const char* m_end;
+    NumberInput m_input;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     Polygons m_faces;
@@ -168,7 +188,7 @@ ReadResult BinaryOff::read() const
 {
     std::optional<BodyReader> withRest; // the first that leaves only some bytes behind the model
     std::optional<FileError> problem;   // the problem of the reading that came furthest
-    const char* furthest = nullptr;
+    std::size_t leastLeft = 0;
     for (const std::endian order : {std::endian::big, std::endian::little})
         for (const bool countsComponents : {true, false})
             for (const std::size_t components : {std::size_t(4), std::size_t(3)}) {
@@ -177,15 +197,15 @@ ReadResult BinaryOff::read() const
                 BodyReader reader(*this, {order, countsComponents, components});
                 try {
                     reader.read();
-                    if (reader.isWhole())
+                    if (reader.bytesLeft() == 0)
                         return reader.result();
                     if (!withRest)
                         withRest.emplace(std::move(reader));
                 } catch (const FileError& error) {
-                    if (problem && reader.position() <= furthest)
+                    if (problem && reader.bytesLeft() >= leastLeft)
                         continue;
                     problem.emplace(error);
-                    furthest = reader.position();
+                    leastLeft = reader.bytesLeft();
                 }
             }
     if (!withRest)

@@ -1,5 +1,5 @@
-// PLY: the header announces elements and their properties; vertices, faces and triangle strips are read, the other
-// elements passed over.
+// Reads PLY: the header announces elements and their properties. Vertices, faces and triangle strips are read, other
+// elements skipped.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/ply_source.h"
@@ -61,6 +61,22 @@ std::vector<Role> rolesOf(const PlyElement& element, bool ofVertex)
 bool has(const std::vector<Role>& roles, std::initializer_list<Role> wanted)
 {
     return std::ranges::all_of(wanted, [&](Role role) { return std::ranges::find(roles, role) != roles.end(); });
+}
+
+void requireFew(const FileBytes& file, const PlyElement& element, std::string_view what, std::size_t max)
+{
+    if (element.count > max)
+        throw tooMany(what, max, errorAtLine({}, file, element.line));
+}
+
+template <typename Source> std::uint8_t readColor(Source& source, PlyType type)
+{
+    constexpr float full = 255.0f;
+    constexpr std::int64_t wideToByte = 257; // 65535 / 255
+    if (!isWhole(type))
+        return static_cast<std::uint8_t>(std::lround(std::clamp(source.number(type) * full, 0.0f, full)));
+    const std::int64_t value = source.whole(type) / (type == PlyType::Uint16 ? wideToByte : 1);
+    return static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
 }
 
 /// Takes faces of three corners where they belong; what a face has beyond that is not taken.
@@ -130,15 +146,9 @@ private:
         }
     }
 
-    void requireFew(const PlyElement& element, std::string_view what, std::size_t max) const
-    {
-        if (element.count > max)
-            throw tooMany(what, max, errorAtLine({}, m_file, element.line));
-    }
-
     void readVertices(const PlyElement& element)
     {
-        requireFew(element, "vertices", maxVertices);
+        requireFew(m_file, element, "vertices", maxVertices);
         const std::vector<Role> roles = rolesOf(element, true);
         if (!has(roles, {Role::X, Role::Y, Role::Z}))
             throw malformed(FileFault::Coordinates, errorAtLine({}, m_file, element.line, element.name));
@@ -189,19 +199,9 @@ private:
             m_mesh.colors[index] = {color[0], color[1], color[2]};
     }
 
-    static std::uint8_t readColor(Source& source, PlyType type)
-    {
-        constexpr float full = 255.0f;
-        constexpr std::int64_t wideToByte = 257; // 65535 / 255
-        if (!isWhole(type))
-            return static_cast<std::uint8_t>(std::lround(std::clamp(source.number(type) * full, 0.0f, full)));
-        const std::int64_t value = source.whole(type) / (type == PlyType::Uint16 ? wideToByte : 1);
-        return static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
-    }
-
     void readFaces(const PlyElement& element)
     {
-        requireFew(element, "faces", maxFaces);
+        requireFew(m_file, element, "faces", maxFaces);
         const std::vector<Role> roles = rolesOf(element, false);
         if (!has(roles, {Role::Corners}))
             return skipAll(element);
@@ -217,7 +217,7 @@ private:
     /// Reads an element of triangle strips. Each list is a strip; the index -1 ends one and begins the next.
     void readStrips(const PlyElement& element)
     {
-        requireFew(element, "triangle strips", maxFaces);
+        requireFew(m_file, element, "triangle strips", maxFaces);
         const std::vector<Role> roles = rolesOf(element, false);
         if (!has(roles, {Role::Corners}))
             return skipAll(element);
