@@ -1004,20 +1004,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
     </message>
     <message>
-        <source>%1: the model lies too far from the origin for its size to be sculpted where it is.</source>
-        <translation>%1: Das Modell liegt für seine Größe zu weit vom Ursprung entfernt, um dort geformt zu werden.</translation>
-    </message>
-    <message>
         <source>Ball of clay</source>
         <translation>Tonkugel</translation>
     </message>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
         <translation>%1: Zum Schreiben dieses Modells reicht der Speicher nicht.</translation>
-    </message>
-    <message>
-        <source>%1 lay far from the origin and was moved there.</source>
-        <translation>%1 lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
     </message>
     <message>
         <source>Cube</source>
@@ -4591,10 +4583,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::RepairMessages</name>
     <message>
-        <source>The model lay far from the origin and was moved there.</source>
-        <translation>Das Modell lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
-    </message>
-    <message>
         <source>Points welded: %1</source>
         <translation>Verschweißte Punkte: %1</translation>
     </message>
@@ -4817,6 +4805,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>, byte %1</source>
         <translation>, Byte %1</translation>
+    </message>
+    <message>
+        <source>%1 was not written: so far from the origin its coordinates are too coarse for the model&apos;s detail. Recentre the model.</source>
+        <translation>%1 wurde nicht geschrieben: So weit vom Ursprung entfernt sind die Koordinaten zu grob für die Einzelheiten des Modells. Das Modell zuerst zentrieren.</translation>
     </message>
     <message>
         <source>%1 cannot be written: there is no folder %2.</source>

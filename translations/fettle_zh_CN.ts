@@ -1000,20 +1000,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1：内存不足，无法载入此模型。</translation>
     </message>
     <message>
-        <source>%1: the model lies too far from the origin for its size to be sculpted where it is.</source>
-        <translation>%1：相对于模型的尺寸，其位置离原点太远，无法就地雕刻。</translation>
-    </message>
-    <message>
         <source>Ball of clay</source>
         <translation>黏土球</translation>
     </message>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
         <translation>%1：内存不足，无法写入此模型。</translation>
-    </message>
-    <message>
-        <source>%1 lay far from the origin and was moved there.</source>
-        <translation>%1 离原点很远，已移至原点。</translation>
     </message>
     <message>
         <source>Cube</source>
@@ -4576,10 +4568,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
 <context>
     <name>ui::RepairMessages</name>
     <message>
-        <source>The model lay far from the origin and was moved there.</source>
-        <translation>模型离原点很远，已移到原点。</translation>
-    </message>
-    <message>
         <source>Points welded: %1</source>
         <translation>合并的点：%1</translation>
     </message>
@@ -4802,6 +4790,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>, byte %1</source>
         <translation>，第 %1 字节</translation>
+    </message>
+    <message>
+        <source>%1 was not written: so far from the origin its coordinates are too coarse for the model&apos;s detail. Recentre the model.</source>
+        <translation>%1 未写入：离原点这么远，坐标对模型的细节来说太粗略。请将模型重新居中。</translation>
     </message>
     <message>
         <source>%1 cannot be written: there is no folder %2.</source>

@@ -7,6 +7,7 @@
 
 #include "core/drawing/model_thumbnail.h"
 #include "core/io/mesh_io.h"
+#include "core/io/placed_mesh.h"
 #include "core/util/atomic_file.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
@@ -87,7 +88,9 @@ QByteArray turnOf(const TurnWork& work)
 
 void writeWork(const QString& folder, const TurnWork& work)
 {
-    core::writeMesh(toPath(WorkArchive::modelOf(folder)), *work.mesh, {.metadata = work.metadata});
+    const std::filesystem::path model = toPath(WorkArchive::modelOf(folder));
+    const core::Vec3 place = work.metadata.frame ? work.metadata.frame->place : core::Vec3::Zero();
+    core::writeMesh(model, core::placedMesh(model, *work.mesh, place), {.metadata = work.metadata});
     writeFile(folder + QStringLiteral("/picture.png"), pictureOf(*work.mesh));
     if (work.record)
         writeFile(folder + QStringLiteral("/record.json"), recordOf(*work.record));

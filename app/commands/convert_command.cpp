@@ -6,6 +6,7 @@
 
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/decimate.h"
 #include "core/repair/repair.h"
@@ -138,7 +139,7 @@ void makeSound(const QString& file, core::TriangleMesh& mesh, const core::Repair
     core::RepairResult repaired = core::repairMesh(mesh, options);
     if (!repaired.mesh)
         throw CommandFailure{ui::RepairMessages::refusal(file, repaired), AnswerIsNo};
-    mesh = std::move(*repaired.mesh);
+    mesh = core::placedMesh(toPath(file), std::move(*repaired.mesh), -repaired.report.moved);
     QStringList steps = ui::RepairMessages::steps(repaired.report);
     steps << ui::RepairMessages::distance(repaired.report);
     CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
@@ -160,11 +161,9 @@ core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMe
     core::BuildResult built = core::buildMesh(mesh);
     if (!built.mesh)
         throw CommandFailure{ui::ErrorMessages::tooFine(options.in, built.unsnappable), AnswerIsNo};
-    core::TriangleMesh few = core::decimate(std::move(*built.mesh), options.triangles).mesh;
-    for (core::Vec3f& point : few.points) // a model far from the origin was moved there
-        point = (point.cast<double>() - built.moved).cast<float>();
-    requireSound(options.in, few);
-    return few;
+    const core::Vec3 place = built.mesh->frame().place;
+    core::Decimated few = core::decimate(std::move(*built.mesh), options.triangles);
+    return core::placedMesh(toPath(options.out), std::move(few.mesh), place);
 }
 } // namespace
 

@@ -13,6 +13,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
+#include "core/io/placed_mesh.h"
 #include "core/io/stroke/stroke_file.h"
 #include "core/mesh/mesh_builder.h"
 #include "ui/util/error_messages.h"
@@ -192,6 +193,19 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
     }
 }
 
+/// Moves what strokes and insertions have as places.
+void moveBy(const core::Vec3& by, Entries& entries)
+{
+    for (core::FileEntry& entry : entries) {
+        if (auto* const stroke = std::get_if<core::Stroke>(&entry)) {
+            for (core::StrokeSample& sample : stroke->samples)
+                sample.position += sample.rotation * by;
+        } else if (auto* const insertion = std::get_if<core::Insert>(&std::get<core::FileCommand>(entry).command)) {
+            insertion->centre += by;
+        }
+    }
+}
+
 /// `index`: of the entry.
 void requireDone(const core::ModelChange& change, const core::FileCommand& entry, std::size_t index)
 {
@@ -284,6 +298,11 @@ void run(const ReplayOptions& options, Entries& entries)
     if (!model.sculptor)
         CommandLine::fail(model.problem);
     setStart(entries, model.start);
+    const core::Vec3& place = model.sculptor->mesh().frame().place;
+    // Strokes are in the document's coordinates; those of a file that is no document are its own.
+    if (const core::Vec3 by = (model.metadata.frame ? model.metadata.frame->place : core::Vec3::Zero()) - place;
+        !by.isZero(0))
+        moveBy(by, entries);
     core::Box box = options.frames.isEmpty() ? core::Box() : core::boxOf(core::extractMesh(model.sculptor->mesh()));
     Replayed replayed = play(*model.sculptor, entries, options);
 
@@ -291,7 +310,8 @@ void run(const ReplayOptions& options, Entries& entries)
     if (stats)
         writeReplayStats(*stats, replayed.dabs, *model.sculptor, mesh);
     if (!options.out.isEmpty())
-        core::writeMesh(toPath(options.out), mesh);
+        core::writeMesh(toPath(options.out),
+                        core::placedMesh(toPath(options.out), mesh, model.sculptor->mesh().frame().place));
     if (stats)
         stats->commit();
     if (!options.frames.isEmpty())

@@ -5,6 +5,7 @@
 
 #include "core/geometry/scale_mesh.h"
 #include "core/io/mesh_io.h"
+#include "core/io/placed_mesh.h"
 #include "core/mesh/mesh.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/repair_messages.h"
@@ -81,10 +82,7 @@ void ModelChangeJob::read(ModelChangeOutcome& outcome, ModelChangeRequest& reque
             outcome.problem = ui::RepairMessages::refusal(insertion.path, repaired);
         if (!repaired.mesh)
             return;
-        mesh = std::move(*repaired.mesh);
-        for (core::Vec3f& p : mesh.points)
-            p = (p.cast<double>() - repaired.report.moved).cast<float>();
-        repaired.report.moved.setZero();
+        mesh = core::placedMesh(toPath(insertion.path), std::move(*repaired.mesh), -repaired.report.moved);
         outcome.repairs = ui::RepairMessages::steps(repaired.report) << ui::RepairMessages::distance(repaired.report);
         onStage(CommandNames::progress(request.command));
     }

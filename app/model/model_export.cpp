@@ -4,6 +4,7 @@
 #include "app/model/slicer_check.h"
 
 #include "core/io/mesh_io.h"
+#include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/decimate.h"
 #include "ui/util/error_messages.h"
@@ -32,12 +33,16 @@ ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, co
         if (!decimates)
             return write(request, core::extractMesh(*request.mesh), onStage, control);
         onStage(tr("Reducing the triangles"));
-        const core::Decimated few =
+        const core::Vec3 place = request.mesh->frame().place;
+        core::Decimated few =
             core::decimate(std::move(*request.mesh), request.maxTriangles, control.part(0, afterDecimating));
         if (control.isCancelled())
             return {};
         request.metadata = {}; // they are of the whole model
-        return write(request, few.mesh, onStage, control.part(afterDecimating, 1));
+        return write(request, core::placedMesh(toPath(request.path), std::move(few.mesh), place), onStage,
+                     control.part(afterDecimating, 1));
+    } catch (const core::FileError& error) {
+        return {ui::ErrorMessages::sentence(error), {}};
     } catch (const core::ReadingCancelled&) {
         return {{}, tr("%1 was written; it was not read back.").arg(QDir::toNativeSeparators(request.path))};
     } catch (const std::bad_alloc&) {
@@ -66,7 +71,9 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
                                     const core::JobControl& control)
 {
     try {
-        const core::ExportVerdict verdict = core::checkExport(toPath(request.path), mesh, control);
+        const core::Vec3 place = request.metadata.frame ? request.metadata.frame->place : core::Vec3::Zero();
+        const core::TriangleMesh written = core::placedMesh(toPath(request.path), mesh, place);
+        const core::ExportVerdict verdict = core::checkExport(toPath(request.path), written, control);
         if (control.isCancelled())
             throw core::ReadingCancelled();
         if (!verdict.sameCorners || !verdict.sameColors)

@@ -2,9 +2,8 @@
 
 #include "app/import/assimp_import.h"
 
-#include "core/geometry/face_geometry.h"
-#include "core/geometry/lattice_placement.h"
 #include "core/io/mesh_io.h"
+#include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/repair/repair.h"
 #include "core/sculpt/sculptor.h"
@@ -35,7 +34,7 @@ LoadedModel ModelLoader::load(const QString& path, const OnStage& onStage, const
 {
     return read(path, onStage, control,
                 [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& part) {
-                    build(loaded, mesh, false, part);
+                    build(loaded, mesh, {.isCentred = true}, part);
                     loaded.isRepairable = !loaded.problem.isEmpty();
                 });
 }
@@ -59,14 +58,14 @@ LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOpt
             loaded.path.clear();
             if (onStage)
                 onStage(tr("Checking %1").arg(loaded.name));
-            build(loaded, mesh, false, part.part(afterRepair, 1));
+            build(loaded, mesh, {.isCentred = true, .origin = -repaired.report.moved}, part.part(afterRepair, 1));
         });
 }
 
 LoadedModel ModelLoader::loadInPlace(const QString& path)
 {
     return read(path, {}, {}, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& control) {
-        build(loaded, mesh, true, control);
+        build(loaded, mesh, {}, control);
     });
 }
 
@@ -97,24 +96,26 @@ LoadedModel ModelLoader::read(const QString& path, const OnStage& onStage, const
     return loaded;
 }
 
-void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace,
+void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
                         const core::JobControl& control)
 {
-    core::BuildResult result = core::buildMesh(mesh, !inPlace, control, loaded.metadata.frame);
+    core::BuildResult result = core::buildMesh(mesh, placing.isCentred, control, loaded.metadata.frame);
     if (control.isCancelled())
         return;
     if (!result.mesh && !result.report.printReady())
         loaded.problem = ui::ErrorMessages::refusal(loaded.path, result.report);
     else if (!result.mesh)
         loaded.problem = ui::ErrorMessages::tooFine(loaded.path, result.unsnappable);
-    else if (inPlace && !result.moved.isZero(0))
-        loaded.problem =
-            tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
-    else
-        setMesh(loaded, std::move(result.mesh));
-    if (loaded.sculptor && !result.moved.isZero(0) && core::isFarFromOrigin(boxOf(mesh)))
-        loaded.notice = tr("%1 lay far from the origin and was moved there.").arg(loaded.name);
-    if (loaded.sculptor && !inPlace && !holdsUnit(loaded.name))
+    if (!result.mesh)
+        return;
+    core::MeshFrame frame = result.mesh->frame();
+    frame.place += placing.origin;
+    result.mesh->beginStroke();
+    result.mesh->setFrame(frame);
+    result.mesh->endStroke();
+    loaded.start = core::snapshotOf(*result.mesh);
+    loaded.sculptor = std::make_shared<core::Sculptor>(std::move(result.mesh));
+    if (placing.isCentred && !holdsUnit(loaded.name))
         loaded.unitGuess = core::guessedUnit(*result.report.volume, result.report.size.maxCoeff());
 }
 
@@ -135,18 +136,12 @@ bool ModelLoader::holdsUnit(const QString& path)
     return format == core::MeshFormat::Glb || format == core::MeshFormat::Gltf || format == core::MeshFormat::ThreeMf;
 }
 
-void ModelLoader::setMesh(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh)
-{
-    loaded.start = core::snapshotOf(*mesh);
-    loaded.sculptor = std::make_shared<core::Sculptor>(std::move(mesh));
-}
-
 LoadedModel ModelLoader::sphere(double radius)
 {
     LoadedModel loaded;
     loaded.name = tr("Ball of clay");
     loaded.metadata.work.emplace(); // nobody did anything yet
-    build(loaded, core::icosphere(paperSubdivisions, radius), true, {});
+    build(loaded, core::icosphere(paperSubdivisions, radius), {}, {});
     return loaded;
 }
 
@@ -155,7 +150,7 @@ LoadedModel ModelLoader::starter(core::Starter starter)
     LoadedModel loaded;
     loaded.name = name(starter);
     loaded.metadata.work.emplace(); // nobody did anything yet
-    build(loaded, core::starterModel(starter), true, {});
+    build(loaded, core::starterModel(starter), {}, {});
     return loaded;
 }
 
@@ -177,7 +172,8 @@ QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, c
 {
     try {
         core::NumberedBackup before(toPath(path), backupCount);
-        core::writeMesh(toPath(path), mesh, {.metadata = metadata});
+        const core::Vec3 place = metadata.frame ? metadata.frame->place : core::Vec3::Zero();
+        core::writeMesh(toPath(path), core::placedMesh(toPath(path), mesh, place), {.metadata = metadata});
         before.commit();
     } catch (const core::FileError& error) {
         return ui::ErrorMessages::sentence(error);

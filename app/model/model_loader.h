@@ -58,20 +58,20 @@ public:
     /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
 
-    /// Reads, checks and builds a model for the window, and moves its centre to the origin. If it is cancelled, returns
-    /// neither a model nor a problem.
+    /// Reads, checks and builds a model for the window, with its centre at the origin; the mesh's frame keeps the place
+    /// that the file gives it. If it is cancelled, returns neither a model nor a problem.
     static LoadedModel load(const QString& path, const OnStage& onStage = {}, const core::JobControl& control = {});
     /// As load(), except that it repairs a model that is not sound. A repaired model has no path.
     static LoadedModel loadRepaired(const QString& path, const core::RepairOptions& options,
                                     const OnStage& onStage = {}, const core::JobControl& control = {});
-    /// As load(), for scripts: the model stays where it is, and is refused if it is too far from the origin for that.
+    /// As load(), for scripts: the model stays where it is, unless it lies far from the origin.
     static LoadedModel loadInPlace(const QString& path);
     /// Returns the paper's sphere of 2562 vertices. Units: mm.
     static LoadedModel sphere(double radius);
     /// Returns a starter model.
     static LoadedModel starter(core::Starter starter);
-    /// Writes a model to a file. Returns an empty string, or a sentence that says what is wrong; no file has changed
-    /// then. `backupCount`: number of backups to keep (core/util/numbered_backup.h).
+    /// Writes a model to a file, at the place of the metadata's frame. Returns an empty string, or a sentence that says
+    /// what is wrong; no file has changed then. `backupCount`: number of backups to keep (core/util/numbered_backup.h).
     static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                         int backupCount = 0);
 
@@ -84,12 +84,16 @@ public:
     static QString insertedUnitNotice(const ui::InsertRequest& insertion, double volume);
 
 private:
-    static void setMesh(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
     using Process = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& control)>;
     static LoadedModel read(const QString& path, const OnStage& onStage, const core::JobControl& control,
                             const Process& process);
-    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace,
+    struct Placing
+    {
+        bool isCentred = false;                 ///< the centre goes to the origin
+        core::Vec3 origin = core::Vec3::Zero(); ///< the place of the mesh's origin in the file
+    };
+    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
                       const core::JobControl& control);
 };
 

@@ -37,7 +37,9 @@ SavedFile ModelSaving::saveNumbered(const QString& path, const core::TriangleMes
     if (!saved.problem.isEmpty())
         return saved;
     const QString print = ended(saved.path, QStringLiteral("stl"));
-    const QString problem = ModelLoader::save(print, mesh, {});
+    core::DocumentMetadata place;
+    place.frame = metadata.frame;
+    const QString problem = ModelLoader::save(print, mesh, place);
     const QString name = QFileInfo(saved.path).fileName();
     saved.notice = problem.isEmpty() ? tr("%1 and %2 were written.").arg(name, QFileInfo(print).fileName())
                                      : tr("Only %1 was written. %2").arg(name, problem);

@@ -10,7 +10,7 @@ namespace core
 {
 namespace
 {
-constexpr std::uint32_t mark = 0x334a5446; ///< "FTJ3"
+constexpr std::uint32_t mark = 0x344a5446; ///< "FTJ4"
 
 struct Head
 {
@@ -94,7 +94,7 @@ template <class Part> void passAll(ByteReader& in, std::vector<Part>& parts, std
 template <class Stream> void pass(Stream& stream, Passed<MeshFrame, Stream>& frame)
 {
     std::int32_t exponent = frame.lattice.exponent();
-    stream.pass(exponent, frame.uniformDetail);
+    stream.pass(exponent, frame.uniformDetail, frame.place.x(), frame.place.y(), frame.place.z());
     if constexpr (isReading<Stream>)
         frame.lattice = Lattice(exponent);
 }

@@ -144,9 +144,11 @@ std::uint64_t Mesh::stateHash() const
             add(corner);
     }
     add(static_cast<std::uint32_t>(m_frame.lattice.exponent()));
-    const auto detail = std::bit_cast<std::uint64_t>(m_frame.uniformDetail);
-    add(static_cast<std::uint32_t>(detail));
-    add(static_cast<std::uint32_t>(detail >> 32));
+    for (const double x : {m_frame.uniformDetail, m_frame.place.x(), m_frame.place.y(), m_frame.place.z()}) {
+        const auto bits = std::bit_cast<std::uint64_t>(x);
+        add(static_cast<std::uint32_t>(bits));
+        add(static_cast<std::uint32_t>(bits >> 32));
+    }
     return hash ^ m_meshHash;
 }
 

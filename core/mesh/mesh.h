@@ -123,7 +123,8 @@ public:
     void reverseOrientation();
     /// Becomes the other mesh slot for slot; what is alike is not touched. No mark may be open.
     void assign(const Mesh& other);
-    void setUniformDetail(double length);
+    /// Sets what the mesh keeps as a whole. Preconditions: a stroke is open; the lattice is the mesh's own.
+    void setFrame(const MeshFrame& frame);
 
     // --- the journal
     void beginStroke();

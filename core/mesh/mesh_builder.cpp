@@ -28,14 +28,18 @@ struct Placed
     bool exact = true;        ///< all lie on the lattice as they are
 };
 
-/// On the lattice that it had; nothing if it does not lie there.
+/// Places the model on the lattice that it had, where it was on it. Returns nothing if it does not lie there.
 std::optional<Placed> restorePlacement(const TriangleMesh& model, const std::optional<MeshFrame>& frame)
 {
-    if (!frame || !std::ranges::all_of(model.points, [&](const Vec3f& p) { return frame->lattice.isOnLattice(p); }))
+    if (!frame)
         return std::nullopt;
-    Placed placed{{frame->lattice}, {}};
-    for (const Vec3f& p : model.points)
-        placed.points.push_back(p.cast<double>());
+    Placed placed{{frame->lattice, -frame->place}, {}};
+    for (const Vec3f& p : model.points) {
+        placed.points.push_back(p.cast<double>() - frame->place);
+        const Vec3f snapped = frame->lattice.snap(placed.points.back());
+        if (snapped.cast<double>() != placed.points.back() || !frame->lattice.isOnLattice(snapped))
+            return std::nullopt;
+    }
     return placed;
 }
 
@@ -106,13 +110,12 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobControl& 
         return result;
     for (Slot v = 0; v < used.points.size(); ++v)
         used.points[v] = lattice.toPoint(fit.points[v]);
-    result.moved = placed.placement.moved;
     result.mesh = std::make_unique<Mesh>(inMortonOrder(used, lattice), lattice);
-    if (restored) {
-        result.mesh->beginStroke();
-        result.mesh->setUniformDetail(frame->uniformDetail);
-        result.mesh->endStroke();
-    }
+    MeshFrame own = restored ? *frame : result.mesh->frame();
+    own.place = Vec3::Zero() - placed.placement.moved; // no -0
+    result.mesh->beginStroke();
+    result.mesh->setFrame(own);
+    result.mesh->endStroke();
     return result;
 }
 

@@ -99,9 +99,9 @@ void Mesh::assignFace(const Mesh& other, Slot f)
     m_kernel.face(faceHandle(f)) = other.m_kernel.face(faceHandle(f));
 }
 
-void Mesh::setUniformDetail(double length)
+void Mesh::setFrame(const MeshFrame& frame)
 {
-    assert(m_strokeOpen);
-    m_frame.uniformDetail = length;
+    assert(m_strokeOpen && frame.lattice == m_frame.lattice);
+    m_frame = frame;
 }
 } // namespace core

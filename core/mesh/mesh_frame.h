@@ -12,6 +12,9 @@ struct MeshFrame
 {
     Lattice lattice = Lattice();
     double uniformDetail = 0; ///< d_detail of Topology::Uniform, in the document's unit
+    /// The place of the document's origin in the space of the model's file, in the document's unit. On the lattice when
+    /// the model is opened.
+    Vec3 place = Vec3::Zero();
 
     friend bool operator==(const MeshFrame&, const MeshFrame&) = default;
 };

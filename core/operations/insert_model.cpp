@@ -34,11 +34,11 @@ double longest(const Box& box)
 }
 
 /// By how much the newcomer is moved. Beside the present model it stands on the same floor.
-Vec3 offsetOf(const Insert& command, const Box& present, const Box& added)
+Vec3 offsetOf(const Insert& command, const Mesh& mesh, const Box& present, const Box& added)
 {
     switch (command.place) {
     case Insert::Place::AsItIs:
-        return Vec3::Zero();
+        return -mesh.frame().place;
     case Insert::Place::Centre:
         return command.centre - added.center();
     case Insert::Place::Beside:
@@ -111,7 +111,7 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
     const TriangleMesh added = withoutUnusedVertices(command.model);
     const Box present = boxOf(mesh);
     Box place = boxOf(added);
-    const Vec3 offset = offsetOf(command, present, place);
+    const Vec3 offset = offsetOf(command, mesh, present, place);
     place.translate(offset);
     if (std::sqrt(place.center().squaredNorm()) > farthestInSizes * std::max(longest(present), longest(place))) {
         change.refusal = ModelRefusal::TooFar;

@@ -34,7 +34,7 @@ std::unique_ptr<Mesh> meshOf(const Snapshot& snapshot)
 {
     auto mesh = std::make_unique<Mesh>(snapshot.surface, snapshot.frame.lattice);
     mesh->beginStroke();
-    mesh->setUniformDetail(snapshot.frame.uniformDetail);
+    mesh->setFrame(snapshot.frame);
     mesh->endStroke();
     return mesh;
 }

@@ -24,6 +24,7 @@ struct Rotate
 {
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity(); ///< unit length
 };
+/// The place that the file gives the model is scaled, too, as by another unit.
 struct Scale
 {
     double factor = 1; ///< above 0
@@ -33,10 +34,10 @@ struct Mirror
 {
     int axis = 0;
 };
-/// The middle of the bounding box, snapped, goes to the origin.
+/// The middle of the bounding box, snapped, goes to the origin, also in files that are written from now on.
 struct Recentre
 {};
-/// The lowest point goes to y = 0, where a printer's bed is.
+/// The lowest point goes to y = 0, where a printer's bed is, also in files that are written from now on.
 struct PlaceOnBed
 {};
 /// What lies below a level plane goes, and the cut is closed: a flat base.

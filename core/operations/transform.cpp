@@ -67,6 +67,13 @@ void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& 
     if (mirrored)
         mesh.reverseOrientation();
 }
+
+void setPlace(Mesh& mesh, const Vec3& place)
+{
+    MeshFrame frame = mesh.frame();
+    frame.place = place;
+    mesh.setFrame(frame);
+}
 } // namespace
 
 std::vector<Vec3> placesOf(const Mesh& mesh)
@@ -125,8 +132,12 @@ void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const Job
 void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobControl& control)
 {
     goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(command.factor * p); }), false, change, control);
-    if (change.refusal == ModelRefusal::None && !control.isCancelled())
-        mesh.setUniformDetail(command.factor * mesh.uniformDetail());
+    if (change.refusal != ModelRefusal::None || control.isCancelled())
+        return;
+    MeshFrame frame = mesh.frame();
+    frame.uniformDetail *= command.factor;
+    frame.place *= command.factor; // as another unit of the file does
+    mesh.setFrame(frame);
 }
 
 void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobControl& control)
@@ -139,11 +150,15 @@ void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const Job
 void transform(Mesh& mesh, const PlaceOnBed&, ModelChange& change, const JobControl& control)
 {
     transform(mesh, Move{{0, -boxOf(mesh).min().y(), 0}}, change, control);
+    if (change.refusal == ModelRefusal::None && !control.isCancelled())
+        setPlace(mesh, {mesh.frame().place.x(), 0, mesh.frame().place.z()});
 }
 
 void transform(Mesh& mesh, const Recentre&, ModelChange& change, const JobControl& control)
 {
     const Vec3 middle = mesh.lattice().snap(boxOf(mesh).center()).cast<double>();
     goTo(mesh, mapped(mesh, [&](const Vec3& p) { return p - middle; }), false, change, control);
+    if (change.refusal == ModelRefusal::None && !control.isCancelled())
+        setPlace(mesh, Vec3::Zero());
 }
 } // namespace core

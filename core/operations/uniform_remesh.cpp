@@ -248,6 +248,8 @@ void remeshUniformly(Mesh& mesh, const RemeshUniformly& command, ModelChange& ch
         change.refusal = ModelRefusal::FacesMeet;
         change.faces = fit.unsnappable;
     }
-    mesh.setUniformDetail(bounds.detail);
+    MeshFrame frame = mesh.frame();
+    frame.uniformDetail = bounds.detail;
+    mesh.setFrame(frame);
 }
 } // namespace core

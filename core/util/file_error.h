@@ -36,6 +36,7 @@ enum class FileErrorKind {
     NoFaces,              ///< vertices perhaps, but nothing to sculpt
     // Writing; nothing has changed on disk
     NotWritten,  ///< a format that is only read; token: the ending
+    TooFar,      ///< where the model's file has it, 32 bits are too few for the model's detail
     NoFolder,    ///< the folder that the file would be in is not there
     NotWritable, ///< not permitted; systemError
     DiskFull,    ///< systemError

@@ -287,6 +287,10 @@ QString ErrorMessages::writing(const core::FileError& error)
     case FileErrorKind::NotWritten:
         return tr("%1 was not written: %2 is only read; %3 can be written.")
             .arg(path, token(error).toUpper(), writtenFormats());
+    case FileErrorKind::TooFar:
+        return tr("%1 was not written: so far from the origin its coordinates are too coarse for the model's detail. "
+                  "Recentre the model.")
+            .arg(path);
     case FileErrorKind::NoFolder:
         return tr("%1 cannot be written: there is no folder %2.").arg(path, nativePath(error.path.parent_path()));
     case FileErrorKind::NotWritable:

@@ -28,8 +28,6 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
         if (count > 0)
             steps << step.arg(number(count));
     };
-    if (!report.moved.isZero(0))
-        steps << tr("The model lay far from the origin and was moved there.");
     add(report.welded, tr("Points welded: %1"));
     add(report.degenerateFaces, tr("Faces without area removed: %1"));
     add(report.duplicateFaces, tr("Duplicate faces removed: %1"));

@@ -72,6 +72,12 @@ std::optional<MeshFrame> frameIn(const Json& metadata)
     if (!detail)
         return std::nullopt;
     frame.uniformDetail = *detail;
+    const Json& place = valueIn(metadata, "place");
+    for (std::size_t i = 0; i < 3 && place.is_array() && place.size() == 3; ++i) {
+        if (!place[i].is_number() || !(std::abs(place[i].get<double>()) <= farthest))
+            return std::nullopt;
+        frame.place[static_cast<int>(i)] = place[i].get<double>();
+    }
     return frame;
 }
 
@@ -162,6 +168,8 @@ void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metad
     if (metadata.frame) {
         json["lattice"] = metadata.frame->lattice.exponent();
         json["uniformDetail"] = metadata.frame->uniformDetail;
+        if (const Vec3& place = metadata.frame->place; !place.isZero(0))
+            json["place"] = {place.x(), place.y(), place.z()};
     }
     for (const Rgb& color : metadata.palette)
         json["palette"].push_back(hexOf(color));

@@ -1008,7 +1008,7 @@ void TestCommandLine::replay_neverMovesTheModel()
     core::writeMesh(at("a.ply").toStdString(), model);
     VERIFY_REFUSED(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"),
                            at("a.ply")}),
-                   "a.ply");
+                   "s.json");
 }
 
 void TestCommandLine::replay_refusals_data()

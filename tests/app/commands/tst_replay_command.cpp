@@ -1,5 +1,6 @@
 // What stroke files may hold: strokes in every tool and mode, and commands for the whole model.
 #include "app/model/model_loader.h"
+#include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
 #include "core/operations/model_command.h"
 #include "core/operations/starter_models.h"
@@ -29,7 +30,8 @@ class Replay
 public:
     QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
 
-    int operator()(const Json& entries)
+    /// `in`: the model; empty: the paper's sphere.
+    int operator()(const Json& entries, const QString& in = {})
     {
         QFile file(path("strokes.json"));
         if (!file.open(QIODevice::WriteOnly))
@@ -37,9 +39,12 @@ public:
         file.write(Json{{"format", "fettle-strokes"}, {"version", 1}, {"strokes", entries}}.dump().c_str());
         file.close();
         QProcess program;
-        program.start(QStringLiteral(FETTLE_PROGRAM),
-                      {QStringLiteral("replay"), QStringLiteral("--strokes"), path("strokes.json"),
-                       QStringLiteral("--out"), path("out.ply"), QStringLiteral("--stats"), path("stats.json")});
+        QStringList arguments{
+            QStringLiteral("replay"), QStringLiteral("--strokes"), path("strokes.json"), QStringLiteral("--out"),
+            path("out.ply"),          QStringLiteral("--stats"),   path("stats.json")};
+        if (!in.isEmpty())
+            arguments << QStringLiteral("--in") << in;
+        program.start(QStringLiteral(FETTLE_PROGRAM), arguments);
         if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit)
             return -1;
         complaint = program.readAllStandardError();
@@ -84,6 +89,7 @@ private Q_SLOTS:
     void badShapes_areBadInput();
     void refused_isTheAnswerNo();
     void strokesAfterACommand_areCheckedAgainstItsModel();
+    void modelFarFromTheOrigin_isPlayedWhereItIs();
 };
 
 /// Each at a place of its own around the sphere, and last a ball beside it.
@@ -291,6 +297,21 @@ void TestReplayCommand::strokesAfterACommand_areCheckedAgainstItsModel()
     QVERIFY(!QFile::exists(replay.path("out.ply")));
     far["radius"] = 15;
     QVERIFY2(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})) == 0, replay.complaint.constData());
+}
+
+/// `check` says that such a model can be sculpted. Strokes have the file's coordinates, and so has the result.
+void TestReplayCommand::modelFarFromTheOrigin_isPlayedWhereItIs()
+{
+    core::TriangleMesh far = core::icosphere(4, 1);
+    for (core::Vec3f& p : far.points)
+        p += core::Vec3f(12, 10, 0);
+    Replay replay;
+    core::writeMesh(replay.path("far.ply").toStdString(), far);
+    Json pull = pullAtX;
+    pull["samples"][0]["position"] = {13, 10, 0};
+    QVERIFY2(replay(Json::array({pull}), replay.path("far.ply")) == 0, replay.complaint.constData());
+    const core::Box box = core::boxOf(core::readMesh(replay.path("out.ply").toStdString()));
+    QVERIFY(box.max().x() > 13.01 && std::abs(box.min().x() - 11) < 0.001 && std::abs(box.center().y() - 10) < 0.01);
 }
 
 FETTLE_TEST(TestReplayCommand, QCoreApplication)

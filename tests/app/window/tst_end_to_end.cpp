@@ -49,7 +49,6 @@ private Q_SLOTS:
     void opening_maySaveFirst();
     void aSaveGivenUp_givesUpWhatWaitedForIt();
     void tooMuchWork_isSaid();
-    void farModelIsMovedAndItIsSaid();
 };
 
 void TestEndToEnd::openPullUndoExport()
@@ -400,29 +399,6 @@ void TestEndToEnd::tooMuchWork_isSaid()
     QCOMPARE(notice(program), ui::ErrorMessages::shortfall(core::Shortfall::Capped));
     QTRY_VERIFY(program.document.queue().isSettled());
     QCOMPARE(noticed.size(), 1);
-}
-
-void TestEndToEnd::farModelIsMovedAndItIsSaid()
-{
-    QTemporaryDir folder;
-    const QString near = folder.filePath(QStringLiteral("near.stl")), far = folder.filePath(QStringLiteral("far.stl"));
-    core::TriangleMesh mesh = core::icosphere(3, 10);
-    for (core::Vec3f& p : mesh.points)
-        p.x() += 50;
-    core::writeMesh(near.toStdString(), mesh);
-    for (core::Vec3f& p : mesh.points)
-        p.x() += 50;
-    core::writeMesh(far.toStdString(), mesh);
-
-    Program program;
-    QSignalSpy noticed(&program.document, &Document::noticed);
-    program.document.opener().open(near);
-    QTRY_COMPARE(program.document.modelInfo().path, near);
-    QTRY_VERIFY(!program.document.job().isBusy());
-    QVERIFY(noticed.isEmpty());
-    program.document.opener().open(far);
-    QTRY_COMPARE(noticed.size(), 1);
-    QVERIFY(noticed[0][0].toString().contains(QStringLiteral("far.stl")));
 }
 
 FETTLE_TEST(TestEndToEnd, app::OnScreen)

@@ -70,7 +70,7 @@ void TestMeshBuilder::soundModels_areBuilt()
     VERIFY_VALID(*result.mesh);
     QCOMPARE(std::size_t(result.mesh->live().vertices), shape.points.size());
     QCOMPARE(std::size_t(result.mesh->live().faces), shape.triangles.size());
-    QVERIFY(result.moved == Vec3::Zero());
+    QVERIFY(result.mesh->frame().place == Vec3::Zero());
 }
 
 void TestMeshBuilder::fileOrder_doesNotMatter()
@@ -99,7 +99,7 @@ void TestMeshBuilder::farModel_isMovedToTheOrigin()
     const TriangleMesh far = shapes::moved(core::icosphere(3, 1), {1000, -3000, 500});
     const BuildResult result = buildMesh(far);
     QVERIFY(result.mesh);
-    QVERIFY((result.moved - Vec3(-1000, 3000, -500)).norm() < 0.01);
+    QVERIFY((result.mesh->frame().place - Vec3(1000, -3000, 500)).norm() < 0.01);
     core::Box box;
     for (Slot v = 0; v < result.mesh->slots().vertices; ++v)
         box.extend(result.mesh->point(v).cast<double>());
@@ -110,13 +110,13 @@ void TestMeshBuilder::farModel_isMovedToTheOrigin()
 void TestMeshBuilder::nearModel_staysWhereItIs()
 {
     const BuildResult result = buildMesh(shapes::moved(core::icosphere(3, 1), {3, -3, 2}));
-    QVERIFY(result.mesh && result.moved == Vec3::Zero());
+    QVERIFY(result.mesh && result.mesh->frame().place == Vec3::Zero());
 }
 
 void TestMeshBuilder::centre_movesTheBoxesMiddleToTheOrigin()
 {
     const BuildResult result = buildMesh(shapes::moved(core::icosphere(3, 1), {3, -3, 2}), true);
-    QVERIFY(result.mesh && (result.moved - Vec3(-3, 3, -2)).norm() < 1e-3);
+    QVERIFY(result.mesh && (result.mesh->frame().place - Vec3(3, -3, 2)).norm() < 1e-3);
 }
 
 void TestMeshBuilder::points_areSnappedToTheNearestLatticePoint()
