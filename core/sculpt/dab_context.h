@@ -17,6 +17,7 @@ class WorkBudget
 public:
     void spend(double work) { m_spent += work; }
     bool isSpent() const { return m_spent >= max; }
+    double left() const { return max - m_spent; }
 
 private:
     /// A vertex that moves counts as 1, and so does a face that an operation verified by itself visits: some

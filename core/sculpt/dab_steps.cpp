@@ -24,7 +24,7 @@ constexpr double maxImageDistance = 4;
 constexpr double leastDepth = 0.05;
 /// Pairs of near vertices that fusion looks at in the time of one unit of work (WorkBudget). A mesh far finer than the
 /// brush has many within d_thickness.
-constexpr double visitsPerWork = 64;
+constexpr double visitsPerWork = 128;
 /// Rounds of cleaning the joints of a dab: what one has merged may lie beside other joins.
 constexpr int maxCleaningRounds = 4;
 /// Rounds of smoothing at what was joined (paper, section 3.4).
@@ -44,7 +44,8 @@ bool keepsShape(Tool tool)
 
 FusionInput fusionInput(const DabContext& context, const StepPlan& plan)
 {
-    return {pushes(context.settings), context.bounds, plan.part(), context.rest()};
+    return {pushes(context.settings), context.bounds, plan.part(), context.rest(),
+            visitsPerWork * context.request.work.left()};
 }
 } // namespace
 
@@ -248,10 +249,12 @@ void DabSteps::separate(DabContext& context)
 
 void DabSteps::cleanJoints(DabContext& context)
 {
-    if (!m_fusion.hasJoined())
+    if (!m_fusion.hasJoints())
         return;
-    m_fusion.addJoined(context.region, context.mesh(), context.dab.position);
-    optimiseJoints(context);
+    if (m_fusion.hasJoined()) {
+        m_fusion.addJoined(context.region, context.mesh(), context.dab.position);
+        optimiseJoints(context);
+    }
     for (int round = 0; round < maxCleaningRounds && separateJoints(context) > 0; ++round)
         optimiseJoints(context); // the caps, too
 }

@@ -17,20 +17,15 @@ namespace core
 {
 namespace
 {
-/// The least distance between two tunnels that a stroke starts, in terms of d_detail. The first one is to widen that
-/// far.
-constexpr double minTunnelDistance = 4;
+/// The least distance between two tunnels that a stroke starts, in terms of d_detail: the first one is to widen that
+/// far. And the distance from a neck that is cut within which a tunnel has ended by that.
+constexpr double minTunnelDistance = 4, endedTunnelDistance = 1;
 /// The lengths of the cycles at most, in terms of d_detail, around a tunnel that is filled and a strand that is cut
 /// between two joins; and the gaps to try between the two sides, in terms of d.
 constexpr double maxTunnelLength = 6, maxStrandLength = 6;
 constexpr double cycleGaps[] = {0.5, 0.1};
 /// Rounds of joining in a sub-step: a guard, since the last round joins nothing.
 constexpr int maxRounds = 64;
-
-bool isBeside(const Vec3& tunnel, const Vec3& place, double detail)
-{
-    return (tunnel - place).norm() < minTunnelDistance * detail;
-}
 
 /// Returns those of the vertices that are still there, and the new ones.
 std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, const std::vector<Slot>& created)
@@ -40,6 +35,12 @@ std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, cons
     return vertices;
 }
 } // namespace
+
+void TopologyFusion::beginStroke()
+{
+    m_tunnels.clear();
+    m_joints.clear();
+}
 
 void TopologyFusion::beginDab(MirrorMap* mirror, double detailShare, double shredSize)
 {
@@ -72,6 +73,8 @@ std::uint64_t TopologyFusion::join(VerifiedMesh& surface, Region& region, Motion
         if (joined == 0)
             break;
         joins += joined;
+        if (static_cast<double>(m_candidates.visits()) >= input.maxVisits)
+            break;
     }
     return joins;
 }
@@ -87,8 +90,9 @@ std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, c
         if (!mayJoin(mesh, pair))
             continue;
         const Vec3 middle = 0.5 * (mesh.point(pair.p).cast<double>() + mesh.point(pair.q).cast<double>());
-        const auto isHere = [&](const Vec3& tunnel) { return isBeside(tunnel, middle, input.bounds.detail); };
-        if (pair.startsTunnel && std::ranges::any_of(m_tunnels, isHere))
+        const double beside = minTunnelDistance * input.bounds.detail;
+        const auto isBeside = [&](const Vec3& tunnel) { return (tunnel - middle).norm() < beside; };
+        if (pair.startsTunnel && std::ranges::any_of(m_tunnels, isBeside))
             continue;
         if (!joinPair(surface, region, pair, input.bounds))
             continue;
@@ -155,6 +159,7 @@ bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const Fusio
             for (Slot v : *vertices) {
                 m_done.add(v);
                 m_joined.add(v);
+                m_joints.add(v);
                 if (pair.inside)
                     m_pierced.add(v);
             }
@@ -188,11 +193,12 @@ std::optional<Surgery> TopologyFusion::joining(const VerifiedMesh& surface, cons
     return m_surgery.withItsImage(surface, half);
 }
 
-/// Forgets the tunnels that a neck which was cut may have ended: the surfaces there may join again.
+/// Forgets the tunnels that ended when necks were cut: the surfaces there may join again.
 void TopologyFusion::forgetTunnelsAtNecks(double detail)
 {
+    const double near = endedTunnelDistance * detail;
     for (const Vec3& neck : m_separation.takeNecks())
-        std::erase_if(m_tunnels, [&](const Vec3& tunnel) { return isBeside(tunnel, neck, detail); });
+        std::erase_if(m_tunnels, [&](const Vec3& tunnel) { return (tunnel - neck).norm() < near; });
 }
 
 std::uint64_t TopologyFusion::separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
@@ -212,11 +218,12 @@ void TopologyFusion::addJoined(Region& region, const Mesh& mesh, const Vec3& cen
     }
 }
 
-SlotSet TopologyFusion::joinedAndNeighbours(const Mesh& mesh) const
+/// Returns the vertices and their neighbours. `region`: null, or only its vertices count.
+SlotSet TopologyFusion::neighboursOf(const SlotSet& vertices, const Mesh& mesh, const Region* region)
 {
     SlotSet around;
-    for (Slot v : m_joined.slots()) {
-        if (!mesh.isVertex(v))
+    for (Slot v : vertices.slots()) {
+        if (!mesh.isVertex(v) || (region && !region->contains(v)))
             continue;
         around.add(v);
         mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
@@ -228,7 +235,7 @@ std::uint64_t TopologyFusion::cutCycles(VerifiedMesh& surface, Region& region, c
                                         const RestLengths* rest)
 {
     const std::uint64_t merged = mergeJoins(surface, region, bounds);
-    const SlotSet around = joinedAndNeighbours(surface.mesh());
+    const SlotSet around = neighboursOf(m_joints, surface.mesh(), &region);
     const std::uint64_t cuts = m_separation.cutCycles(surface, region, around.slots(), bounds, rest);
     forgetTunnelsAtNecks(bounds.detail);
     return merged + cuts;
@@ -239,7 +246,7 @@ std::uint64_t TopologyFusion::mergeJoins(VerifiedMesh& surface, Region& region, 
     const Mesh& mesh = surface.mesh();
     const MirrorMap* mirror = m_surgery.mirror();
     std::uint64_t merged = 0;
-    const SlotSet around = joinedAndNeighbours(mesh);
+    const SlotSet around = neighboursOf(m_joined, mesh, nullptr);
     for (Slot v : around.slots()) {
         if (mesh.isVertex(v) && (!mirror || mirror->isInHalf(v)) && m_surgery.mayTry(v))
             merged += mergeJoinsAt(surface, region, v, around, bounds);
@@ -283,8 +290,10 @@ bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const std::vecto
         if (!surgery)
             return false;
         if (const auto created = m_surgery.operate(surface, region, *surgery)) {
-            for (Slot v : *created)
+            for (Slot v : *created) {
                 m_joined.add(v);
+                m_joints.add(v);
+            }
             return true;
         }
     }

@@ -12,8 +12,8 @@ namespace core
 class TopologyFusion
 {
 public:
-    /// Begins a stroke: forgets the tunnels of the one before.
-    void beginStroke() { m_tunnels.clear(); }
+    /// Begins a stroke: forgets the joins and tunnels of the one before.
+    void beginStroke();
     /// Begins a dab: forgets the joins and the failures of the one before. `mirror`: null, or on; then the regions
     /// are of the half, and each operation is done to the half and its image. `detailShare`, `shredSize`: see
     /// Separation::beginDab().
@@ -39,6 +39,8 @@ public:
 
     /// See FusionCandidates::takeVisits().
     std::uint64_t takeVisits() { return m_candidates.takeVisits(); }
+    /// Whether this stroke has joined anything.
+    bool hasJoints() const { return m_joints.size() > 0; }
     /// Whether this dab has joined anything.
     bool hasJoined() const { return m_joined.size() > 0; }
     /// Whether the vertex lies at a join of this dab.
@@ -47,7 +49,7 @@ public:
     void addJoined(Region& region, const Mesh& mesh, const Vec3& center) const;
     /// Makes one seam of two: fills the short tunnels between what this dab has joined from outside, and cuts the thin
     /// strands between the holes that it has pushed. Leaves the holes and handles that were there before. Then does as
-    /// Separation::cutCycles(). Returns how many changes there were.
+    /// Separation::cutCycles() at what the stroke has joined in the region. Returns how many changes there were.
     std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds, const RestLengths* rest);
 
 private:
@@ -56,7 +58,7 @@ private:
     bool mayJoin(const Mesh& mesh, const FusionPair& pair) const;
     bool joinPair(VerifiedMesh& surface, Region& region, const FusionPair& pair, const EdgeBounds& bounds);
     std::optional<Surgery> joining(const VerifiedMesh& surface, const FusionPair& pair, Stepping stepping) const;
-    SlotSet joinedAndNeighbours(const Mesh& mesh) const;
+    static SlotSet neighboursOf(const SlotSet& vertices, const Mesh& mesh, const Region* region);
     std::uint64_t mergeJoins(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
     bool mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const SlotSet& around, const EdgeBounds& bounds);
     bool cut(VerifiedMesh& surface, Region& region, const std::vector<Slot>& cycle, const EdgeBounds& bounds);
@@ -68,6 +70,7 @@ private:
     CycleSearch m_cycleSearch;
     std::vector<Vec3> m_tunnels; ///< where this stroke started tunnels; mm
     SlotSet m_done;              ///< vertices around the joins of this round
+    SlotSet m_joints;            ///< vertices around the joins of this stroke; some may be gone, or others by now
     SlotSet m_joined;            ///< vertices around the joins of this dab; some may be gone, or others by now
     SlotSet m_pierced;           ///< those of them at holes through a wall that is pushed
 };

@@ -37,6 +37,12 @@ bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
     return found;
 }
 
+/// Returns the least product of a normal and any vector in the box.
+double leastCosine(const Vec3& normal, const Box& box)
+{
+    return normal.cwiseProduct(box.min()).cwiseMin(normal.cwiseProduct(box.max())).sum();
+}
+
 Vec3 unit(const Vec3& v)
 {
     const double length = v.norm();
@@ -44,10 +50,9 @@ Vec3 unit(const Vec3& v)
 }
 } // namespace
 
-double FusionInput::detail(Slot p, Slot q) const
+double FusionInput::detail(Slot v) const
 {
-    const double finest = rest ? 2 * std::min(rest->of(p), rest->of(q)) : bounds.detail; // as d_detail is 2 d
-    return std::min(finest, bounds.detail);
+    return rest ? std::min(2 * rest->of(v), bounds.detail) : bounds.detail; // as d_detail is 2 d
 }
 
 bool FusionCandidates::mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
@@ -132,26 +137,64 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
     m_pairs.clear();
     if (m_turned.empty())
         return;
-    const double thickness = input.bounds.thickness(), thickness2 = thickness * thickness;
-    const ProximityGrid grid(m_points, thickness);
+    const ProximityGrid grid(m_points, input.bounds.thickness());
+    std::vector<Box> normals(grid.cells());
+    for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
+        for (Slot i : grid.pointsIn(cell))
+            normals[cell].extend(m_normals[i]);
+    }
+    double maxMotion = 0;
+    region.forEach([&](Slot v) { maxMotion = std::max(maxMotion, limits.share(region, v) * region.plan(v).norm()); });
+    maxMotion *= input.part;
     for (Slot turned : m_turned) {
-        grid.forEachNear(m_points[turned], [&](Slot near) {
-            ++m_visits;
-            const double distance2 = (m_points[near] - m_points[turned]).squaredNorm();
-            if (distance2 >= thickness2 || near == turned ||
-                (m_isTurned[near] && near < turned)) // the last: met from the other side
-                return;
-            const Slot lower = std::min(near, turned), upper = std::max(near, turned);
-            const bool fromLower = region.contains(m_vertices.slots()[lower]);
-            const Slot i = fromLower ? lower : upper, j = fromLower ? upper : lower;
-            const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
-            if (!region.contains(v) || !mayPair(v, other) || !areFacing(mesh, i, j) ||
-                !willMeet(i, j, region, limits, input))
-                return;
-            m_pairs.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
-                               (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
+        grid.forEachCellIn(partnersBox(turned, maxMotion, input), [&](Slot cell) {
+            if (leastCosine(m_normals[turned], normals[cell]) > facingCosine)
+                return; // none in the cell faces it
+            m_visits += grid.pointsIn(cell).size();
+            for (Slot near : grid.pointsIn(cell))
+                addPair(mesh, region, limits, input, turned, near);
         });
     }
+}
+
+/// Adds the pair of a turned vertex and another, if they are about to meet.
+void FusionCandidates::addPair(const Mesh& mesh, const Region& region, const MotionLimits& limits,
+                               const FusionInput& input, Slot turned, Slot near)
+{
+    const double distance2 = (m_points[near] - m_points[turned]).squaredNorm(), thickness = input.bounds.thickness();
+    if (distance2 >= thickness * thickness || near == turned ||
+        (m_isTurned[near] && near < turned)) // the last: met from the other side
+        return;
+    const Slot lower = std::min(near, turned), upper = std::max(near, turned);
+    const bool fromLower = region.contains(m_vertices.slots()[lower]);
+    const Slot i = fromLower ? lower : upper, j = fromLower ? upper : lower;
+    const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
+    if (!region.contains(v) || !mayPair(v, other) || !areFacing(mesh, i, j) || !willMeet(i, j, region, limits, input))
+        return;
+    m_pairs.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
+                       (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
+}
+
+/// Returns a box around all vertices that may be about to meet one. They lie within d_thickness, and at a finer mesh
+/// within the gap that two vertices can close and the distance aside that willMeet() allows, both along an axis at most
+/// 22.5 degrees from the normal. `maxMotion`: of a vertex in the next sub-step, in mm.
+Box FusionCandidates::partnersBox(Slot i, double maxMotion, const FusionInput& input) const
+{
+    const Vec3 &p = m_points[i], &n = m_normals[i];
+    const double thickness = input.bounds.thickness(), detail = input.detail(m_vertices.slots()[i]);
+    const Box reach(p - Vec3::Constant(thickness), p + Vec3::Constant(thickness));
+    if (detail >= input.bounds.detail)
+        return reach;
+    constexpr double sine = 0.3827; // of 22.5 degrees, rounded up
+    const double gap = 2 * maxMotion / closingShare, aside = EdgeBounds::thicknessPerDetail * detail;
+    const double along = gap + sine * aside, across = sine * gap + aside;
+    Box box(p, p);
+    box.extend(p + along * n);
+    if (input.pushes)
+        box.extend(p - along * n);
+    box.min().array() -= across;
+    box.max().array() += across;
+    return box.intersection(reach);
 }
 
 /// Whether the mirror lets the two join: both are in the half, or one is the other's image. Precondition: v is in the
@@ -191,7 +234,7 @@ bool FusionCandidates::willMeet(Slot i, Slot j, const Region& region, const Moti
     const double gap = between.dot(axis), closing = (motion(v) - otherMotion).dot(axis);
     if (!(closing > 0))
         return false;
-    const double detail = input.detail(v, other);
+    const double detail = std::min(input.detail(v), input.detail(other));
     if (detail == input.bounds.detail)
         return closingShare * gap <= closing || gap <= contactPerDetail * detail;
     const double aside2 = between.squaredNorm() - gap * gap, thickness = EdgeBounds::thicknessPerDetail * detail;

@@ -16,8 +16,9 @@ struct FusionInput
     EdgeBounds bounds;
     double part = 1;             ///< share of the plan that one sub-step does
     RestLengths* rest = nullptr; ///< of a stroke that keeps detail
-    /// Returns d_detail at p and q, in mm: less than the brush's where the surface was finer before the stroke.
-    double detail(Slot p, Slot q) const;
+    double maxVisits = 0;        ///< no more is joined once so many pairs of near vertices were looked at
+    /// Returns d_detail at a vertex, in mm: less than the brush's where the surface was finer before the stroke.
+    double detail(Slot v) const;
 };
 
 /// Two vertices that are about to meet.
@@ -49,13 +50,17 @@ public:
 
     const std::vector<FusionPair>& pairs() const { return m_pairs; }
 
-    /// Returns the pairs of near vertices that were looked at since the last call: a measure of the time spent.
+    /// Returns the pairs of near vertices that were looked at since takeVisits(): a measure of the time spent.
+    std::uint64_t visits() const { return m_visits; }
     std::uint64_t takeVisits() { return std::exchange(m_visits, 0); }
 
 private:
     void gather(const VerifiedMesh& surface, const Region& region, double thickness);
     void findTurned(const Mesh& mesh, const Region& region);
     void findPairs(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input);
+    void addPair(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input,
+                 Slot turned, Slot near);
+    Box partnersBox(Slot i, double maxMotion, const FusionInput& input) const;
     bool mayPair(Slot v, Slot other) const;
     bool areFacing(const Mesh& mesh, Slot i, Slot j) const;
     bool willMeet(Slot i, Slot j, const Region& region, const MotionLimits& limits, const FusionInput& input) const;

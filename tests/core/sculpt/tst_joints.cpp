@@ -121,6 +121,8 @@ private Q_SLOTS:
     void joints_areQuasiUniform();
     void eggThroughAPlate_isOneSeam_data();
     void eggThroughAPlate_isOneSeam();
+    void fineForkIntoAPlate_joins_data();
+    void fineForkIntoAPlate_joins();
     void grabAlongTheSurface_staysInOnePiece_data();
     void grabAlongTheSurface_staysInOnePiece();
     void endsOfARing_joinInOneSeam_data();
@@ -348,6 +350,45 @@ void TestJoints::eggThroughAPlate_isOneSeam()
     const core::MeshReport report = judged(sculptor);
     QVERIFY(report.printReady());
     QVERIFY2(report.genus.value() <= 1, qPrintable(QString::number(report.genus.value())));
+}
+
+void TestJoints::fineForkIntoAPlate_joins_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<double>("half");
+    for (const double half : {0.14, 0.2}) {
+        QTest::addRow("grab, %g", half) << Tool::Grab << half;
+        QTest::addRow("snake, %g", half) << Tool::SnakeHook << half;
+    }
+}
+
+/// The mesh is far finer than the brush, and a dab joins it all the same, before it would be too much work.
+void TestJoints::fineForkIntoAPlate_joins()
+{
+    QFETCH(Tool, tool);
+    QFETCH(double, half);
+    constexpr double top = 0.1;
+    const core::TriangleMesh fork = clay::tube(
+        {{-half, top + 0.2, 0}, {-half, top + 0.5, 0}, {half, top + 0.5, 0}, {half, top + 0.2, 0}}, 0.06, 20);
+    Sculptor sculptor(mesh_asserts::sculptable(shapes::together(clay::slab(1.6, 2 * top, 80), fork)));
+    bool isCapped = false;
+    sculptor.setAfterDab([&](const core::DabReport& report) { isCapped = isCapped || report.capped; });
+    core::StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = 0.7;
+    settings.topology = core::Topology::Refine;
+    settings.symmetry = core::Symmetry::X;
+    sculptor.beginStroke(settings);
+    for (const Vec3& place : line({1e-4, top + 0.45, 0}, {1e-4, top + 0.1, 0}, 0.03)) {
+        core::StrokeSample sample;
+        sample.position = place;
+        sculptor.addSample(sample);
+    }
+    sculptor.endStroke();
+    QVERIFY(!isCapped);
+    const core::MeshReport report = judged(sculptor);
+    QVERIFY(report.printReady());
+    QCOMPARE(report.components, std::size_t(1));
 }
 
 void TestJoints::grabAlongTheSurface_staysInOnePiece_data()
