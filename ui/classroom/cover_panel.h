@@ -4,7 +4,9 @@
 
 namespace ui
 {
-/// A panel that lies over all of a widget, which nobody reaches meanwhile. Hidden at first. Thread: gui.
+/// A panel that lies over all of a widget, which nobody reaches meanwhile. While the focus
+/// is inside, keys are the card's, too: of the window's shortcuts those with Alt, the function keys and Quit are left,
+/// and Tab goes round within the panel. Hidden at first. Thread: gui.
 class CoverPanel : public QFrame
 {
     Q_OBJECT
@@ -20,6 +22,7 @@ protected:
     void cover();
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
     QWidget* m_over;

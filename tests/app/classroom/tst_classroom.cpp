@@ -300,6 +300,7 @@ private Q_SLOTS:
     void questions_comeOnlyIfTheTeacherWants();
     void answers_areKeptWithTheWork();
     void skipping_keepsNothing();
+    void keys_answerAndChooseNoTool();
     void resuming_fromTheQuestions();
     void leaving_keepsWhatWasAnswered();
     void aPowerCutInTheQuestions_losesNothing();
@@ -787,6 +788,53 @@ void TestClassroom::skipping_keepsNothing()
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), hash);
     c.beginTurn(QStringLiteral("Ben"));
     QVERIFY(!c.questions());
+}
+
+/// The keys of all commands, while the form and while the name is asked: in the real window they belong to the panel.
+void TestClassroom::keys_answerAndChooseNoTool()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    ui::MainWindow& window = c.program.window;
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const Beginning before(c);
+    const auto pressAll = [&](const char* at) {
+        int pressed = 0;
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            for (const QKeySequence& keys : window.action(QLatin1StringView(row.id))->shortcuts()) {
+                const QKeyCombination key = keys[0];
+                const bool isFunctionKey = key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35;
+                if (isFunctionKey || key.keyboardModifiers().testFlag(Qt::AltModifier) || keys == QKeySequence::Quit)
+                    continue;
+                c.part<QWidget>(at)->setFocus();
+                QTest::keyClick(c.part<QWidget>(at), key.key(), key.keyboardModifiers());
+                ++pressed;
+            }
+        }
+        QVERIFY(pressed > 40);
+        QVERIFY2(c.isIdle() && Beginning(c) == before, at);
+    };
+    pressAll("turn.new.torus");
+    pressAll("pupilName");
+    QVERIFY(c.asks());
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    c.nextWithQuestions();
+    for (const Qt::Key digit : {Qt::Key_1, Qt::Key_2, Qt::Key_7}) {
+        QTest::keyClick(QApplication::focusWidget(), digit);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    }
+    const ui::Questionnaire given = c.part<ui::QuestionnairePanel>("questionnairePanel")->questionnaire();
+    QCOMPARE(given.answers, (std::array<std::optional<int>, 6>{1, 2, 7, {}, {}, {}}));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_End);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Home);
+    QCOMPARE(QApplication::focusWidget(), c.part<QToolButton>("question4.1"));
+    QVERIFY(Beginning(c) == before);
+    pressAll("question5.1");
+    QVERIFY(c.questions() && !c.asks());
 }
 
 /// Next Pupil was a mistake: the form goes, and comes again at the end that is meant.

@@ -4,6 +4,7 @@
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
+#include <QAction>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -29,6 +30,8 @@ private Q_SLOTS:
     void skip_takesAllBack();
     void opening_forgetsTheLastPupil();
     void theWidgetBelow_isOutOfReach();
+    void keysOfTheWindow_areTheForms();
+    void tab_goesRound();
     void aLowWindow_scrolls();
 
 private:
@@ -233,6 +236,55 @@ void TestQuestionnairePanel::theWidgetBelow_isOutOfReach()
     m_panel->close();
     QTest::mouseClick(m_window->windowHandle(), Qt::LeftButton, {}, m_below->rect().center());
     QCOMPARE(static_cast<Below*>(m_below)->presses, 1);
+}
+
+/// A window's commands by digits, letters and Ctrl do not run below the form; those by Alt, function keys and Quit do.
+void TestQuestionnairePanel::keysOfTheWindow_areTheForms()
+{
+    QStringList triggered;
+    const auto press = [&](const QKeySequence& keys) {
+        QAction action;
+        action.setShortcut(keys);
+        connect(&action, &QAction::triggered, this, [&] { triggered << keys.toString(QKeySequence::PortableText); });
+        m_window->addAction(&action);
+        for (QWidget* at : {static_cast<QWidget*>(point(2, 3)), static_cast<QWidget*>(button("skipQuestions"))}) {
+            at->setFocus();
+            QTest::keyClick(at, keys[0].key(), keys[0].keyboardModifiers());
+        }
+    };
+    for (const char* keys : {"3", "9", "Home", "Q", "Esc", "[", "Ctrl+Z", "Ctrl+Shift+V", "Shift+R"})
+        press(QKeySequence(QLatin1StringView(keys)));
+    QCOMPARE(triggered, QStringList());
+    QCOMPARE(m_panel->questionnaire(), of({0, 3, 0, 0, 0, 0}));
+    for (const QKeySequence& keys : {QKeySequence(Qt::Key_F11), QKeySequence(Qt::ALT | Qt::Key_V)})
+        press(keys);
+    QCOMPARE(triggered, QStringList({"F11", "F11", "Alt+V", "Alt+V"}));
+    triggered.clear();
+    const QList<QKeySequence> quits = QKeySequence::keyBindings(QKeySequence::Quit);
+    for (const QKeySequence& quit : quits)
+        press(quit);
+    QCOMPARE(triggered.size(), 2 * quits.size());
+    QVERIFY(m_panel->isVisible());
+}
+
+/// There is something else in the window that Tab would come to.
+void TestQuestionnairePanel::tab_goesRound()
+{
+    auto* beside = new QPushButton(QStringLiteral("beside"), m_window.get());
+    beside->show();
+    key(Qt::Key_Up);
+    QCOMPARE(QApplication::focusWidget(), button("skipQuestions"));
+    key(Qt::Key_Tab);
+    QCOMPARE(QApplication::focusWidget(), point(1, 1));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab, Qt::ShiftModifier);
+    QCOMPARE(QApplication::focusWidget(), button("skipQuestions"));
+    QSet<QWidget*> met;
+    for (int i = 0; i < 20; ++i) {
+        key(Qt::Key_Tab);
+        QVERIFY(m_panel->isAncestorOf(QApplication::focusWidget()));
+        met << QApplication::focusWidget();
+    }
+    QCOMPARE(met.size(), 6 + 2);
 }
 
 /// The buttons of a form that does not fit stay in sight, and the question that has the focus comes into sight.
