@@ -15,33 +15,71 @@ namespace ui
 {
 namespace
 {
-constexpr QSize pointSize{44, 34};
+constexpr int pointWidth = 44, narrowPointWidth = 24, pointHeight = 34; ///< pixels
+constexpr int endCharacters = 14;                                       ///< that each end's words have room for
 
-/// Takes half of the room that the points leave, whatever its words, so that a form's scales stand below each other.
-QLabel* endLabel(const QString& text, Qt::Alignment side)
+QLabel* endLabel(const QString& text)
 {
     auto* label = new QLabel(text);
-    label->setAlignment(side | Qt::AlignVCenter);
     label->setWordWrap(true);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     return label;
 }
 } // namespace
 
 AnswerScale::AnswerScale(const QString& name, const QuestionWords& words)
+    : m_row(new QHBoxLayout)
+    , m_below(new QHBoxLayout)
+    , m_low(endLabel(words.low))
+    , m_high(endLabel(words.high))
 {
     setObjectName(name);
     setAccessibleName(words.question);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(gap / 2);
-    row->addWidget(endLabel(words.low, Qt::AlignRight), 1);
-    row->addSpacing(gap / 2);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(m_row);
+    column->addLayout(m_below);
+    m_row->setSpacing(gap / 2);
+    m_below->setSpacing(gap);
     for (int point = minAnswer; point <= maxAnswer; ++point)
-        row->addWidget(addPoint(point, name, words));
-    row->addSpacing(gap / 2);
-    row->addWidget(endLabel(words.high, Qt::AlignLeft), 1);
+        m_row->addWidget(addPoint(point, name, words));
+    arrange(m_isNarrow);
     reachByTab(minAnswer);
+}
+
+/// Beside the points each end takes half of the room that they leave, whatever its words, so that a form's scales stand
+/// below each other.
+void AnswerScale::arrange(bool isNarrow)
+{
+    m_isNarrow = isNarrow;
+    for (QToolButton* point : m_points) {
+        point->setMinimumSize(isNarrow ? narrowPointWidth : pointWidth, pointHeight);
+        point->setSizePolicy(isNarrow ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
+    }
+    for (QLabel* end : {m_low, m_high}) {
+        m_row->removeWidget(end);
+        m_below->removeWidget(end);
+        end->setSizePolicy(isNarrow ? QSizePolicy::Preferred : QSizePolicy::Ignored, QSizePolicy::Preferred);
+        end->setIndent(isNarrow ? 0 : gap / 2);
+    }
+    if (isNarrow) {
+        m_below->addWidget(m_low);
+        m_below->addWidget(m_high);
+    } else {
+        m_row->insertWidget(0, m_low, 1);
+        m_row->addWidget(m_high, 1);
+    }
+    m_low->setAlignment(isNarrow ? Qt::AlignLeft | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter);
+    m_high->setAlignment(isNarrow ? Qt::AlignRight | Qt::AlignTop : Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void AnswerScale::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    const int points = maxAnswer * (pointWidth + gap / 2);
+    const bool isNarrow = width() < points + 2 * endCharacters * fontMetrics().averageCharWidth();
+    if (isNarrow != m_isNarrow)
+        arrange(isNarrow);
 }
 
 QToolButton* AnswerScale::addPoint(int point, const QString& name, const QuestionWords& words)
@@ -53,7 +91,6 @@ QToolButton* AnswerScale::addPoint(int point, const QString& name, const Questio
     auto* button = named(new QToolButton, name + u'.' + digit, end, spoken.join(u' '));
     button->setText(digit);
     button->setCheckable(true);
-    button->setMinimumSize(pointSize);
     button->installEventFilter(this);
     connect(button, &QToolButton::clicked, this,
             [this, point](bool isChosen) { choose(isChosen ? std::optional(point) : std::nullopt); });

@@ -5,7 +5,9 @@
 
 #include <optional>
 
+class QHBoxLayout;
 class QKeyEvent;
+class QLabel;
 class QToolButton;
 
 namespace ui
@@ -14,8 +16,9 @@ struct QuestionWords;
 
 /// A question's scale: a button for each point, of which one or none is chosen. A second click takes the choice back.
 ///
-/// The Tab key stops at one point only; the arrows lead to the others and to other scales, Space, digits and Delete
-/// choose, and Return goes on. Thread: gui.
+/// The words at its ends stand beside the points, or below them where there is not width enough; then the points are
+/// narrower, too. The Tab key stops at one point only; the arrows lead to the others and to other scales, Space, digits
+/// and Delete choose, and Return goes on. Thread: gui.
 class AnswerScale : public QWidget
 {
     Q_OBJECT
@@ -34,6 +37,7 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QToolButton* addPoint(int point, const QString& name, const QuestionWords& words);
@@ -41,9 +45,13 @@ private:
     bool takeKey(int key);
     void moveTo(int point);
     void reachByTab(int point);
+    void arrange(bool isNarrow);
 
     std::optional<int> m_answer;
-    int m_reached = 1; ///< the point that Tab reaches
+    int m_reached = 1;            ///< the point that Tab reaches
+    QHBoxLayout *m_row, *m_below; ///< of the points, and of the ends where it is narrow
+    QLabel *m_low, *m_high;
     QList<QToolButton*> m_points;
+    bool m_isNarrow = false;
 };
 } // namespace ui

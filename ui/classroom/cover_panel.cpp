@@ -1,11 +1,21 @@
 #include "ui/classroom/cover_panel.h"
 
+#include "ui/widgets/spacing.h"
+
+#include <QApplication>
 #include <QKeyEvent>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui
 {
 namespace
 {
+constexpr int narrowWidth = 720, lowHeight = 520; ///< pixels, below which margins are small
+
 /// Says of a key that the window has it. Alt leads to the buttons of the panel, and of the window.
 bool isLeftToTheWindow(const QKeyEvent& key)
 {
@@ -15,11 +25,86 @@ bool isLeftToTheWindow(const QKeyEvent& key)
 }
 } // namespace
 
-CoverPanel::CoverPanel(QWidget* over) : QFrame(over), m_over(over)
+/// A scroll area as large as its widget where there is room.
+class CardScroll : public QScrollArea
 {
+public:
+    CardScroll(QWidget* content, int width) : m_width(width)
+    {
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);
+        setWidget(content);
+    }
+
+    /// Sets how much room there is across, in pixels.
+    void setRoom(int width)
+    {
+        m_room = width;
+        updateGeometry();
+    }
+    QSize sizeHint() const override
+    {
+        const QSize hint = widget()->sizeHint();
+        const int width = std::min(std::max(m_width, hint.width()), m_room);
+        return {width, neededHeight(width)};
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        const bool isDone = QScrollArea::eventFilter(watched, event);
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+            updateGeometry();
+            placeBar();
+        }
+        return isDone;
+    }
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QScrollArea::resizeEvent(event);
+        placeBar();
+    }
+
+private:
+    int neededHeight(int width) const
+    {
+        return widget()->hasHeightForWidth() ? widget()->heightForWidth(width) : widget()->sizeHint().height();
+    }
+    /// Has the upright bar, and a gap beside it, if the whole width makes that necessary. (Qt's own choice keeps a bar
+    /// that only the narrower width beside it needs.)
+    void placeBar()
+    {
+        const bool isWider = widget()->minimumSizeHint().width() > width();
+        const int room = height() - (isWider ? horizontalScrollBar()->sizeHint().height() : 0);
+        const bool scrolls = neededHeight(width()) > room;
+        setVerticalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+        setViewportMargins(0, 0, scrolls ? gap / 2 : 0, 0);
+    }
+
+    int m_width, m_room = QWIDGETSIZE_MAX;
+};
+
+CoverPanel::CoverPanel(QWidget* over) : QFrame(over), m_over(over), m_column(new QVBoxLayout(this))
+{
+    m_column->setSizeConstraint(
+        QLayout::SetNoConstraint); // it is as large as the widget below, whatever the card needs
     setAutoFillBackground(true);
     over->installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { showFocused(now); });
     hide();
+}
+
+void CoverPanel::setCard(QWidget* content, QLayout* buttons, int width)
+{
+    m_scroll = new CardScroll(content, width);
+    auto* card = new QFrame;
+    card->setFrameShape(QFrame::StyledPanel);
+    m_card = new QVBoxLayout(card);
+    m_card->setSpacing(gap);
+    m_card->addWidget(m_scroll, 1);
+    m_card->addLayout(buttons);
+    m_column->addWidget(card, 0, Qt::AlignCenter);
 }
 
 void CoverPanel::cover()
@@ -70,6 +155,19 @@ bool CoverPanel::eventFilter(QObject* watched, QEvent* event)
     return QFrame::eventFilter(watched, event);
 }
 
+/// Leaves the card its margins only where there is room for them.
+void CoverPanel::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    if (!m_scroll)
+        return;
+    const bool isNarrow = width() < narrowWidth, isLow = height() < lowHeight;
+    const int around = isNarrow || isLow ? 0 : gap, across = (isNarrow ? 1 : 3) * gap, down = (isLow ? 1 : 2) * gap;
+    m_column->setContentsMargins(around, around, around, around);
+    m_card->setContentsMargins(across, down, across, down);
+    m_scroll->setRoom(width() - 2 * (around + across + m_card->parentWidget()->contentsMargins().left()));
+}
+
 /// Goes round: nobody leaves the panel by Tab. The next in the window's order that has the focus by Tab, as Qt does.
 bool CoverPanel::focusNextPrevChild(bool next)
 {
@@ -83,5 +181,12 @@ bool CoverPanel::focusNextPrevChild(bool next)
         return true;
     }
     return false;
+}
+
+/// Brings what has the focus into sight; while a mouse button is down it would move away under the pointer.
+void CoverPanel::showFocused(QWidget* now)
+{
+    if (m_scroll && now && m_scroll->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton)
+        m_scroll->ensureWidgetVisible(now);
 }
 } // namespace ui

@@ -13,6 +13,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui
 {
 namespace
@@ -20,6 +22,60 @@ namespace
 constexpr QSize starterSize{64, 64};
 constexpr int starterWidth = 84, nameWidth = 320;
 constexpr double titleScale = 1.6;
+
+/// Tiles of one size in a row, or in as many as the width makes necessary.
+class TileRows : public QWidget
+{
+public:
+    TileRows()
+    {
+        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+    }
+
+    void add(QWidget* tile)
+    {
+        tile->setParent(this);
+        m_tiles << tile;
+    }
+    QSize sizeHint() const override { return {widthOf(static_cast<int>(m_tiles.size())), tileSize().height()}; }
+    QSize minimumSizeHint() const override { return tileSize(); }
+    int heightForWidth(int width) const override
+    {
+        const int rows = rowsIn(width);
+        return rows * tileSize().height() + (rows - 1) * gap;
+    }
+
+protected:
+    void resizeEvent(QResizeEvent*) override
+    {
+        const int count = static_cast<int>(m_tiles.size()), rows = rowsIn(width());
+        const int across = (count + rows - 1) / rows, height = tileSize().height();
+        for (int i = 0; i < count; ++i) {
+            const int left = i % across * (width() + gap) / across, right = (i % across + 1) * (width() + gap) / across;
+            m_tiles[i]->setGeometry(left, i / across * (height + gap), right - left - gap, height);
+        }
+    }
+
+private:
+    QSize tileSize() const
+    {
+        QSize size(starterWidth, 0);
+        for (const QWidget* tile : m_tiles)
+            size = size.expandedTo(tile->sizeHint());
+        return size;
+    }
+    int widthOf(int tiles) const { return tiles * (tileSize().width() + gap) - gap; }
+    int rowsIn(int width) const
+    {
+        const int count = static_cast<int>(m_tiles.size());
+        const int across = std::clamp((width + gap) / (tileSize().width() + gap), 1, count);
+        return (count + across - 1) / across;
+    }
+
+    QList<QWidget*> m_tiles;
+};
 } // namespace
 
 PupilNamePanel::PupilNamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over)
@@ -30,11 +86,13 @@ PupilNamePanel::PupilNamePanel(const QList<core::Starter>& starters, const Actio
 {
     setObjectName(QStringLiteral("namePanel"));
     setAccessibleName(tr("The next turn"));
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(card(starters, actions), 0, Qt::AlignCenter);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_begin);
+    setCard(content(starters, actions), buttons, nameWidth);
 }
 
-QWidget* PupilNamePanel::card(const QList<core::Starter>& starters, const Actions& actions)
+QWidget* PupilNamePanel::content(const QList<core::Starter>& starters, const Actions& actions)
 {
     auto* title = new QLabel(tr("Whose turn is it?"));
     QFont font = title->font();
@@ -43,7 +101,6 @@ QWidget* PupilNamePanel::card(const QList<core::Starter>& starters, const Action
     named(m_name, "pupilName", {}, tr("Name"));
     m_name->setPlaceholderText(tr("Name or nickname"));
     m_name->setMaxLength(maxNameLength);
-    m_name->setMinimumWidth(nameWidth);
     named(m_begin, "beginTurn", tr("Begins the turn. (Return)"));
     m_begin->setDefault(true);
     connect(m_name, &QLineEdit::textChanged, m_begin,
@@ -51,23 +108,19 @@ QWidget* PupilNamePanel::card(const QList<core::Starter>& starters, const Action
     connect(m_name, &QLineEdit::returnPressed, this, &PupilNamePanel::begin);
     connect(m_begin, &QPushButton::clicked, this, &PupilNamePanel::begin);
 
-    auto* panel = new QFrame;
-    panel->setFrameShape(QFrame::StyledPanel);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(3 * gap, 2 * gap, 3 * gap, 2 * gap);
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, gap);
     column->setSpacing(2 * gap);
     column->addWidget(title);
     column->addWidget(m_name);
-    column->addLayout(tiles(starters, actions));
-    column->addWidget(m_begin, 0, Qt::AlignRight);
-    return panel;
+    column->addWidget(tiles(starters, actions));
+    return content;
 }
 
-/// Of one there is nothing to choose.
-QLayout* PupilNamePanel::tiles(const QList<core::Starter>& starters, const Actions& actions)
+QWidget* PupilNamePanel::tiles(const QList<core::Starter>& starters, const Actions& actions)
 {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap);
+    auto* rows = new TileRows;
     for (const core::Starter starter : starters) {
         const QAction* action = actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)));
         auto* tile = named(new QToolButton, QStringLiteral("turn.") + action->objectName());
@@ -77,13 +130,12 @@ QLayout* PupilNamePanel::tiles(const QList<core::Starter>& starters, const Actio
         tile->setText(action->iconText());
         tile->setToolTip(action->statusTip());
         tile->setCheckable(true);
-        tile->setMinimumWidth(starterWidth);
         tile->setFocusPolicy(Qt::StrongFocus);
-        tile->setVisible(starters.size() > 1);
         m_starters->addButton(tile, static_cast<int>(starter));
-        row->addWidget(tile, 1);
+        rows->add(tile);
     }
-    return row;
+    rows->setHidden(starters.size() == 1); // there is nothing to choose
+    return rows;
 }
 
 void PupilNamePanel::open()

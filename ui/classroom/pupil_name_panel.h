@@ -32,8 +32,8 @@ Q_SIGNALS:
     void begun(const QString& pupil, core::Starter starter);
 
 private:
-    QWidget* card(const QList<core::Starter>& starters, const Actions& actions);
-    QLayout* tiles(const QList<core::Starter>& starters, const Actions& actions);
+    QWidget* content(const QList<core::Starter>& starters, const Actions& actions);
+    QWidget* tiles(const QList<core::Starter>& starters, const Actions& actions);
     void begin();
 
     QLineEdit* m_name;

@@ -7,27 +7,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
-
-#include <algorithm>
+#include <QVBoxLayout>
 
 namespace ui
 {
 namespace
 {
-constexpr int cardWidth = 720;
+constexpr int formWidth = 672; ///< pixels
 constexpr double titleScale = 1.6;
-
-/// A scroll area as high as its questions where there is room.
-class QuestionList : public QScrollArea
-{
-public:
-    QSize sizeHint() const override
-    {
-        constexpr int width = cardWidth - 6 * gap;
-        return {width, std::max(widget()->heightForWidth(width), widget()->sizeHint().height())};
-    }
-};
 
 QLabel* sentence(const QString& text)
 {
@@ -46,43 +33,24 @@ QuestionnairePanel::QuestionnairePanel(QWidget* over)
 {
     setObjectName(QStringLiteral("questionnairePanel"));
     setAccessibleName(tr("Questions after the turn"));
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(card(), 0, Qt::AlignCenter);
+    setCard(content(), buttons(), formWidth);
     setTabOrder(m_done, m_skip); // Return after Return ends with Done
 }
 
-QWidget* QuestionnairePanel::card()
+QWidget* QuestionnairePanel::content()
 {
     QFont font = m_title->font();
     font.setPointSizeF(font.pointSizeF() * titleScale);
     m_title->setFont(font);
-    auto* scroll = new QuestionList;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(questions());
-
-    auto* card = new QFrame;
-    card->setFrameShape(QFrame::StyledPanel);
-    card->setMinimumWidth(cardWidth);
-    auto* column = new QVBoxLayout(card);
-    column->setContentsMargins(3 * gap, 2 * gap, 3 * gap, 2 * gap);
-    column->setSpacing(gap);
-    column->addWidget(m_title);
-    column->addWidget(sentence(
-        tr("Six questions about the program. Answer what you like: press a number, and once more to take it back.")));
-    column->addWidget(scroll, 1);
-    column->addLayout(buttons());
-    return card;
-}
-
-QWidget* QuestionnairePanel::questions()
-{
     auto* list = new QWidget;
     auto* column = new QVBoxLayout(list);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(gap / 2);
+    column->addWidget(m_title);
+    column->addSpacing(gap / 2);
+    column->addWidget(sentence(
+        tr("Six questions about the program. Answer what you like: press a number, and once more to take it back.")));
+    column->addSpacing(gap / 2);
     for (std::size_t i = 0; i < questionCount; ++i) {
         const QuestionWords words = QuestionWords::of(static_cast<Question>(i));
         QLabel* question = sentence(words.question);

@@ -31,8 +31,7 @@ Q_SIGNALS:
     void finished();
 
 private:
-    QWidget* card();
-    QWidget* questions();
+    QWidget* content();
     QLayout* buttons();
     void skip();
 

@@ -49,7 +49,7 @@ protected:
     }
 
 private:
-    int leastHeight() const { return 6 * fontMetrics().lineSpacing(); }
+    int leastHeight() const { return 4 * fontMetrics().lineSpacing(); }
 };
 } // namespace
 

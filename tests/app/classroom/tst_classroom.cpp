@@ -31,6 +31,7 @@
 #include <QMenuBar>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -301,6 +302,7 @@ private Q_SLOTS:
     void answers_areKeptWithTheWork();
     void skipping_keepsNothing();
     void keys_answerAndChooseNoTool();
+    void aSmallWindow_hasAllInReach();
     void resuming_fromTheQuestions();
     void leaving_keepsWhatWasAnswered();
     void aPowerCutInTheQuestions_losesNothing();
@@ -835,6 +837,41 @@ void TestClassroom::keys_answerAndChooseNoTool()
     QVERIFY(Beginning(c) == before);
     pressAll("question5.1");
     QVERIFY(c.questions() && !c.asks());
+}
+
+/// What asks lies in the window, or can be scrolled to, on a screen of 640 x 360: half of 1280 x 720, as shown at 200
+/// %.
+void TestClassroom::aSmallWindow_hasAllInReach()
+{
+    constexpr QSize smallest{640, 360};
+    const QTemporaryDir root;
+    const Home home(root.path());
+    ui::Classroom classroom = home.classroomWithQuestions();
+    classroom.starters = {std::begin(core::starters), std::end(core::starters)};
+    Class c(home, classroom);
+    c.begin();
+    ui::MainWindow& window = c.program.window;
+    window.resize(smallest);
+    QTRY_COMPARE(window.size(), smallest);
+    const auto isWhole = [&](const QWidget* widget) {
+        return widget->visibleRegion().boundingRect() == widget->rect() &&
+               window.rect().contains(QRect(widget->mapTo(&window, QPoint()), widget->size()));
+    };
+    const auto isReached = [&](const QString& panel, QWidget* widget) {
+        c.part<QWidget>(qPrintable(panel))->findChild<QScrollArea*>()->ensureWidgetVisible(widget);
+        return isWhole(widget);
+    };
+    QTRY_VERIFY(isWhole(c.part<QWidget>("beginTurn")) && isWhole(c.part<QWidget>("pupilName")));
+    for (QToolButton* tile : c.part<QWidget>("namePanel")->findChildren<QToolButton*>())
+        QVERIFY2(isReached(QStringLiteral("namePanel"), tile), qPrintable(tile->objectName()));
+    c.beginTurn(QStringLiteral("Anna"), "new.cube");
+    c.nextWithQuestions();
+    QCOMPARE(window.size(), smallest);
+    QTRY_VERIFY(isWhole(c.part<QWidget>("questionsDone")) && isWhole(c.part<QWidget>("skipQuestions")));
+    const auto points = c.part<QWidget>("questionnairePanel")->findChildren<QToolButton*>();
+    QCOMPARE(points.size(), 42);
+    for (QToolButton* point : points)
+        QVERIFY2(isReached(QStringLiteral("questionnairePanel"), point), qPrintable(point->objectName()));
 }
 
 /// Next Pupil was a mistake: the form goes, and comes again at the end that is meant.

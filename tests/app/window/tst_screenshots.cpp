@@ -40,12 +40,15 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QTranslator>
 
 using namespace app;
@@ -166,6 +169,7 @@ private:
     void takeDialogs(Program& program);
     void takeHelp(Program& program);
     void takeClass();
+    void takeSmallForm(QWidget& window);
     void takeLesson(Program& program);
     void takeLessonEditor(Program& program);
     void takeDialog(const QString& state);
@@ -545,6 +549,7 @@ void TestScreenshots::takeClass()
     for (const char* point : {"question1.6", "question2.4", "question4.7"})
         program.window.findChild<QAbstractButton*>(QLatin1StringView(point))->click();
     take(program.window, QStringLiteral("class-questions"));
+    takeSmallForm(program.window);
     program.window.findChild<QPushButton*>(QStringLiteral("questionsDone"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), timeoutMs);
     begin(QStringLiteral("Ben"));
@@ -556,6 +561,31 @@ void TestScreenshots::takeClass()
     program.window.setHeadset(ui::HeadsetState::Out, {});
     program.window.close();
     takeDialog(QStringLiteral("class-pin"));
+}
+
+/// On half of the screen, as 1280 x 720 is at 200 %: each point is in sight or can be scrolled to, and nothing in the
+/// form is clipped.
+void TestScreenshots::takeSmallForm(QWidget& window)
+{
+    constexpr QSize size(smallScreen.width() / 2, smallScreen.height() / 2);
+    window.resize(size);
+    QTRY_COMPARE(window.size(), size);
+    QTest::qWait(settleMs);
+    QVERIFY(window.grab().save(m_folder.filePath(QStringLiteral("class-questions-small.png"))));
+    const auto* panel = window.findChild<ui::QuestionnairePanel*>();
+    const auto isWhole = [](const QWidget* widget) { return widget->visibleRegion().boundingRect() == widget->rect(); };
+    for (const char* name : {"questionsDone", "skipQuestions"})
+        QVERIFY2(isWhole(panel->findChild<QWidget*>(QLatin1StringView(name))), name);
+    auto* scroll = panel->findChild<QScrollArea*>();
+    QCOMPARE(scroll->horizontalScrollBar()->maximum(), 0);
+    for (QWidget* point : panel->findChildren<QToolButton*>()) {
+        scroll->ensureWidgetVisible(point);
+        QVERIFY2(isWhole(point), qPrintable(point->objectName()));
+        const QStringList clipped = clippedTexts(*panel);
+        QVERIFY2(clipped.isEmpty(), qPrintable(clipped.join(QStringLiteral("; "))));
+    }
+    window.resize(smallScreen);
+    QTRY_VERIFY(window.size() == smallScreen && clippedTexts(window).isEmpty());
 }
 
 /// While the teacher works, and when the checkpoint is met.

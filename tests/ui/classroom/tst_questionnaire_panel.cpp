@@ -7,6 +7,8 @@
 #include <QAction>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -33,6 +35,9 @@ private Q_SLOTS:
     void keysOfTheWindow_areTheForms();
     void tab_goesRound();
     void aLowWindow_scrolls();
+    void aNarrowWindow_hasAllInReach_data();
+    void aNarrowWindow_hasAllInReach();
+    void ends_standBesideOrBelow();
 
 private:
     QToolButton* point(int question, int answer) const
@@ -41,6 +46,11 @@ private:
     }
     QPushButton* button(const char* name) const { return m_panel->findChild<QPushButton*>(QLatin1StringView(name)); }
     void key(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
+    bool isInSight(const QWidget* widget) const
+    {
+        return widget->visibleRegion().boundingRect() == widget->rect() &&
+               m_below->rect().contains(QRect(widget->mapTo(m_below, QPoint()), widget->size()));
+    }
 
     std::unique_ptr<QWidget> m_window;
     QWidget* m_below = nullptr;
@@ -291,16 +301,78 @@ void TestQuestionnairePanel::tab_goesRound()
 void TestQuestionnairePanel::aLowWindow_scrolls()
 {
     m_below->resize(900, 320);
-    const auto isInSight = [this](QWidget* widget) {
-        return widget->visibleRegion().boundingRect() == widget->rect() &&
-               m_below->rect().contains(QRect(widget->mapTo(m_below, QPoint()), widget->size()));
-    };
     QTRY_VERIFY(isInSight(button("questionsDone")) && isInSight(button("skipQuestions")));
     QVERIFY(!isInSight(point(6, 1)));
     for (int question = 2; question <= 6; ++question) {
         key(Qt::Key_Tab);
         QTRY_VERIFY(isInSight(point(question, 1)));
     }
+}
+
+void TestQuestionnairePanel::aNarrowWindow_hasAllInReach_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<bool>("fits");
+    QTest::newRow("beside the panels of 640 x 360") << QSize(255, 240) << true;
+    QTest::newRow("between both arrangements") << QSize(560, 300) << true;
+    QTest::newRow("beside the panels of 1024 x 600") << QSize(640, 470) << true;
+    QTest::newRow("too narrow for the points") << QSize(170, 240) << false;
+}
+
+/// The buttons are in sight, and each point is, or can be scrolled to; where it goes, nothing lies right of the window.
+void TestQuestionnairePanel::aNarrowWindow_hasAllInReach()
+{
+    QFETCH(QSize, size);
+    QFETCH(bool, fits);
+    m_below->resize(size);
+    QApplication::processEvents(); // layouts
+    auto* scroll = m_panel->findChild<QScrollArea*>();
+    QTRY_COMPARE(scroll->horizontalScrollBar()->maximum() == 0, fits);
+    QVERIFY(m_panel->size() == size);
+    QTRY_VERIFY(isInSight(button("questionsDone")) && isInSight(button("skipQuestions")));
+    for (int question = 1; question <= 6; ++question) {
+        for (int answer = ui::minAnswer; answer <= ui::maxAnswer; ++answer) {
+            scroll->ensureWidgetVisible(point(question, answer));
+            QVERIFY(isInSight(point(question, answer)));
+        }
+    }
+    point(6, 1)->setFocus();
+    for (const Qt::Key way : {Qt::Key_End, Qt::Key_Home, Qt::Key_Up, Qt::Key_End}) {
+        key(way);
+        QVERIFY(isInSight(QApplication::focusWidget()));
+    }
+    button("skipQuestions")->setFocus();
+    key(Qt::Key_Tab);
+    QVERIFY(QApplication::focusWidget() == point(1, 1) && isInSight(point(1, 1)));
+}
+
+/// Whatever the way to a width, what stands where depends on the width alone.
+void TestQuestionnairePanel::ends_standBesideOrBelow()
+{
+    const auto words = ui::QuestionWords::of(ui::Question::Mastering);
+    QList<QLabel*> ends;
+    for (QLabel* label : m_panel->findChildren<QLabel*>())
+        if (label->text() == words.low || label->text() == words.high)
+            ends << label;
+    QCOMPARE(ends.size(), 2);
+    const auto areBelow = [&] {
+        return std::ranges::all_of(ends,
+                                   [&](const QLabel* end) { return end->y() >= point(1, 1)->geometry().bottom(); });
+    };
+    const auto areBeside = [&] {
+        return ends[0]->geometry().right() < point(1, 1)->x() && ends[1]->x() > point(1, 7)->geometry().right() &&
+               point(1, 1)->width() == point(1, 7)->width();
+    };
+    QTRY_VERIFY(areBeside());
+    for (int i = 0; i < 2; ++i) {
+        m_below->resize(255, 240);
+        QTRY_VERIFY(areBelow() && point(1, 7)->geometry().right() > ends[1]->x());
+        m_below->resize(1000, 700);
+        QTRY_VERIFY(areBeside());
+    }
+    const int wide = point(1, 1)->width();
+    m_below->resize(255, 240);
+    QTRY_VERIFY(point(1, 1)->width() < wide);
 }
 
 FETTLE_TEST(TestQuestionnairePanel, ui::TestApplication)
