@@ -83,8 +83,11 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     };
     connect(document, &Document::opened, this, onOpened, Qt::QueuedConnection);
     const auto checkIdle = [this] { // not opened, which the window has said, or cancelled: a class goes on all the same
-        if (!m_isOpened && !m_program.document->job().isBusy() && std::exchange(m_then, nullptr))
-            askForPupil();
+        if (m_isOpened || m_program.document->job().isBusy() || !std::exchange(m_then, nullptr))
+            return;
+        if (m_stage != Stage::Asking) // else the form or the panel is open, and stays as it is
+            m_panel->open();
+        openClay();
     };
     connect(&document->job(), &BackgroundJob::idle, this, checkIdle, Qt::QueuedConnection);
     connect(m_bar, &ui::ClassBar::nextRequested, this, &ClassroomMode::next);
@@ -146,8 +149,10 @@ void ClassroomMode::onRecoveryOffered(const RecoveryOffer& offer)
 
 void ClassroomMode::recoverNext()
 {
-    if (m_offer.id == 0)
-        return askForPupil();
+    if (m_offer.id == 0) {
+        m_panel->open();
+        return openClay();
+    }
     const RecoveryOffer offer = m_offer;
     openThen([this, offer] { m_program.document->opener().recover(offer.id, offer.name); },
              [this, offer] { saveRecovered(offer); });
@@ -167,14 +172,12 @@ void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 
 // --- turns
 
-/// Opens the first starter model at once and asks for the pupil's name, and optionally another starter, in an overlay.
-void ClassroomMode::askForPupil()
+/// Opens the first starter for the next pupil, below the panel or the form that asks meanwhile.
+void ClassroomMode::openClay()
 {
     m_stage = Stage::Asking;
     m_clock.clear();
     m_recordBefore.emplace();
-    m_questions.finish();
-    m_panel->open();
     openThen([this] { m_program.document->opener().openStarter(m_classroom.starters.constFirst()); },
              [this] { m_program.window->beginTurn(); });
     show();
@@ -209,11 +212,11 @@ void ClassroomMode::next()
     if (m_stage != Stage::Sculpting)
         return;
     saveThen(m_clock.turn(), [this] {
-        askForPupil();
-        if (!m_classroom.asksQuestions)
-            return;
-        m_panel->close();
-        m_questions.ask(*m_work.ended());
+        if (m_classroom.asksQuestions)
+            m_questions.ask(*m_work.ended());
+        else
+            m_panel->open();
+        openClay();
     });
 }
 

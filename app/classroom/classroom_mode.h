@@ -78,7 +78,7 @@ private:
     void onRecoveryOffered(const RecoveryOffer& offer);
     void recoverNext();
     void saveRecovered(const RecoveryOffer& offer);
-    void askForPupil();
+    void openClay();
     void prepareTurn(const QString& pupil, core::Starter starter);
     void startTurn(const ClassTurn& turn, const TurnRecord& before);
     void next();

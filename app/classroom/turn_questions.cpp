@@ -8,7 +8,10 @@ TurnQuestions::TurnQuestions(ClassWork* work, QWidget* over) : m_work(work), m_p
 {
     connect(m_panel, &ui::QuestionnairePanel::answered, this,
             [this](const ui::Questionnaire& soFar) { m_work->keepAnswers(m_ended, soFar); });
-    connect(m_panel, &ui::QuestionnairePanel::finished, this, &TurnQuestions::finish);
+    connect(m_panel, &ui::QuestionnairePanel::finished, this, [this] {
+        finish();
+        Q_EMIT done();
+    });
 }
 
 void TurnQuestions::ask(const EndedTurn& ended)
@@ -24,6 +27,5 @@ void TurnQuestions::finish()
         return;
     m_panel->close();
     m_work->setHeld(false);
-    Q_EMIT done();
 }
 } // namespace app

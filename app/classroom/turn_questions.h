@@ -22,11 +22,11 @@ public:
     TurnQuestions(ClassWork* work, QWidget* over);
 
     void ask(const EndedTurn& ended);
-    /// Closes the form, if it is open, with the answers that are there.
+    /// Closes the form, if it is open, with the answers that are there; emits nothing.
     void finish();
 
 Q_SIGNALS:
-    /// Emitted when the form closes.
+    /// Emitted when the pupil has closed the form.
     void done();
 
 private:

@@ -37,6 +37,7 @@
 #include <QToolButton>
 
 #include <iostream>
+#include <utility>
 
 using namespace app;
 
@@ -195,6 +196,21 @@ struct Class
     ClassroomMode mode;
 };
 
+/// Counts how often a widget is shown.
+class ShowCount : public QObject
+{
+public:
+    explicit ShowCount(QWidget* watched) { watched->installEventFilter(this); }
+    int count = 0;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        count += event->type() == QEvent::Show ? 1 : 0;
+        return QObject::eventFilter(watched, event);
+    }
+};
+
 /// What must be the same at the beginning of each turn.
 struct Beginning
 {
@@ -303,6 +319,8 @@ private Q_SLOTS:
     void skipping_keepsNothing();
     void keys_answerAndChooseNoTool();
     void aSmallWindow_hasAllInReach();
+    void stopping_keepsTheForm();
+    void eachPanel_opensOnce();
     void resuming_fromTheQuestions();
     void leaving_keepsWhatWasAnswered();
     void aPowerCutInTheQuestions_losesNothing();
@@ -872,6 +890,69 @@ void TestClassroom::aSmallWindow_hasAllInReach()
     QCOMPARE(points.size(), 42);
     for (QToolButton* point : points)
         QVERIFY2(isReached(QStringLiteral("questionnairePanel"), point), qPrintable(point->objectName()));
+}
+
+/// Esc, while the clay for the next one is made below the form: that is made anew, and nobody is asked twice.
+void TestClassroom::stopping_keepsTheForm()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"), "new.torus");
+    c.sculpt();
+    const std::uint64_t hash = c.hash();
+    int stops = 0;
+    connect(&c.program.document.job(), &BackgroundJob::busy, this, [&] {
+        if (c.questions() && stops < 5)
+            QMetaObject::invokeMethod(
+                this,
+                [&] {
+                    stops += c.program.document.job().isBusy() ? 1 : 0;
+                    c.program.document.cancelJob();
+                },
+                Qt::QueuedConnection);
+    });
+    c.press("classNext");
+    QTRY_VERIFY_WITH_TIMEOUT(c.questions(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(stops == 5 && c.isIdle() && c.hash() != hash, timeoutMs);
+    QVERIFY(c.questions() && !c.asks());
+    c.answer(1, 3);
+    c.press("questionsDone");
+    QTRY_VERIFY(c.asks());
+    c.beginTurn(QStringLiteral("Ben"));
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, timeoutMs);
+    const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
+    QCOMPARE(TurnAnswers::read(work).questionnaire.answers[0], 3);
+}
+
+/// No panel flashes up that is not due.
+void TestClassroom::eachPanel_opensOnce()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    ShowCount names(c.part<QWidget>("namePanel")), forms(c.part<QWidget>("questionnairePanel"));
+    const auto counts = [&] { return std::pair(std::exchange(names.count, 0), std::exchange(forms.count, 0)); };
+    c.begin();
+    QCOMPARE(counts(), std::pair(1, 0));
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    c.nextWithQuestions();
+    QCOMPARE(counts(), std::pair(0, 1));
+    c.press("classResume");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.questions() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), timeoutMs);
+    QCOMPARE(counts(), std::pair(0, 0));
+    c.nextWithQuestions();
+    c.press("questionsDone");
+    QTRY_VERIFY(c.asks());
+    QCOMPARE(counts(), std::pair(1, 1));
+    c.beginTurn(QStringLiteral("Ben"));
+    c.nextWithQuestions();
+    c.press("classLeave");
+    c.typePin(pin);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), timeoutMs);
+    QCOMPARE(counts(), std::pair(0, 1));
 }
 
 /// Next Pupil was a mistake: the form goes, and comes again at the end that is meant.
