@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QPointer>
 
+#include <future>
 #include <utility>
 
 namespace app
@@ -45,23 +46,43 @@ bool ClassWork::save(const QString& what, const ClassTurn& turn, const TurnRecor
         return archived.problem.isEmpty();
     };
     const auto finish = [self = QPointer(this), ended, problem, done = std::move(done)](bool) {
-        if (self)
-            done(*ended, *problem);
+        if (!self)
+            return;
+        done(*ended, *problem);
+        self->setPaused(false, self->m_isHeld);
+        self->deliver();
     };
-    return m_document->saver().saveExternally(what, save, finish);
+    setPaused(true, m_isHeld); // before the work is there: it may be held
+    if (m_document->saver().saveExternally(what, save, finish))
+        return true;
+    setPaused(false, m_isHeld);
+    deliver();
+    return false;
+}
+
+void ClassWork::setPaused(bool isSaving, bool isHeld)
+{
+    m_isSaving = isSaving;
+    m_isHeld = isHeld;
+    m_isPaused = isSaving || isHeld;
 }
 
 void ClassWork::deliver()
 {
-    if (m_isHeld)
+    if (m_isPaused)
         return;
-    m_background.run([archive = m_archive] { return archive.deliver(); },
-                     [this](const Delivery& delivery) { onDelivered(delivery); });
+    const auto written = std::make_shared<std::promise<void>>();
+    m_answering.run([written] { written->set_value(); }); // behind the answers that were given by now
+    const auto deliver = [this, archive = m_archive, written] {
+        written->get_future().wait();
+        return archive.deliver([this] { return m_isPaused.load(); });
+    };
+    m_background.run(deliver, [this](const Delivery& delivery) { onDelivered(delivery); });
 }
 
 void ClassWork::setHeld(bool isHeld)
 {
-    m_isHeld = isHeld;
+    setPaused(m_isSaving, isHeld);
     deliver();
 }
 
@@ -70,7 +91,7 @@ void ClassWork::keepAnswers(const EndedTurn& ended, const ui::Questionnaire& ans
     const auto keep = [archive = m_archive, folder = ended.folder, id = ended.turn.id, answers] {
         return archive.addAnswers(folder, {id, answers});
     };
-    m_background.run(keep, [this](const QString& problem) {
+    m_answering.run(keep, [this](const QString& problem) {
         if (!problem.isEmpty())
             Q_EMIT noticed(problem);
     });
@@ -80,6 +101,8 @@ void ClassWork::onDelivered(const Delivery& delivery)
 {
     if (m_ended)
         m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
+    if (delivery.isPaused) // the next one says how many wait
+        return;
     m_bar->setUndelivered(
         delivery.undelivered,
         tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_archive.outbox())));

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <atomic>
 #include <functional>
 #include <optional>
 
@@ -27,7 +28,8 @@ struct EndedTurn
     TurnRecord record;
 };
 
-/// The work of turns on its way from the document to the class's folder. Thread: gui; files are written on others.
+/// The work of turns on its way from the document to the class's folder. Thread: gui; files are written on others, and
+/// answers on one of their own, because a delivery to a slow folder may take minutes.
 class ClassWork : public QObject
 {
     Q_OBJECT
@@ -41,14 +43,15 @@ public:
     void begin();
     /// `problem` is empty if the work is safe.
     using Done = std::function<void(const EndedTurn& ended, const QString& problem)>;
-    /// Keeps the model as the turn's work. `before`: what was done before the document's history begins. False: other
-    /// work on the model goes on, and nothing is done.
+    /// Keeps the model as the turn's work, and then delivers it, unless `done` has it held. `before`: what was done
+    /// before the document's history begins. False: other work on the model goes on, and nothing is done.
     bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
     /// Delivers what waits, now and again until nothing waits. Delivers nothing while works are held.
     void deliver();
-    /// Works stay on this computer until they are not held any more; then they are delivered.
+    /// Works stay on this computer until they are not held any more; then they are delivered, with the answers that
+    /// were given by then.
     void setHeld(bool isHeld);
-    /// Keeps the answers with the turn's work, in the place of those that were there.
+    /// Keeps the answers with the turn's work, in the place of those that were there. Precondition: works are held.
     void keepAnswers(const EndedTurn& ended, const ui::Questionnaire& answers);
 
     /// The turn before, while it can be resumed.
@@ -60,6 +63,7 @@ Q_SIGNALS:
     void noticed(const QString& sentence);
 
 private:
+    void setPaused(bool isSaving, bool isHeld);
     void onDelivered(const Delivery& delivery);
 
     Document* m_document;
@@ -67,8 +71,10 @@ private:
     WorkArchive m_archive;
     std::optional<EndedTurn> m_ended;
     int m_undelivered = 0; ///< works that could not be delivered
-    bool m_isHeld = false;
+    bool m_isHeld = false, m_isSaving = false;
+    std::atomic<bool> m_isPaused = false; ///< either; read by the delivery before each work
     QTimer m_retryTimer;
+    ui::BackgroundThread m_answering;  ///< before the next, which waits for it
     ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

@@ -278,7 +278,6 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
     resumable.turn.ended = {};
     m_work.setEnded(resumable);
     then();
-    m_work.deliver();
 }
 
 // --- the way out

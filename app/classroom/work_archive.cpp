@@ -237,10 +237,14 @@ ArchivedWork WorkArchive::add(const TurnWork& work) const
     return there.problem.isEmpty() ? there : here;
 }
 
-Delivery WorkArchive::deliver() const
+Delivery WorkArchive::deliver(const std::function<bool()>& isPaused) const
 {
     Delivery delivery;
     for (const QString& name : QDir(m_outbox).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+        if (isPaused && isPaused()) {
+            delivery.isPaused = true;
+            break;
+        }
         try {
             delivery.moved.insert(m_outbox + u'/' + name, deliverOne(m_outbox, m_classFolder, name));
         } catch (const core::FileError& error) {

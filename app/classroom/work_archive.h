@@ -11,6 +11,7 @@
 #include <QHash>
 #include <QString>
 
+#include <functional>
 #include <memory>
 
 namespace app
@@ -41,6 +42,7 @@ struct Delivery
     QHash<QString, QString> moved; ///< folders: where they were, and where they are
     int undelivered = 0;           ///< that could not be moved
     QString problem;               ///< then: one sentence about the first
+    bool isPaused = false;         ///< before it was through
 };
 
 /// The works of a class: a folder for each turn, called after time and pupil, with model.glb, picture.png, record.json
@@ -62,10 +64,10 @@ public:
     /// Adds the work to the outbox or, if that has no room, to the class's folder.
     ArchivedWork add(const TurnWork& work) const;
     /// Moves all works from the outbox to the class's folder; those that cannot be moved stay. A work that is there
-    /// already is not added twice.
-    Delivery deliver() const;
+    /// already is not added twice. `isPaused`: asked before each work; true: the rest stays.
+    Delivery deliver(const std::function<bool()>& isPaused = {}) const;
     /// Adds the answers to a work that was kept in that folder, in the place of those that are there. Returns an empty
-    /// text, or a sentence that says what is wrong. Precondition: no works are being delivered.
+    /// text, or a sentence that says what is wrong. Precondition: this work is not being delivered.
     QString addAnswers(const QString& folder, const TurnAnswers& answers) const;
     /// Removes parts of works that a power cut left: all of them in the outbox; in the class's folder, where others may
     /// be writing, those older than a day.

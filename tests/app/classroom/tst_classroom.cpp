@@ -31,10 +31,15 @@
 #include <QMenuBar>
 #include <QProcess>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QScrollArea>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QToolButton>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <iostream>
 #include <utility>
@@ -321,6 +326,7 @@ private Q_SLOTS:
     void aSmallWindow_hasAllInReach();
     void stopping_keepsTheForm();
     void eachPanel_opensOnce();
+    void aSlowDelivery_holdsNoAnswerBack();
     void resuming_fromTheQuestions();
     void leaving_keepsWhatWasAnswered();
     void aPowerCutInTheQuestions_losesNothing();
@@ -953,6 +959,48 @@ void TestClassroom::eachPanel_opensOnce()
     c.typePin(pin);
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), timeoutMs);
     QCOMPARE(counts(), std::pair(0, 1));
+}
+
+/// Anna's work is on its way to a folder that does not answer: a pipe, which is read until somebody writes. Ben's
+/// answer is on this computer's disk all the same, so that no end of the program takes it.
+void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    c.nextWithQuestions();
+    const QString anna = foldersIn(home.places.outbox).constFirst();
+    const QString pipe = home.works + u'/' + anna + QStringLiteral("/turn.json");
+    QVERIFY(QDir().mkpath(home.works + u'/' + anna));
+    QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    const auto release = [&pipe] { // until somebody reads there is no such writer
+        const int writer = ::open(QFile::encodeName(pipe).constData(), O_WRONLY | O_NONBLOCK);
+        return writer >= 0 && ::close(writer) == 0;
+    };
+    bool isReleased = false;
+    const auto releaseAtLast = qScopeGuard([&] { // else a failure would wait for ever
+        if (!isReleased)
+            release();
+    });
+    c.press("questionsDone");
+    QTRY_VERIFY(c.asks());
+    c.beginTurn(QStringLiteral("Ben"));
+    c.sculpt();
+    c.nextWithQuestions();
+    QCOMPARE(foldersIn(home.places.outbox).size(), 2); // neither has gone
+    const QString ben = foldersIn(home.places.outbox).filter(QStringLiteral("Ben")).constFirst();
+    c.answer(6, 5);
+    QTRY_COMPARE_WITH_TIMEOUT(TurnAnswers::read(home.places.outbox + u'/' + ben).questionnaire.answers[5], 5,
+                              timeoutMs);
+    QCOMPARE(foldersIn(home.works), QStringList{anna});
+    QTRY_VERIFY_WITH_TIMEOUT(isReleased || (isReleased = release()), timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList{ben}, timeoutMs); // the form is open
+    c.press("questionsDone");
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, timeoutMs);
+    QCOMPARE(TurnAnswers::read(home.works + u'/' + ben).questionnaire.answers[5], 5);
 }
 
 /// Next Pupil was a mistake: the form goes, and comes again at the end that is meant.

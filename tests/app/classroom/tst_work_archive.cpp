@@ -90,6 +90,7 @@ private Q_SLOTS:
     void names_areFolders_data();
     void names_areFolders();
     void sameNamesInAMinute_areNumbered();
+    void aPause_comesBetweenWorks();
     void aMissingFolder_isSaidAndWaitedFor();
     void aClosedFolder_isSaidAndWaitedFor();
     void aFullDisk_isSaidAndWaitedFor();
@@ -168,6 +169,21 @@ void TestWorkArchive::sameNamesInAMinute_areNumbered()
              QStringList({"2026-11-24-1015-Anna", "2026-11-24-1015-Anna-2", "2026-11-24-1015-Anna-2-2"}));
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Anna"), first);
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Anna-2"), second);
+}
+
+void TestWorkArchive::aPause_comesBetweenWorks()
+{
+    const Places places;
+    for (const char* pupil : {"Anna", "Ben", "Cem"})
+        QCOMPARE(places.archive().add(workOf(QLatin1StringView(pupil))).problem, QString());
+    int asked = 0;
+    const Delivery part = places.archive().deliver([&asked] { return ++asked > 2; });
+    QVERIFY(part.isPaused && part.moved.size() == 2 && part.undelivered == 0);
+    QCOMPARE(Places::all(places.works).size(), 2);
+    QCOMPARE(Places::all(places.outbox).size(), 1);
+    const Delivery rest = places.archive().deliver([] { return false; });
+    QVERIFY(!rest.isPaused && rest.moved.size() == 1);
+    QCOMPARE(Places::all(places.works).size(), 3);
 }
 
 void TestWorkArchive::aMissingFolder_isSaidAndWaitedFor()
