@@ -27,6 +27,7 @@ QString folderName(const std::filesystem::path& folder)
     const std::filesystem::path whole = std::filesystem::canonical(folder, problem);
     return ui::displayName(whole.has_filename() ? whole.filename() : folder);
 }
+
 struct FoundModel
 {
     std::filesystem::path file;
@@ -49,14 +50,14 @@ QList<FoundModel> modelsAndWorks(const std::filesystem::path& folder)
     return models + works;
 }
 
-/// Returns the last answers of each turn: one that was resumed has left several works.
+/// Adds the answers of a work. A turn that was resumed has left several, of which the last counts, also without
+/// answers.
 void add(QList<TurnAnswers>& turns, const TurnAnswers& answers)
 {
-    if (answers.questionnaire.isEmpty())
-        return;
     turns.removeIf(
         [&answers](const TurnAnswers& other) { return !other.turnId.isEmpty() && other.turnId == answers.turnId; });
-    turns << answers;
+    if (!answers.questionnaire.isEmpty())
+        turns << answers;
 }
 } // namespace
 
@@ -69,7 +70,8 @@ void ReportWriter::run(const ReportRequest& request, const core::JobControl& con
     for (const FoundModel& model : models) {
         ui::ReportRow row = rowOf(model.file, request.unit, control);
         if (!model.work.isEmpty()) {
-            const TurnAnswers answers = TurnAnswers::read(model.work);
+            TurnAnswers answers = TurnAnswers::read(model.work);
+            answers.turnId = WorkArchive::turnIdOf(model.work); // without answers, too
             row.name = QFileInfo(model.work).fileName();
             row.answersProblem = answers.problem;
             add(turns, answers);

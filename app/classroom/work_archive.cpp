@@ -32,6 +32,7 @@ constexpr int pictureSize = 512;  ///< pixels a side
 constexpr int maxNameLength = 40; ///< characters of a nickname in a folder's name
 constexpr int maxNumber = 10'000;
 constexpr int staleHours = 24;
+constexpr qint64 maxTurnBytes = 64 << 10; ///< of turn.json
 const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json"), modelFile = QStringLiteral("model.glb");
 const QString turnIdKey = QStringLiteral("id");
@@ -84,6 +85,11 @@ QByteArray turnOf(const TurnWork& work)
     if (work.begun.isValid())
         turn.insert(QStringLiteral("begun"), work.begun.toString(Qt::ISODate));
     return QJsonDocument(turn).toJson();
+}
+
+QString idIn(const QByteArray& turn)
+{
+    return QJsonDocument::fromJson(turn).object().value(turnIdKey).toString();
 }
 
 void writeWork(const QString& folder, const TurnWork& work)
@@ -273,6 +279,12 @@ QStringList WorkArchive::worksIn(const QString& classFolder)
     return works;
 }
 
+QString WorkArchive::turnIdOf(const QString& work)
+{
+    QFile file(work + u'/' + turnFile);
+    return file.open(QIODevice::ReadOnly) ? idIn(file.read(maxTurnBytes)) : QString();
+}
+
 QString WorkArchive::modelOf(const QString& work)
 {
     return work + u'/' + modelFile;
@@ -282,9 +294,7 @@ QString WorkArchive::locate(const QString& folder, const QString& id) const
 {
     if (QFileInfo::exists(folder))
         return folder;
-    const auto isTurn = [&id](const QByteArray& turn) {
-        return QJsonDocument::fromJson(turn).object().value(turnIdKey).toString() == id;
-    };
+    const auto isTurn = [&id](const QByteArray& turn) { return idIn(turn) == id; };
     const QString delivered = findWork(m_classFolder, QFileInfo(folder).fileName(), isTurn);
     return delivered.isEmpty() ? folder : delivered;
 }

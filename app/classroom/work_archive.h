@@ -80,6 +80,8 @@ public:
 
     /// Returns the folders in a class's folder that hold a whole work, by name.
     static QStringList worksIn(const QString& classFolder);
+    /// Returns the id of the turn that left a work; an empty text if its folder does not say.
+    static QString turnIdOf(const QString& work);
     /// Returns the path of the model's file in a work's folder.
     static QString modelOf(const QString& work);
 
