@@ -169,6 +169,7 @@ QString headRow()
         text += QStringLiteral("<th scope=\"col\"%1>%2</th>\n").arg(QLatin1StringView(kinds[i]), escaped(heads[i]));
     return text + QStringLiteral("</tr>\n");
 }
+
 /// Returns the table of questions; an empty text if nobody answered.
 QString questionTable(const ClassReport& report)
 {

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -156,9 +158,9 @@ RowLayout layoutOf(const ReportRow& row, const std::filesystem::path& path)
     return layout;
 }
 
-/// The columns beside the question: number of answers, mean, and each point.
-constexpr double questionWidth = 90, answersWidth = 18, meanWidth = 15, pointWidth = 9; ///< mm
-constexpr double questionsTitleHeight = 4, questionsTitleSpace = 16;                    ///< mm
+constexpr double tableWidth = paperSize.width() - 2 * pageMargin;    ///< mm
+constexpr double figureWidth = 15, pointWidth = 9;                   ///< mm, at least
+constexpr double questionsTitleHeight = 4, questionsTitleSpace = 16; ///< mm
 
 /// The table of questions: a row of heads, and one for each question.
 class QuestionTable
@@ -169,14 +171,16 @@ public:
         const QList<QuestionCells> questions = questionCellsOf(report);
         if (questions.isEmpty())
             return;
-        addRow(questionHeads(), {headHeight, faintColor, true});
+        const TextStyle headStyle{headHeight, faintColor, true};
+        m_widths = widthsFor(questionHeads(), headStyle);
+        addRow(questionHeads(), headStyle);
         for (const QuestionCells& question : questions) {
             QStringList texts{question.question, question.answers, question.mean};
             for (const QString& count : question.counts)
                 texts << count;
             addRow(texts, {cellHeight, inkColor});
             m_rows.back().front().push_back(std::make_unique<TextBlock>(
-                question.scale, TextStyle{noteHeight, faintColor}, questionWidth - gapAcross));
+                question.scale, TextStyle{noteHeight, faintColor}, m_widths.front() - gapAcross));
         }
     }
 
@@ -194,10 +198,18 @@ public:
 private:
     using QuestionRow = std::vector<TextCell>;
 
-    static double widthOf(std::size_t column)
+    /// Returns the widths of the columns in mm: of number of answers and mean, whose heads need not be broken, of each
+    /// point, and of the question, which stands first and has what they leave.
+    static std::vector<double> widthsFor(const QStringList& heads, const TextStyle& style)
     {
-        constexpr double widths[] = {questionWidth, answersWidth, meanWidth};
-        return column < std::size(widths) ? widths[column] : pointWidth;
+        const QFontMetricsF metrics(fontOf(style));
+        std::vector<double> widths(static_cast<std::size_t>(heads.size()), pointWidth);
+        for (const std::size_t column : {1, 2}) {
+            const double head = metrics.horizontalAdvance(heads[static_cast<qsizetype>(column)]) / unitsPerMm;
+            widths[column] = std::max(figureWidth, std::ceil(head + gapAcross));
+        }
+        widths.front() = tableWidth - std::accumulate(widths.begin() + 1, widths.end(), 0.0);
+        return widths;
     }
     static double rowHeight(const QuestionRow& row)
     {
@@ -212,11 +224,12 @@ private:
         QuestionRow& row = m_rows.emplace_back();
         for (const QString& text : texts) {
             style.side = row.empty() ? Qt::AlignLeft : Qt::AlignRight;
-            const double width = widthOf(row.size()) - gapAcross;
+            const double width = m_widths[row.size()] - gapAcross;
             row.emplace_back().push_back(std::make_unique<TextBlock>(text, style, width));
         }
     }
 
+    std::vector<double> m_widths; ///< mm
     std::vector<QuestionRow> m_rows;
 };
 
@@ -305,7 +318,7 @@ void QuestionTable::paint(QPainter& painter, double y) const
         double x = pageMargin;
         for (std::size_t i = 0; i < row.size(); ++i) {
             paintCell(painter, row[i], {x + gapAcross / 2, y + (rowHeight(row) - heightOf(row[i])) / 2});
-            x += widthOf(i);
+            x += m_widths[i];
         }
         y += rowHeight(row);
         paintRule(painter, y);

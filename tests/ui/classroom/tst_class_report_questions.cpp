@@ -6,6 +6,7 @@
 #include "tests/ui/ui_test.h"
 
 #include <QRegularExpression>
+#include <QTranslator>
 
 using namespace ui;
 
@@ -38,6 +39,7 @@ private Q_SLOTS:
     void withoutAnswers_thereIsNoTable();
     void html_hasARowForEachQuestion();
     void pdf_hasRoomForTheTable();
+    void pdf_breaksNoHead();
 };
 
 /// Random answers are summed as a count by hand has them.
@@ -129,6 +131,55 @@ void TestClassReportQuestions::pdf_hasRoomForTheTable()
         added += static_cast<int>(with - without);
     }
     QVERIFY(added > 0 && added < 20);
+}
+
+namespace
+{
+/// A language of short questions, in which the head of the numbers of answers is another one.
+class OneHead : public QTranslator
+{
+public:
+    explicit OneHead(const QString& head) : m_head(head) {}
+    QString translate(const char* context, const char* source, const char*, int) const override
+    {
+        if (qstrcmp(context, "ui::Questionnaire") == 0)
+            return QStringLiteral("x");
+        return qstrcmp(source, "Answers") == 0 ? m_head : QString();
+    }
+    bool isEmpty() const override { return false; }
+
+private:
+    QString m_head;
+};
+
+/// Counts the pieces of text that a PDF draws: one for each line of a text.
+qsizetype linesIn(const QByteArray& pdf)
+{
+    qsizetype lines = 0;
+    for (qsizetype at = 0; (at = pdf.indexOf("\nstream\n", at)) >= 0;) {
+        at += 8;
+        if (pdf[at] != 'x') // not compressed
+            continue;
+        const QByteArray length = QByteArray::fromHex("00100000"); // that qUncompress expects before it
+        lines += qUncompress(length + pdf.mid(at, pdf.indexOf("\nendstream", at) - at)).count("\nBT\n");
+    }
+    return lines;
+}
+} // namespace
+
+/// A longer head takes more of the question's column, and no second line: the other texts have one each.
+void TestClassReportQuestions::pdf_breaksNoHead()
+{
+    const auto lines = [](const QString& head) {
+        OneHead words(head);
+        QCoreApplication::installTranslator(&words);
+        return linesIn(reportPdf(reportOf({answering(0, 7)}), "r.pdf"));
+    };
+    const qsizetype one = lines(QStringLiteral("n"));
+    QVERIFY(one > 20);
+    for (const char* head : {"Antworten", "Beantwortungen", "WWWWWWWWWWWWWWWW"})
+        QVERIFY2(lines(QString::fromUtf8(head)) == one, head);
+    QVERIFY(lines(QStringLiteral("%1 %1").arg(QString(30, u'W'))) > one); // they can be counted
 }
 
 FETTLE_TEST(TestClassReportQuestions, ui::TestApplication)
