@@ -106,6 +106,14 @@
 <context>
     <name>app::TurnAnswers</name>
     <message>
+        <source>%1 is a link to a file that is not there.</source>
+        <translation>%1 ist ein Verweis auf eine Datei, die nicht da ist.</translation>
+    </message>
+    <message>
+        <source>%1 was made by a newer version of Fettle.</source>
+        <translation>%1 ist von einer neueren Version von Fettle.</translation>
+    </message>
+    <message>
         <source>%1 holds no answers that can be read.</source>
         <translation>%1 enthält keine Antworten, die sich lesen lassen.</translation>
     </message>

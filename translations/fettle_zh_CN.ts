@@ -106,6 +106,14 @@
 <context>
     <name>app::TurnAnswers</name>
     <message>
+        <source>%1 is a link to a file that is not there.</source>
+        <translation>%1 是一个链接，指向的文件不存在。</translation>
+    </message>
+    <message>
+        <source>%1 was made by a newer version of Fettle.</source>
+        <translation>%1 由更新版本的 Fettle 写出。</translation>
+    </message>
+    <message>
         <source>%1 holds no answers that can be read.</source>
         <translation>%1 中没有可以读取的回答。</translation>
     </message>
@@ -6186,7 +6194,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Was everything there that you needed?</source>
-        <translation>您需要的功能都有吗？</translation>
+        <translation>你需要的功能都有吗？</translation>
     </message>
     <message>
         <source>incomplete</source>
@@ -6234,7 +6242,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>How do you find the program as a whole?</source>
-        <translation>您觉得这个程序总体如何？</translation>
+        <translation>你觉得这个程序总体如何？</translation>
     </message>
     <message>
         <source>poor</source>

@@ -16,9 +16,11 @@ namespace app
 {
 namespace
 {
+constexpr int answersVersion = 1;
 constexpr qint64 maxAnswersBytes = 64 << 10;
 const QString answersFormatKey = QStringLiteral("format"), answersFormat = QStringLiteral("fettle-answers"),
-              answersIdKey = QStringLiteral("id"), answersKey = QStringLiteral("answers");
+              answersVersionKey = QStringLiteral("version"), answersIdKey = QStringLiteral("id"),
+              answersKey = QStringLiteral("answers");
 
 /// The keys of the file, in the order of ui::Question.
 const std::array<QString, ui::questionCount> answerKeys{QStringLiteral("mastering"), QStringLiteral("functions"),
@@ -38,13 +40,24 @@ const QString TurnAnswers::fileName = QStringLiteral("answers.json");
 TurnAnswers TurnAnswers::read(const QString& folder)
 {
     TurnAnswers read;
-    QFile file(folder + u'/' + fileName);
-    if (!file.exists())
+    const QFileInfo info(folder + u'/' + fileName);
+    if (!info.isFile()) { // a pipe would be waited for
+        if (info.exists())
+            read.problem = ui::ErrorMessages::sentence({core::FileErrorKind::NotAFile, toPath(fileName)});
+        else if (info.isSymLink())
+            read.problem = tr("%1 is a link to a file that is not there.").arg(fileName);
         return read;
+    }
+    QFile file(info.filePath());
     const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(maxAnswersBytes + 1) : QByteArray();
     const QJsonObject whole = QJsonDocument::fromJson(bytes).object();
-    if (bytes.size() > maxAnswersBytes || whole.value(answersFormatKey) != answersFormat ||
-        !whole.value(answersKey).isObject()) {
+    const double version = whole.value(answersVersionKey).toDouble(0); // 0: no number
+    const bool isRead = bytes.size() <= maxAnswersBytes && whole.value(answersFormatKey) == answersFormat;
+    if (isRead && version > answersVersion) {
+        read.problem = tr("%1 was made by a newer version of Fettle.").arg(fileName);
+        return read;
+    }
+    if (!isRead || version != answersVersion || !whole.value(answersKey).isObject()) {
         read.problem = tr("%1 holds no answers that can be read.").arg(fileName);
         return read;
     }
@@ -77,7 +90,7 @@ QString TurnAnswers::write(const QString& folder) const
         }
         core::AtomicFile file(toPath(path));
         file.write(QJsonDocument(QJsonObject{{answersFormatKey, answersFormat},
-                                             {QStringLiteral("version"), 1},
+                                             {answersVersionKey, answersVersion},
                                              {answersIdKey, turnId},
                                              {answersKey, answers}})
                        .toJson()

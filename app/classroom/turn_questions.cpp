@@ -25,6 +25,7 @@ void TurnQuestions::finish()
 {
     if (m_panel->isHidden())
         return;
+    m_work->keepAnswers(m_ended, m_panel->questionnaire()); // again: it may have failed, and be possible by now
     m_panel->close();
     m_work->setHeld(false);
 }

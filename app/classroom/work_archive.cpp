@@ -198,6 +198,18 @@ void removeWork(const QString& root, const QString& name)
         QDir(hidden).removeRecursively();
 }
 
+/// Has the answers that were given, or taken back, after the work had come there.
+void bringAnswers(const QString& from, const QString& to)
+{
+    if (QFileInfo::exists(from)) {
+        writeFile(to, readFile(from));
+        return;
+    }
+    std::error_code problem; // none if there is no file
+    std::filesystem::remove(toPath(to), problem);
+    core::checkWritten(problem, toPath(to));
+}
+
 QString deliverOne(const QString& outbox, const QString& classFolder, const QString& name)
 {
     const QString from = outbox + u'/' + name;
@@ -205,8 +217,8 @@ QString deliverOne(const QString& outbox, const QString& classFolder, const QStr
                           [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
     if (to.isEmpty())
         to = makeFolder(classFolder, name, [&from](const QString& folder) { copyWork(from, folder); });
-    else if (const QString answers = u'/' + TurnAnswers::fileName; QFileInfo::exists(from + answers))
-        writeFile(to + answers, readFile(from + answers)); // given after the work was there
+    else
+        bringAnswers(from + u'/' + TurnAnswers::fileName, to + u'/' + TurnAnswers::fileName);
     removeWork(outbox, name);
     return to;
 }

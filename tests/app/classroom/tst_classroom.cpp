@@ -326,6 +326,7 @@ private Q_SLOTS:
     void aSmallWindow_hasAllInReach();
     void stopping_keepsTheForm();
     void eachPanel_opensOnce();
+    void aFailedAnswer_isWrittenAtDone();
     void aSlowDelivery_holdsNoAnswerBack();
     void resuming_fromTheQuestions();
     void leaving_keepsWhatWasAnswered();
@@ -959,6 +960,28 @@ void TestClassroom::eachPanel_opensOnce()
     c.typePin(pin);
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), timeoutMs);
     QCOMPARE(counts(), std::pair(0, 1));
+}
+
+/// The first time the place is taken, which is said; when the form closes it is free.
+void TestClassroom::aFailedAnswer_isWrittenAtDone()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, home.classroomWithQuestions());
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    c.nextWithQuestions();
+    const QString answers =
+        home.places.outbox + u'/' + foldersIn(home.places.outbox).constFirst() + u'/' + TurnAnswers::fileName;
+    QVERIFY(QDir().mkdir(answers));
+    c.answer(5, 6);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(c.program).contains(TurnAnswers::fileName), timeoutMs);
+    QVERIFY(QDir().rmdir(answers));
+    c.press("questionsDone");
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, timeoutMs);
+    const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
+    QCOMPARE(TurnAnswers::read(work).questionnaire.answers[4], 6);
 }
 
 /// Anna's work is on its way to a folder that does not answer: a pipe, which is read until somebody writes. Ben's

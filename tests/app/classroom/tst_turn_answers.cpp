@@ -14,6 +14,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 using namespace app;
 
 namespace
@@ -107,10 +109,13 @@ private Q_SLOTS:
     void wrongValues_areLeftOut();
     void strangeFiles_areNamed_data();
     void strangeFiles_areNamed();
+    void aNewerVersion_isNamed();
+    void whatIsNoFile_isNamed();
     void noPlace_isSaid();
     void answers_goWithTheWork();
     void lateAnswers_areDelivered();
     void theReport_sumsAllWorks();
+    void answersTakenBack_areTakenBackThere();
     void aResumedTurn_countsOnce();
     void brokenAnswers_costNoRow();
 };
@@ -174,6 +179,11 @@ void TestTurnAnswers::strangeFiles_areNamed_data()
     QTest::newRow("another format") << QByteArray(whole).replace("fettle-answers", "fettle-turn");
     QTest::newRow("no format") << QByteArray(R"({"answers": {"mastering": 7}})");
     QTest::newRow("no answers") << QByteArray(R"({"format": "fettle-answers"})");
+    QTest::newRow("no version") << QByteArray(whole).replace("\"version\": 1, ", "");
+    QTest::newRow("version 0") << QByteArray(whole).replace("\"version\": 1", "\"version\": 0");
+    QTest::newRow("a version in words") << QByteArray(whole).replace("\"version\": 1", "\"version\": \"2\"");
+    QTest::newRow("a newer version of another format")
+        << QByteArray(whole).replace("\"version\": 1", "\"version\": 2").replace("fettle-answers", "fettle-turn");
     QTest::newRow("answers as a list") << fileWith("[7]");
     QTest::newRow("too long") << whole + QByteArray(70'000, ' ');
     QTest::newRow("deep") << fileWith(QByteArray(5000, '[') + QByteArray(5000, ']'));
@@ -190,6 +200,42 @@ void TestTurnAnswers::strangeFiles_areNamed()
     QCOMPARE(read.problem, QStringLiteral("answers.json holds no answers that can be read."));
 }
 
+void TestTurnAnswers::aNewerVersion_isNamed()
+{
+    const QTemporaryDir folder;
+    const QByteArray whole = fileWith(R"({"mastering": 7})");
+    for (const char* version : {"2", "1.5", "99999"}) {
+        writeBytes(answersFile(folder.path()),
+                   QByteArray(whole).replace("\"version\": 1", QByteArray("\"version\": ") + version));
+        const TurnAnswers read = TurnAnswers::read(folder.path());
+        QVERIFY(read.questionnaire.isEmpty());
+        QCOMPARE(read.problem, QStringLiteral("answers.json was made by a newer version of Fettle."));
+    }
+}
+
+/// A pipe is not waited for, and a device not read.
+void TestTurnAnswers::whatIsNoFile_isNamed()
+{
+    const QTemporaryDir folder;
+    const QString path = answersFile(folder.path());
+    const auto problem = [&] {
+        const TurnAnswers read = TurnAnswers::read(folder.path());
+        QFile::remove(path);
+        return read.questionnaire.isEmpty() ? read.problem : QString();
+    };
+    const QString notAFile = QStringLiteral("answers.json is not a file but a folder or a device.");
+    QCOMPARE(::mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+    QCOMPARE(problem(), notAFile);
+    QVERIFY(QFile::link(QStringLiteral("/dev/zero"), path));
+    QCOMPARE(problem(), notAFile);
+    QVERIFY(QFile::link(folder.filePath(QStringLiteral("gone.json")), path));
+    QCOMPARE(problem(), QStringLiteral("answers.json is a link to a file that is not there."));
+    QCOMPARE(problem(), QString()); // nothing at all is no problem
+    writeBytes(folder.filePath(QStringLiteral("there.json")), fileWith(R"({"mastering": 7})"));
+    QVERIFY(QFile::link(folder.filePath(QStringLiteral("there.json")), path));
+    QCOMPARE(TurnAnswers::read(folder.path()).questionnaire, answersOf({7})); // a link to a file is one
+}
+
 void TestTurnAnswers::noPlace_isSaid()
 {
     const QTemporaryDir root;
@@ -197,7 +243,8 @@ void TestTurnAnswers::noPlace_isSaid()
         TurnAnswers{QStringLiteral("1"), answersOf({1})}.write(root.filePath(QStringLiteral("none")));
     QVERIFY2(problem.contains(QStringLiteral("there is no folder")), qPrintable(problem));
     QDir(root.path()).mkpath(TurnAnswers::fileName); // a folder of that name
-    QCOMPARE(TurnAnswers::read(root.path()).problem, QStringLiteral("answers.json holds no answers that can be read."));
+    QCOMPARE(TurnAnswers::read(root.path()).problem,
+             QStringLiteral("answers.json is not a file but a folder or a device."));
 }
 
 void TestTurnAnswers::answers_goWithTheWork()
@@ -225,6 +272,19 @@ void TestTurnAnswers::lateAnswers_areDelivered()
     QCOMPARE(delivery.undelivered, 0);
     QCOMPARE(WorkArchive::worksIn(kept.works).size(), 1);
     QCOMPARE(TurnAnswers::read(delivery.moved.value(folder)).questionnaire, answersOf({0, 5}));
+}
+
+/// As above, but the work had come there with answers, and all of them were taken back.
+void TestTurnAnswers::answersTakenBack_areTakenBackThere()
+{
+    const KeptClass kept;
+    QCOMPARE(kept.keepWith(QStringLiteral("1"), QStringLiteral("Anna"), {7}), QString());
+    kept.archive().deliver();
+    const QString folder = kept.add(QStringLiteral("1"), QStringLiteral("Anna"));
+    const Delivery delivery = kept.archive().deliver();
+    QCOMPARE(delivery.undelivered, 0);
+    QCOMPARE(WorkArchive::worksIn(kept.works).size(), 1);
+    QVERIFY(!QFile::exists(answersFile(delivery.moved.value(folder))));
 }
 
 void TestTurnAnswers::theReport_sumsAllWorks()
