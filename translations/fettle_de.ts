@@ -4891,6 +4891,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Das Format „%2“ ist unbekannt; verwendbar sind %3.</translation>
     </message>
     <message>
+        <source>%1 is Blender&apos;s own file, which only Blender reads as it is: save it as GLB there.</source>
+        <translation>%1 ist eine Datei von Blender, die nur Blender richtig liest: dort als GLB speichern.</translation>
+    </message>
+    <message>
         <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
         <translation>%1 wird nicht gelesen: Was darin gepackt ist, braucht mehr als %2, und das ist zu viel für eine Datei ihrer Größe.</translation>
     </message>
@@ -5026,6 +5030,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>what stands behind the model (%1)</source>
         <translation>was hinter dem Modell steht (%1)</translation>
+    </message>
+    <message>
+        <source>parts that a slicer would cut out of the model (%1)</source>
+        <translation>Teile, die ein Slicer aus dem Modell herausschneiden würde (%1)</translation>
+    </message>
+    <message>
+        <source>modifiers and supports of a slicer (%1)</source>
+        <translation>Modifizierer und Stützen eines Slicers (%1)</translation>
     </message>
 </context>
 <context>

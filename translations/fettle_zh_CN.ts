@@ -4876,6 +4876,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1：未知格式“%2”；可使用 %3。</translation>
     </message>
     <message>
+        <source>%1 is Blender&apos;s own file, which only Blender reads as it is: save it as GLB there.</source>
+        <translation>%1 是 Blender 自己的文件，只有 Blender 能正确读取：请在那里另存为 GLB。</translation>
+    </message>
+    <message>
         <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
         <translation>未读取 %1：其中压缩的内容超过 %2，对这样大小的文件来说太大了。</translation>
     </message>
@@ -5010,6 +5014,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>what stands behind the model (%1)</source>
         <translation>模型之后的内容（%1）</translation>
+    </message>
+    <message>
+        <source>parts that a slicer would cut out of the model (%1)</source>
+        <translation>切片软件会从模型中切除的部件（%1）</translation>
+    </message>
+    <message>
+        <source>modifiers and supports of a slicer (%1)</source>
+        <translation>切片软件的修改器和支撑（%1）</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,8 @@ struct ReadRemarks
     std::size_t facesOfFewer = 0;    ///< faces left out with fewer than three different corners
     bool unannounced = false;        ///< values were left out that the file's header does not announce
     std::uint64_t bytesBehind = 0;   ///< the bytes behind a binary model, left out
+    std::size_t negativeParts = 0;   ///< parts left out that a slicer would cut out of the model
+    std::size_t otherParts = 0;      ///< parts left out that are no matter: modifiers and supports of slicers
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };

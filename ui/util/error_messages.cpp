@@ -122,6 +122,10 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
         left << tr("values that its header does not announce");
     if (remarks.bytesBehind > 0)
         left << tr("what stands behind the model (%1)").arg(bytes(remarks.bytesBehind));
+    if (remarks.negativeParts > 0)
+        left << tr("parts that a slicer would cut out of the model (%1)").arg(number(remarks.negativeParts));
+    if (remarks.otherParts > 0)
+        left << tr("modifiers and supports of a slicer (%1)").arg(number(remarks.otherParts));
     if (!left.isEmpty())
         clauses << tr("left out: %1", "materials, textures")
                        .arg(left.join(tr(", ", "between the parts of a model that are left out")));
@@ -221,6 +225,8 @@ QString ErrorMessages::reading(const core::FileError& error)
         return tr("%1 is too large: it has %2, and at most %3 are read.")
             .arg(path, bytes(error.found), bytes(error.expected));
     case FileErrorKind::UnknownFormat:
+        if (error.token == "blend")
+            return tr("%1 is Blender's own file, which only Blender reads as it is: save it as GLB there.").arg(path);
         return error.token.empty()
                    ? tr("%1 has no ending that says its format: %2 can be used.").arg(path, modelFormats())
                    : tr("%1: the format \"%2\" is not known; %3 can be used.").arg(path, token(error), modelFormats());

@@ -1,9 +1,12 @@
 // 3MF: the package names its model part; the items of its build say which objects stand where, and their components
 // what they are made of. What other parts hold is read when it is asked for.
 #include "core/io/mesh/threemf_part.h"
+#include "core/io/mesh/threemf_slicer_parts.h"
 #include "core/io/mesh/zip_reader.h"
 
 #include <Eigen/LU>
+
+#include <algorithm>
 
 namespace core::io
 {
@@ -45,6 +48,9 @@ public:
         if (path.empty())
             throw malformed(FileFault::NoModelPart, errorWithToken({}, m_file, "_rels/.rels"));
         const ThreeMfPart& root = part(path);
+        m_slicerParts = ThreeMfSlicerParts::in(m_file, m_package);
+        for (const auto& [object, parts] : m_slicerParts.triangles)
+            leaveOut(parts, m_parts[path].objects[object].mesh.triangles);
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
         for (const ThreeMfComponent& item : root.build)
@@ -82,12 +88,28 @@ private:
         if (object == objects.end())
             throw malformed(FileFault::Missing,
                             errorWithToken({}, m_file, "objectid " + std::to_string(component.object)));
-        if (!object->second.isSolid)
+        if (!object->second.isSolid) {
+            ++(m_slicerParts.negativeObjects.contains(component.object) ? m_remarks.negativeParts
+                                                                        : m_remarks.otherParts);
             return;
+        }
         const Eigen::Matrix4d transform = above * component.transform;
         addMesh(object->second.mesh, transform);
         for (const ThreeMfComponent& inner : object->second.components)
             add(path, inner, transform, depth + 1);
+    }
+
+    /// Removes the triangles of parts that are no matter.
+    void leaveOut(const std::vector<ThreeMfSlicerParts::Triangles>& parts, std::vector<Triangle>& triangles)
+    {
+        std::vector<Triangle> left;
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            if (std::ranges::none_of(parts, [i](const auto& part) { return part.first <= i && i <= part.last; }))
+                left.push_back(triangles[i]);
+        }
+        triangles = std::move(left);
+        for (const ThreeMfSlicerParts::Triangles& part : parts)
+            ++(part.isNegative ? m_remarks.negativeParts : m_remarks.otherParts);
     }
 
     void addMesh(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)
@@ -131,6 +153,7 @@ private:
     ZipReader m_package;
     StopCheck m_stopCheck;
     std::map<std::string, ThreeMfPart> m_parts;
+    ThreeMfSlicerParts m_slicerParts;
     TriangleMesh m_mesh;
     bool m_hasColors = false;
     std::size_t m_instances = 0;

@@ -623,6 +623,8 @@ private Q_SLOTS:
     void largePolygons_areFilled();
     void polygonsThatCrossThemselves_end();
     void manyCopiesInASmallPackage_areRead();
+    void slicersParts_areLeftOutAndTold_data();
+    void slicersParts_areLeftOutAndTold();
     void faults_areTold_data();
     void faults_areTold();
     void packageFaults_areTold_data();
@@ -920,6 +922,67 @@ void TestForeignFiles::manyCopiesInASmallPackage_areRead()
         packageOf(file("many.3mf"), {{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", model}});
     QVERIFY(bytes.size() < 4000);
     QCOMPARE(core::readMesh(file("many.3mf")).triangles.size(), std::size_t(72'000));
+}
+
+void TestForeignFiles::slicersParts_areLeftOutAndTold_data()
+{
+    QTest::addColumn<QString>("config");
+    QTest::addColumn<bool>("isMatter");
+    QTest::addColumn<bool>("isNegative");
+    const auto volumes = [](const char* key, const char* value) {
+        return QStringLiteral(R"(<config><object id="1"><volume firstid="0" lastid="11"><metadata type="volume" )"
+                              R"(key="volume_type" value="ModelPart"/></volume><volume firstid="12" lastid="15">)"
+                              R"(<metadata type="object" key="volume_type" value="NegativeVolume"/>)"
+                              R"(<metadata type="volume" key="%1" value="%2"/></volume></object></config>)")
+            .arg(QLatin1StringView(key), QLatin1StringView(value));
+    };
+    QTest::newRow("no file") << QString() << true << false;
+    QTest::newRow("broken file") << QStringLiteral("<config><object id='1'><volume firstid=") << true << false;
+    QTest::newRow("part of the model") << volumes("volume_type", "ModelPart") << true << false;
+    QTest::newRow("named like a modifier") << volumes("name", "ParameterModifier") << true << false;
+    QTest::newRow("negative") << volumes("volume_type", "NegativeVolume") << false << true;
+    for (const char* type : {"ParameterModifier", "SupportBlocker", "SupportEnforcer"})
+        QTest::newRow(type) << volumes("volume_type", type) << false << false;
+    QTest::newRow("old modifier") << volumes("modifier", "1") << false << false;
+}
+
+/// PrusaSlicer names ranges of an object's triangles, here of a tetrahedron in the box.
+void TestForeignFiles::slicersParts_areLeftOutAndTold()
+{
+    QFETCH(QString, config);
+    QFETCH(bool, isMatter);
+    QFETCH(bool, isNegative);
+    std::string model = replaced(modelOf(), "</vertices>",
+                                 "<vertex x=\"1\" y=\"1\" z=\"1\"/><vertex x=\"2\" y=\"1\" z=\"1\"/>"
+                                 "<vertex x=\"1\" y=\"2\" z=\"1\"/><vertex x=\"1\" y=\"1\" z=\"2\"/></vertices>");
+    model = replaced(model, "</triangles>",
+                     "<triangle v1=\"8\" v2=\"10\" v3=\"9\"/><triangle v1=\"8\" v2=\"9\" v3=\"11\"/>"
+                     "<triangle v1=\"9\" v2=\"10\" v3=\"11\"/><triangle v1=\"10\" v2=\"8\" v3=\"11\"/></triangles>");
+    Parts parts{{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", model}};
+    if (!config.isEmpty())
+        parts.emplace_back("Metadata/Slic3r_PE_model.config", config.toStdString());
+    packageOf(file("prusa.3mf"), parts);
+    const core::ReadResult prusa = core::readModel(file("prusa.3mf"));
+    QCOMPARE(prusa.mesh.triangles.size(), std::size_t(isMatter ? 16 : 12));
+    QCOMPARE(prusa.remarks.negativeParts, std::size_t(isNegative));
+    QCOMPARE(prusa.remarks.otherParts, std::size_t(!isMatter && !isNegative));
+
+    // Bambu Studio's parts are objects of another type, and its file says which are to be cut out.
+    std::string objects = replaced(modelOf(), "</object>",
+                                   "</object><object id=\"2\" type=\"other\"><components><component objectid=\"1\"/>"
+                                   "</components></object><object id=\"3\"><components><component objectid=\"1\"/>"
+                                   "<component objectid=\"2\"/></components></object>");
+    objects = replaced(objects, "item objectid=\"1\"", "item objectid=\"3\"");
+    packageOf(file("bambu.3mf"),
+              {{"_rels/.rels", relationships("/3D/a.model")},
+               {"3D/a.model", objects},
+               {"Metadata/model_settings.config",
+                std::string(R"(<config><object id="3"><part id="1" subtype="normal_part"/><part id="2" subtype=")") +
+                    (isNegative ? "negative_part" : "modifier_part") + R"("/></object></config>)"}});
+    const core::ReadResult bambu = core::readModel(file("bambu.3mf"));
+    QCOMPARE(bambu.mesh.triangles.size(), std::size_t(12));
+    QCOMPARE(bambu.remarks.negativeParts, std::size_t(isNegative));
+    QCOMPARE(bambu.remarks.otherParts, std::size_t(!isNegative));
 }
 
 void TestForeignFiles::faults_areTold_data()

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/io/mesh/zip_reader.h"
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace core::io
+{
+/// Parts of a 3MF's objects that are no matter: a slicer cuts them out of the model, or slices differently where they
+/// are. The core of the format does not tell them from the model; the slicers' own files in the package do.
+struct ThreeMfSlicerParts
+{
+    /// The triangles from `first` to `last`, counted from 0, of an object.
+    struct Triangles
+    {
+        std::size_t first = 0, last = 0;
+        bool isNegative = false; ///< to be cut out; else a modifier or something for supports
+    };
+    std::map<std::uint32_t, std::vector<Triangles>> triangles; ///< by object: PrusaSlicer, SuperSlicer
+    std::set<std::uint32_t> negativeObjects;                   ///< Bambu Studio, OrcaSlicer
+
+    /// Reads them; there are none if the package has no such file, or a broken one. Throws ReadingCancelled.
+    static ThreeMfSlicerParts in(const FileBytes& file, ZipReader& package);
+};
+} // namespace core::io
