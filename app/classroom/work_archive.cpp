@@ -198,7 +198,7 @@ void removeWork(const QString& root, const QString& name)
         QDir(hidden).removeRecursively();
 }
 
-/// Has the answers that were given, or taken back, after the work had come there.
+/// Brings answers that were given, or taken back, after the work had come there.
 void bringAnswers(const QString& from, const QString& to)
 {
     if (QFileInfo::exists(from)) {

@@ -193,7 +193,7 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
     }
 }
 
-/// Moves what strokes and insertions have as places.
+/// Moves the places of strokes and insertions.
 void moveBy(const core::Vec3& by, Entries& entries)
 {
     for (core::FileEntry& entry : entries) {

@@ -34,8 +34,8 @@ public:
     bool join(DabContext& context, const StepPlan& plan);
     /// Cuts necks that have grown too thin to be collapsed, and removes specks.
     void separate(DabContext& context);
-    /// Smooths what the dab has joined, makes it quasi-uniform, and cuts the necks and tunnels narrower than d that this
-    /// dab and earlier ones of the stroke have left by joining.
+    /// Smooths what the dab has joined, makes it quasi-uniform, and cuts the necks and tunnels narrower than d that
+    /// this dab and earlier ones of the stroke have left by joining.
     void cleanJoints(DabContext& context);
     /// Whether surfaces that may not be joined are about to meet at the context's bad vertices.
     bool isContact(const DabContext& context, const StepPlan& plan);

@@ -47,8 +47,8 @@ AnswerScale::AnswerScale(const QString& name, const QuestionWords& words)
     reachByTab(minAnswer);
 }
 
-/// Beside the points each end takes half of the room that they leave, whatever its words, so that a form's scales stand
-/// below each other.
+/// Arranges the parts for a width. Beside the points each end takes half of the room that they leave, whatever its
+/// words, so that a form's scales stand below each other.
 void AnswerScale::arrange(bool isNarrow)
 {
     m_isNarrow = isNarrow;

@@ -16,7 +16,7 @@ namespace
 {
 constexpr int narrowWidth = 720, lowHeight = 520; ///< pixels, below which margins are small
 
-/// Says of a key that the window has it. Alt leads to the buttons of the panel, and of the window.
+/// Returns whether the key is left to the window. Alt leads to the buttons of the panel, and of the window.
 bool isLeftToTheWindow(const QKeyEvent& key)
 {
     const bool isFunctionKey = key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35;
@@ -71,7 +71,7 @@ private:
     {
         return widget()->hasHeightForWidth() ? widget()->heightForWidth(width) : widget()->sizeHint().height();
     }
-    /// Has the upright bar, and a gap beside it, if the whole width makes that necessary. (Qt's own choice keeps a bar
+    /// Shows the upright bar, and a gap beside it, if the whole width makes it necessary. (Qt's own choice keeps a bar
     /// that only the narrower width beside it needs.)
     void placeBar()
     {
@@ -168,7 +168,7 @@ void CoverPanel::resizeEvent(QResizeEvent* event)
     m_scroll->setRoom(width() - 2 * (around + across + m_card->parentWidget()->contentsMargins().left()));
 }
 
-/// Goes round: nobody leaves the panel by Tab. The next in the window's order that has the focus by Tab, as Qt does.
+/// Moves the focus round within the panel: to the next in the window's order that takes it by Tab, as Qt does.
 bool CoverPanel::focusNextPrevChild(bool next)
 {
     QWidget* const from = focusWidget() ? focusWidget() : this;

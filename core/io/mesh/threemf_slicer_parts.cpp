@@ -1,4 +1,4 @@
-// Source: the sources of PrusaSlicer (Metadata/Slic3r_PE_model.config) and of Bambu Studio (model_settings.config).
+// Source: the code of PrusaSlicer (Metadata/Slic3r_PE_model.config) and of Bambu Studio (model_settings.config).
 #include "core/io/mesh/threemf_slicer_parts.h"
 
 #include "core/io/mesh/xml_reader.h"

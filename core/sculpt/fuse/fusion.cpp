@@ -17,8 +17,8 @@ namespace core
 {
 namespace
 {
-/// The least distance between two tunnels that a stroke starts, in terms of d_detail: the first one is to widen that
-/// far. And the distance from a neck that is cut within which a tunnel has ended by that.
+/// The least distance between two tunnels that a stroke starts, since the first one is to widen that far, and the
+/// distance within which a neck that is cut ends a tunnel; in terms of d_detail.
 constexpr double minTunnelDistance = 4, endedTunnelDistance = 1;
 /// The lengths of the cycles at most, in terms of d_detail, around a tunnel that is filled and a strand that is cut
 /// between two joins; and the gaps to try between the two sides, in terms of d.

@@ -864,8 +864,8 @@ void TestClassroom::keys_answerAndChooseNoTool()
     QVERIFY(c.questions() && !c.asks());
 }
 
-/// What asks lies in the window, or can be scrolled to, on a screen of 640 x 360: half of 1280 x 720, as shown at 200
-/// %.
+/// The form and the name panel lie in the window, or can be scrolled to, on a screen of 640 x 360: 1280 x 720 shown at
+/// 200 %.
 void TestClassroom::aSmallWindow_hasAllInReach()
 {
     constexpr QSize smallest{640, 360};
@@ -899,7 +899,7 @@ void TestClassroom::aSmallWindow_hasAllInReach()
         QVERIFY2(isReached(QStringLiteral("questionnairePanel"), point), qPrintable(point->objectName()));
 }
 
-/// Esc, while the clay for the next one is made below the form: that is made anew, and nobody is asked twice.
+/// Esc stops the clay for the next one, which is made below the form: it is made anew, and nobody is asked twice.
 void TestClassroom::stopping_keepsTheForm()
 {
     const QTemporaryDir root;
@@ -962,7 +962,7 @@ void TestClassroom::eachPanel_opensOnce()
     QCOMPARE(counts(), std::pair(0, 1));
 }
 
-/// The first time the place is taken, which is said; when the form closes it is free.
+/// The answers find their place taken, which is said; when the form closes it is free.
 void TestClassroom::aFailedAnswer_isWrittenAtDone()
 {
     const QTemporaryDir root;

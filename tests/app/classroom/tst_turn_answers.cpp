@@ -274,7 +274,7 @@ void TestTurnAnswers::lateAnswers_areDelivered()
     QCOMPARE(TurnAnswers::read(delivery.moved.value(folder)).questionnaire, answersOf({0, 5}));
 }
 
-/// As above, but the work had come there with answers, and all of them were taken back.
+/// The work had come there with answers, and all of them were taken back.
 void TestTurnAnswers::answersTakenBack_areTakenBackThere()
 {
     const KeptClass kept;

@@ -150,7 +150,7 @@ void TestModelPlace::saved_liesWhereItLay_data()
     }
 }
 
-/// What the stroke has not touched has the file's own coordinates, bit for bit.
+/// Vertices that the stroke has not touched have the file's own coordinates, bit for bit.
 void TestModelPlace::saved_liesWhereItLay()
 {
     QFETCH(QString, ending);

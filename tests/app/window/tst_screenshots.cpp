@@ -563,8 +563,8 @@ void TestScreenshots::takeClass()
     takeDialog(QStringLiteral("class-pin"));
 }
 
-/// On half of the screen, as 1280 x 720 is at 200 %: each point is in sight or can be scrolled to, and nothing in the
-/// form is clipped.
+/// The form on half of the screen, as 1280 x 720 is at 200 %, has each point in sight or can be scrolled to it, and
+/// nothing in it is clipped.
 void TestScreenshots::takeSmallForm(QWidget& window)
 {
     constexpr QSize size(smallScreen.width() / 2, smallScreen.height() / 2);

@@ -277,7 +277,7 @@ void TestQuestionnairePanel::keysOfTheWindow_areTheForms()
     QVERIFY(m_panel->isVisible());
 }
 
-/// There is something else in the window that Tab would come to.
+/// Tab goes round in the form, although the window has something else that it would come to.
 void TestQuestionnairePanel::tab_goesRound()
 {
     auto* beside = new QPushButton(QStringLiteral("beside"), m_window.get());
@@ -346,7 +346,7 @@ void TestQuestionnairePanel::aNarrowWindow_hasAllInReach()
     QVERIFY(QApplication::focusWidget() == point(1, 1) && isInSight(point(1, 1)));
 }
 
-/// Whatever the way to a width, what stands where depends on the width alone.
+/// The places of the parts depend on the width alone, whatever it was before.
 void TestQuestionnairePanel::ends_standBesideOrBelow()
 {
     const auto words = ui::QuestionWords::of(ui::Question::Mastering);
