@@ -50,6 +50,7 @@ struct Checked
     core::MeshReport report;
     std::optional<core::PrintReport> print;
     std::optional<core::WorkDone> work; ///< none: the file does not say
+    core::ReadRemarks remarks;
 };
 
 template <class Value> Json orNull(const std::optional<Value>& value)
@@ -237,10 +238,10 @@ void printReport(const CheckOptions& options, const QString& file, const Json& j
 
 Checked check(const CheckOptions& options, const std::filesystem::path& file)
 {
-    core::TriangleMesh mesh = core::readMesh(file);
+    auto [mesh, remarks] = core::readModel(file);
     if (options.unit != 1)
         CommandUnit::scale(ui::displayName(file), mesh, options.unit);
-    Checked checked{{}, {}, core::readMetadata(file).work};
+    Checked checked{{}, {}, core::readMetadata(file).work, remarks};
     if (options.print) {
         const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
         checked.report = measures.report;
@@ -362,6 +363,8 @@ ExitStatus checkCommand(const QStringList& arguments)
                 CommandLine::print(page(file, json, checked.report));
             else
                 printReport(*options, file, json, std::exchange(isFirst, false));
+            if (const QString left = ui::ErrorMessages::remarks(file, checked.remarks); !left.isEmpty())
+                CommandLine::printError(left);
             status = std::max(status, checked.report.printReady() ? Done : AnswerIsNo);
         } catch (const core::FileError& error) {
             CommandLine::printError(ui::ErrorMessages::sentence(error));
