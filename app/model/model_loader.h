@@ -64,7 +64,7 @@ public:
     /// As load(), except that it repairs a model that is not sound. A repaired model has no path.
     static LoadedModel loadRepaired(const QString& path, const core::RepairOptions& options,
                                     const OnStage& onStage = {}, const core::JobControl& control = {});
-    /// As load(), for scripts: the model stays where it is, unless it lies far from the origin.
+    /// Does as load(), for scripts: the model stays where it is, unless it lies far from the origin.
     static LoadedModel loadInPlace(const QString& path);
     /// Returns the paper's sphere of 2562 vertices. Units: mm.
     static LoadedModel sphere(double radius);

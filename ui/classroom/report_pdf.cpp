@@ -239,8 +239,8 @@ double availableHeight(bool isFirst)
     return paperSize.height() - 2 * pageMargin - headerSpace - footerSpace - (isFirst ? titleSpace : 0);
 }
 
-/// How many rows each page has. A row that is higher than a page has one to itself; what comes behind the rows, `end`
-/// mm high, stands on the last page, which may have none.
+/// Returns how many rows each page has. A row that is higher than a page has one to itself; what comes behind the rows,
+/// `end` mm high, stands on the last page, which may have none.
 std::vector<std::size_t> paginated(std::span<const RowLayout> rows, double end)
 {
     std::vector<std::size_t> pages{0};

@@ -61,8 +61,8 @@ std::string_view withoutMark(std::string_view text);
 /// Returns the text without the NUL and Ctrl+Z that old systems and padding put behind it, and the blanks between them.
 std::string_view withoutPadding(std::string_view text);
 
-/// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "utf-16",
-/// "text", or empty.
+/// Returns the format by the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png",
+/// "zip", ...), "utf-16", "text", or an empty text.
 std::string_view detectFormat(std::string_view start, std::uint64_t fileSize);
 
 inline constexpr std::size_t stlHeaderSize = 84;

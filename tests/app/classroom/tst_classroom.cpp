@@ -169,6 +169,11 @@ struct Class
         QTest::keyClick(part<QLineEdit>("pupilName"), Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, timeoutMs);
     }
+    void sculptAs(const QString& name, const char* starter = "new.ball")
+    {
+        beginTurn(name, starter);
+        sculpt();
+    }
     void sculpt(const QPoint& way = {40, 20})
     {
         const int before = program.document.history().stack().index();
@@ -419,8 +424,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     const Home home(root.path());
     Class c(home);
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"), "new.torus");
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"), "new.torus");
     const std::uint64_t hash = c.hash();
     c.now += 5 * minute;
     c.next();
@@ -464,13 +468,11 @@ void TestClassroom::stopping_leavesNobodyWithoutClay()
     };
     stop();
     if (c.asks()) // else it was there already
-        c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+        c.sculptAs(QStringLiteral("Anna"));
     c.press("classNext");
     stop();
     QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), timeoutMs);
-    c.beginTurn(QStringLiteral("Ben"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Ben"));
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, timeoutMs);
 }
 
@@ -482,8 +484,7 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     c.begin();
     c.mode.tick();
     QVERIFY(c.text("classTime").isEmpty());
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     const auto at = [&c](qint64 ms) {
         c.now = ms;
         c.mode.tick();
@@ -524,8 +525,7 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     const Home home(root.path());
     Class c(home);
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     QVERIFY(QDir().rmdir(home.works));
     c.next();
     QTRY_VERIFY2(notice(c.program).contains(QStringLiteral("there is no folder ") + home.works),
@@ -534,8 +534,7 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.outbox));
     QCOMPARE(foldersIn(home.places.outbox).size(), 1);
     QVERIFY(QDir().mkpath(home.works)); // it is back
-    c.beginTurn(QStringLiteral("Ben"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Ben"));
     c.next();
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, timeoutMs);
     QTRY_VERIFY(c.text("classWaiting").isEmpty());
@@ -549,8 +548,7 @@ void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
     home.places.outbox = QStringLiteral("/proc/none/waiting");
     Class c(home);
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     const std::uint64_t hash = c.hash();
     QVERIFY(QDir().rmdir(home.works));
     c.press("classNext");
@@ -671,8 +669,7 @@ void TestClassroom::closing_takesThePin()
     {
         Class c(home);
         c.begin();
-        c.beginTurn(QStringLiteral("Anna"));
-        c.sculpt();
+        c.sculptAs(QStringLiteral("Anna"));
         ui::MainWindow& window = c.program.window;
         QVERIFY(!window.close()); // Alt+F4, the title bar's cross, a session that ends
         c.typePin(QStringLiteral("1111"));
@@ -758,8 +755,7 @@ void TestClassroom::answers_areKeptWithTheWork()
     {
         Class c(home, home.classroomWithQuestions());
         c.begin();
-        c.beginTurn(QStringLiteral("Anna"));
-        c.sculpt();
+        c.sculptAs(QStringLiteral("Anna"));
         c.nextWithQuestions();
         QVERIFY(!c.part<QPushButton>("classNext")->isEnabled());
         QCOMPARE(foldersIn(home.places.outbox).size(), 1); // the work is kept before anything is answered
@@ -770,8 +766,7 @@ void TestClassroom::answers_areKeptWithTheWork()
         QTRY_VERIFY(c.asks() && !c.questions());
         QCOMPARE(QApplication::focusWidget(), c.part<QLineEdit>("pupilName"));
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, timeoutMs);
-        c.beginTurn(QStringLiteral("Ben"));
-        c.sculpt();
+        c.sculptAs(QStringLiteral("Ben"));
         c.nextWithQuestions();
         for (const QToolButton* point : c.part<QWidget>("questionnairePanel")->findChildren<QToolButton*>())
             QVERIFY(!point->isChecked());
@@ -801,8 +796,7 @@ void TestClassroom::skipping_keepsNothing()
     const Home home(root.path());
     Class c(home, home.classroomWithQuestions());
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     const std::uint64_t hash = c.hash();
     c.nextWithQuestions();
     c.answer(2, 5);
@@ -847,8 +841,7 @@ void TestClassroom::keys_answerAndChooseNoTool()
     pressAll("turn.new.torus");
     pressAll("pupilName");
     QVERIFY(c.asks());
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     c.nextWithQuestions();
     for (const Qt::Key digit : {Qt::Key_1, Qt::Key_2, Qt::Key_7}) {
         QTest::keyClick(QApplication::focusWidget(), digit);
@@ -906,8 +899,7 @@ void TestClassroom::stopping_keepsTheForm()
     const Home home(root.path());
     Class c(home, home.classroomWithQuestions());
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"), "new.torus");
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"), "new.torus");
     const std::uint64_t hash = c.hash();
     int stops = 0;
     connect(&c.program.document.job(), &BackgroundJob::busy, this, [&] {
@@ -943,8 +935,7 @@ void TestClassroom::eachPanel_opensOnce()
     const auto counts = [&] { return std::pair(std::exchange(names.count, 0), std::exchange(forms.count, 0)); };
     c.begin();
     QCOMPARE(counts(), std::pair(1, 0));
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     c.nextWithQuestions();
     QCOMPARE(counts(), std::pair(0, 1));
     c.press("classResume");
@@ -969,8 +960,7 @@ void TestClassroom::aFailedAnswer_isWrittenAtDone()
     const Home home(root.path());
     Class c(home, home.classroomWithQuestions());
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     c.nextWithQuestions();
     const QString answers =
         home.places.outbox + u'/' + foldersIn(home.places.outbox).constFirst() + u'/' + TurnAnswers::fileName;
@@ -992,8 +982,7 @@ void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
     const Home home(root.path());
     Class c(home, home.classroomWithQuestions());
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     c.nextWithQuestions();
     const QString anna = foldersIn(home.places.outbox).constFirst();
     const QString pipe = home.works + u'/' + anna + QStringLiteral("/turn.json");
@@ -1010,8 +999,7 @@ void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
     });
     c.press("questionsDone");
     QTRY_VERIFY(c.asks());
-    c.beginTurn(QStringLiteral("Ben"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Ben"));
     c.nextWithQuestions();
     QCOMPARE(foldersIn(home.places.outbox).size(), 2); // neither has gone
     const QString ben = foldersIn(home.places.outbox).filter(QStringLiteral("Ben")).constFirst();
@@ -1033,8 +1021,7 @@ void TestClassroom::resuming_fromTheQuestions()
     const Home home(root.path());
     Class c(home, home.classroomWithQuestions());
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     const std::uint64_t hash = c.hash();
     c.nextWithQuestions();
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
@@ -1056,8 +1043,7 @@ void TestClassroom::leaving_keepsWhatWasAnswered()
     {
         Class c(home, home.classroomWithQuestions());
         c.begin();
-        c.beginTurn(QStringLiteral("Anna"));
-        c.sculpt();
+        c.sculptAs(QStringLiteral("Anna"));
         c.nextWithQuestions();
         c.answer(4, 1);
         c.press("classLeave");
@@ -1146,8 +1132,7 @@ int runVictimInQuestions(const QString& root)
     const Home home(root);
     Class c(home, home.classroomWithQuestions());
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     const std::uint64_t hash = c.hash();
     c.nextWithQuestions();
     c.answer(2, 6);
@@ -1167,8 +1152,7 @@ int runVictim(const QString& root, const QString& moment)
     const Home home(root);
     Class c(home);
     c.begin();
-    c.beginTurn(QStringLiteral("Anna"));
-    c.sculpt();
+    c.sculptAs(QStringLiteral("Anna"));
     c.sculpt({-60, 40});
     const std::uint64_t hash = c.hash();
     bool isRecorded = false;

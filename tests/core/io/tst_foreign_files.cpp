@@ -1,5 +1,5 @@
-// Files as other programs write them, which are not quite by the book: each is read as the same model in a plain file.
-// What is broken is told by what was expected, what was found and where; whatever the bytes, nothing crashes.
+// Tests files as other programs write them, not quite by the book: each is read as the same model in a plain file. A
+// sentence on a broken one says what was expected, what was found and where. Random bytes crash nothing.
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
@@ -29,7 +29,8 @@ using core::TriangleMesh;
 using core::Vec3f;
 using Kind = core::FileErrorKind;
 
-/// The box of all tests, 10 x 20 x 30: corner i stands at 10 where bit 0 of i is set, at 20 where bit 1 is, ...
+/// Returns a corner of the box of all tests, 10 x 20 x 30: corner i stands at 10 where bit 0 of i is set, at 20 where
+/// bit 1 is, ...
 const std::vector<std::vector<int>> quads{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 
@@ -54,7 +55,7 @@ std::vector<std::array<int, 3>> boxTriangles()
     return all;
 }
 
-/// Each triangle's corners, from the least one on; sorted.
+/// Returns each triangle's corners, from the least one on; sorted.
 std::vector<std::array<float, 9>> surfaceOf(const TriangleMesh& mesh)
 {
     const auto less = [](const Vec3f& a, const Vec3f& b) {
@@ -80,7 +81,7 @@ double volumeOf(const TriangleMesh& mesh)
     return six / 6;
 }
 
-/// Each edge is used once in each direction.
+/// Returns whether each edge is used once in each direction.
 bool isClosed(const TriangleMesh& mesh)
 {
     std::vector<std::pair<Slot, Slot>> there, back;
@@ -176,7 +177,7 @@ std::string binaryStl(std::uint32_t count, const std::string& behind = "", std::
     return head + behind;
 }
 
-/// A PLY of the box's points and of what else the parts of the header and of the body say.
+/// Makes a PLY of the box's points and of what else the parts of the header and of the body say.
 struct Ply
 {
     std::string format = "ascii", elements = {}, body = {}, vertexLine = "\n", early = {};
@@ -208,7 +209,8 @@ struct Ply
     }
 };
 
-/// One strip a quad, from a corner on: 0, 1, 3, 2 of its ring. The diagonals are others than the plain box's.
+/// Returns a strip for each quad, from a corner on: 0, 1, 3, 2 of its ring. The diagonals are others than the plain
+/// box's.
 std::vector<int> stripOf(const std::vector<int>& quad)
 {
     return {quad[1], quad[2], quad[0], quad[3]};
@@ -229,7 +231,7 @@ std::string strips(const std::string& format, bool isUnsigned = false)
     return isUnsigned ? replaced(ply.text(), "-1", "4294967295") : ply.text();
 }
 
-/// All in one strip: sewn by triangles that name a corner twice, an even and an odd number of them.
+/// Returns one strip of all quads, connected by triangles that name a corner twice, an even and an odd number of them.
 std::string sewnStrip(const std::string& format)
 {
     Ply ply{.format = format};
@@ -260,8 +262,8 @@ std::string plyFaces(const std::string& format, const std::vector<std::vector<in
     return ply.text();
 }
 
-/// The quads with a corner named twice, an outline that ends where it begins, a slit, and a point, an edge and a
-/// triangle without a third corner.
+/// Returns the quads with a corner named twice, an outline that ends where it begins, a slit, and a point, an edge and
+/// a triangle without a third corner.
 std::vector<std::vector<int>> clumsyFaces()
 {
     auto faces = quads;
@@ -333,7 +335,7 @@ std::string glbOf(const std::string& json, const std::string& chunk, bool isPadd
            number(bytes.size()) + std::string("BIN\0", 4) + bytes;
 }
 
-/// In metres, as glTF has it; `scene` and `nodes` with a comma behind, or empty.
+/// Makes a GLB, in metres as glTF has it. `scene`, `nodes`: with a comma behind, or empty.
 std::string glbBox(const std::string& scene = R"("scene":0,"scenes":[{"nodes":[0]}],)",
                    const std::string& nodes = R"("nodes":[{"mesh":0}],)", const std::string& more = "",
                    bool isPadded = true)
@@ -664,7 +666,7 @@ private:
     QTemporaryDir m_dir;
 };
 
-/// The box's faces, but for the diagonals of strips: the same points, closed, of the same volume.
+/// The model has the box's faces, but for the diagonals of strips: the same points, closed, of the same volume.
 void TestForeignFiles::samples_areThePlainModel()
 {
     const TriangleMesh plain = read("plain.obj", objVertices() + objFaces()).mesh;
@@ -786,7 +788,7 @@ void TestForeignFiles::binaryOff_keepsColors()
     }
 }
 
-/// A long ribbon round a cylinder: all triangles face outwards, whatever the strip's length and its restarts.
+/// All triangles of a ribbon round a cylinder face outwards, whatever the strip's length and its restarts.
 void TestForeignFiles::strips_faceAsTheirFirstTriangle()
 {
     for (const int restartEach : {0, 6, 8}) {
@@ -906,7 +908,7 @@ void TestForeignFiles::polygonsThatCrossThemselves_end()
     QVERIFY(isSound(read("a.obj", obj + face + "\n").mesh));
 }
 
-/// 6000 boxes in two kilobytes.
+/// Two kilobytes place a box 6000 times.
 void TestForeignFiles::manyCopiesInASmallPackage_areRead()
 {
     const auto assembly = [](int id, int of, int times) {

@@ -32,13 +32,8 @@ core::TriangleMesh movedBy(core::TriangleMesh mesh, const core::Vec3f& way)
 }
 
 /// Drags the brush in even steps, with one dab each.
-void drag(Sculptor& sculptor, Tool tool, double radius, const std::vector<Vec3>& path,
-          core::Topology topology = core::Topology::Refine)
+void drag(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
 {
-    StrokeSettings settings;
-    settings.tool = tool;
-    settings.radius = radius;
-    settings.topology = topology;
     sculptor.beginStroke(settings);
     for (const Vec3& place : path) {
         core::StrokeSample sample;
@@ -46,6 +41,16 @@ void drag(Sculptor& sculptor, Tool tool, double radius, const std::vector<Vec3>&
         sculptor.addSample(sample);
     }
     sculptor.endStroke();
+}
+
+void drag(Sculptor& sculptor, Tool tool, double radius, const std::vector<Vec3>& path,
+          core::Topology topology = core::Topology::Refine)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = radius;
+    settings.topology = topology;
+    drag(sculptor, settings, path);
 }
 
 std::vector<Vec3> line(const Vec3& from, const Vec3& to, double step)
@@ -259,13 +264,7 @@ void TestJoints::snakeHookLedBack_isSymmetric()
     settings.radius = radius;
     settings.topology = core::Topology::Refine;
     settings.symmetry = core::Symmetry::X;
-    sculptor.beginStroke(settings);
-    for (const Vec3& place : arc({std::sqrt(1 - half * half), 0, 0}, half, -M_PI / 2, M_PI / 2 + 0.9, 0.1 * radius)) {
-        core::StrokeSample sample;
-        sample.position = place;
-        sculptor.addSample(sample);
-    }
-    sculptor.endStroke();
+    drag(sculptor, settings, arc({std::sqrt(1 - half * half), 0, 0}, half, -M_PI / 2, M_PI / 2 + 0.9, 0.1 * radius));
     const core::MeshReport report = judged(sculptor);
     QVERIFY(report.printReady());
     QVERIFY(report.genus.value() == 2 && report.components == 1);
@@ -378,13 +377,7 @@ void TestJoints::fineForkIntoAPlate_joins()
     settings.radius = 0.7;
     settings.topology = core::Topology::Refine;
     settings.symmetry = core::Symmetry::X;
-    sculptor.beginStroke(settings);
-    for (const Vec3& place : line({1e-4, top + 0.45, 0}, {1e-4, top + 0.1, 0}, 0.03)) {
-        core::StrokeSample sample;
-        sample.position = place;
-        sculptor.addSample(sample);
-    }
-    sculptor.endStroke();
+    drag(sculptor, settings, line({1e-4, top + 0.45, 0}, {1e-4, top + 0.1, 0}, 0.03));
     QVERIFY(!isCapped);
     const core::MeshReport report = judged(sculptor);
     QVERIFY(report.printReady());

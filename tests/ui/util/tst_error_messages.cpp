@@ -52,7 +52,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Each says more than that something is wrong.
+    /// Each fault has a sentence of its own, with file and line.
     void everyFaultHasWordsOfItsOwn()
     {
         QSet<QString> seen;

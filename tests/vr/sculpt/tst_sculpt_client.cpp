@@ -114,19 +114,19 @@ void TestSculptClient::aToolChosenHere_getsTheWindowsValues()
     vr::WandBrush brush(&port, vr::ButtonPreset::Paper);
     vr::DocumentUpdate update;
     update.brushChange = 1;
-    brush.take(update, {});
+    brush.take(update, vr::ModelPlacement());
     vr::BrushState chosen = brush.state();
     chosen.stroke.tool = core::Tool::Clay;
     brush.change(chosen);
     update.brush.strength = 3; // of the tool before: it was on its way
-    brush.take(update, {});
+    brush.take(update, vr::ModelPlacement());
     QCOMPARE(brush.state().stroke.strength, 1.0);
     update.brush.tool = core::Tool::Clay;
     update.brush.strength = 0.5;
     update.brush.falloff = 9;
     update.smoothStrength = 0.25;
     const double radius = brush.state().radius;
-    brush.take(update, {}); // an answer, no change of the window's
+    brush.take(update, vr::ModelPlacement()); // an answer, no change of the window's
     QVERIFY(brush.state().stroke.tool == core::Tool::Clay && brush.state().stroke.strength == 0.5);
     QVERIFY(brush.state().stroke.falloff == 9 && brush.state().smoothStrength == 0.25);
     QCOMPARE(brush.state().radius, radius);
