@@ -136,7 +136,8 @@ void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobC
         return;
     MeshFrame frame = mesh.frame();
     frame.uniformDetail *= command.factor;
-    frame.place *= command.factor; // as another unit of the file does
+    for (double& x : frame.place)
+        x = mesh.lattice().snap(command.factor * x); // as another unit of the file does
     mesh.setFrame(frame);
 }
 

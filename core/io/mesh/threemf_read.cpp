@@ -49,8 +49,11 @@ public:
             throw malformed(FileFault::NoModelPart, errorWithToken({}, m_file, "_rels/.rels"));
         const ThreeMfPart& root = part(path);
         m_slicerParts = ThreeMfSlicerParts::in(m_file, m_package);
-        for (const auto& [object, parts] : m_slicerParts.triangles)
-            leaveOut(parts, m_parts[path].objects[object].mesh.triangles);
+        auto& objects = m_parts[path].objects;
+        for (const auto& [id, parts] : m_slicerParts.triangles) {
+            if (const auto object = objects.find(id); object != objects.end())
+                leaveOut(parts, object->second.mesh.triangles);
+        }
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
         for (const ThreeMfComponent& item : root.build)
@@ -102,14 +105,23 @@ private:
     /// Removes the triangles of parts that are no matter.
     void leaveOut(const std::vector<ThreeMfSlicerParts::Triangles>& parts, std::vector<Triangle>& triangles)
     {
+        std::vector<int> changes(triangles.size() + 1, 0); // of the number of parts that a triangle belongs to
+        for (const ThreeMfSlicerParts::Triangles& part : parts) {
+            m_stopCheck();
+            if (part.first > part.last || part.first >= triangles.size())
+                continue;
+            ++changes[part.first];
+            --changes[std::min(part.last, triangles.size() - 1) + 1];
+            ++(part.isNegative ? m_remarks.negativeParts : m_remarks.otherParts);
+        }
         std::vector<Triangle> left;
+        int owners = 0;
         for (std::size_t i = 0; i < triangles.size(); ++i) {
-            if (std::ranges::none_of(parts, [i](const auto& part) { return part.first <= i && i <= part.last; }))
+            owners += changes[i];
+            if (owners == 0)
                 left.push_back(triangles[i]);
         }
         triangles = std::move(left);
-        for (const ThreeMfSlicerParts::Triangles& part : parts)
-            ++(part.isNegative ? m_remarks.negativeParts : m_remarks.otherParts);
     }
 
     void addMesh(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)

@@ -945,6 +945,10 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold_data()
     QTest::newRow("negative") << volumes("volume_type", "NegativeVolume") << false << true;
     for (const char* type : {"ParameterModifier", "SupportBlocker", "SupportEnforcer"})
         QTest::newRow(type) << volumes("volume_type", type) << false << false;
+    QTest::newRow("nowhere") << QStringLiteral(R"(<config><object id="1"><volume firstid="16" lastid="99"><metadata )"
+                                               R"(type="volume" key="volume_type" value="NegativeVolume"/></volume>)"
+                                               R"(</object><object id="7"/></config>)")
+                             << true << false;
     QTest::newRow("old modifier") << volumes("modifier", "1") << false << false;
 }
 
