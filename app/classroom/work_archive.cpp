@@ -95,8 +95,7 @@ QString idIn(const QByteArray& turn)
 void writeWork(const QString& folder, const TurnWork& work)
 {
     const std::filesystem::path model = toPath(WorkArchive::modelOf(folder));
-    const core::Vec3 place = work.metadata.frame ? work.metadata.frame->place : core::Vec3::Zero();
-    core::writeMesh(model, core::placedMesh(model, *work.mesh, place), {.metadata = work.metadata});
+    core::writeMesh(model, core::placedMesh(model, *work.mesh, work.metadata.place()), {.metadata = work.metadata});
     writeFile(folder + QStringLiteral("/picture.png"), pictureOf(*work.mesh));
     if (work.record)
         writeFile(folder + QStringLiteral("/record.json"), recordOf(*work.record));

@@ -300,8 +300,7 @@ void run(const ReplayOptions& options, Entries& entries)
     setStart(entries, model.start);
     const core::Vec3& place = model.sculptor->mesh().frame().place;
     // Strokes are in the document's coordinates; those of a file that is no document are its own.
-    if (const core::Vec3 by = (model.metadata.frame ? model.metadata.frame->place : core::Vec3::Zero()) - place;
-        !by.isZero(0))
+    if (const core::Vec3 by = model.metadata.place() - place; !by.isZero(0))
         moveBy(by, entries);
     core::Box box = options.frames.isEmpty() ? core::Box() : core::boxOf(core::extractMesh(model.sculptor->mesh()));
     Replayed replayed = play(*model.sculptor, entries, options);

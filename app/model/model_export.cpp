@@ -71,8 +71,7 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
                                     const core::JobControl& control)
 {
     try {
-        const core::Vec3 place = request.metadata.frame ? request.metadata.frame->place : core::Vec3::Zero();
-        const core::TriangleMesh written = core::placedMesh(toPath(request.path), mesh, place);
+        const core::TriangleMesh written = core::placedMesh(toPath(request.path), mesh, request.metadata.place());
         const core::ExportVerdict verdict = core::checkExport(toPath(request.path), written, control);
         if (control.isCancelled())
             throw core::ReadingCancelled();

@@ -172,8 +172,7 @@ QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, c
 {
     try {
         core::NumberedBackup before(toPath(path), backupCount);
-        const core::Vec3 place = metadata.frame ? metadata.frame->place : core::Vec3::Zero();
-        core::writeMesh(toPath(path), core::placedMesh(toPath(path), mesh, place), {.metadata = metadata});
+        core::writeMesh(toPath(path), core::placedMesh(toPath(path), mesh, metadata.place()), {.metadata = metadata});
         before.commit();
     } catch (const core::FileError& error) {
         return ui::ErrorMessages::sentence(error);

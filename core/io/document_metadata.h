@@ -36,5 +36,8 @@ struct DocumentMetadata
     std::optional<SavedView> view;
     std::optional<StrokeSettings> brush; ///< that was in the hand, with its symmetry
     std::optional<WorkDone> work;        ///< none: nobody counted
+
+    /// Returns the frame's place (MeshFrame::place); zero without a frame.
+    Vec3 place() const { return frame ? frame->place : Vec3::Zero(); }
 };
 } // namespace core
