@@ -1,10 +1,9 @@
 // 3MF: the package names its model part; the items of its build say which objects stand where, and their components
 // what they are made of. What other parts hold is read when it is asked for.
+#include "core/io/mesh/mesh_assembly.h"
 #include "core/io/mesh/threemf_part.h"
 #include "core/io/mesh/threemf_slicer_parts.h"
 #include "core/io/mesh/zip_reader.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -14,9 +13,6 @@ namespace
 {
 constexpr int maxDepth = 64;
 constexpr std::size_t maxInstances = 1 << 16, maxParts = 1 << 12;
-/// The vertices and triangles for each byte of the file at most, since an object may stand in a build many times; and
-/// the number that is always read.
-constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 
 /// Empty where the package names none.
 std::string modelPathOf(const FileBytes& file, ZipReader& package)
@@ -40,7 +36,12 @@ std::string modelPathOf(const FileBytes& file, ZipReader& package)
 class ThreeMfReader
 {
 public:
-    explicit ThreeMfReader(const FileBytes& file) : m_file(file), m_package(file), m_stopCheck(file.stop) {}
+    explicit ThreeMfReader(const FileBytes& file)
+        : m_file(file)
+        , m_package(file)
+        , m_stopCheck(file.stop)
+        , m_assembly(file)
+    {}
 
     ReadResult read()
     {
@@ -58,10 +59,8 @@ public:
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
         for (const ThreeMfComponent& item : root.build)
             add(path, item, unit, 0);
-        if (m_hasColors)
-            m_mesh.colors.resize(m_mesh.points.size(), Rgb());
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
-        return {std::move(m_mesh), m_remarks};
+        return {m_assembly.take(), m_remarks};
     }
 
 private:
@@ -97,7 +96,8 @@ private:
             return;
         }
         const Eigen::Matrix4d transform = above * component.transform;
-        addMesh(object->second.mesh, transform);
+        m_assembly.add(object->second.mesh, transform);
+        m_remarks.objects += object->second.mesh.triangles.empty() ? 0 : 1;
         for (const ThreeMfComponent& inner : object->second.components)
             add(path, inner, transform, depth + 1);
     }
@@ -124,50 +124,12 @@ private:
         triangles = std::move(left);
     }
 
-    void addMesh(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)
-    {
-        requireRoom("vertices", m_mesh.points.size() + mesh.points.size(),
-                    std::min(maxVertices, std::max(alwaysTaken, maxVertexCopies * m_file.bytes.size())));
-        requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(),
-                    std::min(maxFaces, std::max(2 * alwaysTaken, maxFaceCopies * m_file.bytes.size())));
-        const auto first = static_cast<Slot>(m_mesh.points.size());
-        m_remarks.objects += mesh.triangles.empty() ? 0 : 1;
-        const bool isPlain = transform == Eigen::Matrix4d::Identity();
-        for (Vec3f point : mesh.points) {
-            m_stopCheck();
-            if (!isPlain)
-                point = (transform * point.cast<double>().homogeneous()).head<3>().cast<float>();
-            if (!point.allFinite())
-                throw errorWithToken(FileErrorKind::NotANumber, m_file, {});
-            m_mesh.points.push_back(point);
-        }
-        if (!mesh.colors.empty()) {
-            m_hasColors = true;
-            m_mesh.colors.resize(first, Rgb());
-            m_mesh.colors.insert(m_mesh.colors.end(), mesh.colors.begin(), mesh.colors.end());
-        }
-        const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
-        for (auto [a, b, c] : mesh.triangles) {
-            m_stopCheck();
-            if (isMirrored)
-                std::swap(b, c);
-            m_mesh.triangles.push_back({first + a, first + b, first + c});
-        }
-    }
-
-    void requireRoom(std::string_view what, std::size_t wanted, std::size_t max) const
-    {
-        if (wanted > max)
-            throw tooMany(what, max, errorWithToken({}, m_file, {}));
-    }
-
     const FileBytes& m_file;
     ZipReader m_package;
     StopCheck m_stopCheck;
     std::map<std::string, ThreeMfPart> m_parts;
     ThreeMfSlicerParts m_slicerParts;
-    TriangleMesh m_mesh;
-    bool m_hasColors = false;
+    MeshAssembly m_assembly;
     std::size_t m_instances = 0;
     ReadRemarks m_remarks{.objects = 0};
 };
