@@ -378,8 +378,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Wie lang die längste Seite wird.</translation>
     </message>
     <message>
-        <source>Which axis of IN points up; else z for STL and 3MF, y for others.</source>
-        <translation>Welche Achse von IN nach oben zeigt; sonst z bei STL und 3MF, y bei anderen.</translation>
+        <source>Which axis of IN points up; else z for STL, 3MF and AMF, y for others.</source>
+        <translation>Welche Achse von IN nach oben zeigt; sonst z bei STL, 3MF und AMF, y bei anderen.</translation>
     </message>
     <message numerus="yes">
         <source>convert: two files are needed, IN and OUT, but %n were given.</source>
@@ -5039,6 +5039,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>modifiers and supports of a slicer (%1)</source>
         <translation>Modifizierer und Stützen eines Slicers (%1)</translation>
     </message>
+    <message>
+        <source>further models in its package (%1)</source>
+        <translation>weitere Modelle im selben Paket (%1)</translation>
+    </message>
+    <message>
+        <source>the curvature of edges and triangles</source>
+        <translation>die Krümmung von Kanten und Dreiecken</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileFaultMessages</name>
@@ -5166,6 +5174,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
         <translation>%1 ist glTF der Version %2; gelesen wird Version 2: Speichern Sie die Datei als solche.</translation>
+    </message>
+    <message>
+        <source>%1: the compressed data of &quot;%2&quot; ends too early.</source>
+        <translation>%1: Die komprimierten Daten von „%2“ enden zu früh.</translation>
+    </message>
+    <message>
+        <source>%1: the compressed data of &quot;%2&quot; is not packed as its extension says.</source>
+        <translation>%1: Die komprimierten Daten von „%2“ sind nicht so gepackt, wie ihre Erweiterung es vorschreibt.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>

@@ -376,8 +376,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>最长边的目标长度。</translation>
     </message>
     <message>
-        <source>Which axis of IN points up; else z for STL and 3MF, y for others.</source>
-        <translation>IN 的哪个轴朝上；默认 STL 和 3MF 为 z，其他为 y。</translation>
+        <source>Which axis of IN points up; else z for STL, 3MF and AMF, y for others.</source>
+        <translation>IN 的哪个轴朝上；默认 STL、3MF 和 AMF 为 z，其他为 y。</translation>
     </message>
     <message numerus="yes">
         <source>convert: two files are needed, IN and OUT, but %n were given.</source>
@@ -5023,6 +5023,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>modifiers and supports of a slicer (%1)</source>
         <translation>切片软件的修改器和支撑（%1）</translation>
     </message>
+    <message>
+        <source>further models in its package (%1)</source>
+        <translation>同一压缩包中的其他模型（%1）</translation>
+    </message>
+    <message>
+        <source>the curvature of edges and triangles</source>
+        <translation>边和三角形的弯曲</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileFaultMessages</name>
@@ -5150,6 +5158,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
         <translation>%1 是 glTF %2 版；可读取的是第 2 版：请保存为该版本。</translation>
+    </message>
+    <message>
+        <source>%1: the compressed data of &quot;%2&quot; ends too early.</source>
+        <translation>%1：“%2”的压缩数据过早结束。</translation>
+    </message>
+    <message>
+        <source>%1: the compressed data of &quot;%2&quot; is not packed as its extension says.</source>
+        <translation>%1：“%2”的压缩数据未按其扩展的规定打包。</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>

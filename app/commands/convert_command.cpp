@@ -86,7 +86,7 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
     parser.addOptions(
         {{unit, ConvertMessages::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
          {size, ConvertMessages::tr("How long the longest side becomes."), QStringLiteral("MM")},
-         {up, ConvertMessages::tr("Which axis of IN points up; else z for STL and 3MF, y for others."),
+         {up, ConvertMessages::tr("Which axis of IN points up; else z for STL, 3MF and AMF, y for others."),
           QStringLiteral("y|z")},
          {triangles,
           ConvertMessages::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),

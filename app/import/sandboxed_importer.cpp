@@ -19,10 +19,10 @@ using core::TriangleMesh;
 
 /// Of those that Assimp 5.2 reads: what holds surfaces, and whose ending means nothing else to most people (no raw,
 /// scn, xml, mesh). Blender's files are not among them: without its modifiers they are another model.
-constexpr std::array<std::string_view, 39> endings{
-    "fbx", "dae", "3ds",  "x3d",  "x3db", "amf", "lwo",     "lws", "lxo", "dxf",     "ifc", "ac",  "ac3d",
-    "acc", "ase", "b3d",  "cob",  "hmp",  "iqm", "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d",
-    "ndo", "nff", "enff", "ogex", "pmx",  "q3o", "q3s",     "sib", "smd", "x",       "xgl", "zae", "zgl"};
+constexpr std::array<std::string_view, 38> endings{
+    "fbx", "dae",  "3ds",  "x3d", "x3db", "lwo",     "lws", "lxo", "dxf",     "ifc", "ac",  "ac3d", "acc",
+    "ase", "b3d",  "cob",  "hmp", "iqm",  "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "ndo",
+    "nff", "enff", "ogex", "pmx", "q3o",  "q3s",     "sib", "smd", "x",       "xgl", "zae", "zgl"};
 
 FileError errorOf(FileErrorKind kind, const std::filesystem::path& path, std::uint64_t expected = 0)
 {

@@ -133,7 +133,8 @@ bool ModelLoader::holdsUnit(const QString& path)
     const auto format = core::meshFormatOf(toPath(path));
     if (!format)
         return assimpHoldsUnit(toPath(path));
-    return format == core::MeshFormat::Glb || format == core::MeshFormat::Gltf || format == core::MeshFormat::ThreeMf;
+    return format == core::MeshFormat::Glb || format == core::MeshFormat::Gltf || format == core::MeshFormat::ThreeMf ||
+           format == core::MeshFormat::Amf;
 }
 
 LoadedModel ModelLoader::sphere(double radius)

@@ -24,7 +24,7 @@ namespace core
 {
 namespace
 {
-constexpr std::array<std::string_view, 7> endings{"stl", "obj", "ply", "off", "glb", "3mf", "gltf"};
+constexpr std::array<std::string_view, 8> endings{"stl", "obj", "ply", "off", "glb", "3mf", "gltf", "amf"};
 constexpr std::size_t written = 6;
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
@@ -94,6 +94,7 @@ void refuseOtherContent(const io::FileBytes& start, std::uint64_t size, MeshForm
     const bool isWithoutZeros = !text.empty() && text.find('\0') == std::string_view::npos;
     const bool couldBe = format == MeshFormat::Obj    ? detected == "text" || (detected.empty() && isWithoutZeros)
                          : format == MeshFormat::Gltf ? detected == "text"
+                         : format == MeshFormat::Amf  ? detected == "xml" || detected == "zip" || detected == "text"
                          : format == MeshFormat::Stl  ? detected.empty()
                                                       : false;
     if (!couldBe)
@@ -153,6 +154,8 @@ ReadResult parse(const io::FileBytes& file, MeshFormat format)
         return io::readGltf(file, format == MeshFormat::Glb);
     case MeshFormat::ThreeMf:
         return io::readThreeMf(file);
+    case MeshFormat::Amf:
+        return io::readAmf(file);
     }
     return {};
 }
@@ -269,7 +272,8 @@ bool holdsColors(MeshFormat format)
 
 UpAxis usualUp(MeshFormat format)
 {
-    return format == MeshFormat::Stl || format == MeshFormat::ThreeMf ? UpAxis::Z : UpAxis::Y;
+    const bool isOfPrinters = format == MeshFormat::Stl || format == MeshFormat::ThreeMf || format == MeshFormat::Amf;
+    return isOfPrinters ? UpAxis::Z : UpAxis::Y;
 }
 
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options)
@@ -355,6 +359,7 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         io::writeThreeMf(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Gltf:
+    case MeshFormat::Amf:
         break; // refused above
     }
     out.commit();

@@ -11,8 +11,8 @@
 
 namespace core
 {
-/// All are read; all but the last are written, too.
-enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf, Gltf };
+/// All are read; all but the last two are written, too.
+enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf, Gltf, Amf };
 
 /// The formats by their endings (lower case, without dot), in the order of MeshFormat.
 std::span<const std::string_view> meshEndings();
@@ -27,7 +27,7 @@ bool isWritten(const std::filesystem::path& path);
 
 /// Which axis of a file points up. In a document it is Y.
 enum class UpAxis { Y, Z };
-/// STL and 3MF: Z, the print bed's habit. The others: Y.
+/// STL, 3MF and AMF: Z, the print bed's habit. The others: Y.
 UpAxis usualUp(MeshFormat format);
 
 bool holdsColors(MeshFormat format);
@@ -50,6 +50,8 @@ struct ReadRemarks
     std::uint64_t bytesBehind = 0;   ///< the bytes behind a binary model, left out
     std::size_t negativeParts = 0;   ///< parts left out that a slicer would cut out of the model
     std::size_t otherParts = 0;      ///< parts left out that are no matter: modifiers and supports of slicers
+    std::size_t otherModels = 0;     ///< models left out that are in the same package
+    bool curves = false;             ///< edges and triangles that the file bends are straight and flat
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };
@@ -78,7 +80,7 @@ struct WriteOptions
 /// one, whatever the format: STL knows no others, and other files split them along seams. Vertices and faces keep their
 /// order; polygons are cut into triangles, and corners that they name twice in a row are left out. Text numbers are
 /// rounded to the nearest float32. A file is not read beyond its header when it is too short for it. Units are the
-/// file's; glTF's metres and the unit that a 3MF names become millimetres. What a .gltf names must lie in its
+/// file's; glTF's metres and the unit that a 3MF or AMF names become millimetres. What a .gltf names must lie in its
 /// folder, links followed.
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
 /// Its mesh alone.

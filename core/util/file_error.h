@@ -62,7 +62,7 @@ enum class FileFault {
     Json,            ///< it does not parse
     JsonChunk,       ///< a GLB's first chunk is not JSON
     Base64,          ///< data within a URI
-    LengthUnit,      ///< one of those that 3MF has
+    LengthUnit,      ///< one of those that 3MF and AMF have
     Missing,         ///< it is not there, though something needs it
     Repeated,        ///< it comes a second time
     NotAList,        ///< JSON of another type
@@ -74,6 +74,8 @@ enum class FileFault {
     TooDeep,         ///< it is nested too deeply, or holds itself
     NeedsExtension,  ///< without which the shape is not known
     OldGltf,         ///< glTF of a version before 2
+    CompressedCut,   ///< compressed data that ends too early
+    CompressedWrong, ///< compressed data that is not packed as it should be
     OutsidePackage,  ///< a path that leads out of it
     NotInPackage,    ///< a part of that name
     NoModelPart,     ///< the package's list of relationships names none

@@ -21,8 +21,8 @@ libeigen3-dev       Eigen: vectors and matrices
 libboost-dev        Boost.Multiprecision: exact points where faces cross
 nlohmann-json3-dev  JSON: stroke files, reports, glTF
 libassimp-dev       Assimp: reads the formats that we do not
-libexpat1-dev       Expat: the XML of 3MF
-libzip-dev          libzip: the packages that 3MF files are
+libexpat1-dev       Expat: the XML of 3MF and AMF
+libzip-dev          libzip: the packages that 3MF files are, and zipped AMF
 libopenxr-dev       OpenXR: the headset
 libgl-dev           OpenGL
 libegl-dev          OpenGL of the headset, under Wayland

@@ -23,7 +23,7 @@ expect "the metainfo is valid" appstreamcli validate --no-net "$packaging/org.fe
 mkdir -p "$scratch/mime/packages"
 cp "$packaging/org.fettle.Fettle.mime.xml" "$scratch/mime/packages/"
 expect "the file types are valid" update-mime-database "$scratch/mime"
-for type in model/stl model/obj application/x-ply; do
+for type in model/stl model/obj application/x-ply application/x-amf; do
     expect "the file types know $type" grep -q "^$type\$" "$scratch/mime/types"
     expect "the desktop entry opens $type" grep -q "^MimeType=.*$type;" "$packaging/org.fettle.Fettle.desktop"
 done

@@ -126,6 +126,10 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
         left << tr("parts that a slicer would cut out of the model (%1)").arg(number(remarks.negativeParts));
     if (remarks.otherParts > 0)
         left << tr("modifiers and supports of a slicer (%1)").arg(number(remarks.otherParts));
+    if (remarks.otherModels > 0)
+        left << tr("further models in its package (%1)").arg(number(remarks.otherModels));
+    if (remarks.curves)
+        left << tr("the curvature of edges and triangles");
     if (!left.isEmpty())
         clauses << tr("left out: %1", "materials, textures")
                        .arg(left.join(tr(", ", "between the parts of a model that are left out")));

@@ -95,6 +95,10 @@ QString FileFaultMessages::ofGltf(const core::FileError& error, const QString& w
             .arg(where, token);
     case FileFault::OldGltf:
         return tr("%1 is glTF of version %2; version 2 is read: save it as that.").arg(where, token);
+    case FileFault::CompressedCut:
+        return tr("%1: the compressed data of \"%2\" ends too early.").arg(where, token);
+    case FileFault::CompressedWrong:
+        return tr("%1: the compressed data of \"%2\" is not packed as its extension says.").arg(where, token);
     default:
         return {};
     }

@@ -83,6 +83,7 @@ ReadResult readOff(const FileBytes& file);
 ReadResult readGltf(const FileBytes& file, bool isBinary); ///< in mm
 /// In mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times.
 ReadResult readThreeMf(const FileBytes& file);
+ReadResult readAmf(const FileBytes& file); ///< in mm, from XML or a zip of it; memory as with 3MF
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);

@@ -92,6 +92,11 @@ struct XmlReader::Callbacks
             reader.m_namespaces.end();
         });
     }
+    static void text(void* self, const char* piece, int size)
+    {
+        auto& reader = *static_cast<XmlReader*>(self);
+        reader.guarded([&] { reader.m_text({piece, static_cast<std::size_t>(size)}); });
+    }
     static void documentType(void* self, const char*, const char*, const char*, int)
     {
         auto& reader = *static_cast<XmlReader*>(self);
@@ -99,16 +104,19 @@ struct XmlReader::Callbacks
     }
 };
 
-XmlReader::XmlReader(const FileBytes& file, Begin begin, End end)
+XmlReader::XmlReader(const FileBytes& file, Begin begin, End end, Text text)
     : m_file(file)
     , m_begin(std::move(begin))
     , m_end(std::move(end))
+    , m_text(std::move(text))
     , m_parser(XML_ParserCreate(nullptr), &XML_ParserFree)
 {
     if (!m_parser)
         throw std::bad_alloc();
     XML_SetUserData(m_parser.get(), this);
     XML_SetElementHandler(m_parser.get(), &Callbacks::begin, &Callbacks::end);
+    if (m_text)
+        XML_SetCharacterDataHandler(m_parser.get(), &Callbacks::text);
     XML_SetStartDoctypeDeclHandler(m_parser.get(), &Callbacks::documentType);
 }
 
@@ -120,7 +128,7 @@ void XmlReader::guarded(const std::function<void()>& work)
         work();
     } catch (FileError& error) {
         if (error.place.unit == FilePlace::Unit::None)
-            error.place = {FilePlace::Unit::Line, XML_GetCurrentLineNumber(m_parser.get())};
+            error.place = {FilePlace::Unit::Line, line()};
         m_problem = std::make_exception_ptr(error);
     } catch (...) {
         m_problem = std::current_exception();
@@ -144,10 +152,15 @@ void XmlReader::take(std::string_view piece)
         refuse(FileFault::XmlLongTag);
 }
 
+std::uint64_t XmlReader::line() const
+{
+    return XML_GetCurrentLineNumber(m_parser.get());
+}
+
 void XmlReader::refuse(FileFault fault) const
 {
     FileError error = malformed(fault, errorWithToken({}, m_file, {}));
-    error.place = {FilePlace::Unit::Line, XML_GetCurrentLineNumber(m_parser.get())};
+    error.place = {FilePlace::Unit::Line, line()};
     throw error;
 }
 } // namespace core::io

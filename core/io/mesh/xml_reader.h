@@ -47,11 +47,15 @@ class XmlReader
 public:
     using Begin = std::function<void(std::string_view name, const XmlAttributes& attributes)>;
     using End = std::function<void(std::string_view name)>;
+    using Text = std::function<void(std::string_view piece)>;
 
-    XmlReader(const FileBytes& file, Begin begin, End end);
+    /// `text` gets what stands between tags, in UTF-8, piece by piece.
+    XmlReader(const FileBytes& file, Begin begin, End end, Text text = {});
 
-    /// The last piece is empty. Throws FileError, and what begin and end throw.
+    /// The last piece is empty. Throws FileError, and what the three functions throw.
     void take(std::string_view piece);
+    /// Returns the line that is being parsed, from 1.
+    std::uint64_t line() const;
 
 private:
     struct Callbacks;
@@ -62,6 +66,7 @@ private:
     XmlNamespaces m_namespaces;
     Begin m_begin;
     End m_end;
+    Text m_text;
     std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> m_parser;
     int m_depth = 0;
     std::uint64_t m_given = 0; ///< bytes

@@ -1128,6 +1128,7 @@ void TestForeignFiles::utf16_isTold_data()
     QTest::newRow("ply") << "a.ply" << QByteArray::fromStdString(plyFaces("ascii", quads));
     QTest::newRow("off") << "a.off" << QByteArray::fromStdString(offOf("OFF\n", "8 6 0\n", "\n", " ", "\n"));
     QTest::newRow("gltf") << "a.gltf" << QByteArray(R"({"asset":{"version":"2.0"},"nodes":[]})");
+    QTest::newRow("amf") << "a.amf" << QByteArray("<?xml version=\"1.0\"?><amf><object id=\"1\"/></amf>");
 }
 
 void TestForeignFiles::utf16_isTold()

@@ -885,7 +885,7 @@ void TestMeshIo::hugeFiles_areRefusedQuickly()
         return error && quick ? static_cast<int>(error->kind) : -1;
     };
     constexpr std::uintmax_t gigabyte = 1'000'000'000;
-    for (const char* name : {"huge.stl", "huge.obj", "huge.ply", "huge.off", "huge.glb", "huge.3mf"})
+    for (const char* name : {"huge.stl", "huge.obj", "huge.ply", "huge.off", "huge.glb", "huge.3mf", "huge.amf"})
         QCOMPARE(sparse(name, "", 3 * gigabyte), static_cast<int>(Kind::TooLarge));
     QCOMPARE(sparse("zeros.stl", "", 2 * gigabyte), static_cast<int>(Kind::CountMismatch));
     QCOMPARE(sparse("zeros.obj", "", 2 * gigabyte), static_cast<int>(Kind::NotWhatItsEndingSays));

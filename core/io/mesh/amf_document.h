@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/io/mesh/amf_colors.h"
+#include "core/io/mesh/xml_reader.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <set>
+
+namespace core::io
+{
+/// An object or a constellation, put somewhere.
+struct AmfInstance
+{
+    std::string object; ///< its id
+    std::uint64_t line = 0;
+    Eigen::Vector3d move = Eigen::Vector3d::Zero(); ///< in the document's unit
+    Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< of slicers; a negative one mirrors
+};
+
+/// An object, which has a mesh, or a constellation, which has instances.
+struct AmfNode
+{
+    std::string id;    ///< empty: nothing can name it
+    TriangleMesh mesh; ///< in the document's unit; its indices are in range
+    std::size_t volumes = 0;
+    std::vector<AmfInstance> instances;
+    AmfColors colors;
+};
+
+/// What an AMF's XML holds.
+struct AmfDocument
+{
+    double millimetres = 1; ///< of its unit
+    bool isInRadians = false;
+    std::vector<AmfNode> nodes;
+    AmfColors::Materials materials;
+    ReadRemarks remarks{.objects = 0};
+};
+
+/// Parses the XML of an AMF, which is given piece by piece. Elements may be of the namespace that the first one has, or
+/// of none. Edges and normals that bend triangles, composite materials and textures are passed over, with a remark.
+/// Volumes that a slicer does not print are left out. Throws FileError with lines of the XML.
+class AmfDocumentReader
+{
+public:
+    explicit AmfDocumentReader(const FileBytes& file);
+
+    void take(std::string_view piece) { m_xml.take(piece); }
+    AmfDocument document() { return std::move(m_document); }
+
+private:
+    enum class Element : std::uint8_t;
+    struct Rule;
+    enum class Matter { Model, Negative, Other };
+
+    Element elementOf(std::string_view name);
+    void begin(Element element, const XmlAttributes& attributes);
+    void beginNode(const XmlAttributes& attributes);
+    void beginInstance(const XmlAttributes& attributes);
+    void end();
+    void takeNumber(Element element);
+    void takeColor();
+    void takeMetadata();
+    void addVertex();
+    void addTriangle();
+    void endVolume();
+    void endMesh();
+
+    const FileBytes& m_file;
+    StopCheck m_stopCheck;
+    AmfDocument m_document;
+    std::set<std::string, std::less<>> m_ids;
+    std::size_t m_instances = 0;
+    std::string m_prefix; ///< of the names of elements: a namespace and a bar, or empty
+    std::vector<Element> m_open;
+    std::string m_text; ///< of the innermost element, if it is wanted
+    std::string m_key;  ///< the type of the metadata that are open
+    std::string m_material;
+
+    std::array<std::optional<float>, 3> m_point;
+    std::array<std::optional<std::uint32_t>, 3> m_corners;
+    std::array<std::optional<double>, 3> m_color; ///< red, green, blue from 0 to 1
+    std::size_t m_firstVertex = 0;                ///< of the mesh, among the object's
+    struct
+    {
+        std::uint32_t corner = 0;
+        std::uint64_t line = 0;
+    } m_farthest; ///< the highest number of a vertex that the mesh's triangles name
+    struct
+    {
+        std::size_t firstTriangle = 0;
+        std::string material;
+        std::optional<Rgb> color;
+        Matter matter = Matter::Model;
+    } m_volume;
+    XmlReader m_xml; ///< last: it calls
+};
+} // namespace core::io
