@@ -4,6 +4,7 @@
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/gltf_buffers.h"
 #include "core/io/mesh/gltf_extensions.h"
+#include "core/io/mesh/gltf_meshopt.h"
 #include "core/util/parallel.h"
 
 #include <cmath>
@@ -18,6 +19,8 @@ namespace
 constexpr std::size_t maxJson = std::size_t(1) << 23;
 /// As many bytes as a model's file may have.
 constexpr std::size_t maxBytes = std::size_t(1) << 31;
+/// So many times its own bytes are unpacked of a file, as of a zip.
+constexpr std::size_t maxUnpackedTimes = 100, alwaysUnpacked = std::size_t(16) << 20;
 
 /// Of JSON, what is not inside of texts; each text counts as its two quotes.
 std::size_t sizeBesideTexts(std::string_view json)
@@ -202,6 +205,10 @@ void GltfDocument::loadBuffers()
         const auto uri = buffer.is_object() ? buffer.find("uri") : buffer.end();
         if (!buffer.is_object() || (uri != buffer.end() && !uri->is_string()))
             refuse(FileFault::NotAnObject, "buffers/" + std::to_string(m_buffers.size()));
+        if (isGltfFallback(buffer)) {
+            m_buffers.emplace_back();
+            continue;
+        }
         if (uri == buffer.end()) { // the chunk is the first one's
             m_buffers.push_back(m_buffers.empty() ? m_binary : std::string_view());
             continue;
@@ -251,6 +258,34 @@ const GltfDocument::Json& GltfDocument::element(const char* list, std::size_t in
     return elements[index];
 }
 
+std::string_view GltfDocument::partOf(std::size_t buffer, std::size_t offset, std::size_t length) const
+{
+    if (buffer >= m_buffers.size())
+        refuse(FileFault::Missing, "buffers/" + std::to_string(buffer));
+    if (const std::size_t size = m_buffers[buffer].size(); offset > size || length > size - offset)
+        refuseCutOff();
+    return m_buffers[buffer].substr(offset, length);
+}
+
+/// Returns what a buffer view holds, unpacked.
+std::string_view GltfDocument::viewBytes(std::size_t index) const
+{
+    const Json& view = element("bufferViews", index);
+    const std::optional<GltfMeshopt> packed = gltfMeshoptIn(*this, view, "bufferViews/" + std::to_string(index));
+    if (!packed)
+        return partOf(sizeIn(view, "buffer", 0), sizeIn(view, "byteOffset", 0), sizeIn(view, "byteLength", 0));
+    if (const auto found = m_unpacked.find(index); found != m_unpacked.end())
+        return found->second;
+    MeshoptView what = packed->view;
+    what.data = partOf(packed->buffer, packed->offset, packed->length);
+    const std::size_t max = std::clamp(maxUnpackedTimes * m_bytes, alwaysUnpacked, maxBytes),
+                      size = what.count * what.stride;
+    if (size > max - m_unpackedBytes)
+        throw withCounts({FileErrorKind::UnpacksTooLarge, m_file.path}, max);
+    m_unpackedBytes += size;
+    return m_unpacked[index] = meshoptUnpacked(m_file, what);
+}
+
 /// `count` elements of `size` bytes from `offset` on in a buffer view; all of them are in the file.
 GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const
 {
@@ -258,18 +293,12 @@ GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size
     if (!index)
         refuse(FileFault::Missing, "bufferView");
     const Json& view = element("bufferViews", *index);
-    const std::size_t number = sizeIn(view, "buffer", 0);
-    if (number >= m_buffers.size())
-        refuse(FileFault::Missing, "buffers/" + std::to_string(number));
-    const std::string_view buffer = m_buffers[number];
-    const std::size_t length = sizeIn(view, "byteLength", 0), begin = sizeIn(view, "byteOffset", 0),
-                      offset = sizeIn(at, "byteOffset", 0);
-    if (begin > buffer.size() || length > buffer.size() - begin)
-        refuseCutOff();
+    const std::string_view bytes = viewBytes(*index);
+    const std::size_t length = bytes.size(), offset = sizeIn(at, "byteOffset", 0);
     const std::size_t stride = std::max(size, ownStride != 0 ? ownStride : sizeIn(view, "byteStride", size));
     if (offset > length || count == 0 || size > length - offset || (length - offset - size) / stride < count - 1)
         refuse(FileFault::BeyondItsData, "bufferViews/" + std::to_string(*index));
-    return {.first = buffer.data() + begin + offset, .count = count, .stride = stride};
+    return {.first = bytes.data() + offset, .count = count, .stride = stride};
 }
 
 /// An accessor with so many components, its sparse part aside.
@@ -285,7 +314,8 @@ GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max) const
                                                : 0;
     const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
     const std::size_t count = sizeIn(from, "count", 0);
-    if (components < min || components > max || sizeOf(componentType) == 0 || count == 0 || count > m_bytes)
+    const std::size_t maxCount = from.contains("bufferView") ? maxMeshoptRatio * m_bytes : m_bytes;
+    if (components < min || components > max || sizeOf(componentType) == 0 || count == 0 || count > maxCount)
         refuse(FileFault::WrongAccessor, name);
     GltfLayout layout;
     if (from.contains("bufferView"))

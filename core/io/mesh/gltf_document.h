@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <deque>
+#include <map>
 #include <optional>
 
 namespace core::io
@@ -26,7 +27,8 @@ struct GltfLayout
 
 /// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked
 /// for is looked at before anything is read by it: wrong types, indices and sizes throw FileError with the JSON's word
-/// for what is wrong. Extensions that it requires are passed over where they say nothing of the shape.
+/// for what is wrong. Extensions that it requires are passed over where they say nothing of the shape. Buffer views
+/// that meshopt compressed are unpacked when they are asked for. Not thread-safe.
 class GltfDocument
 {
 public:
@@ -35,8 +37,8 @@ public:
     GltfDocument(const FileBytes& file, bool isBinary);
 
     const Json& document() const { return m_document; }
-    /// Of the file and its buffers.
-    std::size_t bytes() const { return m_bytes; }
+    /// Of the file, its buffers, and what has been unpacked of them.
+    std::size_t bytes() const { return m_bytes + m_unpackedBytes; }
 
     /// Empty if there is none.
     const Json& arrayIn(const Json& object, const char* key) const;
@@ -64,6 +66,8 @@ private:
     void refuseExtensions() const;
     void loadBuffers();
     [[noreturn]] void refuseCutOff() const;
+    std::string_view partOf(std::size_t buffer, std::size_t offset, std::size_t length) const;
+    std::string_view viewBytes(std::size_t index) const;
     GltfLayout elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const;
     struct Sparse
     {
@@ -79,5 +83,7 @@ private:
     std::deque<std::string> m_loaded;
     std::vector<std::string_view> m_buffers; ///< into the chunk, and what was loaded
     std::size_t m_bytes = 0;
+    mutable std::map<std::size_t, std::string> m_unpacked; ///< buffer views
+    mutable std::size_t m_unpackedBytes = 0;
 };
 } // namespace core::io

@@ -8,7 +8,9 @@ namespace core::io
 {
 bool isWithoutShape(std::string_view extension)
 {
-    constexpr std::array<std::string_view, 16> names{"KHR_mesh_quantization",
+    constexpr std::array<std::string_view, 18> names{"KHR_mesh_quantization",
+                                                     "EXT_meshopt_compression",
+                                                     "KHR_meshopt_compression",
                                                      "KHR_animation_pointer",
                                                      "KHR_xmp",
                                                      "KHR_xmp_json_ld",
