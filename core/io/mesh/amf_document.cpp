@@ -349,6 +349,7 @@ void AmfDocumentReader::endVolume()
         return;
     }
     ++(m_volume.matter == Matter::Negative ? m_document.remarks.negativeParts : m_document.remarks.otherParts);
+    node.isWhole = false;
     node.mesh.triangles.resize(m_volume.firstTriangle);
     node.colors.removeTriangles(m_volume.firstTriangle);
 }

@@ -26,6 +26,7 @@ struct AmfNode
     std::string id;    ///< empty: nothing can name it
     TriangleMesh mesh; ///< in the document's unit; its indices are in range
     std::size_t volumes = 0;
+    bool isWhole = true; ///< no volume was left out
     std::vector<AmfInstance> instances;
     AmfColors colors;
 };

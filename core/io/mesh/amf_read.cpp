@@ -136,6 +136,8 @@ public:
         for (std::size_t i = 0; i < m_document.nodes.size(); ++i) {
             AmfNode& node = m_document.nodes[i];
             node.mesh.colors = node.colors.of(node.mesh, m_document.materials);
+            if (!node.isWhole)
+                removeUnusedVertices(node.mesh); // they would count for the model's size
             for (const AmfInstance& instance : node.instances) {
                 const auto found = ids.find(instance.object);
                 if (found == ids.end())

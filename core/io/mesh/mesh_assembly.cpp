@@ -13,6 +13,30 @@ namespace
 constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 } // namespace
 
+void removeUnusedVertices(TriangleMesh& mesh)
+{
+    std::vector<Slot> places(mesh.points.size(), 0); // first 1 for those in use, then where they go
+    for (const Triangle& triangle : mesh.triangles)
+        for (const Slot corner : triangle)
+            places[corner] = 1;
+    Slot count = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool isUsed = places[i] == 1;
+        places[i] = count;
+        if (!isUsed)
+            continue;
+        mesh.points[count] = mesh.points[i];
+        if (!mesh.colors.empty())
+            mesh.colors[count] = mesh.colors[i];
+        ++count;
+    }
+    mesh.points.resize(count);
+    mesh.colors.resize(mesh.colors.empty() ? 0 : count);
+    for (Triangle& triangle : mesh.triangles)
+        for (Slot& corner : triangle)
+            corner = places[corner];
+}
+
 MeshAssembly::MeshAssembly(const FileBytes& file) : m_file(file), m_stopCheck(file.stop) {}
 
 void MeshAssembly::add(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)

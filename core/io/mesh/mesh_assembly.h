@@ -6,6 +6,10 @@
 
 namespace core::io
 {
+/// Removes the vertices that no triangle names; those that stay keep their order. Precondition: as of
+/// MeshAssembly::add().
+void removeUnusedVertices(TriangleMesh& mesh);
+
 /// Copies of a file's meshes, put to their places, as one mesh. A file may place a mesh very often, so that there is a
 /// limit: 16 vertices and 32 triangles for each byte of the file, or a million and two million if that is more.
 class MeshAssembly

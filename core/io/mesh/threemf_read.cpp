@@ -52,8 +52,11 @@ public:
         m_slicerParts = ThreeMfSlicerParts::in(m_file, m_package);
         auto& objects = m_parts[path].objects;
         for (const auto& [id, parts] : m_slicerParts.triangles) {
-            if (const auto object = objects.find(id); object != objects.end())
-                leaveOut(parts, object->second.mesh.triangles);
+            const auto object = objects.find(id);
+            if (object == objects.end())
+                continue;
+            leaveOut(parts, object->second.mesh.triangles);
+            removeUnusedVertices(object->second.mesh); // they would count for the model's size
         }
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();

@@ -304,6 +304,7 @@ void TestAmf::slicersVolumes_areLeftOutAndTold()
     const ReadResult result = readAll(amfOf(amfObject("1", mesh)));
     QCOMPARE(result.mesh.triangles.size(), std::size_t(isMatter ? 12 : 8));
     QCOMPARE(enclosedVolume(result.mesh), isMatter ? 3.0 : 2.0);
+    QCOMPARE(result.mesh.points.size(), std::size_t(isMatter ? 12 : 8)); // the others would count for the size
     QCOMPARE(result.mesh.colors.empty(), !isMatter);
     QCOMPARE(result.remarks.negativeParts, std::size_t(isNegative));
     QCOMPARE(result.remarks.otherParts, std::size_t(!isMatter && !isNegative));

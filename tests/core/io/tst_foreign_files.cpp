@@ -970,6 +970,7 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold()
     packageOf(file("prusa.3mf"), parts);
     const core::ReadResult prusa = core::readModel(file("prusa.3mf"));
     QCOMPARE(prusa.mesh.triangles.size(), std::size_t(isMatter ? 16 : 12));
+    QCOMPARE(prusa.mesh.points.size(), std::size_t(isMatter ? 12 : 8)); // the others would count for the size
     QCOMPARE(prusa.remarks.negativeParts, std::size_t(isNegative));
     QCOMPARE(prusa.remarks.otherParts, std::size_t(!isMatter && !isNegative));
 
