@@ -22,11 +22,11 @@ const Json* extensionIn(const Json& object)
 }
 
 /// Returns the place of the word that the object has at the key; nothing if it has another one.
-template <std::size_t size>
-std::optional<std::size_t> wordIn(const Json& object, const char* key, const std::array<std::string_view, size>& words)
+template <std::size_t Count>
+std::optional<std::size_t> wordIn(const Json& object, const char* key, const std::array<std::string_view, Count>& words)
 {
     const auto found = object.find(key);
-    for (std::size_t i = 0; found != object.end() && i < size; ++i)
+    for (std::size_t i = 0; found != object.end() && i < Count; ++i)
         if (found->is_string() && found->get_ref<const std::string&>() == words[i])
             return i;
     return std::nullopt;

@@ -138,9 +138,9 @@ private:
     std::size_t m_count, m_stride;
     MeshoptBytes m_bytes;
     bool m_isFirstVersion = false;
-    std::array<std::uint8_t, maxStride> m_last{};                       ///< the element before
-    std::array<std::uint8_t, maxStride / 4> m_channels{};               ///< how the deltas of four bytes each are meant
-    std::array<std::array<std::uint8_t, maxBlock>, maxStride> m_deltas; ///< of a block, by byte and element
+    std::array<std::uint8_t, maxStride> m_last{};         ///< the element before
+    std::array<std::uint8_t, maxStride / 4> m_channels{}; ///< how the deltas of four bytes each are meant
+    std::array<std::array<std::uint8_t, maxBlock>, maxStride> m_deltas{}; ///< of a block, by byte and element
 };
 } // namespace
 

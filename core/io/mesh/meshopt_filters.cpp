@@ -14,7 +14,7 @@ namespace
 {
 template <class Number> std::array<Number, 4> fourAt(const char* at)
 {
-    std::array<Number, 4> four;
+    std::array<Number, 4> four{};
     for (std::size_t i = 0; i < 4; ++i)
         four[i] = load<Number>(at + i * sizeof(Number), std::endian::little);
     return four;
@@ -51,8 +51,7 @@ void filterQuaternion(char* at)
     const double one = in[3] | 3, range = std::sqrt(0.5);
     const double x = in[0] / one * range, y = in[1] / one * range, z = in[2] / one * range;
     const double w = std::sqrt(std::max(0.0, 1 - x * x - y * y - z * z));
-    const unsigned largest = static_cast<unsigned>(in[3]) & 3;
-    unsigned place = largest;
+    std::size_t place = static_cast<unsigned>(in[3]) & 3; // first of the largest
     for (const double component : {w, x, y, z})
         storeRounded<std::int16_t>(component * 32767, at + 2 * (place++ % 4));
 }
