@@ -15,6 +15,7 @@ struct ImportHeader
     std::uint32_t magic = magicNumber;
     Outcome outcome = Outcome::Refused;
     std::uint64_t points = 0, colors = 0, triangles = 0, objects = 1;
+    std::uint64_t repeatedCorners = 0, facesOfFewer = 0;
     std::uint8_t materials = 0, textures = 0, poses = 0;
     char message[41] = {}; ///< why it was refused, or the name of what is outside of its folder
 };

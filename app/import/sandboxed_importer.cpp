@@ -103,7 +103,9 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
     result.remarks = {.objects = header.objects,
                       .materials = header.materials != 0,
                       .textures = header.textures != 0,
-                      .poses = header.poses != 0};
+                      .poses = header.poses != 0,
+                      .repeatedCorners = header.repeatedCorners,
+                      .facesOfFewer = header.facesOfFewer};
     return result;
 }
 

@@ -92,7 +92,7 @@ const FolderRule folderRules[] = {
                   "vr/panels"},
     {"vr/simulator", "vr/util"},
     {"app/platform", ""},
-    {"app/import", "core/util core/geometry core/io app/platform"},
+    {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
     {"app/model", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
                   "core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
