@@ -1,6 +1,8 @@
 // The reader of the format that FETTLE_FORMAT names (stl, obj, ...), fed with a stranger's bytes: it returns a mesh as
 // core/io/mesh_io.h promises, or throws a FileError; nothing else. "brush": the reader of presets
-// (core/io/stroke/brush_file.h), which throws a StrokeFileError.
+// (core/io/stroke/brush_file.h), which throws a StrokeFileError. "x3d": what Assimp is given of X3D files
+// (core/io/mesh/x3d_expansion.h).
+#include "core/io/mesh/x3d_expansion.h"
 #include "core/io/mesh_io.h"
 #include "core/io/stroke/brush_file.h"
 #include "core/util/file_error.h"
@@ -30,6 +32,7 @@ public:
     ~Folder() { std::filesystem::remove_all(m_path); }
 
     bool isOfBrushes() const { return m_name == "model.brush"; }
+    bool isOfX3d() const { return m_name == "model.x3d"; }
     std::filesystem::path file() const { return m_path / m_name; }
 
 private:
@@ -69,6 +72,17 @@ void checkBrush(std::string_view text)
     } catch (const core::StrokeFileError&) {
     }
 }
+
+/// Checks that what is written of an X3D file is read again, and then stays as it is.
+void checkX3d(const std::filesystem::path& path, std::string_view text)
+{
+    try {
+        const core::io::X3dExpansion expansion = core::io::expandX3d({path, text});
+        const core::io::X3dExpansion again = core::io::expandX3d({path, expansion.text});
+        require(again.text == expansion.text && again.unread == 0, "what is expanded stays as it is");
+    } catch (const core::FileError&) {
+    }
+}
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
@@ -76,6 +90,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     static const Folder folder;
     if (folder.isOfBrushes()) {
         checkBrush({reinterpret_cast<const char*>(data), size});
+        return 0;
+    }
+    if (folder.isOfX3d()) {
+        checkX3d(folder.file(), {reinterpret_cast<const char*>(data), size});
         return 0;
     }
     std::ofstream(folder.file(), std::ios::binary)

@@ -1,0 +1,157 @@
+// Source: Web3D Consortium, ISO/IEC 19775-1 (X3D architecture; 4.3.4 "Standard units", 4.4.3 "DEF/USE semantics"),
+// 19776-1 (XML encoding).
+#include "core/io/mesh/x3d_document.h"
+
+#include "core/io/mesh/number_parsing.h"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <memory>
+#include <new>
+
+namespace core::io
+{
+namespace
+{
+constexpr std::size_t maxDepth = 256;
+} // namespace
+
+std::string_view X3dNode::text(std::string_view attribute) const
+{
+    for (const auto& [key, value] : attributes)
+        if (key == attribute)
+            return value;
+    return {};
+}
+
+void refuseX3d(const FileBytes& file, const X3dNode& node, FileFault fault, std::string_view token)
+{
+    FileError error = malformed(fault, errorWithToken({}, file, token));
+    error.place = {FilePlace::Unit::Line, node.line};
+    throw error;
+}
+
+/// What expat calls. No exception passes through it: it is kept, and parsing ends.
+struct X3dDocument::Parser
+{
+    Parser(const FileBytes& bytes, X3dDocument& to)
+        : file(bytes)
+        , document(to)
+        , parser(XML_ParserCreate(nullptr), &XML_ParserFree)
+    {
+        if (!parser)
+            throw std::bad_alloc();
+        XML_SetUserData(parser.get(), this);
+        XML_SetElementHandler(parser.get(), &Parser::begin, &Parser::end);
+        XML_SetStartDoctypeDeclHandler(parser.get(), &Parser::documentType);
+    }
+
+    void parse()
+    {
+        constexpr std::size_t pieceSize = 1 << 20;
+        for (std::size_t at = 0; at <= file.bytes.size(); at += pieceSize) {
+            const std::string_view piece = file.bytes.substr(at, pieceSize);
+            const bool isLast = at + pieceSize > file.bytes.size();
+            const XML_Status status =
+                XML_Parse(parser.get(), piece.data(), static_cast<int>(piece.size()), isLast ? 1 : 0);
+            if (problem)
+                std::rethrow_exception(problem);
+            if (status != XML_STATUS_OK && XML_GetErrorCode(parser.get()) == XML_ERROR_NO_MEMORY)
+                throw std::bad_alloc();
+            if (status != XML_STATUS_OK)
+                refuse(FileFault::XmlSyntax);
+        }
+    }
+
+    [[noreturn]] void refuse(FileFault fault, std::string_view token = {}) const
+    {
+        X3dNode here;
+        here.line = XML_GetCurrentLineNumber(parser.get());
+        refuseX3d(file, here, fault, token);
+    }
+
+    template <class Work> void guarded(const Work& work)
+    {
+        if (problem)
+            return;
+        try {
+            work();
+        } catch (...) {
+            problem = std::current_exception();
+            XML_StopParser(parser.get(), XML_FALSE);
+        }
+    }
+
+    static void begin(void* self, const char* name, const char** pairs)
+    {
+        auto& parser = *static_cast<Parser*>(self);
+        parser.guarded([&] { parser.beginNode(name, pairs); });
+    }
+    static void end(void* self, const char*)
+    {
+        auto& parser = *static_cast<Parser*>(self);
+        parser.guarded([&] { parser.open.pop_back(); });
+    }
+    static void documentType(void* self, const char*, const char*, const char*, int declaresSomething)
+    {
+        auto& parser = *static_cast<Parser*>(self);
+        parser.guarded([&] {
+            if (declaresSomething != 0)
+                parser.refuse(FileFault::XmlDocumentType);
+        });
+    }
+
+    void beginNode(const char* name, const char** pairs)
+    {
+        if (open.size() >= maxDepth)
+            refuse(FileFault::XmlTooDeep);
+        X3dNode& node = document.m_nodes.emplace_back();
+        node.name = name;
+        node.line = XML_GetCurrentLineNumber(parser.get());
+        for (; *pairs; pairs += 2)
+            node.attributes.emplace_back(pairs[0], pairs[1]);
+        if (!open.empty())
+            open.back()->children.push_back(&node);
+        open.push_back(&node);
+        if (const std::string_view used = node.text("USE"); !used.empty()) {
+            const auto found = defined.find(used);
+            if (found == defined.end())
+                refuse(FileFault::Missing, "DEF=" + std::string(used));
+            node.used = found->second;
+        } else if (const std::string_view own = node.text("DEF"); !own.empty()) {
+            defined.insert_or_assign(std::string(own), &node);
+        }
+        if (node.name == "Scene" && !document.m_scene)
+            document.m_scene = &node;
+        if (node.name == "unit" && node.text("category") == "length")
+            document.m_metres = metresOf(node);
+    }
+
+    double metresOf(const X3dNode& unit) const
+    {
+        const std::string_view factor = unit.text("conversionFactor");
+        const auto metres = parseDouble(factor);
+        if (!metres || !std::isfinite(*metres) || *metres <= 0)
+            refuse(FileFault::Number, factor);
+        return *metres;
+    }
+
+    const FileBytes& file;
+    X3dDocument& document;
+    std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> parser;
+    std::vector<X3dNode*> open; ///< from the root on
+    std::map<std::string, const X3dNode*, std::less<>> defined;
+    std::exception_ptr problem;
+};
+
+X3dDocument::X3dDocument(const FileBytes& file)
+{
+    Parser(file, *this).parse();
+    if (!m_scene)
+        throw malformed(FileFault::Missing, errorWithToken({}, file, "Scene"));
+}
+} // namespace core::io

@@ -1,0 +1,359 @@
+// Source: Web3D Consortium, ISO/IEC 19775-1: 10 (grouping), 23 (navigation: Billboard, Collision, LOD), 9 (networking:
+// Anchor), 32 (CAD), 35 (layering). Assimp (5.2 to 6.0) loses its place in the scene at a group that is used again, or
+// has nothing in it, takes no notice of ccw, and passes over Collision, LOD, Anchor and others with all that they hold;
+// its cones and cylinders are not closed, and the caps of its extrusions not wound alike.
+#include "core/io/mesh/x3d_expansion.h"
+
+#include "core/io/mesh/x3d_faces.h"
+#include "core/io/mesh/x3d_solids.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace core::io
+{
+namespace
+{
+constexpr std::size_t maxNodes = std::size_t(1) << 18;
+constexpr std::size_t leastText = std::size_t(1) << 26; ///< the bytes that are written of any file
+
+/// The children of these are in the scene, where they stand.
+constexpr std::array<std::string_view, 12> groups{"Group",     "StaticGroup", "Collision", "Anchor",
+                                                  "Billboard", "CADAssembly", "CADLayer",  "CADFace",
+                                                  "Layer",     "LayerSet",    "Viewport",  "PickableGroup"};
+constexpr std::array<std::string_view, 2> transforms{"Transform", "CADPart"};
+constexpr std::array<std::string_view, 5> placing{"center", "rotation", "scale", "scaleOrientation", "translation"};
+/// Surfaces that are left to the reader of the file.
+constexpr std::array<std::string_view, 7> primitives{"Box",    "Sphere",      "ElevationGrid", "ArcClose2D",
+                                                     "Disk2D", "Rectangle2D", "TriangleSet2D"};
+constexpr std::array<std::string_view, 11> noSurfaces{"Appearance", "LineSet",      "IndexedLineSet",    "PointSet",
+                                                      "Arc2D",      "Circle2D",     "Polyline2D",        "Polypoint2D",
+                                                      "ROUTE",      "ProtoDeclare", "ExternProtoDeclare"};
+
+template <class Names> bool isIn(const Names& names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Returns the first of a list of texts, without its quotes, which Assimp takes amiss.
+std::string_view firstOf(std::string_view texts)
+{
+    const std::size_t quote = texts.find_first_not_of(" \t\r\n");
+    if (quote == std::string_view::npos)
+        return {};
+    if (texts[quote] != '"')
+        return texts.substr(quote);
+    texts.remove_prefix(quote + 1);
+    return texts.substr(0, texts.find('"'));
+}
+
+bool isMetadata(const X3dNode& node)
+{
+    return std::string_view(node.name).starts_with("Metadata");
+}
+
+/// Returns whether it, or what is in it, would show a surface.
+bool holdsShape(const X3dNode& node)
+{
+    return node.name == "Shape" || node.name == "ProtoInstance" || node.name == "GeoElevationGrid" ||
+           std::any_of(node.children.begin(), node.children.end(),
+                       [](const X3dNode* child) { return holdsShape(*child); });
+}
+
+/// The text that is written, with the names of what is in it.
+class X3dText
+{
+public:
+    explicit X3dText(const FileBytes& file) : m_file(file) {}
+
+    void add(std::string_view text) { m_text += text; }
+    std::size_t size() const { return m_text.size(); }
+    /// Takes back what was written since then.
+    void shrink(std::size_t size) { m_text.resize(size); }
+    /// Takes back the last name that was given, too.
+    void shrink(std::size_t size, const X3dNode& named)
+    {
+        m_text.resize(size);
+        m_names.erase(&named);
+        --m_nextName;
+    }
+    std::string take() { return std::move(m_text); }
+
+    void begin(const X3dNode& node, std::string_view name)
+    {
+        if (++m_nodes > maxNodes) {
+            FileError error = tooMany("nodes", maxNodes, errorWithToken({}, m_file, {}));
+            error.place = {FilePlace::Unit::Line, node.line};
+            throw error;
+        }
+        const std::size_t mostText = leastText + 16 * m_file.bytes.size();
+        if (m_text.size() > mostText)
+            throw withCounts(errorWithToken(FileErrorKind::UnpacksTooLarge, m_file, {}), mostText);
+        m_text.append("<").append(name);
+    }
+
+    /// Names a node that was written already. Returns false if it was not.
+    bool addUse(const X3dNode& node, std::string_view name)
+    {
+        const auto found = m_names.find(&node);
+        if (found == m_names.end())
+            return false;
+        begin(node, name);
+        m_text += " USE=\"n" + std::to_string(found->second) + "\"/>";
+        return true;
+    }
+
+    void addDefinition(const X3dNode& node)
+    {
+        m_names.emplace(&node, m_nextName);
+        addName();
+    }
+
+    void addAttribute(const X3dNode& node, std::string_view name)
+    {
+        const std::string_view value = node.text(name);
+        if (!value.empty())
+            m_text.append(" ").append(name).append("=\"").append(escaped(value)).append("\"");
+    }
+
+    /// Gives a node without one of the file's own a name.
+    void addName() { m_text += " DEF=\"n" + std::to_string(m_nextName++) + "\""; }
+
+    static std::string escaped(std::string_view text)
+    {
+        std::string result;
+        for (const char c : text)
+            switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            case '\n':
+            case '\r':
+            case '\t':
+                result += ' ';
+                break;
+            default:
+                result += c;
+            }
+        return result;
+    }
+
+private:
+    const FileBytes& m_file;
+    std::string m_text;
+    std::size_t m_nodes = 0, m_nextName = 0;
+    std::unordered_map<const X3dNode*, std::size_t> m_names; ///< of what was written
+};
+
+class X3dWriter
+{
+public:
+    explicit X3dWriter(const FileBytes& file) : m_file(file), m_to(file) {}
+
+    X3dExpansion write(const X3dDocument& document)
+    {
+        m_to.add("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D version=\"3.3\"><Scene>");
+        const std::size_t scene = m_to.size();
+        const bool isInMetres = document.metres() == 1;
+        if (!isInMetres) {
+            std::array<char, 32> digits;
+            const std::string factor(
+                digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), document.metres()).ptr);
+            m_to.add("<Transform scale=\"" + factor + " " + factor + " " + factor + "\">");
+        }
+        const std::size_t before = m_to.size();
+        addChildren(document.scene());
+        if (!isInMetres && m_to.size() == before)
+            m_to.shrink(scene); // readers may not expect a transform of nothing
+        else if (!isInMetres)
+            m_to.add("</Transform>");
+        m_to.add("</Scene></X3D>\n");
+        return {m_to.take(), m_unread};
+    }
+
+private:
+    void addChildren(const X3dNode& node)
+    {
+        for (const X3dNode* child : node.children)
+            add(*child);
+    }
+
+    void add(const X3dNode& node)
+    {
+        const X3dNode& meant = node.meant();
+        if (node.text("containerField") == "proxy") // of a Collision: what is met, not what is seen
+            return;
+        if (meant.name == "Shape")
+            addShape(meant);
+        else if (isIn(groups, meant.name) || isIn(transforms, meant.name) || meant.name == "Switch" ||
+                 meant.name == "LOD")
+            addGroup(node, meant);
+        else if (meant.name == "Inline")
+            addInline(meant);
+        else if (meant.name != "ProtoDeclare")
+            m_unread += holdsShape(meant) ? 1 : 0;
+    }
+
+    void addGroup(const X3dNode& node, const X3dNode& meant)
+    {
+        if (!m_open.insert(&meant).second)
+            refuseX3d(m_file, node, FileFault::TooDeep, "nodes of USE=" + std::string(node.text("USE")));
+        const std::size_t before = m_to.size();
+        const bool isTransform = isIn(transforms, meant.name);
+        m_to.begin(node, isTransform ? "Transform" : "Group");
+        if (isTransform)
+            for (const std::string_view name : placing)
+                m_to.addAttribute(meant, name);
+        m_to.add(">");
+        const std::size_t inside = m_to.size();
+        if (meant.name == "Switch" || meant.name == "LOD")
+            addChosen(meant);
+        else
+            addChildren(meant);
+        if (m_to.size() == inside)
+            m_to.shrink(before);
+        else
+            m_to.add(isTransform ? "</Transform>" : "</Group>");
+        m_open.erase(&meant);
+    }
+
+    /// Adds the child that is shown: of a LOD the first, which is the finest.
+    void addChosen(const X3dNode& node)
+    {
+        std::size_t choice = 0;
+        if (node.name == "Switch") {
+            const std::string_view which = node.text("whichChoice");
+            const auto end = which.data() + which.size();
+            if (std::from_chars(which.data(), end, choice).ptr != end || which.empty())
+                return; // -1: nothing is shown
+        }
+        for (const X3dNode* child : node.children) {
+            if (isMetadata(*child) || isIn(noSurfaces, child->name))
+                continue;
+            if (choice == 0)
+                return add(*child);
+            --choice;
+        }
+    }
+
+    void addShape(const X3dNode& shape)
+    {
+        if (m_to.addUse(shape, "Shape"))
+            return;
+        const std::size_t before = m_to.size();
+        m_to.begin(shape, "Shape");
+        m_to.addDefinition(shape);
+        m_to.add(">");
+        for (const X3dNode* child : shape.children)
+            if (child->meant().name == "Appearance")
+                addAppearance(child->meant());
+        bool hasSurface = false;
+        for (const X3dNode* child : shape.children)
+            hasSurface = hasSurface || addGeometry(child->meant());
+        if (hasSurface) {
+            m_to.add("</Shape>");
+            return;
+        }
+        m_to.shrink(before, shape);
+    }
+
+    /// Adds what says whether there are materials and textures.
+    void addAppearance(const X3dNode& appearance)
+    {
+        std::string inside;
+        for (const X3dNode* child : appearance.children) {
+            const X3dNode& node = child->meant();
+            if (node.name == "Material")
+                inside += "<Material/>";
+            else if (node.name == "ImageTexture")
+                inside += "<ImageTexture url=\"image\"/>";
+        }
+        if (!inside.empty())
+            m_to.add("<Appearance>" + inside + "</Appearance>");
+    }
+
+    bool addGeometry(const X3dNode& node)
+    {
+        if (isMetadata(node) || isIn(noSurfaces, node.name))
+            return false;
+        if (isIn(primitives, node.name)) {
+            addPrimitive(node);
+            return true;
+        }
+        if (m_to.addUse(node, "IndexedFaceSet"))
+            return true;
+        auto faces = facesOfX3d(m_file, node);
+        if (!faces)
+            faces = facesOfX3dSolid(m_file, node);
+        if (!faces)
+            ++m_unread;
+        if (!faces || faces->coordIndex.empty())
+            return false;
+        m_to.begin(node, "IndexedFaceSet");
+        m_to.addDefinition(node);
+        m_to.add(" coordIndex=\"" + faces->coordIndex + "\">");
+        if (!faces->points.empty()) {
+            m_to.add("<Coordinate");
+            m_to.addName();
+            m_to.add(" point=\"" + faces->points + "\"/>");
+        } else
+            for (const X3dNode* child : node.children)
+                if (child->meant().name == "Coordinate")
+                    addPoints(child->meant());
+        if (!faces->colors.empty())
+            m_to.add((faces->colorNumbers == 3 ? "<Color color=\"" : "<ColorRGBA color=\"") +
+                     X3dText::escaped(faces->colors) + "\"/>");
+        m_to.add("</IndexedFaceSet>");
+        return true;
+    }
+
+    void addPrimitive(const X3dNode& node)
+    {
+        m_to.begin(node, node.name);
+        for (const auto& [name, value] : node.attributes)
+            if (name != "DEF" && name != "USE" && name != "containerField")
+                m_to.addAttribute(node, name);
+        m_to.add("/>");
+    }
+
+    void addPoints(const X3dNode& node)
+    {
+        if (m_to.addUse(node, "Coordinate"))
+            return;
+        m_to.begin(node, "Coordinate");
+        m_to.addDefinition(node);
+        m_to.addAttribute(node, "point");
+        m_to.add("/>");
+    }
+
+    void addInline(const X3dNode& node)
+    {
+        const std::string url = X3dText::escaped(firstOf(node.text("url")));
+        if (node.isFalse("load") || url.empty())
+            return;
+        m_to.begin(node, "Inline");
+        m_to.add(" url=\"" + url + "\"/>");
+    }
+
+    const FileBytes& m_file;
+    X3dText m_to;
+    std::size_t m_unread = 0;
+    std::unordered_set<const X3dNode*> m_open; ///< groups that are being written
+};
+} // namespace
+
+X3dExpansion expandX3d(const FileBytes& file)
+{
+    const X3dDocument document(file);
+    return X3dWriter(file).write(document);
+}
+} // namespace core::io

@@ -1,0 +1,222 @@
+// Source: Web3D Consortium, ISO/IEC 19775-1, clause 11 (rendering: triangle sets), 13 (geometry: IndexedFaceSet), 32
+// (CAD: quad sets).
+#include "core/io/mesh/x3d_faces.h"
+
+#include "core/io/mesh/number_parsing.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace core::io
+{
+namespace
+{
+using Index = std::int32_t;
+using Face = std::vector<Index>;
+
+constexpr std::string_view blanks = " \t\r\n,";
+
+/// Returns the node's indices, each -1 or below `count`.
+std::vector<Index> indicesIn(const FileBytes& file, const X3dNode& node, std::string_view attribute, std::size_t count)
+{
+    std::vector<Index> indices;
+    for (const std::string_view word : x3dWords(node.text(attribute))) {
+        const auto value = parseInteger(word);
+        if (!value || *value < -1)
+            refuseX3d(file, node, FileFault::VertexIndex, word);
+        if (*value >= static_cast<std::int64_t>(count)) {
+            FileError error = withCounts(errorWithToken(FileErrorKind::IndexOutOfRange, file, word), count);
+            error.place = {FilePlace::Unit::Line, node.line};
+            throw error;
+        }
+        indices.push_back(static_cast<Index>(*value));
+    }
+    return indices;
+}
+
+/// Returns the node's child of such a name, or null.
+const X3dNode* childOf(const X3dNode& node, std::string_view name)
+{
+    for (const X3dNode* child : node.children)
+        if (child->meant().name == name)
+            return &child->meant();
+    return nullptr;
+}
+
+std::size_t pointsOf(const X3dNode& node)
+{
+    const X3dNode* const points = childOf(node, "Coordinate");
+    return points ? x3dWords(points->text("point")).size() / 3 : 0;
+}
+
+/// Returns the numbers 0, 1, 2 and so on, one for each point.
+std::vector<Index> numbersTo(std::size_t count)
+{
+    std::vector<Index> numbers(count);
+    for (std::size_t i = 0; i < count; ++i)
+        numbers[i] = static_cast<Index>(i);
+    return numbers;
+}
+
+/// Cuts at each -1.
+std::vector<Face> runsOf(const std::vector<Index>& indices)
+{
+    std::vector<Face> runs(1);
+    for (const Index index : indices)
+        if (index < 0)
+            runs.emplace_back();
+        else
+            runs.back().push_back(index);
+    return runs;
+}
+
+std::vector<Face> inPieces(const std::vector<Index>& indices, std::size_t corners)
+{
+    std::vector<Face> faces;
+    for (std::size_t i = 0; i + corners <= indices.size(); i += corners)
+        faces.emplace_back(indices.begin() + static_cast<std::ptrdiff_t>(i),
+                           indices.begin() + static_cast<std::ptrdiff_t>(i + corners));
+    return faces;
+}
+
+/// Cuts the points into runs, each as long as the attribute says.
+std::vector<Face> countedRuns(const FileBytes& file, const X3dNode& node, std::string_view attribute, std::size_t count)
+{
+    const std::vector<Index> points = numbersTo(count);
+    std::vector<Face> runs;
+    std::size_t first = 0;
+    for (const Index length : indicesIn(file, node, attribute, count + 1)) {
+        const std::size_t last = std::min(points.size(), first + static_cast<std::size_t>(std::max(length, 0)));
+        runs.emplace_back(points.begin() + static_cast<std::ptrdiff_t>(first),
+                          points.begin() + static_cast<std::ptrdiff_t>(last));
+        first = last;
+    }
+    return runs;
+}
+
+std::vector<Face> trianglesOf(const std::vector<Face>& runs, bool areFans)
+{
+    std::vector<Face> triangles;
+    for (const Face& run : runs)
+        for (std::size_t i = 2; i < run.size(); ++i) {
+            if (areFans)
+                triangles.push_back({run[0], run[i - 1], run[i]});
+            else if (i % 2 == 0)
+                triangles.push_back({run[i - 2], run[i - 1], run[i]});
+            else
+                triangles.push_back({run[i - 1], run[i - 2], run[i]});
+        }
+    return triangles;
+}
+
+std::optional<std::vector<Face>> facesOf(const FileBytes& file, const X3dNode& node, std::size_t points)
+{
+    const std::string_view name = node.name;
+    const auto indices = [&] { return indicesIn(file, node, "index", points); };
+    if (name == "IndexedFaceSet")
+        return runsOf(indicesIn(file, node, "coordIndex", points));
+    if (name == "IndexedTriangleSet")
+        return inPieces(indices(), 3);
+    if (name == "IndexedQuadSet")
+        return inPieces(indices(), 4);
+    if (name == "TriangleSet")
+        return inPieces(numbersTo(points), 3);
+    if (name == "QuadSet")
+        return inPieces(numbersTo(points), 4);
+    if (name == "IndexedTriangleStripSet" || name == "IndexedTriangleFanSet")
+        return trianglesOf(runsOf(indices()), name == "IndexedTriangleFanSet");
+    if (name == "TriangleStripSet")
+        return trianglesOf(countedRuns(file, node, "stripCount", points), false);
+    if (name == "TriangleFanSet")
+        return trianglesOf(countedRuns(file, node, "fanCount", points), true);
+    return std::nullopt;
+}
+
+std::string written(const std::vector<Face>& faces, bool isReversed)
+{
+    std::string text;
+    const auto add = [&text](Index index) {
+        char digits[16];
+        text.append(text.empty() ? "" : " ");
+        text.append(digits, std::to_chars(digits, std::end(digits), index).ptr);
+    };
+    for (const Face& face : faces) {
+        if (face.size() < 3)
+            continue;
+        if (isReversed)
+            std::for_each(face.rbegin(), face.rend(), add);
+        else
+            std::for_each(face.begin(), face.end(), add);
+        add(-1);
+    }
+    return text;
+}
+
+/// Gives each point the index of a colour, or -1. An index of the node counts for one corner of a face, or for a face;
+/// the last one of a point stays.
+std::vector<Index> colorsOfPoints(const FileBytes& file, const X3dNode& node, const std::vector<Face>& faces,
+                                  std::size_t points, std::size_t colors)
+{
+    std::vector<Index> result(points, -1);
+    const bool isOfFaces = node.isFalse("colorPerVertex");
+    const std::vector<Index> indices = indicesIn(file, node, "colorIndex", colors);
+    const std::vector<Face> corners = isOfFaces ? std::vector<Face>() : runsOf(indices);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t k = 0; k < faces[i].size(); ++k) {
+            const Index point = faces[i][k];
+            if (indices.empty())
+                result[point] = isOfFaces ? static_cast<Index>(i) : point;
+            else if (isOfFaces)
+                result[point] = i < indices.size() ? indices[i] : -1;
+            else if (i < corners.size() && k < corners[i].size())
+                result[point] = corners[i][k];
+        }
+    return result;
+}
+
+void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Face>& faces, std::size_t points,
+               X3dFaces& to)
+{
+    const X3dNode* const plain = childOf(node, "Color");
+    const X3dNode* const color = plain ? plain : childOf(node, "ColorRGBA");
+    if (!color)
+        return;
+    const std::vector<std::string_view> numbers = x3dWords(color->text("color"));
+    to.colorNumbers = plain ? 3 : 4;
+    const std::size_t each = plain ? 3 : 4, count = numbers.size() / each;
+    if (count == 0)
+        return;
+    for (const Index index : colorsOfPoints(file, node, faces, points, count))
+        for (std::size_t k = 0; k < each; ++k) {
+            const bool isKnown = index >= 0 && static_cast<std::size_t>(index) < count;
+            to.colors.append(to.colors.empty() ? "" : " ");
+            to.colors += isKnown ? numbers[static_cast<std::size_t>(index) * each + k] : std::string_view("1");
+        }
+}
+} // namespace
+
+std::vector<std::string_view> x3dWords(std::string_view text)
+{
+    std::vector<std::string_view> words;
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+        if (text.empty())
+            return words;
+        words.push_back(text.substr(0, text.find_first_of(blanks)));
+        text.remove_prefix(words.back().size());
+    }
+}
+
+std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node)
+{
+    const std::size_t points = pointsOf(node);
+    const auto faces = facesOf(file, node, points);
+    if (!faces)
+        return std::nullopt;
+    X3dFaces result;
+    result.coordIndex = written(*faces, node.isFalse("ccw"));
+    if (!result.coordIndex.empty())
+        addColors(file, node, *faces, points, result);
+    return result;
+}
+} // namespace core::io

@@ -1,0 +1,256 @@
+// Source: Web3D Consortium, ISO/IEC 19775-1, 13.3.2 (Cone), 13.3.3 (Cylinder), 13.3.5 (Extrusion: the planes of its
+// cross-sections along the spine).
+#include "core/io/mesh/x3d_solids.h"
+
+#include "core/io/mesh/number_parsing.h"
+
+#include "core/geometry/geometry.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <charconv>
+#include <numbers>
+
+namespace core::io
+{
+namespace
+{
+constexpr int sides = 32;
+
+/// Collects points and faces as text.
+class FaceText
+{
+public:
+    explicit FaceText(bool isReversed) : m_isReversed(isReversed) {}
+
+    int addPoint(const Vec3& point)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+            append(m_faces.points, point[axis]);
+        return m_points++;
+    }
+    void addFace(std::vector<int> corners)
+    {
+        if (m_isReversed)
+            std::reverse(corners.begin(), corners.end());
+        for (const int corner : corners)
+            append(m_faces.coordIndex, corner);
+        append(m_faces.coordIndex, -1);
+    }
+    X3dFaces take() { return std::move(m_faces); }
+
+private:
+    template <class Number> static void append(std::string& to, Number number)
+    {
+        char digits[32];
+        to.append(to.empty() ? "" : " ");
+        to.append(digits, std::to_chars(digits, std::end(digits), number).ptr);
+    }
+
+    X3dFaces m_faces;
+    int m_points = 0;
+    bool m_isReversed;
+};
+
+std::vector<double> numbersIn(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual)
+{
+    std::vector<double> numbers;
+    const std::string_view text = node.text(name);
+    for (const std::string_view word : x3dWords(text.empty() ? usual : text)) {
+        const auto value = parseDouble(word);
+        if (!value)
+            refuseX3d(file, node, FileFault::Number, word);
+        numbers.push_back(*value);
+    }
+    return numbers;
+}
+
+double numberIn(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual)
+{
+    const std::vector<double> numbers = numbersIn(file, node, name, usual);
+    if (numbers.empty())
+        refuseX3d(file, node, FileFault::Number, {});
+    return numbers.front();
+}
+
+/// Adds a ring about the y axis, anticlockwise as it is seen from above.
+std::vector<int> addRing(FaceText& to, double radius, double y)
+{
+    std::vector<int> ring;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        ring.push_back(to.addPoint({radius * std::cos(angle), y, -radius * std::sin(angle)}));
+    }
+    return ring;
+}
+
+std::vector<int> reversed(std::vector<int> ring)
+{
+    std::reverse(ring.begin(), ring.end());
+    return ring;
+}
+
+X3dFaces coneOf(const FileBytes& file, const X3dNode& node)
+{
+    const double radius = numberIn(file, node, "bottomRadius", "1"), height = numberIn(file, node, "height", "2");
+    FaceText faces(false);
+    const std::vector<int> ring = addRing(faces, radius, -height / 2);
+    const int apex = faces.addPoint({0, height / 2, 0});
+    for (int i = 0; i < sides && !node.isFalse("side"); ++i)
+        faces.addFace({ring[i], ring[(i + 1) % sides], apex});
+    if (!node.isFalse("bottom"))
+        faces.addFace(reversed(ring));
+    return faces.take();
+}
+
+X3dFaces cylinderOf(const FileBytes& file, const X3dNode& node)
+{
+    const double radius = numberIn(file, node, "radius", "1"), height = numberIn(file, node, "height", "2");
+    FaceText faces(false);
+    const std::vector<int> lower = addRing(faces, radius, -height / 2), upper = addRing(faces, radius, height / 2);
+    for (int i = 0; i < sides && !node.isFalse("side"); ++i)
+        faces.addFace({lower[i], lower[(i + 1) % sides], upper[(i + 1) % sides], upper[i]});
+    if (!node.isFalse("bottom"))
+        faces.addFace(reversed(lower));
+    if (!node.isFalse("top"))
+        faces.addFace(upper);
+    return faces.take();
+}
+
+/// What is drawn along what.
+struct Extrusion
+{
+    std::vector<Vec3> spine;
+    std::vector<Eigen::Vector2d> section;
+    std::vector<double> scale, orientation;
+    bool isSpineClosed = false, isSectionClosed = false;
+};
+
+Extrusion extrusionOf(const FileBytes& file, const X3dNode& node)
+{
+    Extrusion result;
+    const auto spine = numbersIn(file, node, "spine", "0 0 0 0 1 0"),
+               section = numbersIn(file, node, "crossSection", "1 1 1 -1 -1 -1 -1 1 1 1");
+    for (std::size_t i = 0; i + 3 <= spine.size(); i += 3)
+        result.spine.emplace_back(spine[i], spine[i + 1], spine[i + 2]);
+    for (std::size_t i = 0; i + 2 <= section.size(); i += 2)
+        result.section.emplace_back(section[i], section[i + 1]);
+    result.scale = numbersIn(file, node, "scale", "1 1");
+    result.orientation = numbersIn(file, node, "orientation", "0 0 1 0");
+    if (result.scale.size() < 2 || result.orientation.size() < 4)
+        refuseX3d(file, node, FileFault::Number, {});
+    result.isSectionClosed = result.section.size() > 2 && result.section.front() == result.section.back();
+    if (result.isSectionClosed)
+        result.section.pop_back();
+    result.isSpineClosed = result.spine.size() > 3 && result.spine.front() == result.spine.back() &&
+                           result.scale.size() == 2 && result.orientation.size() == 4;
+    if (result.isSpineClosed)
+        result.spine.pop_back();
+    return result;
+}
+
+/// Returns the directions along the spine, or its turning at each point (the normals of the planes that it turns in).
+std::vector<Vec3> alongSpine(const Extrusion& extrusion, bool isTurning)
+{
+    const std::vector<Vec3>& spine = extrusion.spine;
+    const std::size_t last = spine.size() - 1;
+    std::vector<Vec3> result;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const bool isEnd = !extrusion.isSpineClosed && (i == 0 || i == last);
+        const Vec3 &before = spine[i > 0                     ? i - 1
+                                   : extrusion.isSpineClosed ? last
+                                                             : 0],
+                   &after = spine[i < last                  ? i + 1
+                                  : extrusion.isSpineClosed ? 0
+                                                            : last];
+        const Vec3 turning = isEnd ? Vec3(0, 0, 0) : Vec3((after - spine[i]).cross(before - spine[i]));
+        result.push_back((isTurning ? turning : Vec3(after - before)).normalized());
+    }
+    return result;
+}
+
+/// Returns the frames of the cross-sections: x and z lie in their planes, y along the spine.
+std::vector<Eigen::Matrix3d> framesOf(const Extrusion& extrusion)
+{
+    const std::vector<Vec3> y = alongSpine(extrusion, false);
+    std::vector<Vec3> z = alongSpine(extrusion, true);
+    const auto isDefined = [](const Vec3& v) { return v.squaredNorm() > 0.5; };
+    const auto first = std::find_if(z.begin(), z.end(), isDefined);
+    if (first == z.end()) { // straight
+        const auto way = std::find_if(y.begin(), y.end(), isDefined);
+        const Vec3 up = way == y.end() ? Vec3(0, 1, 0) : *way;
+        return std::vector<Eigen::Matrix3d>(y.size(),
+                                            Eigen::Quaterniond::FromTwoVectors(Vec3(0, 1, 0), up).toRotationMatrix());
+    }
+    std::vector<Eigen::Matrix3d> frames;
+    Vec3 last = *first;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        Vec3 axis = isDefined(z[i]) ? z[i] : last;
+        if (axis.dot(last) < 0)
+            axis = -axis;
+        last = axis;
+        Eigen::Matrix3d frame;
+        frame << y[i].cross(axis), y[i], axis;
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+/// Returns the values for one of the spine's points: the last ones there are, where there are fewer.
+const double* valuesAt(const std::vector<double>& values, std::size_t each, std::size_t point)
+{
+    return values.data() + each * std::min(point, values.size() / each - 1);
+}
+
+std::vector<std::vector<int>> addRings(const Extrusion& extrusion, FaceText& to)
+{
+    const std::vector<Eigen::Matrix3d> frames = framesOf(extrusion);
+    std::vector<std::vector<int>> rings;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const double *scale = valuesAt(extrusion.scale, 2, i), *turn = valuesAt(extrusion.orientation, 4, i);
+        Eigen::Matrix3d frame = frames[i];
+        if (const Vec3 axis(turn[0], turn[1], turn[2]); axis.norm() > 0)
+            frame *= Eigen::AngleAxisd(turn[3], axis.normalized()).toRotationMatrix();
+        std::vector<int>& ring = rings.emplace_back();
+        for (const Eigen::Vector2d& p : extrusion.section)
+            ring.push_back(to.addPoint(extrusion.spine[i] + frame * Vec3(scale[0] * p.x(), 0, scale[1] * p.y())));
+    }
+    return rings;
+}
+
+X3dFaces facesOfExtrusion(const FileBytes& file, const X3dNode& node)
+{
+    const Extrusion extrusion = extrusionOf(file, node);
+    if (extrusion.spine.size() < 2 || extrusion.section.size() < 2)
+        return {};
+    FaceText faces(node.isFalse("ccw"));
+    const std::vector<std::vector<int>> rings = addRings(extrusion, faces);
+    const std::size_t corners = extrusion.section.size();
+    for (std::size_t i = 0; i + (extrusion.isSpineClosed ? 0 : 1) < rings.size(); ++i) {
+        const auto &lower = rings[i], &upper = rings[(i + 1) % rings.size()];
+        for (std::size_t k = 0; k + (extrusion.isSectionClosed ? 0 : 1) < corners; ++k) {
+            const std::size_t next = (k + 1) % corners;
+            faces.addFace({lower[k], lower[next], upper[next], upper[k]});
+        }
+    }
+    const bool mayHaveCaps = !extrusion.isSpineClosed && corners > 2;
+    if (mayHaveCaps && !node.isFalse("beginCap"))
+        faces.addFace(reversed(rings.front()));
+    if (mayHaveCaps && !node.isFalse("endCap"))
+        faces.addFace(rings.back());
+    return faces.take();
+}
+} // namespace
+
+std::optional<X3dFaces> facesOfX3dSolid(const FileBytes& file, const X3dNode& node)
+{
+    if (node.name == "Cone")
+        return coneOf(file, node);
+    if (node.name == "Cylinder")
+        return cylinderOf(file, node);
+    if (node.name == "Extrusion")
+        return facesOfExtrusion(file, node);
+    return std::nullopt;
+}
+} // namespace core::io

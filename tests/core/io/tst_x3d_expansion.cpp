@@ -1,0 +1,274 @@
+// What is written of X3D scenes: nothing that a simple reader would get wrong, and never more than it says.
+
+#include "core/io/mesh/x3d_expansion.h"
+
+#include "core/util/file_error.h"
+#include "tests/support/test_main.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <optional>
+
+namespace
+{
+using core::FileFault;
+using core::io::X3dExpansion;
+using Kind = core::FileErrorKind;
+
+const std::filesystem::path path = "a.x3d";
+
+X3dExpansion expanded(const QByteArray& scene, const QByteArray& head = {})
+{
+    const QByteArray text = "<?xml version='1.0'?>\n<X3D>" + head + "<Scene>" + scene + "</Scene></X3D>";
+    return core::io::expandX3d({path, {text.constData(), std::size_t(text.size())}});
+}
+
+QString sceneOf(const X3dExpansion& expansion)
+{
+    const QString text = QString::fromStdString(expansion.text);
+    const qsizetype begin = text.indexOf("<Scene>") + 7;
+    return text.mid(begin, text.indexOf("</Scene>") - begin);
+}
+
+QString sceneOf(const QByteArray& scene)
+{
+    return sceneOf(expanded(scene));
+}
+
+/// Returns the value of an attribute, the first time that it comes.
+QString valueOf(const QString& text, const char* attribute)
+{
+    return QRegularExpression(QStringLiteral(" %1=\"([^\"]*)\"").arg(QLatin1StringView(attribute)))
+        .match(text)
+        .captured(1);
+}
+
+std::optional<core::FileError> errorOf(const QByteArray& scene, const QByteArray& head = {})
+{
+    try {
+        expanded(scene, head);
+    } catch (const core::FileError& error) {
+        return error;
+    }
+    return std::nullopt;
+}
+
+const QByteArray box = "<Shape><Box/></Shape>", points = "<Coordinate point='0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1'/>";
+} // namespace
+
+class TestX3dExpansion : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void uses_areThereAgain();
+    void groups_areHeldToWhatTheyShow_data();
+    void groups_areHeldToWhatTheyShow();
+    void emptyGroups_areLeftOut();
+    void faces_areWoundAnticlockwise_data();
+    void faces_areWoundAnticlockwise();
+    void colors_areThoseOfPoints_data();
+    void colors_areThoseOfPoints();
+    void units_areScaled();
+    void expandedFiles_stayAsTheyAre();
+    void unreadSurfaces_areCounted();
+    void badFiles_areRefused_data();
+    void badFiles_areRefused();
+    void growth_isBounded();
+    void cutFiles_areRefused();
+};
+
+void TestX3dExpansion::uses_areThereAgain()
+{
+    const QString scene =
+        sceneOf("<Transform DEF='T' translation='1 2 3'>" + box + "</Transform><Group><Transform USE='T'/></Group>");
+    QCOMPARE(scene.count("<Transform translation=\"1 2 3\">"), 2);
+    QCOMPARE(scene.count("<Box"), 1); // the shape is named
+    QCOMPARE(scene.count("<Shape USE=\"" + valueOf(scene, "DEF") + "\""), 1);
+    QCOMPARE(sceneOf("<Switch whichChoice='-1'><Shape DEF='S'><Box/></Shape></Switch><Shape USE='S'/>").count("<Box"),
+             1);
+}
+
+void TestX3dExpansion::groups_areHeldToWhatTheyShow_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::addColumn<int>("boxes");
+    const QByteArray two = box + box;
+    QTest::newRow("Collision") << "<Collision>" + box + "<Shape containerField='proxy'><Sphere/></Shape></Collision>"
+                               << 1;
+    for (const char* name : {"Group", "StaticGroup", "Anchor", "Billboard", "CADAssembly", "CADPart", "Transform"})
+        QTest::newRow(name) << "<" + QByteArray(name) + ">" + two + "</" + name + ">" << 2;
+    QTest::newRow("LOD") << "<LOD><MetadataString/>" + box + "<Group>" + two + "</Group></LOD>" << 1;
+    QTest::newRow("Switch") << "<Switch whichChoice='1'>" + box + "<Group>" + two + "</Group></Switch>" << 2;
+    QTest::newRow("Switch, none") << "<Switch>" + box + "</Switch>" << 0;
+    QTest::newRow("Switch, beyond") << "<Switch whichChoice='7'>" + box + "</Switch>" << 0;
+    QTest::newRow("prototype") << "<ProtoDeclare><ProtoBody>" + box + "</ProtoBody></ProtoDeclare>" + box << 1;
+}
+
+void TestX3dExpansion::groups_areHeldToWhatTheyShow()
+{
+    QFETCH(QByteArray, scene);
+    QFETCH(int, boxes);
+    const X3dExpansion expansion = expanded(scene);
+    QCOMPARE(sceneOf(expansion).count("<Box"), boxes);
+    QCOMPARE(sceneOf(expansion).count("Sphere"), 0);
+    QCOMPARE(expansion.unread, std::size_t(0));
+}
+
+/// Assimp goes up twice where a group of nothing ends.
+void TestX3dExpansion::emptyGroups_areLeftOut()
+{
+    QCOMPARE(sceneOf("<Group/><Transform><Group><Transform translation='1 1 1'/></Group></Transform>"), QString());
+    QCOMPARE(sceneOf("<Group><Shape><IndexedLineSet coordIndex='0 1'/></Shape></Group>"), QString());
+}
+
+void TestX3dExpansion::faces_areWoundAnticlockwise_data()
+{
+    QTest::addColumn<QByteArray>("node");
+    QTest::addColumn<QString>("indices");
+    const auto row = [](const char* name, const QByteArray& attributes, const char* indices) {
+        QTest::addRow("%s %s", name, attributes.constData())
+            << "<" + QByteArray(name) + " " + attributes + ">" + points + "</" + name + ">" << QString(indices);
+    };
+    row("IndexedFaceSet", "coordIndex='0 1 2 3 -1 0,1 , 4'", "0 1 2 3 -1 0 1 4 -1");
+    row("IndexedFaceSet", "ccw='false' coordIndex='0 1 2 3 -1 -1 0 1 -1 0 1 4'", "3 2 1 0 -1 4 1 0 -1");
+    row("IndexedTriangleSet", "index='0 1 2 2 3 0 4 5'", "0 1 2 -1 2 3 0 -1");
+    row("IndexedTriangleStripSet", "index='0 1 2 3 4 -1 0 1 5'", "0 1 2 -1 2 1 3 -1 2 3 4 -1 0 1 5 -1");
+    row("IndexedTriangleFanSet", "index='0 1 2 3 -1'", "0 1 2 -1 0 2 3 -1");
+    row("IndexedQuadSet", "index='0 1 2 3 4 5'", "0 1 2 3 -1");
+    row("TriangleSet", "ccw='false'", "2 1 0 -1 5 4 3 -1");
+    row("QuadSet", "", "0 1 2 3 -1");
+    row("TriangleStripSet", "stripCount='4'", "0 1 2 -1 2 1 3 -1");
+    row("TriangleFanSet", "fanCount='3 3'", "0 1 2 -1 3 4 5 -1");
+}
+
+void TestX3dExpansion::faces_areWoundAnticlockwise()
+{
+    QFETCH(QByteArray, node);
+    QFETCH(QString, indices);
+    const QString scene = sceneOf("<Shape>" + node + "</Shape>");
+    QVERIFY(scene.contains("<IndexedFaceSet"));
+    QCOMPARE(valueOf(scene, "coordIndex"), indices);
+    QCOMPARE(scene.count("<Coordinate"), 1);
+}
+
+void TestX3dExpansion::colors_areThoseOfPoints_data()
+{
+    QTest::addColumn<QByteArray>("attributes");
+    QTest::addColumn<QString>("colors"); // of the points 0 to 5, of which four are used
+    QTest::newRow("points'") << QByteArray() << "1 0 0 0 1 0 0 0 1 1 1 1 1 1 1 1 1 1";
+    QTest::newRow("corners'") << QByteArray("colorIndex='2 2 0 -1 0 0 1'") << "0 0 1 0 0 1 1 0 0 0 1 0 1 1 1 1 1 1";
+    QTest::newRow("faces'") << QByteArray("colorPerVertex='false'") << "0 1 0 1 0 0 0 1 0 0 1 0 1 1 1 1 1 1";
+    QTest::newRow("faces', by index") << QByteArray("colorPerVertex='false' colorIndex='1 2'")
+                                      << "0 0 1 0 1 0 0 0 1 0 0 1 1 1 1 1 1 1";
+}
+
+void TestX3dExpansion::colors_areThoseOfPoints()
+{
+    QFETCH(QByteArray, attributes);
+    QFETCH(QString, colors);
+    const QByteArray color = "<Color color='1 0 0 0 1 0 0 0 1'/>";
+    const QString scene = sceneOf("<Shape><IndexedFaceSet coordIndex='0 1 2 -1 0 2 3' " + attributes + ">" + points +
+                                  color + "</IndexedFaceSet></Shape>");
+    if (attributes.startsWith("colorIndex"))
+        colors.replace(0, 17, "1 0 0 0 0 1 1 0 0"); // the last corner of a point counts
+    QCOMPARE(valueOf(scene, "color"), colors);
+}
+
+void TestX3dExpansion::units_areScaled()
+{
+    const QByteArray inch = "<head><unit category='length' name='inch' conversionFactor='0.0254'/></head>";
+    QVERIFY(sceneOf(expanded(box, inch)).startsWith("<Transform scale=\"0.0254 0.0254 0.0254\"><Shape"));
+    QCOMPARE(sceneOf(expanded("<Group/>", inch)), QString());
+    QVERIFY(!sceneOf(expanded(box, "<head><unit category='angle' conversionFactor='0.1'/></head>")).contains("scale"));
+}
+
+void TestX3dExpansion::expandedFiles_stayAsTheyAre()
+{
+    const X3dExpansion once =
+        expanded("<Transform DEF='T' center='1 &quot; &lt; &amp; 2'>" + box +
+                 "<Shape><Cone/></Shape></Transform><Transform USE='T'/><Shape><IndexedTriangleSet index='0 1 2'>" +
+                 points + "</IndexedTriangleSet></Shape>");
+    QCOMPARE(core::io::expandX3d({path, once.text}).text, once.text);
+}
+
+void TestX3dExpansion::unreadSurfaces_areCounted()
+{
+    QCOMPARE(expanded("<Shape><Text string='a'/></Shape>").unread, std::size_t(1));
+    QCOMPARE(expanded("<Group><ProtoInstance name='x'/><GeoTransform>" + box + "</GeoTransform></Group>").unread,
+             std::size_t(2));
+    QCOMPARE(expanded("<Shape><Appearance/><LineSet/></Shape><Viewpoint/><Script/><PointLight/>").unread,
+             std::size_t(0));
+}
+
+void TestX3dExpansion::badFiles_areRefused_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("fault");
+    QTest::addColumn<QString>("token");
+    const auto row = [](const char* name, const QByteArray& scene, FileFault fault, const char* token,
+                        Kind kind = Kind::Malformed) {
+        QTest::newRow(name) << scene << static_cast<int>(kind) << static_cast<int>(fault) << QString(token);
+    };
+    const auto set = [](const QByteArray& attributes) {
+        return "<Shape><IndexedFaceSet " + attributes + ">" + points + "</IndexedFaceSet></Shape>";
+    };
+    row("holds itself", "\n<Group DEF='G'><Group USE='G'/></Group>", FileFault::TooDeep, "nodes of USE=G");
+    row("not defined", "\n<Group USE='G'/>", FileFault::Missing, "DEF=G");
+    row("no XML", "\n<Group>", FileFault::XmlSyntax, "");
+    row("no index", "\n" + set("coordIndex='0 x 2'"), FileFault::VertexIndex, "x");
+    row("negative", "\n" + set("coordIndex='0 -2 2'"), FileFault::VertexIndex, "-2");
+    row("beyond", "\n" + set("coordIndex='0 1 6'"), FileFault::None, "6", Kind::IndexOutOfRange);
+    row("no number", "\n<Shape><Cone height='a'/></Shape>", FileFault::Number, "a");
+    row("deep", "\n" + QByteArray("<Group>").repeated(300) + QByteArray("</Group>").repeated(300),
+        FileFault::XmlTooDeep, "");
+}
+
+void TestX3dExpansion::badFiles_areRefused()
+{
+    QFETCH(QByteArray, scene);
+    QFETCH(int, kind);
+    QFETCH(int, fault);
+    QFETCH(QString, token);
+    const auto error = errorOf(scene);
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), kind);
+    QCOMPARE(static_cast<int>(error->fault), fault);
+    QCOMPARE(QString::fromStdString(error->token), token);
+    QCOMPARE(error->place.number, std::uint64_t(3)); // the declaration, the scene's first line, and its second
+    const QByteArray entities = "<!DOCTYPE X3D [<!ENTITY a 'b'>]><X3D><Scene/></X3D>";
+    QVERIFY_THROWS_EXCEPTION(core::FileError, core::io::expandX3d({path, entities.toStdString()}));
+    QVERIFY(errorOf({}, "<head><unit category='length' conversionFactor='0'/></head>"));
+}
+
+/// Each group holds the one before twice: 2^40 boxes in 3 kB.
+void TestX3dExpansion::growth_isBounded()
+{
+    QByteArray scene = "<Group DEF='g0'>" + box + "</Group>";
+    for (int i = 1; i < 40; ++i) {
+        const QByteArray before = "<Group USE='g" + QByteArray::number(i - 1) + "'/>";
+        scene += "<Switch><Group DEF='g" + QByteArray::number(i) + "'>" + before + before + "</Group></Switch>";
+    }
+    QVERIFY(!errorOf(scene));
+    const auto many = errorOf(scene + "<Group USE='g39'/>");
+    QVERIFY(many && many->kind == Kind::TooManyElements && many->token == "nodes");
+    const QByteArray longText = "<Transform DEF='T' translation='" + QByteArray(1 << 20, '1') + "'>" + box +
+                                "</Transform>" + QByteArray("<Transform USE='T'/>").repeated(200);
+    const auto large = errorOf(longText);
+    QVERIFY(large && large->kind == Kind::UnpacksTooLarge);
+}
+
+void TestX3dExpansion::cutFiles_areRefused()
+{
+    const std::string whole = expanded("<Transform DEF='T'>" + box + "</Transform><Transform USE='T'/>").text;
+    const std::size_t end = whole.rfind('>');
+    for (std::size_t length = 0; length < end; ++length) {
+        const std::string cut = whole.substr(0, length);
+        QVERIFY_THROWS_EXCEPTION(core::FileError, core::io::expandX3d({path, cut}));
+    }
+}
+
+FETTLE_TEST(TestX3dExpansion)
+#include "tst_x3d_expansion.moc"
