@@ -4895,6 +4895,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist eine Datei von Blender, die nur Blender richtig liest: dort als GLB speichern.</translation>
     </message>
     <message>
+        <source>%1 is X3D in its binary, packed or VRML encoding, which is not read: save it as XML (.x3d) or GLB.</source>
+        <translation>%1 ist X3D in binärer, gepackter oder VRML-Kodierung, die nicht gelesen wird: Speichern Sie die Datei als XML (.x3d) oder GLB.</translation>
+    </message>
+    <message>
         <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
         <translation>%1 wird nicht gelesen: Was darin gepackt ist, braucht mehr als %2, und das ist zu viel für eine Datei ihrer Größe.</translation>
     </message>
@@ -5047,6 +5051,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>the curvature of edges and triangles</source>
         <translation>die Krümmung von Kanten und Dreiecken</translation>
     </message>
+    <message>
+        <source>beams of a lattice (%1)</source>
+        <translation>Stäbe eines Gitters (%1)</translation>
+    </message>
+    <message>
+        <source>animations (%1)</source>
+        <translation>Animationen (%1)</translation>
+    </message>
+    <message>
+        <source>the subdivision of surfaces (%1)</source>
+        <translation>die Unterteilung von Flächen (%1)</translation>
+    </message>
+    <message>
+        <source>surfaces of kinds that are not read (%1)</source>
+        <translation>Flächen von Arten, die nicht gelesen werden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileFaultMessages</name>
@@ -5182,6 +5202,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: the compressed data of &quot;%2&quot; is not packed as its extension says.</source>
         <translation>%1: Die komprimierten Daten von „%2“ sind nicht so gepackt, wie ihre Erweiterung es vorschreibt.</translation>
+    </message>
+    <message>
+        <source>%1 is FBX of version %2; version 7 is read: save it as FBX 7 or GLB.</source>
+        <translation>%1 ist FBX der Version %2; gelesen wird Version 7: Speichern Sie die Datei als FBX 7 oder GLB.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>

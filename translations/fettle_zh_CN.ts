@@ -4880,6 +4880,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 是 Blender 自己的文件，只有 Blender 能正确读取：请在那里另存为 GLB。</translation>
     </message>
     <message>
+        <source>%1 is X3D in its binary, packed or VRML encoding, which is not read: save it as XML (.x3d) or GLB.</source>
+        <translation>%1 是采用二进制、压缩或 VRML 编码的 X3D，无法读取：请保存为 XML (.x3d) 或 GLB。</translation>
+    </message>
+    <message>
         <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
         <translation>未读取 %1：其中压缩的内容超过 %2，对这样大小的文件来说太大了。</translation>
     </message>
@@ -5031,6 +5035,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>the curvature of edges and triangles</source>
         <translation>边和三角形的弯曲</translation>
     </message>
+    <message>
+        <source>beams of a lattice (%1)</source>
+        <translation>晶格的梁（%1）</translation>
+    </message>
+    <message>
+        <source>animations (%1)</source>
+        <translation>动画（%1）</translation>
+    </message>
+    <message>
+        <source>the subdivision of surfaces (%1)</source>
+        <translation>曲面细分（%1）</translation>
+    </message>
+    <message>
+        <source>surfaces of kinds that are not read (%1)</source>
+        <translation>无法读取的类型的曲面（%1）</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileFaultMessages</name>
@@ -5166,6 +5186,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: the compressed data of &quot;%2&quot; is not packed as its extension says.</source>
         <translation>%1：“%2”的压缩数据未按其扩展的规定打包。</translation>
+    </message>
+    <message>
+        <source>%1 is FBX of version %2; version 7 is read: save it as FBX 7 or GLB.</source>
+        <translation>%1 是 FBX %2 版；可读取的是第 7 版：请保存为 FBX 7 或 GLB。</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>

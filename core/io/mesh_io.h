@@ -52,6 +52,10 @@ struct ReadRemarks
     std::size_t otherParts = 0;      ///< parts left out that are no matter: modifiers and supports of slicers
     std::size_t otherModels = 0;     ///< models left out that are in the same package
     bool curves = false;             ///< edges and triangles that the file bends are straight and flat
+    std::size_t beams = 0;           ///< beams of a lattice, left out
+    std::size_t animations = 0;      ///< left out: the model stands as it does without them
+    std::size_t subdivisions = 0;    ///< meshes that their program would subdivide, and that are read as they are
+    std::size_t unreadNodes = 0;     ///< nodes left out that stand for surfaces, of kinds that are not read
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };

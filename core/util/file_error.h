@@ -76,6 +76,7 @@ enum class FileFault {
     OldGltf,         ///< glTF of a version before 2
     CompressedCut,   ///< compressed data that ends too early
     CompressedWrong, ///< compressed data that is not packed as it should be
+    OldFbx,          ///< FBX of a version before 7.1
     OutsidePackage,  ///< a path that leads out of it
     NotInPackage,    ///< a part of that name
     NoModelPart,     ///< the package's list of relationships names none
@@ -110,7 +111,7 @@ struct FileError : std::runtime_error
     FileErrorKind kind;
     std::filesystem::path path;
     FilePlace place;
-    std::string token; ///< at most 40 bytes, printable ASCII
+    std::string token; ///< at most 40 bytes, or 200 of ReaderRefused, printable ASCII
     FileFault fault = FileFault::None;
     std::string wanted; ///< a word of the format, where the fault asks for one
     std::uint64_t expected = 0;

@@ -40,6 +40,21 @@ QString token(const core::FileError& error)
 {
     return QString::fromLatin1(error.token);
 }
+
+/// What a model is without, that another program would show.
+QStringList leftOut(const core::ReadRemarks& remarks)
+{
+    QStringList left;
+    if (remarks.beams > 0)
+        left << ErrorMessages::tr("beams of a lattice (%1)").arg(number(remarks.beams));
+    if (remarks.animations > 0)
+        left << ErrorMessages::tr("animations (%1)").arg(number(remarks.animations));
+    if (remarks.subdivisions > 0)
+        left << ErrorMessages::tr("the subdivision of surfaces (%1)").arg(number(remarks.subdivisions));
+    if (remarks.unreadNodes > 0)
+        left << ErrorMessages::tr("surfaces of kinds that are not read (%1)").arg(number(remarks.unreadNodes));
+    return left;
+}
 } // namespace
 
 QString ErrorMessages::sentence(const core::FileError& error)
@@ -130,6 +145,7 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
         left << tr("further models in its package (%1)").arg(number(remarks.otherModels));
     if (remarks.curves)
         left << tr("the curvature of edges and triangles");
+    left << leftOut(remarks);
     if (!left.isEmpty())
         clauses << tr("left out: %1", "materials, textures")
                        .arg(left.join(tr(", ", "between the parts of a model that are left out")));
@@ -231,6 +247,10 @@ QString ErrorMessages::reading(const core::FileError& error)
     case FileErrorKind::UnknownFormat:
         if (error.token == "blend")
             return tr("%1 is Blender's own file, which only Blender reads as it is: save it as GLB there.").arg(path);
+        if (error.token.starts_with("x3d") || error.token == "wrl")
+            return tr("%1 is X3D in its binary, packed or VRML encoding, which is not read: save it as XML (.x3d) or "
+                      "GLB.")
+                .arg(path);
         return error.token.empty()
                    ? tr("%1 has no ending that says its format: %2 can be used.").arg(path, modelFormats())
                    : tr("%1: the format \"%2\" is not known; %3 can be used.").arg(path, token(error), modelFormats());

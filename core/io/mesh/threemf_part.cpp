@@ -1,12 +1,13 @@
 // Source: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production
-// Extension 1.1 (paths). Elements come in the order that the specification asks for: what is named stands before what
-// names it.
+// Extension 1.1 (paths); Beam Lattice Extension 1.2. Elements come in the order that the specification asks for: what
+// is named stands before what names it.
 #include "core/io/mesh/threemf_part.h"
 
 #include "core/io/mesh/mean_color.h"
 #include "core/io/mesh/number_parsing.h"
 #include "core/io/mesh/palette.h"
 
+#include <algorithm>
 #include <array>
 
 namespace core::io
@@ -16,7 +17,43 @@ namespace
 constexpr std::string_view coreSpace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02|",
                            firstCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/2013/01|", // before 1.0
     materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
-                           pathAttribute = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
+                           productionSpace = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|",
+                           pathAttribute = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path",
+                           beamName = "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02|beam";
+
+/// Extensions that a file may require: ours, and those that change no shape (slices come beside a mesh, triangle sets
+/// name some of it).
+constexpr std::string_view knownSpaces[] = {coreSpace,
+                                            firstCoreSpace,
+                                            materialSpace,
+                                            productionSpace,
+                                            "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07|",
+                                            "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07|"};
+
+/// Refuses a model that requires an extension that is not read, by the name of its namespace.
+void requireKnownExtensions(const XmlAttributes& attributes)
+{
+    std::string_view rest = attributes.text("requiredextensions");
+    while (true) {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+        if (rest.empty())
+            return;
+        const std::string_view prefix = rest.substr(0, rest.find_first_of(" \t\r\n"));
+        rest.remove_prefix(prefix.size());
+        const std::string_view space = attributes.spaceOf(prefix);
+        const bool isKnown =
+            std::any_of(std::begin(knownSpaces), std::end(knownSpaces),
+                        [space](std::string_view known) { return space == known.substr(0, known.size() - 1); });
+        if (isKnown)
+            continue;
+        std::string_view name = space.empty() ? prefix : space;
+        for (const std::string_view common :
+             {"http://schemas.microsoft.com/3dmanufacturing/", "http://schemas.3mf.io/3dmanufacturing/", "http://"})
+            if (name.starts_with(common))
+                name.remove_prefix(common.size());
+        attributes.refuse(FileFault::NeedsExtension, name);
+    }
+}
 
 /// Returns the name without the core's namespace, that of today or of the first programs; empty if it has another.
 std::string_view coreName(std::string_view name)
@@ -125,6 +162,8 @@ void ThreeMfPartReader::begin(std::string_view name, const XmlAttributes& attrib
     m_stopCheck();
     if (const std::string_view ofCore = coreName(name); !ofCore.empty())
         beginCore(ofCore, attributes);
+    if (name == beamName)
+        ++m_part.beams;
     if (!name.starts_with(materialSpace))
         return;
     name.remove_prefix(materialSpace.size());
@@ -153,7 +192,13 @@ void ThreeMfPartReader::beginCore(std::string_view name, const XmlAttributes& at
     else if (name == "base" && m_colors->openGroup)
         m_colors->openGroup->push_back(displayColor(attributes.text("displaycolor")));
     else if (name == "model")
-        m_part.millimetres = millimetresOf(attributes.text("unit"), attributes);
+        beginModel(attributes);
+}
+
+void ThreeMfPartReader::beginModel(const XmlAttributes& attributes)
+{
+    requireKnownExtensions(attributes);
+    m_part.millimetres = millimetresOf(attributes.text("unit"), attributes);
 }
 
 void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)

@@ -31,6 +31,7 @@ struct ThreeMfPart
     std::map<std::uint32_t, ThreeMfObject> objects;
     std::vector<ThreeMfComponent> build;
     bool hasTextures = false;
+    std::size_t beams = 0;
 };
 
 /// Of the package's path as a part names it: without the slash at its front. Throws FileError::Malformed where it
@@ -53,6 +54,7 @@ private:
     struct Colors;
     void begin(std::string_view name, const XmlAttributes& attributes);
     void beginCore(std::string_view name, const XmlAttributes& attributes);
+    void beginModel(const XmlAttributes& attributes);
     void beginObject(const XmlAttributes& attributes);
     void addTriangle(const XmlAttributes& attributes);
     void end(std::string_view name);

@@ -63,7 +63,10 @@ public:
         for (const ThreeMfComponent& item : root.build)
             add(path, item, unit, 0);
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
-        return {m_assembly.take(), m_remarks};
+        core::TriangleMesh mesh = m_assembly.take();
+        if (mesh.triangles.empty() && m_remarks.beams > 0)
+            throw malformed(FileFault::NeedsExtension, errorWithToken({}, m_file, "beamlattice"));
+        return {std::move(mesh), m_remarks};
     }
 
 private:
@@ -78,6 +81,7 @@ private:
                            [&reader](std::string_view piece) { reader.take(piece); });
             found->second = reader.part();
             m_remarks.textures = m_remarks.textures || found->second.hasTextures;
+            m_remarks.beams += found->second.beams;
         }
         return found->second;
     }

@@ -41,13 +41,19 @@ std::string_view XmlNamespaces::attribute(std::string_view name)
     return colon == std::string_view::npos ? name : joined(name.substr(0, colon), name.substr(colon + 1));
 }
 
-std::string_view XmlNamespaces::joined(std::string_view prefix, std::string_view name)
+std::string_view XmlNamespaces::spaceOf(std::string_view prefix) const
 {
     const auto latest =
         std::find_if(m_declared.rbegin(), m_declared.rend(), [&](const Declared& d) { return d.prefix == prefix; });
-    if (latest == m_declared.rend() || latest->space.empty())
+    return latest == m_declared.rend() ? std::string_view() : latest->space;
+}
+
+std::string_view XmlNamespaces::joined(std::string_view prefix, std::string_view name)
+{
+    const std::string_view space = spaceOf(prefix);
+    if (space.empty())
         return name;
-    m_joined.assign(latest->space).append("|").append(name);
+    m_joined.assign(space).append("|").append(name);
     return m_joined;
 }
 } // namespace core::io

@@ -20,6 +20,9 @@ public:
     std::string_view element(std::string_view name);
     std::string_view attribute(std::string_view name);
 
+    /// Returns the namespace that the prefix stands for; empty if none. It lasts until the element ends.
+    std::string_view spaceOf(std::string_view prefix) const;
+
 private:
     struct Declared
     {

@@ -30,6 +30,9 @@ public:
     /// Empty if there is none.
     std::optional<std::uint32_t> wholeIfAny(std::string_view name) const;
 
+    /// Returns the namespace that a prefix stands for here; empty if none.
+    std::string_view spaceOf(std::string_view prefix) const { return m_namespaces.spaceOf(prefix); }
+
     [[noreturn]] void refuse(FileErrorKind kind, std::string_view token) const;
     [[noreturn]] void refuse(FileFault fault, std::string_view token) const;
 

@@ -627,6 +627,9 @@ private Q_SLOTS:
     void manyCopiesInASmallPackage_areRead();
     void slicersParts_areLeftOutAndTold_data();
     void slicersParts_areLeftOutAndTold();
+    void threeMfExtensions_areRefusedByName_data();
+    void threeMfExtensions_areRefusedByName();
+    void threeMfBeams_areCounted();
     void faults_areTold_data();
     void faults_areTold();
     void packageFaults_areTold_data();
@@ -990,6 +993,59 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold()
     QCOMPARE(bambu.mesh.triangles.size(), std::size_t(12));
     QCOMPARE(bambu.remarks.negativeParts, std::size_t(isNegative));
     QCOMPARE(bambu.remarks.otherParts, std::size_t(!isNegative));
+}
+
+/// An extension without which the shape is another must not be passed over; those that change nothing may be required.
+void TestForeignFiles::threeMfExtensions_areRefusedByName_data()
+{
+    QTest::addColumn<QString>("space");
+    QTest::addColumn<QString>("token"); // empty: it is read
+    const QString microsoft = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/");
+    for (const char* known : {"material/2015/02", "production/2015/06", "slice/2015/07", "core/2015/02"})
+        QTest::newRow(known) << microsoft + QLatin1StringView(known) << QString();
+    for (const char* other : {"beamlattice/2017/02", "securecontent/2019/04"})
+        QTest::newRow(other) << microsoft + QLatin1StringView(other) << QString::fromLatin1(other);
+    QTest::newRow("volumetric") << "http://schemas.3mf.io/3dmanufacturing/volumetric/2022/01"
+                                << "volumetric/2022/01";
+    QTest::newRow("a stranger's") << "http://example.com/3mf"
+                                  << "example.com/3mf";
+}
+
+void TestForeignFiles::threeMfExtensions_areRefusedByName()
+{
+    QFETCH(QString, space);
+    QFETCH(QString, token);
+    const auto with = [&](const char* required) {
+        const std::string model =
+            replaced(modelOf(), "<model ", "<model xmlns:e=\"" + space.toStdString() + "\" " + required + " ");
+        packageOf(file("required.3mf"), {{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", model}});
+        return errorOf([this] { core::readModel(file("required.3mf")); });
+    };
+    QVERIFY(!with(""));
+    const auto error = with("requiredextensions=\"e\"");
+    QCOMPARE(error.has_value(), !token.isEmpty());
+    if (error) {
+        QCOMPARE(error->fault, FileFault::NeedsExtension);
+        QCOMPARE(QString::fromStdString(error->token), token);
+        QVERIFY(error->place.number > 0);
+    }
+    const auto undeclared = with("requiredextensions=\" e  nothing \"");
+    QVERIFY(undeclared && undeclared->token == (token.isEmpty() ? "nothing" : token.toStdString()));
+}
+
+void TestForeignFiles::threeMfBeams_areCounted()
+{
+    const std::string space = "<model xmlns:b=\"http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02\" ";
+    const std::string beams = "<b:beamlattice radius=\"1\"><b:beams><b:beam v1=\"0\" v2=\"1\"/><b:beam v1=\"1\" "
+                              "v2=\"2\"/></b:beams></b:beamlattice></mesh>";
+    const std::string model = replaced(replaced(modelOf(), "<model ", space), "</mesh>", beams);
+    packageOf(file("beams.3mf"), {{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", model}});
+    QCOMPARE(core::readModel(file("beams.3mf")).remarks.beams, std::size_t(2));
+    const std::size_t first = model.find("<triangles>"), last = model.find("</triangles>");
+    const std::string bare = model.substr(0, first) + model.substr(last + 12);
+    packageOf(file("beams.3mf"), {{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", bare}});
+    const auto error = errorOf([this] { core::readModel(file("beams.3mf")); });
+    QVERIFY(error && error->fault == FileFault::NeedsExtension && error->token == "beamlattice");
 }
 
 void TestForeignFiles::faults_areTold_data()
