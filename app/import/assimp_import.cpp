@@ -1,21 +1,23 @@
 #include "app/import/assimp_import.h"
 
+#include "app/import/fbx_file.h"
 #include "app/import/fbx_scene.h"
+#include "app/import/foreign_unit.h"
+#include "app/import/import_folder.h"
 #include "app/import/import_protocol.h"
 #include "app/import/scene_mesh.h"
 #include "app/platform/resource_limits.h"
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/util/file_error.h"
 
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
+#include <fstream>
 #include <new>
 
 namespace app
@@ -23,58 +25,6 @@ namespace app
 namespace
 {
 namespace fs = std::filesystem;
-
-/// Lets Assimp read in one folder, links followed, and write nowhere. What it asks for elsewhere is noted in `outside`,
-/// by name.
-class OneFolder : public Assimp::DefaultIOSystem
-{
-public:
-    OneFolder(fs::path folder, std::string& outside) : m_folder(std::move(folder)), m_outside(outside) {}
-
-    bool Exists(const char* file) const override { return isWithin(file) && DefaultIOSystem::Exists(file); }
-    Assimp::IOStream* Open(const char* file, const char* mode) override
-    {
-        const bool reads = std::strchr(mode, 'r') && !std::strchr(mode, '+');
-        return reads && isWithin(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
-    }
-
-private:
-    bool isWithin(const char* file) const
-    {
-        std::error_code problem;
-        const fs::path path = fs::canonical(file, problem);
-        if (problem)
-            return false;
-        const bool isWithin =
-            std::mismatch(m_folder.begin(), m_folder.end(), path.begin(), path.end()).first == m_folder.end();
-        if (!isWithin)
-            m_outside = fs::path(file).filename().string();
-        return isWithin;
-    }
-
-    fs::path m_folder;
-    std::string& m_outside;
-};
-
-std::string lowerEnding(const fs::path& path)
-{
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return ending;
-}
-
-/// As their specifications have it.
-constexpr std::string_view endingsInMetres[] = {".dae", ".zae", ".x3d", ".x3db", ".lwo", ".ifc"};
-
-/// Returns the millimetres in the unit of what Assimp gives.
-Eigen::Matrix4d placeOf(const std::string& ending)
-{
-    double unit = 1;
-    for (const std::string_view inMetres : endingsInMetres)
-        unit = ending == inMetres ? 1000 : unit;
-    return Eigen::Vector4d(unit, unit, unit, 1).asDiagonal();
-}
 
 bool send(const void* data, std::size_t size)
 {
@@ -93,43 +43,114 @@ int sendResult(const ImportHeader& header, const core::TriangleMesh& mesh)
     return isSent ? 0 : 1;
 }
 
+void setMessage(ImportHeader& header, std::string_view message)
+{
+    if (message.size() < sizeof header.message)
+        std::copy(message.begin(), message.end(), header.message);
+}
+
+/// A message that is too long is left out: half of it would help nobody.
 int refuse(ImportHeader::Outcome outcome, std::string_view message)
 {
     ImportHeader header;
     header.outcome = message.find("bad_alloc") != std::string_view::npos ? ImportHeader::Outcome::OutOfMemory : outcome;
-    std::copy_n(message.begin(), std::min(message.size(), sizeof header.message - 1), header.message);
+    setMessage(header, message);
     return sendResult(header, {});
+}
+
+int refuse(const core::FileError& error)
+{
+    ImportHeader header;
+    header.outcome = ImportHeader::Outcome::Faulty;
+    header.kind = static_cast<std::uint32_t>(error.kind);
+    header.fault = static_cast<std::uint32_t>(error.fault);
+    header.unit = static_cast<std::uint32_t>(error.place.unit);
+    header.place = error.place.number;
+    header.expected = error.expected;
+    header.found = error.found;
+    setMessage(header, error.token);
+    return sendResult(header, {});
+}
+
+/// Returns what Assimp says, with the file's name alone instead of its path.
+std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
+{
+    std::string words = importer.GetErrorString();
+    for (std::size_t at = words.find(path.string()); at != std::string::npos; at = words.find(path.string()))
+        words.replace(at, path.string().size(), path.filename().string());
+    return words;
+}
+
+std::string startOf(const fs::path& path, std::size_t size)
+{
+    std::ifstream stream(path, std::ios::binary);
+    std::string bytes(size, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(size));
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return bytes;
+}
+
+/// Throws FileError for FBX of a version that Assimp does not read.
+void requireFbxVersion(const fs::path& path, std::string_view start)
+{
+    constexpr int oldest = 7100;
+    const int version = fbxVersion(start);
+    if (version == 0 || version >= oldest)
+        return;
+    core::FileError error(core::FileErrorKind::Malformed, path);
+    error.fault = core::FileFault::OldFbx;
+    error.token = std::to_string(version / 1000) + "." + std::to_string(version / 100 % 10);
+    throw error;
+}
+
+/// Puts what is known of the file besides its mesh into the header.
+void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::path& path, ImportHeader& header)
+{
+    for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
+        const aiAnimation& animation = *scene.mAnimations[i];
+        const bool moves = animation.mNumChannels + animation.mNumMeshChannels + animation.mNumMorphMeshChannels > 0;
+        header.animations += moves ? 1 : 0;
+    }
+    header.unreadNodes = notes.unread;
+    if (lowerEnding(path) == ".fbx")
+        header.subdivisions = fbxSubdivisions(startOf(path, fs::file_size(path)));
 }
 
 int import(const fs::path& path, const ImportLimits& limits)
 {
-    std::string outside;
+    constexpr std::size_t startSize = 1 << 16;
+    const std::string start = startOf(path, startSize);
+    const bool isFbx = lowerEnding(path) == ".fbx";
+    if (isFbx)
+        requireFbxVersion(path, start);
+    ImportFolder::Notes notes;
     Assimp::Importer importer;
-    importer.SetIOHandler(new OneFolder(fs::canonical(path.parent_path()), outside)); // the importer's from now on
+    importer.SetIOHandler(new ImportFolder(fs::canonical(path.parent_path()), notes)); // the importer's from now on
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
+    if (notes.problem)
+        std::rethrow_exception(notes.problem);
     if (!scene || !scene->mRootNode)
-        return outside.empty() ? refuse(ImportHeader::Outcome::Refused, importer.GetErrorString())
-                               : refuse(ImportHeader::Outcome::Outside, outside);
+        return notes.outside.empty() ? refuse(ImportHeader::Outcome::Refused, wordsOf(importer, path))
+                                     : refuse(ImportHeader::Outcome::Outside, notes.outside);
     SceneMesh mesh(*scene, limits);
-    const std::string ending = lowerEnding(path);
-    if (ending == ".fbx")
+    if (isFbx)
         addFbxScene(*scene, mesh);
     else
-        mesh.addTree(*scene->mRootNode, placeOf(ending));
-    if (mesh.isEmpty() && !outside.empty())
-        return refuse(ImportHeader::Outcome::Outside, outside);
+        mesh.addTree(*scene->mRootNode, placeOf(path, start));
+    if (mesh.isEmpty() && !notes.outside.empty())
+        return refuse(ImportHeader::Outcome::Outside, notes.outside);
     ImportHeader header;
     header.outcome = ImportHeader::Outcome::Read;
     const core::TriangleMesh result = mesh.take(header);
+    addNotes(*scene, notes, path, header);
     return sendResult(header, result);
 }
 } // namespace
 
 bool assimpHoldsUnit(const fs::path& file)
 {
-    const std::string ending = lowerEnding(file);
-    return ending == ".fbx" || std::ranges::find(endingsInMetres, ending) != std::end(endingsInMetres);
+    return holdsUnit(file);
 }
 
 int runImport(const char* file)
@@ -141,6 +162,8 @@ int runImport(const char* file)
         return import(path, limits);
     } catch (const std::bad_alloc&) {
         return refuse(ImportHeader::Outcome::OutOfMemory, {});
+    } catch (const core::FileError& error) {
+        return refuse(error);
     } catch (const std::exception& problem) {
         return refuse(ImportHeader::Outcome::Refused, problem.what());
     }

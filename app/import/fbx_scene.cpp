@@ -81,7 +81,7 @@ Model modelOf(const aiNode& first)
 }
 
 /// A model's place in the world, and what its children inherit of it.
-struct Place
+struct ModelPlace
 {
     Eigen::Matrix4d world, withoutScale;
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();       ///< of itself, and what it has inherited by its axes
@@ -97,9 +97,9 @@ Eigen::Matrix4d unscaled(Eigen::Matrix4d matrix, const Eigen::Vector3d& scale)
     return matrix;
 }
 
-Place placeOf(const Model& model, const Place& parent)
+ModelPlace placeOf(const Model& model, const ModelPlace& parent)
 {
-    Place place;
+    ModelPlace place;
     Eigen::Matrix4d local = model.local;
     if (model.inherit != Inherit::Usual) {
         place.scaleBefore = model.inherit == Inherit::ComponentWise ? parent.scale : parent.scaleBefore;
@@ -114,10 +114,10 @@ Place placeOf(const Model& model, const Place& parent)
     return place;
 }
 
-void add(const aiNode& first, const Place& parent, SceneMesh& mesh)
+void add(const aiNode& first, const ModelPlace& parent, SceneMesh& mesh)
 {
     const Model model = modelOf(first);
-    const Place place = placeOf(model, parent);
+    const ModelPlace place = placeOf(model, parent);
     mesh.addMeshesOf(*model.node, place.world * model.ofMeshes);
     const aiNode* above = model.node;
     while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
@@ -152,7 +152,7 @@ void addFbxScene(const aiScene& scene, SceneMesh& mesh)
     constexpr double millimetresInCentimetre = 10;
     const double unit =
         millimetresInCentimetre * static_cast<double>(valueOf<float>(scene.mMetaData, "UnitScaleFactor").value_or(1));
-    Place root{.world = Eigen::Matrix4d::Identity(), .withoutScale = Eigen::Matrix4d::Identity()};
+    ModelPlace root{.world = Eigen::Matrix4d::Identity(), .withoutScale = Eigen::Matrix4d::Identity()};
     root.world.topLeftCorner<3, 3>() = unit * axesOf(scene.mMetaData);
     root.withoutScale = root.world;
     const aiNode& top = *scene.mRootNode; // from 5.4 on Assimp puts the axes into its transform, half of them wrongly

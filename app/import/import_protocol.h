@@ -9,15 +9,18 @@ namespace app
 /// them, then importEnd. Both ends are the same program on the same machine.
 struct ImportHeader
 {
-    enum class Outcome : std::uint32_t { Read, Refused, OutOfMemory, Outside };
+    /// Faulty: what kind, fault, unit, place, expected and found say.
+    enum class Outcome : std::uint32_t { Read, Refused, Faulty, OutOfMemory, Outside };
     static constexpr std::uint32_t magicNumber = 0x464f5231;
 
     std::uint32_t magic = magicNumber;
     Outcome outcome = Outcome::Refused;
     std::uint64_t points = 0, colors = 0, triangles = 0, objects = 1;
-    std::uint64_t repeatedCorners = 0, facesOfFewer = 0;
+    std::uint64_t repeatedCorners = 0, facesOfFewer = 0, animations = 0, subdivisions = 0, unreadNodes = 0;
+    std::uint64_t place = 0, expected = 0, found = 0; ///< of a core::FileError
+    std::uint32_t kind = 0, fault = 0, unit = 0;      ///< of a core::FileError, as numbers
     std::uint8_t materials = 0, textures = 0, poses = 0;
-    char message[41] = {}; ///< why it was refused, or the name of what is outside of its folder
+    char message[201] = {}; ///< why it was refused; the error's token; or the name of what is outside of its folder
 };
 
 inline constexpr std::uint32_t importEnd = 0x454e4421;

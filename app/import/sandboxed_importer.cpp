@@ -18,11 +18,12 @@ using core::FileErrorKind;
 using core::TriangleMesh;
 
 /// Of those that Assimp 5.2 reads: what holds surfaces, and whose ending means nothing else to most people (no raw,
-/// scn, xml, mesh). Blender's files are not among them: without its modifiers they are another model.
-constexpr std::array<std::string_view, 38> endings{
-    "fbx", "dae",  "3ds",  "x3d", "x3db", "lwo",     "lws", "lxo", "dxf",     "ifc", "ac",  "ac3d", "acc",
-    "ase", "b3d",  "cob",  "hmp", "iqm",  "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "ndo",
-    "nff", "enff", "ogex", "pmx", "q3o",  "q3s",     "sib", "smd", "x",       "xgl", "zae", "zgl"};
+/// scn, xml, mesh). Blender's files are not among them: without its modifiers they are another model; nor
+/// is X3D in its binary encoding, of which Assimp makes nothing.
+constexpr std::array<std::string_view, 37> endings{
+    "fbx",  "dae",  "3ds", "x3d", "lwo",     "lws", "lxo", "dxf",     "ifc", "ac",  "ac3d", "acc", "ase",
+    "b3d",  "cob",  "hmp", "iqm", "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "ndo", "nff",
+    "enff", "ogex", "pmx", "q3o", "q3s",     "sib", "smd", "x",       "xgl", "zae", "zgl"};
 
 FileError errorOf(FileErrorKind kind, const std::filesystem::path& path, std::uint64_t expected = 0)
 {
@@ -68,15 +69,38 @@ bool isSound(const TriangleMesh& mesh)
     return mesh.colors.empty() || mesh.colors.size() == mesh.points.size();
 }
 
-[[noreturn]] void refuse(ImportHeader header, const std::filesystem::path& path, const ImportLimits& limits)
+/// Returns the text of the header's message, or an empty one if it is not printable as a whole.
+std::string messageOf(const ImportHeader& header)
+{
+    const std::string message = header.message;
+    const bool isPrintable = std::ranges::all_of(message, [](char c) { return c >= ' ' && c <= '~'; });
+    return isPrintable ? message : std::string();
+}
+
+/// Returns the error that the process met, if it is one that there is.
+FileError faultOf(const ImportHeader& header, const std::filesystem::path& path)
+{
+    if (header.kind > static_cast<std::uint32_t>(FileErrorKind::NoFaces) ||
+        header.fault > static_cast<std::uint32_t>(core::FileFault::XmlLongTag) ||
+        header.unit > static_cast<std::uint32_t>(core::FilePlace::Unit::Byte))
+        return errorOf(FileErrorKind::ReaderDied, path);
+    FileError error = errorOf(static_cast<FileErrorKind>(header.kind), path, header.expected);
+    error.fault = static_cast<core::FileFault>(header.fault);
+    error.place = {static_cast<core::FilePlace::Unit>(header.unit), header.place};
+    error.found = header.found;
+    error.token = messageOf(header);
+    return error;
+}
+
+[[noreturn]] void refuse(const ImportHeader& header, const std::filesystem::path& path, const ImportLimits& limits)
 {
     if (header.outcome == ImportHeader::Outcome::OutOfMemory)
         throw errorOf(FileErrorKind::ReaderOutOfMemory, path, limits.memory);
+    if (header.outcome == ImportHeader::Outcome::Faulty)
+        throw faultOf(header, path);
     const bool isOutside = header.outcome == ImportHeader::Outcome::Outside;
     FileError error = errorOf(isOutside ? FileErrorKind::OutsideFolder : FileErrorKind::ReaderRefused, path);
-    constexpr std::size_t maxLength = 40;
-    for (const char* c = header.message; *c && error.token.size() < maxLength; ++c)
-        error.token += *c < ' ' || *c > '~' ? '?' : *c;
+    error.token = messageOf(header);
     throw error;
 }
 
@@ -105,7 +129,10 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
                       .textures = header.textures != 0,
                       .poses = header.poses != 0,
                       .repeatedCorners = header.repeatedCorners,
-                      .facesOfFewer = header.facesOfFewer};
+                      .facesOfFewer = header.facesOfFewer,
+                      .animations = header.animations,
+                      .subdivisions = header.subdivisions,
+                      .unreadNodes = header.unreadNodes};
     return result;
 }
 

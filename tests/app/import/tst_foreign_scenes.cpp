@@ -8,9 +8,14 @@
 
 #include <QFile>
 #include <QPointF>
+#include <QStringEncoder>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtEndian>
 
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <optional>
 
 namespace
@@ -128,15 +133,43 @@ private Q_SLOTS:
     void fbx_axesAndUnitAreItsOwn_data();
     void fbx_axesAndUnitAreItsOwn();
     void fbx_polygonsAreFilledExactly();
+    void fbx_oldVersionsAreRefusedByName();
+    void fbx_subdivisionsAreTold();
+
+    void x3d_usesAreThere();
+    void x3d_solidsAreClosed_data();
+    void x3d_solidsAreClosed();
+    void x3d_inlinedFilesAreExpandedToo();
+    void x3d_badFilesAreRefused();
+    void x3d_otherEncodingsAreRefused();
+
+    void ogex_metricsAreHeeded_data();
+    void ogex_metricsAreHeeded();
+    void dae_isReadInUtf16AndWithBlanks();
+    void lws_isAsLargeAsItsLwo();
+    void words_areWholeAndWithoutPath();
 
 private:
     std::filesystem::path file(const QString& name) const { return m_dir.filePath(name).toStdU16String(); }
-    ReadResult read(const QString& name, const QByteArray& bytes) const
+    void write(const QString& name, const QByteArray& bytes) const
     {
         QFile to(m_dir.filePath(name));
-        if (to.open(QIODevice::WriteOnly) && to.write(bytes) == bytes.size())
-            to.close();
+        QVERIFY(to.open(QIODevice::WriteOnly) && to.write(bytes) == bytes.size());
+    }
+    ReadResult read(const QString& name, const QByteArray& bytes) const
+    {
+        write(name, bytes);
         return core::readModel(file(name));
+    }
+    /// Returns the error that the file is refused with.
+    std::optional<core::FileError> errorOf(const QString& name, const QByteArray& bytes) const
+    {
+        try {
+            read(name, bytes);
+        } catch (const core::FileError& error) {
+            return error;
+        }
+        return std::nullopt;
     }
     ReadResult readFbx(const QByteArray& bytes) const { return read(QStringLiteral("a.fbx"), bytes); }
 
@@ -282,6 +315,211 @@ void TestForeignScenes::fbx_polygonsAreFilledExactly()
     const ReadResult comb = readFbx(fbx({{}}, {}, meshOf(points.join(','), 3 * count, corners.join(','), count)));
     QCOMPARE(comb.mesh.triangles.size(), std::size_t(count - 2));
     QVERIFY(std::abs(areaOf(comb.mesh) - twice / 2) < tolerance);
+}
+
+void TestForeignScenes::fbx_oldVersionsAreRefusedByName()
+{
+    QByteArray old = fbx({{}});
+    old.replace("FBXVersion: 7400", "FBXVersion: 6100");
+    const auto text = errorOf(QStringLiteral("old.fbx"), old);
+    QVERIFY(text && text->fault == core::FileFault::OldFbx && text->token == "6.1");
+    const QByteArray header("Kaydara FBX Binary  \0\x1a\0\x88\x13\0\0", 27); // 5000
+    const auto binary = errorOf(QStringLiteral("old.fbx"), header + QByteArray(100, '\0'));
+    QVERIFY(binary && binary->fault == core::FileFault::OldFbx && binary->token == "5.0");
+}
+
+void TestForeignScenes::fbx_subdivisionsAreTold()
+{
+    QCOMPARE(readFbx(fbx({{}, {}}, {}, cube() + "Smoothness: 3\nPreviewDivisionLevels: 1\n")).remarks.subdivisions,
+             std::size_t(2));
+    const core::ReadRemarks plain = readFbx(fbx({{}}, {}, cube() + "Smoothness: 0\n")).remarks;
+    QVERIFY(plain == core::ReadRemarks());
+}
+
+void TestForeignScenes::x3d_usesAreThere()
+{
+    const ReadResult row =
+        read(QStringLiteral("use.x3d"),
+             "<X3D><Scene><Transform/><Transform DEF='Key'><Shape><Box size='1 2 3'/></Shape></Transform>"
+             "<Transform translation='3 0 0'><Transform USE='Key'/></Transform>"
+             "<Transform translation='6 0 0'><Transform USE='Key'/></Transform></Scene></X3D>");
+    COMPARE_VECTORS(boxOf(row.mesh).size(), 7000, 2000, 3000);
+    QCOMPARE(row.remarks.objects, std::size_t(3));
+    QCOMPARE(row.mesh.triangles.size(), std::size_t(36));
+    QVERIFY(std::abs(volumeOf(row.mesh) / 18e9 - 1) < 1e-6);
+}
+
+void TestForeignScenes::x3d_solidsAreClosed_data()
+{
+    QTest::addColumn<QByteArray>("node");
+    QTest::addColumn<double>("volume");                       // in cubic metres
+    const double ring = 16 * std::sin(std::numbers::pi / 16); // a polygon of 32 sides in a circle of radius 1
+    QTest::newRow("cone") << QByteArray("<Cone height='3'/>") << ring;
+    QTest::newRow("cylinder") << QByteArray("<Cylinder radius='2' height='0.5'/>") << 2 * ring;
+    QTest::newRow("box") << QByteArray("<Box/>") << 8.0;
+    const QByteArray square = " crossSection='1 1 1 -1 -1 -1 -1 1 1 1' ";
+    QTest::newRow("extrusion") << "<Extrusion" + square + "/>" << 4.0;
+    QTest::newRow("tapered") << "<Extrusion" + square + "spine='0 0 0 0 3 0' scale='1 1 0 0'/>" << 4.0;
+    QTest::newRow("turned") << "<Extrusion" + square + "orientation='0 1 0 1'/>" << 4.0;
+    QTest::newRow("lying") << "<Extrusion" + square + "spine='0 0 0 -5 0 0'/>" << 20.0;
+    QTest::newRow("bent") << "<Extrusion" + square + "spine='0 0 0 0 5 0 5 5 0'/>" << 20 * (1 + std::sqrt(0.5));
+    QTest::newRow("ring") << "<Extrusion" + square + "spine='5 0 5 5 0 -5 -5 0 -5 -5 0 5 5 0 5'/>"
+                          << 4 * 40 * std::sqrt(0.5);
+    const QByteArray clockwise = " crossSection='1 1 -1 1 -1 -1 1 -1 1 1' ";
+    QTest::newRow("clockwise") << "<Extrusion ccw='false'" + clockwise + "/>" << 4.0;
+    QTest::newRow("clockwise faces") << QByteArray(
+                                            "<IndexedFaceSet ccw='false' coordIndex='0 1 2 -1 0 3 1 -1 1 3 2 -1 2 3 0'>"
+                                            "<Coordinate point='0 0 0, 1 0 0, 0 1 0, 0 0 1'/></IndexedFaceSet>")
+                                     << 1 / 6.0;
+}
+
+void TestForeignScenes::x3d_solidsAreClosed()
+{
+    QFETCH(QByteArray, node);
+    QFETCH(double, volume);
+    const core::TriangleMesh mesh =
+        read(QStringLiteral("solid.x3d"), "<X3D><Scene><Shape>" + node + "</Shape></Scene></X3D>").mesh;
+    std::map<std::pair<core::Slot, core::Slot>, int> edges;
+    for (const core::Triangle& t : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            ++edges[{t[i], t[(i + 1) % 3]}];
+    for (const auto& [edge, count] : edges) {
+        QCOMPARE(count, 1);
+        QVERIFY(edges.contains({edge.second, edge.first}));
+    }
+    QVERIFY2(std::abs(volumeOf(mesh) / 1e9 / volume - 1) < 1e-5, qPrintable(QString::number(volumeOf(mesh) / 1e9)));
+}
+
+void TestForeignScenes::x3d_inlinedFilesAreExpandedToo()
+{
+    write(QStringLiteral("part.x3d"), "<X3D><Scene><Transform DEF='T' translation='5 0 0'><Shape><Box/></Shape>"
+                                      "</Transform><Group><Transform USE='T'/></Group></Scene></X3D>");
+    const ReadResult whole =
+        read(QStringLiteral("whole.x3d"), "<X3D><Scene><Inline url='\"part.x3d\"'/></Scene></X3D>");
+    QCOMPARE(whole.mesh.triangles.size(), std::size_t(24));
+    const auto endless = errorOf(QStringLiteral("self.x3d"), "<X3D><Scene><Inline url='\"self.x3d\"'/></Scene></X3D>");
+    QVERIFY(endless && endless->fault == core::FileFault::TooDeep && endless->token == "Inline nodes");
+}
+
+void TestForeignScenes::x3d_badFilesAreRefused()
+{
+    const auto cycle =
+        errorOf(QStringLiteral("cycle.x3d"), "<X3D><Scene>\n<Group DEF='G'><Group USE='G'/></Group></Scene></X3D>");
+    QVERIFY(cycle && cycle->fault == core::FileFault::TooDeep && cycle->token == "nodes of USE=G");
+    QCOMPARE(cycle->place.number, std::uint64_t(2));
+    const auto none = errorOf(QStringLiteral("none.x3d"), "<X3D><Scene><Group/></Scene></X3D>");
+    QVERIFY(none && none->kind == core::FileErrorKind::NoFaces);
+    QCOMPARE(read(QStringLiteral("text.x3d"),
+                  "<X3D><Scene><Shape><Box/></Shape><Shape><Text string='a'/></Shape></Scene></X3D>")
+                 .remarks.unreadNodes,
+             std::size_t(1));
+}
+
+void TestForeignScenes::x3d_otherEncodingsAreRefused()
+{
+    for (const char* name : {"a.x3db", "a.x3dv", "a.wrl"}) {
+        const auto error = errorOf(QString::fromLatin1(name), "#X3D V3.0 utf8\nShape { geometry Box { } }\n");
+        QVERIFY2(error && error->kind == core::FileErrorKind::UnknownFormat && error->token == name + 2, name);
+    }
+}
+
+void TestForeignScenes::ogex_metricsAreHeeded_data()
+{
+    QTest::addColumn<QByteArray>("metrics");
+    QTest::addColumn<double>("unit");
+    QTest::addColumn<bool>("isZUp");
+    QTest::newRow("metres, Z up") << QByteArray("Metric (key = \"distance\") {float {1.0}}\n"
+                                                "Metric (key = \"up\") {string {\"z\"}}\n")
+                                  << 1000.0 << true;
+    QTest::newRow("centimetres, Y up") << QByteArray("Metric (key = \"angle\") {float {1}} // Metric\n"
+                                                     "Metric(key=\"up\"){string{\"y\"}}\n"
+                                                     "Metric (key = \"distance\") { float { 0.01 } }\n")
+                                       << 10.0 << false;
+    QTest::newRow("not told") << QByteArray("Metric (key = \"time\") {float {1}}\n") << 1.0 << false;
+}
+
+void TestForeignScenes::ogex_metricsAreHeeded()
+{
+    QFETCH(QByteArray, metrics);
+    QFETCH(double, unit);
+    QFETCH(bool, isZUp);
+    const ReadResult model =
+        read(QStringLiteral("a.ogex"),
+             metrics + "GeometryNode $node1 { Name {string {\"Box\"}} ObjectRef {ref {$geometry1}} }\n"
+                       "GeometryObject $geometry1 { Mesh (primitive = \"triangles\") {\n"
+                       " VertexArray (attrib = \"position\") { float[3] {{0,0,0},{1,0,0},{0,2,0},{0,0,3}} }\n"
+                       " IndexArray { unsigned_int32[3] {{0,2,1},{0,1,3},{1,2,3},{2,0,3}} }\n} }\n");
+    COMPARE_VECTORS(boxOf(model.mesh).size(), unit, (isZUp ? 3 : 2) * unit, (isZUp ? 2 : 3) * unit);
+    QVERIFY(std::abs(volumeOf(model.mesh) - unit * unit * unit) < 1e-6 * unit * unit * unit);
+}
+
+/// COLLADA of a tetrahedron, in which a count is wrong and blanks stand before values.
+void TestForeignScenes::dae_isReadInUtf16AndWithBlanks()
+{
+    const QString text = QStringLiteral(
+        "<?xml version=\"1.0\" encoding=\"%1\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+        "version=\"1.4.1\"><asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset><library_geometries>"
+        "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"%2\">\n  0 0 0 1 0 0 0 1 0 0 0 1\n"
+        "</float_array><technique_common><accessor source=\"#a\" count=\"4\" stride=\"3\"><param name=\"X\" "
+        "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
+        "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+        "<triangles count=\"4\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p> 0 2 1 0 1 3 1 2 3 2 0 3</p>"
+        "</triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id=\"s\">"
+        "<node id=\"n\"><matrix>  1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 </matrix><instance_geometry url=\"#g\"/></node>"
+        "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>");
+    for (const int count : {12, 3, 99}) {
+        const QString utf8 = text.arg(QStringLiteral("utf-8")).arg(count),
+                      utf16 = text.arg(QStringLiteral("utf-16")).arg(count);
+        QStringEncoder little(QStringEncoder::Utf16LE, QStringConverter::Flag::WriteBom),
+            big(QStringEncoder::Utf16BE, QStringConverter::Flag::WriteBom), bare(QStringEncoder::Utf16LE);
+        const QByteArray encoded[] = {
+            utf8.toUtf8(), "\xef\xbb\xbf" + utf8.toUtf8(), " \r\n\t" + utf8.toUtf8(), little(utf16), big(utf16),
+            bare(utf16)};
+        for (const QByteArray& bytes : encoded) {
+            const ReadResult model = read(QStringLiteral("a.dae"), bytes);
+            QCOMPARE(model.mesh.triangles.size(), std::size_t(4));
+            QVERIFY(std::abs(volumeOf(model.mesh) * 6e-9 - 1) < 1e-6);
+        }
+    }
+}
+
+/// A triangle of one by two metres, in the chunks of LightWave's binary format.
+void TestForeignScenes::lws_isAsLargeAsItsLwo()
+{
+    const auto chunk = [](const char* name, const QByteArray& content) {
+        QByteArray size(4, '\0');
+        qToBigEndian(quint32(content.size()), size.data());
+        return name + size + content;
+    };
+    QByteArray points;
+    for (const float value : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 2.0F, 0.0F}) {
+        QByteArray number(4, '\0');
+        qToBigEndian(value, number.data());
+        points += number;
+    }
+    const QByteArray content = "LWO2" + chunk("TAGS", QByteArray("a\0", 2)) + chunk("LAYR", QByteArray(18, '\0')) +
+                               chunk("PNTS", points) + chunk("POLS", QByteArray("FACE\0\3\0\0\0\1\0\2", 12)) +
+                               chunk("PTAG", QByteArray("SURF\0\0\0\0", 8)) + chunk("SURF", QByteArray("a\0\0\0", 4));
+    const Box alone = boxOf(read(QStringLiteral("part.lwo"), chunk("FORM", content)).mesh);
+    COMPARE_VECTORS(alone.size(), 1000, 2000, 0);
+    const ReadResult scene = read(QStringLiteral("a.lws"), "LWSC\n3\n\nLoadObjectLayer 1 part.lwo\n\n");
+    COMPARE_VECTORS(boxOf(scene.mesh).size(), 1000, 2000, 0);
+}
+
+void TestForeignScenes::words_areWholeAndWithoutPath()
+{
+    for (const char* name : {"bad.fbx", "bad.dae", "bad.3ds", "bad.x", "bad.lwo", "bad.ogex", "bad.nff"}) {
+        const auto error = errorOf(QString::fromLatin1(name), "this is nothing of the kind");
+        if (!error || error->kind != core::FileErrorKind::ReaderRefused)
+            continue;
+        QVERIFY2(!(error->token.find(m_dir.path().toStdString()) != std::string::npos), name);
+        QVERIFY2(error->token.size() <= 200, name);
+    }
+    const auto known = errorOf(QStringLiteral("bad.3ds"), "this is nothing of the kind");
+    QVERIFY(known && !known->token.empty());
+    const auto longWords =
+        errorOf(QStringLiteral("a.lws"), "LWSC\n3\n\nLoadObjectLayer 1 " + QByteArray(300, 'x') + "\n");
+    QVERIFY(longWords && longWords->token.size() <= 200);
 }
 
 FETTLE_TEST(TestForeignScenes)

@@ -1,0 +1,92 @@
+#include "app/import/collada_text.h"
+
+#include <QStringDecoder>
+
+#include <algorithm>
+
+namespace app
+{
+namespace
+{
+constexpr std::string_view blanks = " \t\r\n";
+
+std::string asUtf8(std::string_view bytes)
+{
+    const bool isUtf16 = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") ||
+                         bytes.starts_with(std::string_view("<\0", 2)) || bytes.starts_with(std::string_view("\0<", 2));
+    if (!isUtf16)
+        return std::string(bytes.starts_with("\xef\xbb\xbf") ? bytes.substr(3) : bytes);
+    const bool isLittle = bytes.front() == '\xff' || bytes.front() == '<';
+    QStringDecoder decode(isLittle ? QStringDecoder::Utf16LE : QStringDecoder::Utf16BE);
+    const QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
+    return text.toStdString();
+}
+
+/// Removes what is before the first tag, and the declaration of XML, whose encoding may not be that of the text now.
+void dropDeclaration(std::string& text)
+{
+    text.erase(0, std::min(text.find_first_not_of(blanks), text.size()));
+    if (text.starts_with("<?xml"))
+        text.erase(0, std::min(text.find("?>"), text.size() - 2) + 2);
+}
+
+/// Removes the blanks before the values of an element, of which Assimp 5.2 makes no number.
+void dropBlanksBeforeValues(std::string& text)
+{
+    std::size_t to = 0;
+    bool isAfterTag = false;
+    for (std::size_t from = 0; from < text.size(); ++from) {
+        const char c = text[from];
+        if (isAfterTag && blanks.find(c) != std::string_view::npos)
+            continue;
+        isAfterTag = c == '>';
+        text[to++] = c;
+    }
+    text.resize(to);
+}
+
+std::size_t wordsIn(std::string_view text)
+{
+    std::size_t words = 0;
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+        if (text.empty())
+            return words;
+        text.remove_prefix(std::min(text.find_first_of(blanks), text.size()));
+        ++words;
+    }
+}
+
+/// Returns the tag of a float_array with the count of its values.
+std::string withCount(std::string_view tag, std::size_t count)
+{
+    constexpr std::string_view attribute = "count=\"";
+    const std::size_t at = tag.find(attribute);
+    if (at == std::string_view::npos)
+        return std::string(tag);
+    const std::size_t first = at + attribute.size();
+    return std::string(tag.substr(0, first)) + std::to_string(count) +
+           std::string(tag.substr(std::min(tag.find('"', first), tag.size())));
+}
+} // namespace
+
+std::string colladaText(std::string_view bytes)
+{
+    std::string text = asUtf8(bytes);
+    dropDeclaration(text);
+    dropBlanksBeforeValues(text);
+    std::string result;
+    std::string_view rest = text;
+    while (true) {
+        const std::size_t tag = rest.find("<float_array");
+        const std::size_t values = tag == std::string_view::npos ? tag : rest.find('>', tag);
+        const std::size_t end = values == std::string_view::npos ? values : rest.find('<', values);
+        if (end == std::string_view::npos)
+            return result.append(rest);
+        const std::size_t count = wordsIn(rest.substr(values + 1, end - values - 1));
+        result.append(rest.substr(0, tag)).append(withCount(rest.substr(tag, values - tag), count));
+        result.append(rest.substr(values, end - values));
+        rest.remove_prefix(end);
+    }
+}
+} // namespace app

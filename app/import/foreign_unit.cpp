@@ -1,0 +1,111 @@
+// Source: Terathon Software, Open Game Engine Exchange Specification 1.1, "Metric": "distance", the metres in its unit,
+// and "up", "y" or "z". Assimp (5.2 to 6.0) reads both and takes no notice of them.
+#include "app/import/foreign_unit.h"
+
+#include "app/import/import_folder.h"
+
+#include "core/io/mesh/number_parsing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace app
+{
+namespace
+{
+/// As their specifications have it; LWS as the LWO that it names.
+constexpr std::string_view endingsInMetres[] = {".dae", ".zae", ".x3d", ".lwo", ".lws", ".ifc"};
+constexpr double millimetresInMetre = 1000;
+
+/// Takes apart OpenDDL: words, and single signs. Passes over comments.
+class DdlWords
+{
+public:
+    explicit DdlWords(std::string_view text) : m_rest(text) {}
+
+    /// Returns the next word without its quotes; empty at the end.
+    std::string_view next()
+    {
+        skip();
+        if (m_rest.empty())
+            return {};
+        constexpr std::string_view ends = " \t\r\n{}()[]=,\"";
+        if (m_rest.front() == '"') {
+            const std::size_t end = std::min(m_rest.find('"', 1), m_rest.size());
+            return take(end + 1).substr(1, end - 1);
+        }
+        return take(std::max<std::size_t>(std::min(m_rest.find_first_of(ends), m_rest.size()), 1));
+    }
+
+private:
+    std::string_view take(std::size_t length)
+    {
+        const std::string_view word = m_rest.substr(0, length);
+        m_rest.remove_prefix(word.size());
+        return word;
+    }
+    void skip()
+    {
+        while (true) {
+            m_rest.remove_prefix(std::min(m_rest.find_first_not_of(" \t\r\n"), m_rest.size()));
+            if (m_rest.starts_with("//"))
+                take(m_rest.find('\n'));
+            else if (m_rest.starts_with("/*"))
+                take(m_rest.find("*/") == std::string_view::npos ? m_rest.size() : m_rest.find("*/") + 2);
+            else
+                return;
+        }
+    }
+
+    std::string_view m_rest;
+};
+
+/// Returns the value of `Metric (key = "name") {type {value}}`, empty if there is none.
+std::string_view metricOf(std::string_view text, std::string_view name)
+{
+    DdlWords words(text);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+        if (word != "Metric" || words.next() != "(" || words.next() != "key" || words.next() != "=" ||
+            words.next() != name)
+            continue;
+        std::string_view value;
+        for (word = words.next(); !word.empty() && word != "}"; word = words.next())
+            value = word;
+        return value;
+    }
+    return {};
+}
+
+Eigen::Matrix4d placeOfOpenGex(std::string_view text)
+{
+    Eigen::Matrix4d place = Eigen::Matrix4d::Identity();
+    if (metricOf(text, "up") == "z")
+        place << 1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1;
+    const auto metres = core::io::parseDouble(metricOf(text, "distance"));
+    if (metres && std::isfinite(*metres) && *metres > 0)
+        place.topRows<3>() *= millimetresInMetre * *metres;
+    return place;
+}
+
+bool isInMetres(const std::string& ending)
+{
+    return std::ranges::find(endingsInMetres, ending) != std::end(endingsInMetres);
+}
+} // namespace
+
+Eigen::Matrix4d placeOf(const std::filesystem::path& file, std::string_view start)
+{
+    const std::string ending = lowerEnding(file);
+    if (ending == ".ogex")
+        return placeOfOpenGex(start);
+    const double unit = isInMetres(ending) ? millimetresInMetre : 1;
+    return Eigen::Vector4d(unit, unit, unit, 1).asDiagonal();
+}
+
+bool holdsUnit(const std::filesystem::path& file)
+{
+    const std::string ending = lowerEnding(file);
+    return ending == ".fbx" || ending == ".ogex" || isInMetres(ending);
+}
+} // namespace app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/io/mesh/x3d_expansion.h"
+
+#include <assimp/DefaultIOSystem.h>
+
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace app
+{
+/// Lets Assimp read in one folder, links followed, and write nowhere. It is given X3D files expanded, and COLLADA files
+/// in UTF-8, with counts as they are.
+class ImportFolder : public Assimp::DefaultIOSystem
+{
+public:
+    /// Tells of the reading what no reader does.
+    struct Notes
+    {
+        std::string outside;        ///< the name of a file that was asked for elsewhere
+        std::exception_ptr problem; ///< the core::FileError of a file that could not be given
+        std::size_t unread = 0;     ///< nodes left out that stand for surfaces
+    };
+
+    ImportFolder(std::filesystem::path folder, Notes& notes) : m_folder(std::move(folder)), m_notes(notes) {}
+
+    bool Exists(const char* file) const override { return isWithin(file) && DefaultIOSystem::Exists(file); }
+    Assimp::IOStream* Open(const char* file, const char* mode) override;
+
+private:
+    bool isWithin(const char* file) const;
+    /// Returns what is given instead of the file; null: the file itself. Throws core::FileError.
+    const std::string* replacement(const std::filesystem::path& path);
+
+    std::filesystem::path m_folder;
+    Notes& m_notes;
+    std::map<std::filesystem::path, std::string> m_replacements;
+    int m_opened = 0; ///< X3D files, each as often as it was asked for
+};
+
+/// Returns the ending in lower case, with its dot.
+std::string lowerEnding(const std::filesystem::path& path);
+} // namespace app
