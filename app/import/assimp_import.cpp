@@ -112,8 +112,11 @@ void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::
         header.animations += moves ? 1 : 0;
     }
     header.unreadNodes = notes.unread;
-    if (lowerEnding(path) == ".fbx")
-        header.subdivisions = fbxSubdivisions(startOf(path, fs::file_size(path)));
+    if (lowerEnding(path) != ".fbx")
+        return;
+    const std::string bytes = startOf(path, fs::file_size(path));
+    header.subdivisions = fbxSubdivisions(bytes);
+    header.unreadNodes += fbxNurbs(bytes);
 }
 
 int import(const fs::path& path, const ImportLimits& limits)

@@ -55,4 +55,13 @@ std::size_t fbxSubdivisions(std::string_view bytes)
     }
     return count;
 }
+
+std::size_t fbxNurbs(std::string_view bytes)
+{
+    constexpr std::string_view key = "NurbsSurfaceOrder"; // one in each
+    std::size_t count = 0;
+    for (std::size_t at = bytes.find(key); at != std::string_view::npos; at = bytes.find(key, at + key.size()))
+        ++count;
+    return count;
+}
 } // namespace app

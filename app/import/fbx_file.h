@@ -10,4 +10,7 @@ int fbxVersion(std::string_view bytes);
 
 /// Returns how many of its meshes are to be subdivided, which Assimp does not tell.
 std::size_t fbxSubdivisions(std::string_view bytes);
+
+/// Returns how many surfaces of it are NURBS, which Assimp leaves out.
+std::size_t fbxNurbs(std::string_view bytes);
 } // namespace app

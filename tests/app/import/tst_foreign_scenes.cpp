@@ -134,7 +134,7 @@ private Q_SLOTS:
     void fbx_axesAndUnitAreItsOwn();
     void fbx_polygonsAreFilledExactly();
     void fbx_oldVersionsAreRefusedByName();
-    void fbx_subdivisionsAreTold();
+    void fbx_subdivisionsAndNurbsAreTold();
 
     void x3d_usesAreThere();
     void x3d_solidsAreClosed_data();
@@ -328,10 +328,12 @@ void TestForeignScenes::fbx_oldVersionsAreRefusedByName()
     QVERIFY(binary && binary->fault == core::FileFault::OldFbx && binary->token == "5.0");
 }
 
-void TestForeignScenes::fbx_subdivisionsAreTold()
+void TestForeignScenes::fbx_subdivisionsAndNurbsAreTold()
 {
     QCOMPARE(readFbx(fbx({{}, {}}, {}, cube() + "Smoothness: 3\nPreviewDivisionLevels: 1\n")).remarks.subdivisions,
              std::size_t(2));
+    const QByteArray nurbs = "}\nGeometry: 1, \"Geometry::n\", \"NurbsSurface\" {\nNurbsSurfaceOrder: 4,4\n";
+    QCOMPARE(readFbx(fbx({{}}, {}, cube() + nurbs)).remarks.unreadNodes, std::size_t(1));
     const core::ReadRemarks plain = readFbx(fbx({{}}, {}, cube() + "Smoothness: 0\n")).remarks;
     QVERIFY(plain == core::ReadRemarks());
 }
