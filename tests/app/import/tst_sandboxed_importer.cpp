@@ -249,7 +249,8 @@ void TestSandboxedImporter::brokenReaders_areOneSentence_data()
     for (const char* lines :
          {"exit 0", "exit 1", "kill -SEGV $$", "kill -ABRT $$", "echo garbage", "head -c 100000 /dev/zero",
           "head -c 300000000 /dev/zero", "printf 1ROF; head -c 100000 /dev/zero",
-          "printf '1ROF\\0\\0\\0\\0'; head -c 100 /dev/zero | tr '\\0' '\\377'"})
+          "printf '1ROF\\0\\0\\0\\0'; head -c 100 /dev/zero | tr '\\0' '\\377'",
+          "printf '1ROF\\2\\0\\0\\0'; head -c 1000 /dev/zero | tr '\\0' '\\377'"})
         QTest::newRow(lines) << QByteArray(lines);
 }
 
