@@ -2,11 +2,12 @@
 
 #include "core/analysis/print_check.h"
 
-#include "core/util/disjoint_sets.h"
+#include "core/analysis/print_places.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/point_triangle.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace core
@@ -60,94 +61,72 @@ double leaningOf(const Side& side)
     return side.isOnBed || area == 0 ? -90 : std::asin(std::clamp(-side.normal.y() / area, -1.0, 1.0)) / degree;
 }
 
-/// Faces that share a vertex hang together. Faces are added in ascending order, so the places have one order.
-class Places
+/// What floats cannot hold, and no printer can tell: a wall that misses the limit by less is not thin.
+double wallTolerance(const TriangleMesh& mesh, double minWall)
 {
-public:
-    explicit Places(const TriangleMesh& mesh) : m_mesh(mesh), m_sets(mesh.points.size()) {}
-
-    /// Of two the one with the lower badness is the worse.
-    void add(Slot face, double badness)
-    {
-        m_faces.push_back({face, badness});
-        const auto& [a, b, c] = m_mesh.triangles[face];
-        m_sets.unite(a, b);
-        m_sets.unite(a, c);
-    }
-
-    template <class Value> PrintFault take(const Sides& sides, Value valueOf)
-    {
-        PrintFault fault;
-        std::vector<double> min;
-        std::vector<Slot> number(m_sets.size(), noSlot);
-        for (const auto& [face, badness] : m_faces) {
-            Slot& place = number[m_sets.root(m_mesh.triangles[face][0])];
-            const Side side = sides[face];
-            if (place == noSlot) {
-                place = static_cast<Slot>(fault.places.size());
-                fault.places.emplace_back();
-                min.push_back(std::numeric_limits<double>::infinity());
-            }
-            fault.places[place].area += side.area();
-            fault.area += side.area();
-            if (badness < min[place]) {
-                min[place] = badness;
-                fault.places[place].face = face;
-            }
-        }
-        fault.count = fault.places.size();
-        std::ranges::stable_sort(fault.places, std::greater(), &PrintPlace::area);
-        fault.places.resize(std::min(fault.places.size(), PrintFault::maxPlaces));
-        for (PrintPlace& place : fault.places) {
-            const Side side = sides[place.face];
-            place.point = side.centre;
-            place.normal = side.area() > 0 ? Vec3(side.normal / side.area()) : Vec3::UnitY();
-            place.worst = valueOf(place.face);
-        }
-        return fault;
-    }
-
-private:
-    struct Bad
-    {
-        Slot face;
-        double badness;
-    };
-
-    const TriangleMesh& m_mesh;
-    DisjointSets m_sets; ///< of vertices
-    std::vector<Bad> m_faces;
-};
+    constexpr double share = 1e-3, floatSteps = 4;
+    float farthest = 0;
+    for (const Vec3f& p : mesh.points)
+        farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+    const double step = static_cast<double>(farthest) * static_cast<double>(std::numeric_limits<float>::epsilon());
+    return std::max(share * minWall, floatSteps * step);
+}
 
 PrintFault thinPlaces(const PrintMeasures& measures, const Sides& sides, double minWall)
 {
     if (!measures.walls)
         return {};
+    const double limit = minWall - wallTolerance(measures.mesh, minWall);
     const std::vector<float>& thickness = measures.walls->byBalls;
-    Places places(measures.mesh);
-    for (Slot f = 0; f < thickness.size(); ++f)
-        if (static_cast<double>(thickness[f]) < minWall)
-            places.add(f, static_cast<double>(thickness[f]));
-    return places.take(sides, [&](Slot f) { return static_cast<double>(thickness[f]); });
+    PrintPlaces places(measures.mesh);
+    auto part = measures.walls->parts.begin();
+    const auto end = measures.walls->parts.end();
+    for (Slot f = 0; f < thickness.size(); ++f) {
+        if (part == end || part->face != f) {
+            if (static_cast<double>(thickness[f]) < limit)
+                places.addFace(f, static_cast<double>(thickness[f]));
+            continue;
+        }
+        const double area = sides[f].area();
+        for (; part != end && part->face == f; ++part)
+            if (const double share = part->shareBelow(limit); share > 0)
+                places.addPart(*part, area * static_cast<double>(part->share) * share);
+    }
+    return places.take();
 }
 
 PrintFault overhangPlaces(const TriangleMesh& mesh, const Sides& sides, double limit)
 {
     const double sine = std::sin(limit * degree);
-    Places places(mesh);
+    PrintPlaces places(mesh);
     for (Slot f = 0; f < mesh.triangles.size(); ++f) {
         const Side side = sides[f];
         if (!side.isOnBed &&
             -side.normal.y() > sine * side.area() * (1 + 1e-6)) // a face that leans so much exactly is none
-            places.add(f, side.normal.y() / side.area());
+            places.addFace(f, side.normal.y() / side.area());
     }
-    return places.take(sides, [&](Slot f) { return leaningOf(sides[f]); });
+    PrintFault fault = places.take();
+    for (PrintPlace& place : fault.places)
+        place.worst = leaningOf(sides[place.face]);
+    return fault;
 }
 
-std::optional<double> minOf(const std::vector<float>& values)
+/// The least of all faces' centres and of all parts; nothing where nothing is opposite.
+std::optional<double> minOf(const WallThickness& walls, const std::vector<float>& atCentres, float WallPart::*ofPart)
 {
-    const auto min = std::ranges::min_element(values);
-    return min != values.end() && std::isfinite(*min) ? std::optional(static_cast<double>(*min)) : std::nullopt;
+    float min = std::numeric_limits<float>::infinity();
+    for (const float thickness : atCentres)
+        min = std::min(min, thickness);
+    for (const WallPart& part : walls.parts)
+        min = std::min(min, part.*ofPart);
+    return std::isfinite(min) ? std::optional(static_cast<double>(min)) : std::nullopt;
+}
+
+/// The corner of a face that has most weight at a point of it.
+Slot nearestCorner(const TriangleMesh& mesh, Slot face, const Vec3f& p)
+{
+    const auto weights = cornerWeights(p.cast<double>(), cornersOf(mesh, face));
+    return mesh.triangles[face][static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin())];
 }
 
 BedFit fitOf(const Vec3& size, const PrintBed& bed)
@@ -175,8 +154,8 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
     const Sides sides(measures.mesh);
     report.area = measures.report.area;
     if (measures.walls) {
-        report.minByRays = minOf(measures.walls->byRays);
-        report.minByBalls = minOf(measures.walls->byBalls);
+        report.minByRays = minOf(*measures.walls, measures.walls->byRays, &WallPart::byRays);
+        report.minByBalls = minOf(*measures.walls, measures.walls->byBalls, &WallPart::least);
     }
     report.thin = thinPlaces(measures, sides, limits.minWall);
     report.overhangs = overhangPlaces(measures.mesh, sides, limits.overhang);
@@ -208,11 +187,22 @@ std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const bool isThickness = picture == PrintPicture::Thickness;
     std::vector<float> values(measures.mesh.points.size(), isThickness ? infinity : -90);
+    if (isThickness && !measures.walls)
+        return values;
     const Sides sides(measures.mesh);
+    std::vector<bool> isDivided(isThickness ? measures.mesh.triangles.size() : 0);
+    if (isThickness)
+        for (const WallPart& part : measures.walls->parts) {
+            isDivided[part.face] = true;
+            for (const Vec3f& corner : part.corners) {
+                float& value = values[nearestCorner(measures.mesh, part.face, corner)];
+                value = std::min(value, part.least);
+            }
+        }
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {
-        const float value = !isThickness     ? static_cast<float>(leaningOf(sides[f]))
-                            : measures.walls ? measures.walls->byBalls[f]
-                                             : infinity;
+        if (isThickness && isDivided[f])
+            continue;
+        const float value = isThickness ? measures.walls->byBalls[f] : static_cast<float>(leaningOf(sides[f]));
         for (const Slot corner : measures.mesh.triangles[f])
             values[corner] = isThickness ? std::min(values[corner], value) : std::max(values[corner], value);
     }

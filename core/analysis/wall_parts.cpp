@@ -1,0 +1,166 @@
+#include "core/analysis/wall_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+/// The centre speaks for a face that is so small, in thicknesses: where two faces meet at 60 degrees, the most for a
+/// thin place, the thickness changes by as much as one goes, and by little elsewhere.
+constexpr double small = 0.05, smallOfMany = 0.35;
+/// The same where the matter is thicker than the largest ball, and figures need not be as good.
+constexpr double thick = 0.25;
+/// The centre speaks for a face that is nowhere thinner than this share of it, and a part is divided if its thinnest
+/// place is less than that share of its thickest.
+constexpr double sameThickness = 0.97, evenThickness = 0.9, evenThicknessOfMany = 0.8;
+/// A face that is small enough, in thicknesses, is one of many that stand for a round surface. Its corners, which lie
+/// aside of its normal, would seem thinner than the matter is: its centre speaks for it unless something juts in.
+constexpr double compact = 0.1, compactOfMany = 0.5, compactThickness = 0.9;
+/// Somewhere else in a face balls begin with so many times the size of the face, or of its centre's ball.
+constexpr double many = 4;
+/// Towards a sharp edge parts are divided until they are all thinner than any wall that is printed, mm.
+constexpr double finest = 0.1;
+/// Where a part is measured: in its middle, and near its corners.
+constexpr std::array<std::array<double, 3>, 4> places = {
+    {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.94, 0.03, 0.03}, {0.03, 0.94, 0.03}, {0.03, 0.03, 0.94}}};
+
+Vec3 weightsAt(const WallCell& cell, const std::array<double, 3>& place)
+{
+    return place[0] * cell.weights[0] + place[1] * cell.weights[1] + place[2] * cell.weights[2];
+}
+
+std::array<WallCell, 2> halves(const WallCell& cell, const std::array<Vec3, 3>& corners)
+{
+    std::size_t longest = 0;
+    double max = -1;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (const double side = (corners[(i + 1) % 3] - corners[i]).squaredNorm(); side > max) {
+            max = side;
+            longest = i;
+        }
+    const Vec3 middle = (cell.weights[longest] + cell.weights[(longest + 1) % 3]) / 2;
+    std::array<WallCell, 2> result = {cell, cell};
+    result[0].weights[(longest + 1) % 3] = middle;
+    result[1].weights[longest] = middle;
+    return result;
+}
+} // namespace
+
+bool WallParts::isLarge(Slot position, double centre, double reach) const
+{
+    const double seen = std::min(centre, reach);
+    const double tolerated = seen > m_limits.largestBall ? thick : m_surface.hasMany() ? smallOfMany : small;
+    return m_surface.hasArea(position) && m_surface.radiusOf(position) > tolerated * seen;
+}
+
+std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobControl& control) const
+{
+    const double radius = m_surface.radiusOf(position);
+    const double start = std::max(m_limits.largestBall, centre < noBall ? centre : many * radius);
+    const double atPlaces =
+        centre < noBall ? std::min(m_limits.largestBall, many * std::max(centre, radius)) : m_limits.largestBall;
+    if (radius <= (m_surface.hasMany() ? compactOfMany : compact) * centre) {
+        const ThinnestPlace place =
+            m_surface.thinnestIn(position, {}, std::min(compactThickness * centre, m_limits.largestBall));
+        if (place.diameter == noBall && place.hidden == noBall)
+            return {};
+    }
+    std::priority_queue<Cell> cells;
+    Cell whole = measured(position, {}, 1, {start, atPlaces});
+    whole.least = std::min(whole.least, centre);
+    if (whole.doubt == 0 && whole.least >= sameThickness * centre)
+        return {};
+    cells.push(whole);
+    for (std::size_t number = 1; cells.top().doubt > 0 && cells.size() < m_limits.parts && !control.isCancelled();) {
+        const Cell cell = cells.top();
+        cells.pop();
+        std::array<Vec3, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i)
+            corners[i] = m_surface.pointOf(position, cell.cell.weights[i]);
+        for (const WallCell& half : halves(cell.cell, corners)) {
+            Cell next = measured(position, half, cell.share / 2, {start, atPlaces});
+            next.number = number++;
+            cells.push(next);
+        }
+    }
+    std::vector<WallPart> parts;
+    for (; !cells.empty(); cells.pop())
+        addParts(position, cells.top(), parts);
+    return parts;
+}
+
+/// Between its places a cell may be thinner: all of it is asked about, from what was found there on.
+WallParts::Cell WallParts::measured(Slot position, const WallCell& cell, double share, const Starts& starts) const
+{
+    Cell result{cell, share, {}, noBall, 0, m_surface.pointOf(position, cell.centre()), 0, 0};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Vec3 p = m_surface.pointOf(position, weightsAt(cell, places[i]));
+        const double diameter = result.atPlaces[i] = m_surface.byBall(position, p, starts.atPlaces);
+        result.most = std::max(result.most, diameter);
+        if (diameter < result.least) {
+            result.least = diameter;
+            result.thinnest = p;
+        }
+    }
+    const double below = result.least < noBall ? sameThickness * result.least : starts.inCell;
+    const ThinnestPlace place = m_surface.thinnestIn(position, cell, below);
+    if (place.diameter < result.least) {
+        result.least = place.diameter;
+        result.thinnest = place.point;
+    }
+    result.doubt = doubtOf(result, position, place.hidden);
+    return result;
+}
+
+double WallParts::doubtOf(const Cell& cell, Slot position, double hidden) const
+{
+    const double least = std::min(cell.least, hidden), most = std::min(cell.most, 2 * m_limits.largestBall);
+    if (least >= m_limits.largestBall || least >= even() * most || most <= finest)
+        return 0;
+    const double doubt = m_surface.areaOf(position) * cell.share * (1 - least / most);
+    return doubt < m_limits.area ? 0 : doubt;
+}
+
+double WallParts::even() const
+{
+    return m_surface.hasMany() ? evenThicknessOfMany : evenThickness;
+}
+
+/// A cell that was not to be divided further although it is not even, as where the thickness jumps, counts in quarters:
+/// each with the thickness of its place.
+void WallParts::addParts(Slot position, const Cell& cell, std::vector<WallPart>& parts) const
+{
+    if (cell.least >= m_limits.largestBall || cell.least >= even() * cell.most) {
+        parts.push_back(partOf(position, cell));
+        return;
+    }
+    const auto& [a, b, c] = cell.cell.weights;
+    const Vec3 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
+    const std::array<std::array<Vec3, 3>, 4> quarters = {{{ab, bc, ca}, {a, ab, ca}, {ab, b, bc}, {ca, bc, c}}};
+    const auto thinnest = std::ranges::min_element(cell.atPlaces) - cell.atPlaces.begin();
+    for (std::size_t i = 0; i < quarters.size(); ++i) {
+        const bool isThinnest = static_cast<std::ptrdiff_t>(i) == thinnest;
+        Cell quarter{{quarters[i]}, cell.share / 4, {}, cell.atPlaces[i], cell.atPlaces[i], {}, 0, 0};
+        quarter.least = isThinnest ? cell.least : cell.atPlaces[i];
+        quarter.thinnest = isThinnest ? cell.thinnest : m_surface.pointOf(position, weightsAt(cell.cell, places[i]));
+        parts.push_back(partOf(position, quarter));
+    }
+}
+
+WallPart WallParts::partOf(Slot position, const Cell& cell) const
+{
+    WallPart part;
+    part.face = m_surface.faceAt(position);
+    for (std::size_t i = 0; i < 3; ++i)
+        part.corners[i] = m_surface.pointOf(position, cell.cell.weights[i]).cast<float>();
+    part.share = static_cast<float>(cell.share);
+    const double rays = m_surface.byRays(position, cell.thinnest, m_limits.largestBall);
+    part.byRays = static_cast<float>(rays);
+    part.least = static_cast<float>(std::min(cell.least, rays));
+    part.most = std::max(part.least, static_cast<float>(cell.most));
+    part.thinnest = cell.thinnest.cast<float>();
+    return part;
+}
+} // namespace core

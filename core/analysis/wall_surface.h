@@ -1,0 +1,108 @@
+#pragma once
+
+#include "core/geometry/box_tree.h"
+#include "core/geometry/triangle_distance.h"
+#include "core/geometry/triangle_mesh.h"
+
+#include <optional>
+#include <span>
+
+namespace core
+{
+/// A diameter where no opposite face is found.
+constexpr double noBall = std::numeric_limits<double>::infinity();
+
+/// A triangle within a face, by the weights that its corners give to the face's. Halving gives weights that doubles
+/// hold exactly, so that a weight of 0 tells that a corner lies on a side of the face.
+struct WallCell
+{
+    std::array<Vec3, 3> weights = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+
+    Vec3 centre() const { return (weights[0] + weights[1] + weights[2]) / 3; }
+};
+
+/// The thinnest place of a cell.
+struct ThinnestPlace
+{
+    double diameter = noBall;  ///< of its ball; noBall: none below what was asked for
+    Vec3 point = Vec3::Zero(); ///< of the surface; not on the cell's border
+    /// Of opposite points that are not in sight of the cell's nearest point; others near them may be.
+    double hidden = noBall;
+};
+
+/// The surface of a solid, seen from within: answers how thick the matter is at one of its points, or at the thinnest
+/// one of a part of a face. Points are of a face at a position of the tree, so that neighbours ask about the same
+/// boxes.
+class WallSurface
+{
+public:
+    /// Keeps a reference to the mesh.
+    explicit WallSurface(const TriangleMesh& mesh);
+
+    std::size_t size() const { return m_walls.size(); }
+    /// Of a model with so many faces each can be measured less well: its neighbours make up for it.
+    bool hasMany() const { return size() > 100'000; }
+    Slot faceAt(Slot position) const { return m_walls[position].face; }
+    bool hasArea(Slot position) const { return !m_walls[position].normal.isZero(); }
+    double radiusOf(Slot position) const; ///< from the centre to the farthest corner
+    double areaOf(Slot position) const;
+    std::array<Vec3, 3> cornersOf(Slot position) const;
+    Vec3 pointOf(Slot position, const Vec3& weights) const;
+
+    /// The least ball that one of five rays finds, one along the normal and, unless that says that it is thicker than
+    /// `largest`, four around it. Infinity if no opposite face is hit.
+    double byRays(Slot position, const Vec3& p, double largest) const;
+    /// The ball that no opposite face in sight of p reaches into, from one with the diameter `start` on; infinity if
+    /// there is none below.
+    double byBall(Slot position, const Vec3& p, double start) const;
+    /// How far it is along the normal through the matter; 0 if that cannot be told.
+    double depthBehind(Slot position, const Vec3& p) const;
+    /// Of all points of the cell at once: the cell, lifted by the radius, is the locus of the balls' centres. Opposite
+    /// faces that the cell touches, at an edge or corner of the solid, do not count.
+    ThinnestPlace thinnestIn(Slot position, const WallCell& cell, double start) const;
+
+private:
+    /// A face at its place in the tree.
+    struct Wall
+    {
+        std::array<Vec3f, 3> corners;
+        Vec3f normal; ///< unit length, or zero
+        Slot face;
+        std::array<Slot, 3> ridges = {noSlot, noSlot, noSlot}; ///< see ridgesOf()
+        bool hasRidge = false;
+    };
+    struct Hit
+    {
+        Slot position = noSlot;
+        double distance = std::numeric_limits<double>::infinity(); ///< in the direction's length
+    };
+    struct Touch
+    {
+        Vec3 p, q;
+        Slot position;
+    };
+    class LiftedCell;
+
+    static Wall wallOf(const TriangleMesh& mesh, Slot face);
+    Vec3 inwardOf(Slot position) const { return -m_walls[position].normal.cast<double>(); }
+    bool areOpposite(Slot a, Slot b) const;
+    bool mayTouch(Slot position, Slot other) const;
+    bool isOppositeRidge(Slot position, std::size_t side, const Vec3& inward) const;
+    bool doTouch(Slot position, const WallCell& cell, Slot other) const;
+    Hit firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const;
+    double ballOfRay(Slot position, const Vec3& origin, const Vec3& direction, double largest) const;
+    bool isInSight(Slot position, const Vec3& p, const Vec3& q) const;
+    template <typename NearestOfFace, typename NearestOfSide>
+    NearestPair nearestOf(Slot position, const Vec3& inward, Slot other, NearestOfFace ofFace,
+                          NearestOfSide ofSide) const;
+    std::optional<Touch> nearestOpposite(Slot position, const Vec3& p, double radius,
+                                         std::span<const Slot> hidden) const;
+    std::optional<Touch> nearestOpposite(Slot position, const WallCell& cell, const LiftedCell& lifted, double radius,
+                                         std::span<const Slot> hidden) const;
+
+    const TriangleMesh& m_mesh;
+    BoxTree m_tree;
+    std::vector<Wall> m_walls; ///< by position
+    double m_shallow;
+};
+} // namespace core
