@@ -354,6 +354,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ConvertCommand</name>
     <message>
+        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need them to stay as they are. Nothing was written.</source>
+        <translation>%1 ließ sich auf %2 Dreiecke bringen, nicht auf %3: Seine Löcher und Teile brauchen sie, um zu bleiben, wie sie sind. Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet. Nothing was written.</source>
+        <translation>%1 ließ sich auf %2 Dreiecke bringen, nicht auf %3: Mit weniger würden Flächen sich umwenden oder einander berühren. Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
         <translation>convert: --size ist eine Länge in Millimetern, größer als 0, nicht %1.</translation>
     </message>
@@ -993,8 +1001,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Sein Format behält die Farben nicht; GLB und 3MF behalten sie.</translation>
     </message>
     <message>
-        <source>With fewer triangles its handles and parts could not all stay.</source>
-        <translation>Mit weniger Dreiecken könnten nicht alle Henkel und Teile bleiben.</translation>
+        <source>%1 triangles were asked for; so few could not be reached without losing handles or parts, or turning faces over.</source>
+        <translation>%1 Dreiecke waren verlangt; so wenige waren nicht zu erreichen, ohne Henkel oder Teile zu verlieren oder Flächen umzuwenden.</translation>
     </message>
     <message>
         <source>Slicing %1</source>
@@ -3530,8 +3538,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Höchstzahl der Dreiecke</translation>
     </message>
     <message>
-        <source>The file has at most so many triangles.</source>
-        <translation>Die Datei hat höchstens so viele Dreiecke.</translation>
+        <source>The file has at most so many triangles, unless its holes and parts need more; that is said then.</source>
+        <translation>Die Datei hat höchstens so viele Dreiecke, außer wenn Löcher und Teile mehr brauchen; das wird dann gesagt.</translation>
     </message>
     <message>
         <source>The model has %1 triangles. The file is read back and judged when it is written.</source>

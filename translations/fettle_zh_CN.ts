@@ -352,6 +352,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ConvertCommand</name>
     <message>
+        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need them to stay as they are. Nothing was written.</source>
+        <translation>%1 可以降到 %2 个三角形，降不到 %3 个：要保持原有的孔洞和部件，就需要这些三角形。未写入任何文件。</translation>
+    </message>
+    <message>
+        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet. Nothing was written.</source>
+        <translation>%1 可以降到 %2 个三角形，降不到 %3 个：若更少，面会翻转或相互接触。未写入任何文件。</translation>
+    </message>
+    <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
         <translation>convert：--size 应为大于 0 的长度（毫米），而不是 %1。</translation>
     </message>
@@ -989,8 +997,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>该格式不保存颜色；GLB 和 3MF 保存颜色。</translation>
     </message>
     <message>
-        <source>With fewer triangles its handles and parts could not all stay.</source>
-        <translation>若三角形更少，就无法保留所有的环柄和部件。</translation>
+        <source>%1 triangles were asked for; so few could not be reached without losing handles or parts, or turning faces over.</source>
+        <translation>要求 %1 个三角形；若降到这么少，就会失去环柄或部件，或使面翻转。</translation>
     </message>
     <message>
         <source>Slicing %1</source>
@@ -3521,8 +3529,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>三角形上限</translation>
     </message>
     <message>
-        <source>The file has at most so many triangles.</source>
-        <translation>文件中的三角形不超过此数。</translation>
+        <source>The file has at most so many triangles, unless its holes and parts need more; that is said then.</source>
+        <translation>文件中的三角形不超过此数，除非孔洞和部件需要更多；届时会说明。</translation>
     </message>
     <message>
         <source>The model has %1 triangles. The file is read back and judged when it is written.</source>

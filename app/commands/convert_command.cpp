@@ -155,6 +155,20 @@ double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
     return *options.size / box.sizes().maxCoeff();
 }
 
+/// Of a model that has more triangles than were asked for.
+QString tooManyText(const QString& file, const core::Decimated& few, std::size_t asked)
+{
+    const bool needsTopology = few.obstacles.topology > few.obstacles.shape;
+    const QLocale locale;
+    return (needsTopology
+                ? ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: its holes and parts need "
+                                      "them to stay as they are. Nothing was written.")
+                : ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: with fewer, faces would "
+                                      "turn over or meet. Nothing was written."))
+        .arg(file, locale.toString(static_cast<qulonglong>(few.mesh.triangles.size())),
+             locale.toString(static_cast<qulonglong>(asked)));
+}
+
 /// On the lattice that an import would choose.
 core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMesh& mesh)
 {
@@ -163,6 +177,8 @@ core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMe
         throw CommandFailure{ui::ErrorMessages::tooFine(options.in, built.unsnappable), AnswerIsNo};
     const core::Vec3 place = built.mesh->frame().place;
     core::Decimated few = core::decimate(std::move(*built.mesh), options.triangles);
+    if (few.mesh.triangles.size() > options.triangles)
+        throw CommandFailure{tooManyText(options.in, few, options.triangles), AnswerIsNo};
     return core::placedMesh(toPath(options.out), std::move(few.mesh), place);
 }
 } // namespace

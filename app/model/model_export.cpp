@@ -99,7 +99,10 @@ QString ModelExport::verdictText(const ExportRequest& request, const core::MeshR
     if (losesColors)
         line += u' ' + tr("Its format does not hold the colours; GLB and 3MF do.");
     if (request.maxTriangles > 0 && report.faces > request.maxTriangles)
-        line += u' ' + tr("With fewer triangles its handles and parts could not all stay.");
+        line +=
+            u' ' + tr("%1 triangles were asked for; so few could not be reached without losing handles or parts, or "
+                      "turning faces over.")
+                       .arg(locale.toString(static_cast<qulonglong>(request.maxTriangles)));
     const QString doubt = ui::ErrorMessages::unitDoubt(report.volume.value_or(0));
     return doubt.isEmpty() ? line : line + u' ' + doubt;
 }

@@ -92,7 +92,10 @@ private:
         m_limits = named(new QCheckBox(tr("At &most so many triangles:")), "limits",
                          tr("Takes away triangles where the shape and the colours lose least by it. The model in "
                             "the window keeps its own."));
-        m_max = named(new QSpinBox, "most", tr("The file has at most so many triangles."), tr("Most triangles"));
+        m_max = named(
+            new QSpinBox, "most",
+            tr("The file has at most so many triangles, unless its holes and parts need more; that is said then."),
+            tr("Most triangles"));
         m_max->setRange(minExportTriangles, maxExportTriangles);
         m_max->setGroupSeparatorShown(true);
         m_max->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);

@@ -2,6 +2,7 @@
 
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
 
@@ -551,6 +552,14 @@ void TestCommandLine::check_print()
     QCOMPARE(fine[QStringLiteral("thin_share")].toDouble(-1), 0.0);
     QVERIFY(fine[QStringLiteral("fits_bed")].isNull());
 
+    // A wedge from 0.2 to 10 mm, its sides two triangles each: it is thin at its end, and only there.
+    write(at("wedge.obj"), "v 0 0 0\nv 100 0 0\nv 100 10 0\nv 0 0.2 0\nv 0 0 40\nv 100 0 40\nv 100 10 40\nv 0 0.2 40\n"
+                           "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const QJsonObject wedge =
+        fettle({QStringLiteral("check"), at("wedge.obj"), QStringLiteral("--print"), QStringLiteral("--json")}).json();
+    QVERIFY(std::abs(wedge[QStringLiteral("min_wall_balls_mm")].toDouble() / 0.2 - 1) < 0.05);
+    QVERIFY(std::abs(wedge[QStringLiteral("thin_share")].toDouble() - 0.051) < 0.006);
+
     write(at("cube.obj"), cube);
     const Answer csv = fettle(asked + QStringList{at("cube.obj"), QStringLiteral("--csv")});
     QCOMPARE(csv.out.count('\n'), 3);
@@ -743,6 +752,20 @@ void TestCommandLine::convert_triangles()
                  .status,
              0);
     QVERIFY(core::readMesh(at("all.ply").toStdString()).points == ball.points);
+
+    core::writeMesh(at("ring.stl").toStdString(), shapes::torus({30, 8, 48, 24}));
+    const Answer tooFew = fettle({QStringLiteral("convert"), at("ring.stl"), at("tiny.stl"),
+                                  QStringLiteral("--triangles"), QStringLiteral("8")});
+    QCOMPARE(tooFew.status, 1);
+    QVERIFY2(tooFew.out.isEmpty() && tooFew.err.count('\n') == 1 &&
+                 tooFew.err.contains("not to 8: its holes and parts need them"),
+             tooFew.err.constData());
+    QVERIFY(!QFile::exists(at("tiny.stl")));
+    const QString reached = QString::fromUtf8(tooFew.err).section(QStringLiteral("down to "), 1).section(u' ', 0, 0);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("ring.stl"), at("tiny.stl"), QStringLiteral("--triangles"), reached})
+                 .status,
+             0);
+    QCOMPARE(core::readMesh(at("tiny.stl").toStdString()).triangles.size(), std::size_t(reached.toUInt()));
 }
 
 void TestCommandLine::convert_up()

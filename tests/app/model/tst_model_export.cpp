@@ -1,4 +1,5 @@
 #include "tests/support/program_driver.h"
+#include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
 #include "app/model/model_export.h"
@@ -74,6 +75,7 @@ private Q_SLOTS:
     void stoppedInTime_writesNothing();
     void stoppedLater_isNotReadBack();
     void fewerTriangles_leaveTheModelAlone();
+    void tooFewTriangles_areToldOf();
     void dialog_writesWhatItIsAskedFor();
     void dialog_presetsSetTheBudget();
     void dialog_comesBackAsItWasAgreedTo();
@@ -184,6 +186,16 @@ void TestModelExport::fewerTriangles_leaveTheModelAlone()
     QVERIFY(few.triangles.size() <= 500 && core::checkMesh(few).printReady());
     QCOMPARE(program.document.modelInfo().faces, faces);
     QVERIFY(program.document.savedState().isModified() && program.document.modelInfo().path.isEmpty());
+}
+
+void TestModelExport::tooFewTriangles_areToldOf()
+{
+    const auto ring = std::make_shared<core::Mesh>(std::move(*core::buildMesh(shapes::torus({30, 8, 48, 24})).mesh));
+    const ExportOutcome outcome = ModelExport::run({path("ring.stl"), 8, false, {}, ring}, quiet, {});
+    QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
+    QVERIFY2(outcome.verdict.contains(QStringLiteral("8 triangles were asked for")), qPrintable(outcome.verdict));
+    const std::size_t written = core::readMesh(path("ring.stl").toStdString()).triangles.size();
+    QVERIFY(written > 8 && outcome.verdict.contains(QStringLiteral("%1 triangles;").arg(written)));
 }
 
 void TestModelExport::dialog_writesWhatItIsAskedFor()

@@ -94,6 +94,7 @@ private Q_SLOTS:
     void flatFaces_needNoTriangles();
     void colors_stayWhereTheyAre();
     void tooSmallABudget_keepsTopology();
+    void tooSmallABudget_isToldWithItsReason();
     void enough_changesNothing();
     void sameInput_sameBits();
     void stopped_givesNothing();
@@ -186,6 +187,26 @@ void TestDecimate::tooSmallABudget_keepsTopology()
         QVERIFY(verdict && verdict->allWell());
         QVERIFY2(mesh->triangles.size() <= 60, qPrintable(QString::number(mesh->triangles.size())));
     }
+}
+
+/// Each of twenty rings keeps its hole, for which it needs ten vertices or so: twenty triangles.
+void TestDecimate::tooSmallABudget_isToldWithItsReason()
+{
+    constexpr std::size_t rings = 20, asked = 200;
+    TriangleMesh row;
+    for (std::size_t i = 0; i < rings; ++i) {
+        const float at = 30 * static_cast<float>(i);
+        row = shapes::together(row, shapes::moved(shapes::torus({10, 2, 32, 12}), {at, 0, 0}));
+    }
+    const core::Decimated few = core::decimate(built(row), asked);
+    QVERIFY2(few.mesh.triangles.size() <= rings * 21, qPrintable(QString::number(few.mesh.triangles.size())));
+    QVERIFY(few.mesh.triangles.size() >= rings * 14); // the fewest that any surface of that kind has
+    QVERIFY(few.obstacles.topology > few.obstacles.shape);
+    QCOMPARE(eulerNumber(few.mesh), 0);
+    const auto verdict = judgedByCgal(few.mesh);
+    QVERIFY(verdict && verdict->allWell());
+    const core::Decimated enough = core::decimate(built(row), few.mesh.triangles.size());
+    QVERIFY(enough.mesh.triangles.size() <= few.mesh.triangles.size()); // so many it can be asked for
 }
 
 void TestDecimate::enough_changesNothing()
