@@ -425,12 +425,20 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Mit --legalise: Teile im Innern anderer, die nach außen zeigen; sonst fill.</translation>
     </message>
     <message>
-        <source>convert: --large-holes and --inner-parts are for --legalise.</source>
-        <translation>convert: --large-holes und --inner-parts gehören zu --legalise.</translation>
+        <source>convert: --wrap, --large-holes and --inner-parts are for --legalise.</source>
+        <translation>convert: --wrap, --large-holes und --inner-parts gehören zu --legalise.</translation>
     </message>
     <message>
         <source>--legalise may mend it.</source>
         <translation>Vielleicht repariert --legalise es.</translation>
+    </message>
+    <message>
+        <source>With --legalise: makes the whole surface anew where nothing else keeps it; detail is lost.</source>
+        <translation>Mit --legalise: baut die ganze Oberfläche neu auf, wo nichts anderes sie erhält; Einzelheiten gehen verloren.</translation>
+    </message>
+    <message>
+        <source>--wrap may make its surface anew.</source>
+        <translation>Vielleicht baut --wrap die Oberfläche neu auf.</translation>
     </message>
 </context>
 <context>
@@ -4556,6 +4564,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
     </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
 </context>
 <context>
     <name>ui::RepairDialogs</name>
@@ -4594,6 +4610,26 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 was mended and inserted. Undo takes both back.</source>
         <translation>%1 wurde repariert und eingefügt. „Rückgängig“ nimmt beides zurück.</translation>
+    </message>
+    <message>
+        <source>Mended, But Not the Same</source>
+        <translation>Repariert, aber nicht mehr dasselbe</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>Mended</source>
+        <translation>Repariert</translation>
+    </message>
+    <message>
+        <source>Open This</source>
+        <translation>Dieses öffnen</translation>
+    </message>
+    <message>
+        <source>Insert This</source>
+        <translation>Dieses einfügen</translation>
     </message>
 </context>
 <context>
@@ -4693,6 +4729,56 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Masked points that went, and their mask with them: %1</source>
         <translation>Maskierte Punkte, die wegfielen, und mit ihnen ihre Maske: %1</translation>
+    </message>
+    <message>
+        <source>Volume: %1, before %2</source>
+        <translation>Volumen: %1, vorher %2</translation>
+    </message>
+    <message>
+        <source>Surface: %1, before %2</source>
+        <translation>Oberfläche: %1, vorher %2</translation>
+    </message>
+    <message>
+        <source>Parts: %1, before %2</source>
+        <translation>Teile: %1, vorher %2</translation>
+    </message>
+    <message>
+        <source>%1 could only be made anew, with edges of about %2 mm: its form is near the old one, its detail is lost.</source>
+        <translation>%1 ließ sich nur neu aufbauen, mit Kanten von etwa %2 mm: Die Form ist nahe an der alten, Einzelheiten sind verloren.</translation>
+    </message>
+    <message>
+        <source>%1 was mended, but has %2 % of its volume now.</source>
+        <translation>%1 wurde repariert, hat aber nun %2 % seines Volumens.</translation>
+    </message>
+    <message>
+        <source>%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the size.</source>
+        <translation>%1 wurde repariert, aber ein Teil der Oberfläche ist weg: Sie liegt im Mittel %2 mm von der neuen entfernt, %3 % der Größe.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended as it is: its faces could not be cut apart near %2, %3, %4.</source>
+        <translation>%1 lässt sich so nicht reparieren: Bei %2, %3, %4 ließen sich die Flächen nicht zerschneiden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended as it is: its faces could not be cut apart.</source>
+        <translation>%1 lässt sich so nicht reparieren: Die Flächen ließen sich nicht zerschneiden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended as it is: its faces hang together too badly, and most of it would be lost.</source>
+        <translation>%1 lässt sich so nicht reparieren: Die Flächen hängen zu schlecht zusammen, das meiste ginge verloren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open sheets left out, which enclose no space; the largest is %1 x %2 mm</source>
+        <translation>
+            <numerusform>%n offene Haut, die keinen Raum umschließt, weggelassen; sie ist %1 x %2 mm groß</numerusform>
+            <numerusform>%n offene Häute, die keinen Raum umschließen, weggelassen; die größte ist %1 x %2 mm groß</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
+        <translation>
+            <numerusform>%1 lässt sich nicht reparieren: Es hat nur %n offene Haut, die keinen Raum umschließt, %2 x %3 mm groß.</numerusform>
+            <numerusform>%1 lässt sich nicht reparieren: Es hat %n offene Häute, die keinen Raum umschließen, die größte %2 x %3 mm groß.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5962,14 +6048,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 </context>
 <context>
     <name>ui::PrintFindings</name>
-    <message>
-        <source>%1 mm²</source>
-        <translation>%1 mm²</translation>
-    </message>
-    <message>
-        <source>%1 cm²</source>
-        <translation>%1 cm²</translation>
-    </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>

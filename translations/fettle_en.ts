@@ -206,4 +206,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ui::RepairMessages</name>
+    <message numerus="yes">
+        <source>%n open sheets left out, which enclose no space; the largest is %1 x %2 mm</source>
+        <translation>
+            <numerusform>%n open sheet left out, which encloses no space; it is %1 x %2 mm</numerusform>
+            <numerusform>%n open sheets left out, which enclose no space; the largest is %1 x %2 mm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
+        <translation>
+            <numerusform>%1 cannot be mended: it has but %n open sheet, of %2 x %3 mm, which encloses no space.</numerusform>
+            <numerusform>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

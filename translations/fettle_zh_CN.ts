@@ -422,12 +422,20 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>与 --legalise 一起：位于其他部分内部且朝外的部分；默认为 fill。</translation>
     </message>
     <message>
-        <source>convert: --large-holes and --inner-parts are for --legalise.</source>
-        <translation>convert：--large-holes 和 --inner-parts 须与 --legalise 一起使用。</translation>
+        <source>convert: --wrap, --large-holes and --inner-parts are for --legalise.</source>
+        <translation>convert：--wrap、--large-holes 和 --inner-parts 须与 --legalise 一起使用。</translation>
     </message>
     <message>
         <source>--legalise may mend it.</source>
         <translation>用 --legalise 或许可以修复。</translation>
+    </message>
+    <message>
+        <source>With --legalise: makes the whole surface anew where nothing else keeps it; detail is lost.</source>
+        <translation>与 --legalise 一起使用：别无他法时重新生成整个表面；细节会丢失。</translation>
+    </message>
+    <message>
+        <source>--wrap may make its surface anew.</source>
+        <translation>用 --wrap 或许可以重新生成其表面。</translation>
     </message>
 </context>
 <context>
@@ -4541,6 +4549,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 h %2 min</source>
         <translation>%1 小时 %2 分</translation>
     </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
 </context>
 <context>
     <name>ui::RepairDialogs</name>
@@ -4579,6 +4595,26 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 was mended and inserted. Undo takes both back.</source>
         <translation>%1 已修复并插入。撤销会同时撤回这两步。</translation>
+    </message>
+    <message>
+        <source>Mended, But Not the Same</source>
+        <translation>已修复，但与原来不同</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>文件中</translation>
+    </message>
+    <message>
+        <source>Mended</source>
+        <translation>修复后</translation>
+    </message>
+    <message>
+        <source>Open This</source>
+        <translation>打开此模型</translation>
+    </message>
+    <message>
+        <source>Insert This</source>
+        <translation>插入此模型</translation>
     </message>
 </context>
 <context>
@@ -4678,6 +4714,54 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Masked points that went, and their mask with them: %1</source>
         <translation>消失的被遮罩的点，其遮罩也随之消失：%1</translation>
+    </message>
+    <message>
+        <source>Volume: %1, before %2</source>
+        <translation>体积：%1，此前 %2</translation>
+    </message>
+    <message>
+        <source>Surface: %1, before %2</source>
+        <translation>表面积：%1，此前 %2</translation>
+    </message>
+    <message>
+        <source>Parts: %1, before %2</source>
+        <translation>部件：%1，此前 %2</translation>
+    </message>
+    <message>
+        <source>%1 could only be made anew, with edges of about %2 mm: its form is near the old one, its detail is lost.</source>
+        <translation>%1 只能重新生成，边长约 %2 毫米：形状接近原来的，细节已丢失。</translation>
+    </message>
+    <message>
+        <source>%1 was mended, but has %2 % of its volume now.</source>
+        <translation>%1 已修复，但现在的体积为原来的 %2 %。</translation>
+    </message>
+    <message>
+        <source>%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the size.</source>
+        <translation>%1 已修复，但部分表面已不在：原表面与新表面平均相距 %2 毫米，为尺寸的 %3 %。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended as it is: its faces could not be cut apart near %2, %3, %4.</source>
+        <translation>%1 无法照原样修复：在 %2, %3, %4 附近无法将各面切开。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended as it is: its faces could not be cut apart.</source>
+        <translation>%1 无法照原样修复：无法将各面切开。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended as it is: its faces hang together too badly, and most of it would be lost.</source>
+        <translation>%1 无法照原样修复：各面连接太差，大部分会丢失。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open sheets left out, which enclose no space; the largest is %1 x %2 mm</source>
+        <translation>
+            <numerusform>已略去 %n 片不围成空间的开放曲面；最大的为 %1 x %2 毫米</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
+        <translation>
+            <numerusform>%1 无法修复：它有 %n 片不围成空间的开放曲面，最大的为 %2 x %3 毫米。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5945,14 +6029,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
 </context>
 <context>
     <name>ui::PrintFindings</name>
-    <message>
-        <source>%1 mm²</source>
-        <translation>%1 mm²</translation>
-    </message>
-    <message>
-        <source>%1 cm²</source>
-        <translation>%1 cm²</translation>
-    </message>
     <message>
         <source>%1 %</source>
         <translation>%1%</translation>

@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 
 #include "app/model/model_loader.h"
+#include "app/platform/terminal.h"
 
 #include "ui/util/format_filters.h"
 
@@ -194,6 +195,13 @@ void CommandLine::printError(const QString& sentence)
     for (const QChar c : sentence)
         line += c.isPrint() || c.isSurrogate() ? c : QLatin1Char(' ');
     write(stderr, QStringLiteral("fettle: %1\n").arg(line.trimmed()));
+}
+
+void CommandLine::printProgress(const QString& what)
+{
+    constexpr const char* line = "\r\033[K"; // from its beginning, and what it said goes
+    if (isTerminal(stderr))
+        write(stderr, QLatin1StringView(line) + what);
 }
 
 QString CommandLine::help()

@@ -53,6 +53,8 @@ public:
     static void requireMeshEnding(const QString& path);
     static void print(const QString& text);
     static void printError(const QString& sentence);
+    /// What goes on, in place of what was said before; only for a person at a terminal. Empty: nothing any more.
+    static void printProgress(const QString& what);
 
 private:
     static QString classFileIn(QStringList& arguments);

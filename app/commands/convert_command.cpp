@@ -76,8 +76,9 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
 {
     const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
                   triangles = QStringLiteral("triangles"), legaliseOption = QStringLiteral("legalise"),
-                  largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts"),
-                  fill = QStringLiteral("fill"), refuse = QStringLiteral("refuse"), hollow = QStringLiteral("hollow");
+                  wrap = QStringLiteral("wrap"), largeHoles = QStringLiteral("large-holes"),
+                  innerParts = QStringLiteral("inner-parts"), fill = QStringLiteral("fill"),
+                  refuse = QStringLiteral("refuse"), hollow = QStringLiteral("hollow");
     QCommandLineParser parser;
     parser.setApplicationDescription(ConvertMessages::tr("Writes a model in another format, unit or size."));
     parser.addPositionalArgument(QStringLiteral("IN"), ConvertMessages::tr("The model to read."));
@@ -92,6 +93,8 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
           ConvertMessages::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
           QStringLiteral("N")},
          {legaliseOption, ConvertMessages::tr("Mends a model that is not in order, and says what changed.")},
+         {wrap, ConvertMessages::tr("With --legalise: makes the whole surface anew where nothing else keeps it; detail "
+                                    "is lost.")},
          {largeHoles, ConvertMessages::tr("With --legalise: holes longer than a quarter of the model; else fill."),
           QStringLiteral("fill|refuse")},
          {innerParts, ConvertMessages::tr("With --legalise: parts inside of others that face outwards; else fill."),
@@ -113,8 +116,10 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
         options.triangles = trianglesFrom(parser.value(triangles));
     if (parser.isSet(legaliseOption))
         options.repair.emplace();
-    else if (parser.isSet(largeHoles) || parser.isSet(innerParts))
-        CommandLine::fail(ConvertMessages::tr("convert: --large-holes and --inner-parts are for --legalise."));
+    else if (parser.isSet(wrap) || parser.isSet(largeHoles) || parser.isSet(innerParts))
+        CommandLine::fail(ConvertMessages::tr("convert: --wrap, --large-holes and --inner-parts are for --legalise."));
+    if (parser.isSet(wrap))
+        options.repair->canWrap = true;
     if (parser.isSet(largeHoles))
         options.repair->fillLargeHoles = isFirstOf(largeHoles, fill, refuse, parser.value(largeHoles));
     if (parser.isSet(innerParts))
@@ -131,18 +136,31 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
                              AnswerIsNo};
 }
 
-/// What was done is the answer. A model that is in order stays as it is.
-void makeSound(const QString& file, core::TriangleMesh& mesh, const core::RepairOptions& options)
+QString refusalText(const QString& file, const core::RepairResult& repaired)
+{
+    const QString refusal = ui::RepairMessages::refusal(file, repaired);
+    const bool mayWrap =
+        repaired.refusal == core::RepairRefusal::Unresolved || repaired.refusal == core::RepairRefusal::TooMuchLost;
+    return mayWrap ? refusal + u' ' + ConvertMessages::tr("--wrap may make its surface anew.") : refusal;
+}
+
+/// What was done is the answer. A model that is in order stays as it is. Returns why the outcome may not be the model
+/// any more; empty if it is.
+QString makeSound(const QString& file, core::TriangleMesh& mesh, const core::RepairOptions& options)
 {
     if (core::checkMesh(mesh).printReady())
-        return;
-    core::RepairResult repaired = core::repairMesh(mesh, options);
+        return {};
+    const auto onStep = [&](core::RepairStep step) {
+        CommandLine::printProgress(ui::RepairMessages::progress(file, step));
+    };
+    core::RepairResult repaired = core::repairMesh(mesh, options, {}, onStep);
+    CommandLine::printProgress({});
     if (!repaired.mesh)
-        throw CommandFailure{ui::RepairMessages::refusal(file, repaired), AnswerIsNo};
+        throw CommandFailure{refusalText(file, repaired), AnswerIsNo};
     mesh = core::placedMesh(toPath(file), std::move(*repaired.mesh), -repaired.report.moved);
-    QStringList steps = ui::RepairMessages::steps(repaired.report);
-    steps << ui::RepairMessages::distance(repaired.report);
+    const QStringList steps = ui::RepairMessages::steps(repaired.report) + ui::RepairMessages::losses(repaired.report);
     CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
+    return ui::RepairMessages::doubt(file, repaired.report);
 }
 
 double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
@@ -198,13 +216,16 @@ ExitStatus convertCommand(const QStringList& arguments)
             if (!options->repair)
                 requireSound(options->in, mesh);
         }
+        QString doubt;
         if (options->repair)
-            makeSound(options->in, mesh, *options->repair);
+            doubt = makeSound(options->in, mesh, *options->repair);
         if (options->triangles > 0 && mesh.triangles.size() > options->triangles)
             mesh = reduced(*options, mesh);
         core::writeMesh(toPath(options->out), mesh);
         if (const QString left = ui::ErrorMessages::remarks(options->in, remarks); !left.isEmpty())
             CommandLine::printError(left);
+        if (!doubt.isEmpty())
+            throw CommandFailure{doubt, AnswerIsNo};
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::ErrorMessages::sentence(error));
     }

@@ -13,6 +13,7 @@
 #include "app/worker/background_job.h"
 
 #include "core/io/stroke/stroke_file.h"
+#include "ui/model/repair_doubt.h"
 #include "ui/settings/model_info.h"
 
 namespace app
@@ -77,6 +78,8 @@ Q_SIGNALS:
     void stepped(const core::FileEntry& entry);
     void refused(const QString& sentence);
     void noticed(const QString& sentence);
+    /// A repair did not keep the model that was to be opened or inserted: accept() takes it all the same.
+    void repairDoubted(const ui::RepairDoubt& doubt, const std::function<void()>& accept);
 
 private:
     void loseHistory();

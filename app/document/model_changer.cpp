@@ -87,6 +87,11 @@ void ModelChanger::reportOutcome(const ModelChangeRequest& request, const ModelC
 {
     if (std::holds_alternative<core::Insert>(request.command) && outcome.isRepairable && !request.insertion.repair)
         return Q_EMIT insertionRepairable(request.insertion, outcome.problem);
+    if (outcome.doubt)
+        return Q_EMIT m_document->repairDoubted(*outcome.doubt, [this, insertion = request.insertion]() mutable {
+            insertion.acceptsLoss = true;
+            insert(insertion);
+        });
     if (!outcome.problem.isEmpty())
         return Q_EMIT m_document->refused(outcome.problem);
     if (!outcome.change.changes)

@@ -14,6 +14,13 @@ namespace app
 namespace
 {
 constexpr double startRadius = 50; ///< mm
+
+/// Opens a model as it was worked out.
+ModelOpener::Choice acceptedChoice(LoadedModel model)
+{
+    model.doubt.reset();
+    return {ModelOpener::tr("Opening %1").arg(model.name), [model](const core::JobControl&) { return model; }};
+}
 } // namespace
 
 ModelOpener::ModelOpener(Document* document) : m_document(document)
@@ -114,14 +121,14 @@ void ModelOpener::load(const Choice& choice)
     const core::JobControl control = m_document->job().beginCancellable(choice.what);
     auto work = [make = choice.make, control, recoveryStore = m_document->journaling().recoveryStore()] {
         auto model = std::make_shared<LoadedModel>(make(control));
-        if (recoveryStore && model->sculptor && !model->recovered && !control.isCancelled())
+        if (recoveryStore && model->sculptor && !model->recovered && !model->doubt && !control.isCancelled())
             model->journal = recoveryStore->begin(*model);
         return model;
     };
     m_document->job().run(std::move(work),
                           [this, control, mark = choice.mark](const std::shared_ptr<LoadedModel>& model) {
                               m_document->job().commit();
-                              if (!control.isCancelled() && model->sculptor)
+                              if (!control.isCancelled() && model->sculptor && !model->doubt)
                                   m_document->queue().enqueue([this, model, mark] { install(*model, mark); });
                               else
                                   refuse(*model, control.isCancelled());
@@ -135,7 +142,9 @@ void ModelOpener::refuse(const LoadedModel& model, bool isStopped)
     m_isLoading = false;
     m_isDiscardAgreed = m_isDiscardAgreed && m_next;
     m_document->job().end();
-    if (!isStopped && model.isRepairable)
+    if (!isStopped && model.doubt)
+        Q_EMIT m_document->repairDoubted(*model.doubt, [this, model] { openMade(acceptedChoice(model)); });
+    else if (!isStopped && model.isRepairable)
         Q_EMIT repairable(model.path, model.problem);
     else if (!isStopped)
         Q_EMIT m_document->refused(model.problem);

@@ -2,6 +2,7 @@
 
 #include "app/model/command_names.h"
 #include "app/model/model_loader.h"
+#include "app/model/repair_doubts.h"
 
 #include "core/geometry/scale_mesh.h"
 #include "core/io/mesh_io.h"
@@ -43,7 +44,7 @@ ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, 
             read(outcome, request, onStage, control.part(0, share));
             changeControl = control.part(share, 1);
         }
-        if (!outcome.problem.isEmpty() || control.isCancelled())
+        if (!outcome.problem.isEmpty() || outcome.doubt || control.isCancelled())
             return outcome;
         outcome.change = core::applyToCopy(std::move(*copy), request.command, changeControl);
         outcome.problem = CommandNames::refusal(outcome.change, request.insertion.path);
@@ -82,8 +83,12 @@ void ModelChangeJob::read(ModelChangeOutcome& outcome, ModelChangeRequest& reque
             outcome.problem = ui::RepairMessages::refusal(insertion.path, repaired);
         if (!repaired.mesh)
             return;
+        if (!insertion.acceptsLoss)
+            outcome.doubt = repairDoubt(ui::RepairUse::Insertion, name, repaired, mesh);
+        if (outcome.doubt)
+            return;
         mesh = core::placedMesh(toPath(insertion.path), std::move(*repaired.mesh), -repaired.report.moved);
-        outcome.repairs = ui::RepairMessages::steps(repaired.report) << ui::RepairMessages::distance(repaired.report);
+        outcome.repairs = ui::RepairMessages::steps(repaired.report) + ui::RepairMessages::losses(repaired.report);
         onStage(CommandNames::progress(request.command));
     }
     std::get<core::Insert>(request.command).model = std::move(mesh);

@@ -2,6 +2,7 @@
 
 #include "core/operations/model_command.h"
 #include "ui/model/insert_request.h"
+#include "ui/model/repair_doubt.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -9,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace app
 {
@@ -27,6 +29,7 @@ struct ModelChangeOutcome
     bool isRepairable = false; ///< then: the model to be inserted is not in order; ui::InsertRequest::repair may help
     QString notice;            ///< what the person should know of an inserted model; may be empty
     QStringList repairs;       ///< what was done to it; empty: nothing
+    std::optional<ui::RepairDoubt> doubt; ///< the repairs did not keep it, and it was not inserted
 };
 
 /// Applies a change of the whole model to a copy. Thread: any.

@@ -1,6 +1,7 @@
 #include "app/model/model_loader.h"
 
 #include "app/import/assimp_import.h"
+#include "app/model/repair_doubts.h"
 
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
@@ -52,9 +53,9 @@ LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOpt
                 loaded.problem = ui::RepairMessages::refusal(loaded.path, repaired);
             if (!repaired.mesh)
                 return;
+            loaded.doubt = repairDoubt(ui::RepairUse::Opening, loaded.name, repaired, mesh);
             mesh = std::move(*repaired.mesh);
-            loaded.repairs = ui::RepairMessages::steps(repaired.report)
-                             << ui::RepairMessages::distance(repaired.report);
+            loaded.repairs = ui::RepairMessages::steps(repaired.report) + ui::RepairMessages::losses(repaired.report);
             loaded.path.clear();
             if (onStage)
                 onStage(tr("Checking %1").arg(loaded.name));

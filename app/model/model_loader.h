@@ -4,6 +4,7 @@
 #include "core/io/document_metadata.h"
 #include "core/operations/starter_models.h"
 #include "core/util/job_control.h"
+#include "ui/model/repair_doubt.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace core
 {
@@ -36,6 +38,7 @@ struct LoadedModel
     QString problem;                             ///< if refused: one sentence with file, place or counts, and reason
     bool isRepairable = false;                   ///< if refused: loadRepaired() may help
     QStringList repairs;                         ///< sentences about repairs that were done; empty: none
+    std::optional<ui::RepairDoubt> doubt;        ///< the repairs did not keep the model: a person must accept it
     bool isUnsaved = false;                      ///< no file holds the model as it is
     QString notice;                              ///< if not refused: a remark for the user; may be empty
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< the likelier unit, if the file has none

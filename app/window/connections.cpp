@@ -53,6 +53,26 @@ void connectDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document.savedState(), &SavedState::modifiedChanged, &window, &MainWindow::setWindowModified);
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
+    QObject::connect(&document.job(), &BackgroundJob::busy, window.progress(), &ui::ProgressBar::begin);
+    QObject::connect(&document.job(), &BackgroundJob::idle, window.progress(), &ui::ProgressBar::end);
+    QObject::connect(&document.job(), &BackgroundJob::progressed, window.progress(), &ui::ProgressBar::setProgress);
+    QObject::connect(&document.job(), &BackgroundJob::cancellable, window.progress(), &ui::ProgressBar::setStoppable);
+    QObject::connect(window.action(QStringLiteral("edit.stop")), &QAction::triggered, &document, &Document::cancelJob);
+    QObject::connect(&window, &MainWindow::commandRequested, &document.changer(), &ModelChanger::apply);
+    QObject::connect(window.files(), &ui::ModelFiles::insertRequested, &document.changer(), &ModelChanger::insert);
+    QObject::connect(&document.saver(), &ModelSaver::saved, &window,
+                     [&window, &document] { window.showSaved(document.modelInfo()); });
+    QObject::connect(&document.saver(), &ModelSaver::exported, &window, &MainWindow::showExported);
+    QObject::connect(window.action(QStringLiteral("brush.fromModel")), &QAction::triggered, &document.saver(),
+                     &ModelSaver::exportBrush);
+    QObject::connect(&document.saver(), &ModelSaver::brushExported, &window, &MainWindow::setBrushModel);
+    document.opener().setDiscardPrompt(
+        [&window](const std::function<void()>& proceed) { return window.files()->askToDiscard(proceed); });
+    window.setCanClose([&window, &document] { return document.opener().canDiscard([&window] { window.close(); }); });
+}
+
+void connectRepairs(ui::MainWindow& window, Document& document)
+{
     QObject::connect(&document.opener(), &ModelOpener::repairable, &window,
                      [&window, &document](const QString& path, const QString& problem) {
                          ui::askToRepair(&window, ui::RepairUse::Opening, problem,
@@ -76,22 +96,10 @@ void connectDocument(ui::MainWindow& window, Document& document)
                      [&window](const QString& name, const QStringList& steps) {
                          ui::showRepaired(&window, ui::RepairUse::Insertion, name, steps);
                      });
-    QObject::connect(&document.job(), &BackgroundJob::busy, window.progress(), &ui::ProgressBar::begin);
-    QObject::connect(&document.job(), &BackgroundJob::idle, window.progress(), &ui::ProgressBar::end);
-    QObject::connect(&document.job(), &BackgroundJob::progressed, window.progress(), &ui::ProgressBar::setProgress);
-    QObject::connect(&document.job(), &BackgroundJob::cancellable, window.progress(), &ui::ProgressBar::setStoppable);
-    QObject::connect(window.action(QStringLiteral("edit.stop")), &QAction::triggered, &document, &Document::cancelJob);
-    QObject::connect(&window, &MainWindow::commandRequested, &document.changer(), &ModelChanger::apply);
-    QObject::connect(window.files(), &ui::ModelFiles::insertRequested, &document.changer(), &ModelChanger::insert);
-    QObject::connect(&document.saver(), &ModelSaver::saved, &window,
-                     [&window, &document] { window.showSaved(document.modelInfo()); });
-    QObject::connect(&document.saver(), &ModelSaver::exported, &window, &MainWindow::showExported);
-    QObject::connect(window.action(QStringLiteral("brush.fromModel")), &QAction::triggered, &document.saver(),
-                     &ModelSaver::exportBrush);
-    QObject::connect(&document.saver(), &ModelSaver::brushExported, &window, &MainWindow::setBrushModel);
-    document.opener().setDiscardPrompt(
-        [&window](const std::function<void()>& proceed) { return window.files()->askToDiscard(proceed); });
-    window.setCanClose([&window, &document] { return document.opener().canDiscard([&window] { window.close(); }); });
+    QObject::connect(&document, &Document::repairDoubted, &window,
+                     [&window](const ui::RepairDoubt& doubt, const std::function<void()>& accept) {
+                         ui::askToAccept(&window, doubt, accept);
+                     });
 }
 
 /// The doubt lasts until the model is another one, by whatever means.
@@ -305,6 +313,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
                 const std::shared_ptr<PatchInbox>& inbox)
 {
     connectDocument(window, document);
+    connectRepairs(window, document);
     connectUnits(window, document);
     connectClosing(window, document, connectHeadset(window, document, worker));
     connectHistory(window, document);

@@ -7,6 +7,7 @@
 
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/point_triangle.h"
+#include "core/geometry/winding_number.h"
 #include "core/util/parallel_progress.h"
 
 #include <atomic>
@@ -185,7 +186,7 @@ struct Sums
 };
 
 /// Evenly over the surface, face by face: how many samples there are in the faces up to and with each.
-std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh)
+std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh, double wanted)
 {
     std::vector<double> area;
     area.reserve(mesh.triangles.size());
@@ -195,13 +196,16 @@ std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh)
     std::vector<std::size_t> samples;
     samples.reserve(area.size());
     for (const double upTo : area)
-        samples.push_back(sum > 0 ? static_cast<std::size_t>(sampleCount * (upTo / sum)) : 0);
+        samples.push_back(sum > 0 ? static_cast<std::size_t>(wanted * (upTo / sum)) : 0);
     return samples;
 }
 
-Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, const JobControl& control)
+/// `counted`: the distance that counts for a sample at a distance.
+template <typename Counted>
+Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double wanted,
+                   const JobControl& control, Counted counted)
 {
-    const std::vector<std::size_t> samples = samplesUpTo(mesh);
+    const std::vector<std::size_t> samples = samplesUpTo(mesh, wanted);
     std::vector<Sums> sums(chunksOf(samples.size(), perChunk));
     forEachChunkWithProgress(samples.size(), perChunk, control,
                              [&](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -214,7 +218,8 @@ Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& 
                                          continue;
                                      const std::array<Vec3, 3> triangle = cornersOf(mesh, static_cast<Slot>(f));
                                      for (std::size_t i = first; i < samples[f]; ++i) {
-                                         const double distance = measuring(sampleIn(triangle, i));
+                                         const Vec3 sample = sampleIn(triangle, i);
+                                         const double distance = counted(sample, measuring(sample));
                                          here.largest = std::max(here.largest, distance);
                                          here.sum += distance;
                                      }
@@ -261,9 +266,25 @@ SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const
     const Parts parts(b);
     const Nearest nearest(b);
     control.reportProgress(afterPreparing);
-    const Sums inside = measureInside(a, parts, nearest, control.part(afterPreparing, afterInside));
+    const Sums inside = measureInside(a, parts, nearest, sampleCount, control.part(afterPreparing, afterInside),
+                                      [](const Vec3&, double distance) { return distance; });
     const double largest = farthestCorner(a, parts, nearest, inside.largest, control.part(afterInside, 1));
     return {largest, inside.count > 0 ? inside.sum / static_cast<double>(inside.count) : 0};
+}
+
+double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double near, const JobControl& control)
+{
+    constexpr double fewerSamples = 25'000;
+    std::vector<Vec3> points;
+    points.reserve(b.points.size());
+    for (const Vec3f& p : b.points)
+        points.push_back(p.cast<double>());
+    const WindingNumber winding(points, b.triangles);
+    const auto outside = [&](const Vec3& sample, double distance) {
+        return distance > near && winding.at(sample) > 0.5 ? 0 : distance;
+    };
+    const Sums sums = measureInside(a, Parts(b), Nearest(b), fewerSamples, control, outside);
+    return sums.count > 0 ? sums.sum / static_cast<double>(sums.count) : 0;
 }
 
 std::vector<float> distancesTo(const TriangleMesh& surface, std::span<const Vec3f> points, const JobControl& control)

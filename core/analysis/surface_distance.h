@@ -20,6 +20,10 @@ struct SurfaceDistance
 /// more the farther apart they are.
 SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobControl& control = {});
 
+/// The mean alone, at 25,000 points, where points of `a` that lie inside of `b` count as lying on it. `b` is closed and
+/// faces outwards. Winding numbers (10 us) at the samples that lie farther from it than `near`.
+double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double near, const JobControl& control = {});
+
 /// Of each point the distance to the nearest point of `surface`, which has faces. All cores; the same on any machine.
 /// If it is cancelled, the result is not usable. 2 to 50 us a point, faster where neighbours in the list are near each
 /// other.

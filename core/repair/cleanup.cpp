@@ -4,6 +4,9 @@
 
 #include "core/geometry/predicates.h"
 
+#include <cmath>
+#include <functional>
+#include <map>
 #include <numeric>
 
 namespace core::repair
@@ -75,16 +78,71 @@ std::size_t middleCorner(const TriangleSoup& surface, const Triangle& t)
     return static_cast<std::size_t>(std::ranges::max_element(acrossFrom) - acrossFrom.begin());
 }
 
-/// One round: each face takes part in one exchange at most. Returns how many faces without area were dealt with.
-std::size_t giveMiddlesAway(TriangleSoup& surface)
+bool isCollinear(const TriangleSoup& surface, Slot face)
+{
+    const auto& [a, b, c] = surface.triangles[face];
+    return LatticePredicates::collinear(surface.points[a], surface.points[b], surface.points[c]);
+}
+
+/// Lower than the tolerance above its longest side.
+bool isSliver(const TriangleSoup& surface, Slot face, double tolerance)
+{
+    const Triangle& t = surface.triangles[face];
+    if (repeatsCorner(t))
+        return false;
+    const auto at = [&](Slot v) { return Vec3(surface.points[v].cast<double>()); };
+    const Vec3 u = at(t[1]) - at(t[0]), v = at(t[2]) - at(t[0]);
+    const double longest = std::sqrt(std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()}));
+    return u.cross(v).norm() < tolerance * longest;
+}
+
+/// Points of these faces that lie within the tolerance of another become that one, the first of them. True: some did.
+bool mergeNearPoints(TriangleSoup& surface, std::span<const Slot> faces, double tolerance)
+{
+    std::vector<Slot> points;
+    for (const Slot f : faces)
+        points.insert(points.end(), surface.triangles[f].begin(), surface.triangles[f].end());
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<Slot> to(surface.points.size());
+    std::iota(to.begin(), to.end(), Slot(0));
+    std::map<std::array<int, 3>, std::vector<Slot>> kept; ///< by cell
+    const int cell = static_cast<int>(std::ceil(tolerance));
+    for (const Slot v : points) {
+        const LatticePoint& p = surface.points[v];
+        std::array<int, 3> home;
+        for (int axis = 0; axis < 3; ++axis)
+            home[static_cast<std::size_t>(axis)] = static_cast<int>(std::floor(p[axis] / static_cast<double>(cell)));
+        for (int i = 0; i < 27 && to[v] == v; ++i) {
+            const auto found = kept.find({home[0] + i % 3 - 1, home[1] + i / 3 % 3 - 1, home[2] + i / 9 - 1});
+            if (found == kept.end())
+                continue;
+            for (const Slot other : found->second)
+                if ((surface.points[other] - p).cast<double>().norm() <= tolerance)
+                    to[v] = other;
+        }
+        if (to[v] == v)
+            kept[home].push_back(v);
+    }
+    bool isAnyMerged = false;
+    for (const Slot v : points)
+        isAnyMerged |= to[v] != v;
+    if (!isAnyMerged)
+        return false;
+    for (Triangle& t : surface.triangles)
+        for (Slot& v : t)
+            v = to[v];
+    return true;
+}
+
+/// One round: each face takes part in one exchange at most. Returns how many of the flat faces were dealt with.
+std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot face)>& isFlat)
 {
     std::vector<Triangle>& triangles = surface.triangles;
     std::vector<Slot> flat;
-    for (Slot f = 0; f < triangles.size(); ++f) {
-        const auto& [a, b, c] = triangles[f];
-        if (LatticePredicates::collinear(surface.points[a], surface.points[b], surface.points[c]))
+    for (Slot f = 0; f < triangles.size(); ++f)
+        if (isFlat(f))
             flat.push_back(f);
-    }
     if (flat.empty())
         return 0;
     const std::vector<EdgeFace> edges = edgeFacesOf(triangles);
@@ -169,7 +227,7 @@ CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates)
     bool isFirst = true;
     for (int round = 0; round < maxRounds; ++round) {
         cleaned.duplicates += dropDuplicates(surface, duplicates);
-        const std::size_t flat = giveMiddlesAway(surface);
+        const std::size_t flat = giveMiddlesAway(surface, [&](Slot f) { return isCollinear(surface, f); });
         cleaned.degenerate += isFirst ? flat : 0;
         isFirst = false;
         if (flat == 0)
@@ -180,5 +238,20 @@ CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates)
         return LatticePredicates::collinear(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
     });
     return cleaned;
+}
+
+bool removeSlivers(TriangleSoup& surface, std::span<const Slot> faces, double tolerance)
+{
+    bool isChanged = mergeNearPoints(surface, faces, tolerance);
+    std::vector<bool> isMeant(surface.triangles.size(), false);
+    for (const Slot f : faces)
+        isMeant[f] = true;
+    const auto isMeantSliver = [&](Slot f) { return isMeant[f] && isSliver(surface, f, tolerance); };
+    constexpr int maxRounds = 30; // each makes edges shorter
+    for (int round = 0; round < maxRounds && giveMiddlesAway(surface, isMeantSliver) > 0; ++round)
+        isChanged = true;
+    if (isChanged)
+        cleanUp(surface, Duplicates::Cancel);
+    return isChanged;
 }
 } // namespace core::repair

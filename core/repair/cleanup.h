@@ -3,6 +3,7 @@
 #include "core/repair/triangle_soup.h"
 
 #include <cstddef>
+#include <span>
 
 namespace core::repair
 {
@@ -25,4 +26,9 @@ struct CleanupResult
 /// stays where it is: a face whose corners lie on a line gives the middle one to the face across its long side. Points
 /// are welded.
 CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates);
+
+/// Corners of these faces within `tolerance` (lattice units) of each other become one, those of the faces that are
+/// lower than that give their middle corner away as above, and all is cleaned up with Cancel. Moves the surface by
+/// about the tolerance; what was closed stays closed. Points keep their indices. False: nothing was to do.
+bool removeSlivers(TriangleSoup& surface, std::span<const Slot> faces, double tolerance);
 } // namespace core::repair

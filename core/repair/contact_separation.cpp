@@ -3,11 +3,11 @@
 // 2. pair    faces at such an edge that have solid between them, by their exact order around it
 // 3. split   each vertex into one for each fan of faces that are joined around it
 // 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact check of the whole
-// 5. drop    a small solid where that does not help
 
 #include "core/repair/contact_separation.h"
 
 #include "core/repair/edge_faces.h"
+#include "core/repair/neighbourhood.h"
 
 #include "core/analysis/self_intersection.h"
 #include "core/geometry/predicates.h"
@@ -235,6 +235,12 @@ public:
         for (Group& group : m_groups)
             for (const Fan& fan : group.fans)
                 group.ways.push_back(wayInto(fan));
+        std::vector<Slot> copies;
+        for (const Group& group : m_groups)
+            copies.insert(copies.end(), group.copies.begin(), group.copies.end());
+        const auto reach = static_cast<float>(*std::ranges::max_element(distances));
+        for (const Slot f : facesNear(surface, boxesAround(surface, copies, reach)))
+            m_neighbourhood.push_back(surface.triangles[f]);
     }
 
     /// Those that nothing would help are back where they were.
@@ -242,25 +248,18 @@ public:
     {
         for (const Group& group : m_groups)
             move(group);
-        std::vector<Slot> unsound = unsoundFaces(control.stop);
-        while (!control.isCancelled() && moveOtherwise(unsound))
-            unsound = unsoundFaces(control.stop);
+        while (!control.isCancelled() && moveOtherwise(unsoundCorners(control.stop)))
+            ;
     }
 
-    /// A small solid where copies could not be parted: an octahedron around them, all in one.
-    std::size_t addDrops()
+    /// The copies that could not be parted.
+    std::vector<Slot> stuck() const
     {
-        std::size_t drops = 0;
-        for (const Group& group : m_groups) {
-            if (group.choice < distances.size())
-                continue;
-            ++drops;
-            double shortest = std::numeric_limits<double>::infinity();
-            for (const Fan& fan : group.fans)
-                shortest = std::min(shortest, fan.shortestEdge);
-            addDrop(group.copies[0], static_cast<int>(std::clamp(shortest / 8, 16.0, 1024.0)));
-        }
-        return drops;
+        std::vector<Slot> points;
+        for (const Group& group : m_groups)
+            if (group.choice == distances.size())
+                points.insert(points.end(), group.copies.begin(), group.copies.end());
+        return points;
     }
 
 private:
@@ -295,26 +294,29 @@ private:
         }
     }
 
-    std::vector<Slot> unsoundFaces(const std::stop_token& stop) const
+    /// Corners of faces without area or that meet others. What lies away from the copies is sound.
+    std::vector<Slot> unsoundCorners(const std::stop_token& stop) const
     {
         constexpr std::size_t maxPairs = 100'000;
-        std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, m_surface.triangles);
+        std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, m_neighbourhood);
         for (const FacePair& pair :
-             selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, stop).pairs) {
+             selfIntersections<LatticePredicates>(m_surface.points, m_neighbourhood, maxPairs, stop).pairs) {
             faces.push_back(pair.first);
             faces.push_back(pair.second);
         }
-        return faces;
+        std::vector<Slot> corners;
+        for (const Slot f : faces)
+            corners.insert(corners.end(), m_neighbourhood[f].begin(), m_neighbourhood[f].end());
+        return corners;
     }
 
-    /// The groups at these faces take their next choice. False: none has.
-    bool moveOtherwise(const std::vector<Slot>& faces)
+    /// The groups at these corners take their next choice. False: none has.
+    bool moveOtherwise(const std::vector<Slot>& corners)
     {
         std::set<Slot> groups;
-        for (const Slot f : faces)
-            for (const Slot v : m_surface.triangles[f])
-                if (m_groupOf[v] != noSlot && m_groups[m_groupOf[v]].choice < distances.size())
-                    groups.insert(m_groupOf[v]);
+        for (const Slot v : corners)
+            if (m_groupOf[v] != noSlot && m_groups[m_groupOf[v]].choice < distances.size())
+                groups.insert(m_groupOf[v]);
         for (const Slot g : groups) {
             ++m_groups[g].choice;
             move(m_groups[g]);
@@ -322,25 +324,36 @@ private:
         return !groups.empty();
     }
 
-    void addDrop(Slot at, int radius)
-    {
-        const LatticePoint middle = m_start[at];
-        const int r = radius, s = radius / 3; // askew: nothing of the model is likely to lie in its planes
-        const auto first = static_cast<Slot>(m_surface.points.size());
-        for (const LatticePoint& way : {LatticePoint(r, s, -s), LatticePoint(-s, r, s), LatticePoint(s, -s, r)})
-            for (const int sign : {1, -1})
-                m_surface.addPoint(middle + sign * way, at, at);
-        for (const Triangle& t : {Triangle{0, 2, 4}, Triangle{2, 1, 4}, Triangle{1, 3, 4}, Triangle{3, 0, 4},
-                                  Triangle{2, 0, 5}, Triangle{1, 2, 5}, Triangle{3, 1, 5}, Triangle{0, 3, 5}})
-            m_surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    }
-
     TriangleSoup& m_surface;
     std::vector<LatticePoint> m_start;
     std::vector<Slot> m_groupOf; ///< by vertex; noSlot for most
     std::vector<Group> m_groups;
+    std::vector<Triangle> m_neighbourhood; ///< faces that move, and those that they can come to meet
 };
+/// An octahedron, askew: nothing of the model is likely to lie in its planes.
+void addDrop(TriangleSoup& surface, Slot at, int radius)
+{
+    const LatticePoint middle = surface.points[at];
+    const int r = radius, s = radius / 3;
+    const auto first = static_cast<Slot>(surface.points.size());
+    for (const LatticePoint& way : {LatticePoint(r, s, -s), LatticePoint(-s, r, s), LatticePoint(s, -s, r)})
+        for (const int sign : {1, -1})
+            surface.addPoint(middle + sign * way, at, at);
+    for (const Triangle& t : {Triangle{0, 2, 4}, Triangle{2, 1, 4}, Triangle{1, 3, 4}, Triangle{3, 0, 4},
+                              Triangle{2, 0, 5}, Triangle{1, 2, 5}, Triangle{3, 1, 5}, Triangle{0, 3, 5}})
+        surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
 } // namespace
+
+void joinAt(TriangleSoup& surface, std::span<const Slot> points, int radius)
+{
+    std::set<std::array<int, 3>> done;
+    for (const Slot v : points) {
+        const LatticePoint& p = surface.points[v];
+        if (done.insert({p.x(), p.y(), p.z()}).second)
+            addDrop(surface, v, radius);
+    }
+}
 
 SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control)
 {
@@ -350,7 +363,7 @@ SeparationResult separateContacts(TriangleSoup& surface, const JobControl& contr
     separated.vertices = split.size() - std::min(split.size(), separated.edges); // without the edges' middles
     Parting parting(surface, split);
     parting.run(control);
-    separated.joined = parting.addDrops();
+    separated.stuck = parting.stuck();
     return separated;
 }
 } // namespace core::repair

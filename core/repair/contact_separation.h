@@ -5,17 +5,22 @@
 #include "core/util/job_control.h"
 
 #include <cstddef>
+#include <span>
 
 namespace core::repair
 {
 struct SeparationResult
 {
     std::size_t edges = 0, vertices = 0; ///< where the solid touched itself
-    std::size_t joined = 0;              ///< of both, where that would not help
+    std::vector<Slot> stuck;             ///< points, several at each place, where that did not help
 };
 
 /// Parts of the solid that touch at edges or vertices only draw back from each other there, by a few lattice units.
 /// Where they cannot, a small solid is added to join them, a closed surface of its own: then the whole must be resolved
 /// again. The surface bounds a solid but for those touches.
 SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control = {});
+
+/// Adds a small closed solid around each place of these points, in lattice units >= 16: then the whole must be resolved
+/// again.
+void joinAt(TriangleSoup& surface, std::span<const Slot> points, int radius);
 } // namespace core::repair

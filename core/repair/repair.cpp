@@ -3,30 +3,31 @@
 //   2. clean up  faces without area, faces that are there twice                  cleanup
 //      join      cracks: open vertices as good as on others, or on open edges    crack_stitching
 //   3. orient    along edges of two; sheets inside go                            orientation
-//   4. fill      holes                                                           hole_filling
+//   4. leave out open parts that enclose nothing                                 sheet_removal
+//      fill      holes                                                           hole_filling
 //   5. outwards  parts that face inwards                                         orientation
-//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; again
-//   while
-//                rounding makes faces meet                                       arrangement, winding_solid
-//   7. separate  parts that touch at edges and vertices; again from 6 if material was added contact_separation
-//   8. check     the whole; if it is not in order, or too much was lost, make it anew from the winding number
-//   shrink_wrap
-//   9. measure   how far it is from what it was                                  surface_distance
+//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; separate
+//                parts that touch at edges and vertices                          resolution
+//   7. check     the whole; if it is not in order and may be made anew, from the winding number      shrink_wrap
+//   8. measure   how far it is from what it was                                  surface_distance
 //      and mask  what was masked and is still there                              mask_transfer
 
 #include "core/repair/repair.h"
 
+#include "core/analysis/nesting.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/lattice_placement.h"
 
 #include "core/repair/cleanup.h"
-#include "core/repair/contact_separation.h"
 #include "core/repair/crack_stitching.h"
 #include "core/repair/hole_filling.h"
 #include "core/repair/mask_transfer.h"
 #include "core/repair/orientation.h"
+#include "core/repair/resolution.h"
+#include "core/repair/sheet_removal.h"
 #include "core/repair/shrink_wrap.h"
-#include "core/repair/winding_solid.h"
+
+#include <cmath>
 
 namespace core
 {
@@ -79,7 +80,7 @@ struct ClosedSurface
 {
     bool isRefused = false; ///< a large hole is not to be filled
     bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
-    TriangleSoup unfilled; ///< as it was before step 4
+    TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
 };
 
 void weldAndCleanUp(TriangleSoup& surface, RepairReport& report)
@@ -117,6 +118,10 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     report.membraneFaces = oriented.membranes;
     control.reportProgress(afterOrienting);
     progress.begin(RepairStep::Fill);
+    const repair::SheetRemoval removed = repair::removeSheets(surface, control);
+    report.sheets = removed.sheets;
+    report.sheetLength = removed.length * unit;
+    report.sheetWidth = removed.width * unit;
     ClosedSurface closed;
     closed.unfilled = surface;
     const repair::HoleFillingResult filled = repair::fillHoles(surface, options.fillLargeHoles, control);
@@ -133,95 +138,15 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     return closed;
 }
 
-struct Resolved
-{
-    bool isDone = false; ///< it came to an end
-    double insideOut = 0;
-};
-
-/// Step 6.
-Resolved resolve(TriangleSoup& surface, repair::Inside inside, RepairReport& report, const JobControl& control)
-{
-    constexpr std::size_t maxRounds = 12;
-    constexpr std::size_t maxPairs = 4'000'000;
-    constexpr std::uint64_t manyMore = 10, fewEnough = 1000; // a tangle that grows with each rounding comes to no end
-    constexpr double afterMeeting = 0.3, afterCutting = 0.6;
-    Resolved resolved;
-    report.rounds = 0;
-    std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
-    double reached = 0;
-    for (std::size_t round = 0; round < maxRounds && !control.isCancelled(); ++round) {
-        const JobControl part = control.part(reached, (1 + reached) / 2);
-        reached = (1 + reached) / 2;
-        const IntersectionReport met =
-            selfIntersections<LatticePredicates>(surface.points, surface.triangles, maxPairs, control.stop);
-        if (round == 0)
-            report.intersections = met.count;
-        resolved.isDone = round > 0 && met.count == 0;
-        part.reportProgress(afterMeeting);
-        if (resolved.isDone || met.count > maxPairs || (round > 0 && met.count > manyMore * fewest + fewEnough))
-            break;
-        fewest = std::min(fewest, met.count);
-        report.rounds += met.count > 0;
-        repair::WindingSolid solid =
-            repair::windingSolidOf(surface, repair::arrange(surface, met.pairs, part.part(afterMeeting, afterCutting)),
-                                   inside, part.part(afterCutting, 1));
-        surface = std::move(solid.surface);
-        inside = repair::Inside::Positive; // now it bounds what was asked for; what rounding turns inside out goes
-        resolved.insideOut = std::max(resolved.insideOut, solid.insideOut);
-        repair::cleanUp(surface, repair::Duplicates::Cancel);
-    }
-    return resolved;
-}
-
-/// Steps 6 and 7, as long as 7 adds something.
-Resolved resolveAndSeparate(TriangleSoup& surface, repair::Inside inside, RepairReport& report,
-                            const JobControl& control)
-{
-    constexpr int maxTimes = 4;
-    constexpr std::size_t maxDrops = 200; // more would be another model
-    const Resolved resolved = resolve(surface, inside, report, control);
-    for (int time = 0; time < maxTimes && resolved.isDone && !control.isCancelled(); ++time) {
-        const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
-        if (topology.nonManifoldEdges.count + topology.nonManifoldVertices.count == 0)
-            break;
-        const repair::SeparationResult separated = repair::separateContacts(surface, control);
-        report.touchingEdges += separated.edges;
-        report.touchingVertices += separated.vertices;
-        if (separated.joined == 0)
-            break;
-        if (separated.joined > maxDrops)
-            return {};
-        RepairReport unread;
-        repair::weld(surface);
-        if (!resolve(surface, repair::Inside::Positive, unread, {control.stop, {}}).isDone)
-            return {};
-    }
-    return resolved;
-}
-
 /// A surface that is in order, and how far it is from what it was.
 struct Outcome
 {
     TriangleMesh mesh;
-    SurfaceDistance fromOld, fromNew;
-};
+    RepairReport report;
 
-/// Steps 8 and 9; nothing if it is not in order.
-std::optional<Outcome> checked(TriangleSoup surface, const Lattice& lattice, const TriangleMesh& old,
-                               const Progress& progress)
-{
-    constexpr double afterCheck = 0.35, afterFromOld = 0.7;
-    progress.begin(RepairStep::Check);
-    Outcome outcome{meshOf(std::move(surface), lattice), {}, {}};
-    if (outcome.mesh.triangles.empty() || !checkMesh(outcome.mesh, progress.control.part(0, afterCheck)).printReady() ||
-        progress.control.isCancelled())
-        return std::nullopt;
-    progress.begin(RepairStep::Measure);
-    outcome.fromOld = distanceFrom(old, outcome.mesh, progress.control.part(afterCheck, afterFromOld));
-    outcome.fromNew = distanceFrom(outcome.mesh, old, progress.control.part(afterFromOld, 1));
-    return outcome;
-}
+    /// 0: the same; the model's own size or volume counts as 1.
+    double loss() const { return std::abs(1 - report.keptVolume()) + report.lost / report.size; }
+};
 
 TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
 {
@@ -229,7 +154,119 @@ TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
         p = (p.cast<double>() + by).cast<float>();
     return mesh;
 }
+
+/// Steps 6 to 8.
+class Solidification
+{
+public:
+    /// `old`: what the outcome is held against. `report`: of steps 1 to 5. Lasting references.
+    Solidification(const TriangleSoup& surface, const ClosedSurface& closed, const Lattice& lattice,
+                   const TriangleMesh& old, const RepairReport& report)
+        : m_surface(surface)
+        , m_closed(closed)
+        , m_lattice(lattice)
+        , m_old(old)
+        , m_report(report)
+    {
+        m_report.before.parts = edgeComponents(old.triangles);
+        for (const Triangle& t : old.triangles) {
+            const Vec3 a = old.points[t[0]].cast<double>(), b = old.points[t[1]].cast<double>(),
+                       c = old.points[t[2]].cast<double>();
+            m_report.before.area += (b - a).cross(c - a).norm() / 2;
+        }
+    }
+
+    void resolve(repair::Inside inside, const Progress& progress)
+    {
+        constexpr double afterResolving = 0.4;
+        progress.begin(RepairStep::Resolve);
+        TriangleSoup surface = m_surface;
+        m_resolution = repair::resolveIntersections(surface, inside, progress.control.part(0, afterResolving));
+        m_report.before.volume = m_resolution.volume * std::pow(m_lattice.unit(), 3);
+        RepairReport report = m_report;
+        report.intersections = m_resolution.intersections;
+        report.rounds = m_resolution.rounds;
+        report.touchingEdges = m_resolution.touchingEdges;
+        report.touchingVertices = m_resolution.touchingVertices;
+        if (m_resolution.isDone)
+            offer(std::move(surface), report, progress.part(afterResolving, 1));
+    }
+
+    void wrap(const Progress& progress)
+    {
+        constexpr double afterShrinkWrap = 0.4;
+        progress.begin(RepairStep::Remesh);
+        const int cell = repair::cellFor(m_closed.unfilled);
+        RepairReport report = m_report;
+        report.remeshedAt = cell * m_lattice.unit();
+        offer(repair::shrinkWrap(m_closed.unfilled, cell, progress.control.part(0, afterShrinkWrap)), report,
+              progress.part(afterShrinkWrap, 1));
+    }
+
+    /// Some of the space is wound around the other way, and was lost.
+    bool isInsideOut() const
+    {
+        return m_resolution.insideOut > 0 && (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
+    }
+    bool isFaithful() const { return m_best && m_best->report.isFaithful(); }
+    /// The reason why there is no outcome, or none that is worth it.
+    RepairRefusal refusal() const
+    {
+        constexpr double half = 0.5, mostDistance = 0.05;
+        if (!m_best)
+            return m_resolution.volume <= 0 ? RepairRefusal::EnclosesNothing : RepairRefusal::Unresolved;
+        const RepairReport& report = m_best->report;
+        const bool isOther = m_closed.isLoose || report.remeshedAt;
+        const bool isFar = isOther && report.lost > mostDistance * report.size;
+        return report.keptVolume() < half || isFar ? RepairRefusal::TooMuchLost : RepairRefusal::None;
+    }
+    std::optional<Vec3> unresolvedPlace() const
+    {
+        if (!m_resolution.unresolved)
+            return std::nullopt;
+        return Vec3(m_lattice.toPoint(*m_resolution.unresolved).cast<double>());
+    }
+    Outcome& best() { return *m_best; }
+
+private:
+    /// Takes it if it is in order and loses less than what there was.
+    void offer(TriangleSoup surface, const RepairReport& report, const Progress& progress)
+    {
+        constexpr double afterCheck = 0.35, afterFromOld = 0.7;
+        constexpr double near = 1e-4; // of the size: what lies on the surface
+        progress.begin(RepairStep::Check);
+        Outcome outcome{meshOf(std::move(surface), m_lattice), report};
+        if (outcome.mesh.triangles.empty())
+            return;
+        const MeshReport measures = checkMesh(outcome.mesh, progress.control.part(0, afterCheck));
+        if (!measures.printReady() || progress.control.isCancelled())
+            return;
+        outcome.report.after = {measures.area, measures.volume.value_or(0), measures.components};
+        progress.begin(RepairStep::Measure);
+        outcome.report.fromOld = distanceFrom(m_old, outcome.mesh, progress.control.part(afterCheck, afterFromOld));
+        outcome.report.fromNew = distanceFrom(outcome.mesh, m_old, progress.control.part(afterFromOld, 1));
+        outcome.report.lost = outcome.report.fromOld.mean;
+        if (outcome.report.lost > RepairReport::mostLost * report.size) // some of it may have been inside
+            outcome.report.lost =
+                meanDistanceOutside(m_old, outcome.mesh, near * report.size, {progress.control.stop, {}});
+        if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
+            m_best = std::move(outcome);
+    }
+
+    const TriangleSoup& m_surface;
+    const ClosedSurface& m_closed;
+    const Lattice& m_lattice;
+    const TriangleMesh& m_old;
+    RepairReport m_report;
+    repair::Resolution m_resolution;
+    std::optional<Outcome> m_best;
+};
 } // namespace
+
+bool RepairReport::isFaithful() const
+{
+    return !remeshedAt && keptVolume() >= leastVolume && keptVolume() <= mostVolume && lost <= mostLost * size;
+}
 
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, const JobControl& control,
                         const RepairStepCallback& onStep)
@@ -239,60 +276,37 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
     RepairReport& report = result.report;
     const Box box = boxOf(mesh);
     result.refusal = RepairRefusal::EnclosesNothing;
-    if (box.sizes().maxCoeff() <= 0)
+    report.size = box.sizes().maxCoeff();
+    if (report.size <= 0)
         return result;
     const LatticePlacement placement = placeOnLattice(box);
     report.moved = placement.moved;
-    const TriangleMesh old = movedBy(placement.moved, mesh);
     TriangleSoup surface = surfaceOf(mesh, placement);
     const ClosedSurface closed =
         closeSurface(surface, placement.lattice.unit(), options, report, progress.part(0, afterClosing));
-    if (closed.isRefused) {
+    if (closed.isRefused)
         result.refusal = RepairRefusal::LargeHoles;
+    if (closed.isRefused || closed.unfilled.triangles.empty() || control.isCancelled())
         return result;
-    }
-    std::optional<Outcome> outcome;
-    const auto attempt = [&](repair::Inside inside, const Progress& part) {
-        constexpr double afterResolving = 0.4;
-        part.begin(RepairStep::Resolve);
-        TriangleSoup attempted = surface;
-        RepairReport itsReport = report;
-        const Resolved resolved =
-            resolveAndSeparate(attempted, inside, itsReport, part.control.part(0, afterResolving));
-        if (!resolved.isDone)
-            return resolved;
-        auto better = checked(std::move(attempted), placement.lattice, old, part.part(afterResolving, 1));
-        if (better && (!outcome || better->fromOld.mean < outcome->fromOld.mean)) {
-            outcome = std::move(better);
-            report = itsReport;
-        }
-        return resolved;
-    };
-    constexpr double muchInsideOut = 0.2, muchLost = 0.01;
-    const Resolved resolved = attempt(repair::Inside::Positive, progress.part(afterClosing, afterFirstAttempt));
-    const bool isMuchLost = !outcome || outcome->fromOld.mean > muchLost * box.diagonal().norm();
-    if (resolved.insideOut > muchInsideOut && isMuchLost && !control.isCancelled())
-        attempt(repair::Inside::NonZero, progress.part(afterFirstAttempt, afterSecondAttempt));
+    const TriangleMesh old =
+        report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
+    Solidification solid(surface, closed, placement.lattice, old, report);
+    solid.resolve(repair::Inside::Positive, progress.part(afterClosing, afterFirstAttempt));
+    if (solid.isInsideOut() && !control.isCancelled())
+        solid.resolve(repair::Inside::NonZero, progress.part(afterFirstAttempt, afterSecondAttempt));
     control.reportProgress(afterSecondAttempt);
-    if ((!outcome || closed.isLoose) && !control.isCancelled() && !closed.unfilled.triangles.empty()) {
-        constexpr double afterShrinkWrap = 0.4;
-        const Progress part = progress.part(afterSecondAttempt, 1);
-        part.begin(RepairStep::Remesh);
-        const int cell = repair::cellFor(closed.unfilled);
-        auto anew = checked(repair::shrinkWrap(closed.unfilled, cell, part.control.part(0, afterShrinkWrap)),
-                            placement.lattice, old, part.part(afterShrinkWrap, 1));
-        if (anew && (!outcome || anew->fromOld.mean < outcome->fromOld.mean)) {
-            outcome = std::move(anew);
-            report.remeshedAt = cell * placement.lattice.unit();
-        }
-    }
-    if (control.isCancelled() || !outcome)
+    if (options.canWrap && !solid.isFaithful() && !control.isCancelled())
+        solid.wrap(progress.part(afterSecondAttempt, 1));
+    if (control.isCancelled())
         return result;
-    report.fromOld = outcome->fromOld;
-    report.fromNew = outcome->fromNew;
-    result.mesh = std::move(outcome->mesh);
+    result.refusal = solid.refusal();
+    if (const auto place = solid.unresolvedPlace(); place && result.refusal == RepairRefusal::Unresolved)
+        result.place = *place - placement.moved;
+    if (result.refusal != RepairRefusal::None)
+        return result;
+    report = std::move(solid.best().report);
+    result.mesh = std::move(solid.best().mesh);
     report.unmasked = repair::transferMasks(mesh, placement, *result.mesh);
-    result.refusal = RepairRefusal::None;
     control.reportProgress(1);
     return result;
 }

@@ -93,8 +93,9 @@ const FolderRule folderRules[] = {
     {"vr/simulator", "vr/util"},
     {"app/platform", ""},
     {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
-    {"app/model", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
-                  "core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
+    {"app/model",
+     "core/util core/geometry core/analysis core/mesh core/drawing core/repair core/sculpt core/operations "
+     "core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
     {"app/recovery", "core/sculpt core/journal ui/util app/model"},

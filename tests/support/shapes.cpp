@@ -124,6 +124,21 @@ TriangleMesh moved(TriangleMesh mesh, const Vec3f& by)
     return mesh;
 }
 
+TriangleMesh takenApart(const TriangleMesh& mesh, float distance)
+{
+    constexpr float size = 0.9f;
+    TriangleMesh apart;
+    for (const auto& t : mesh.triangles) {
+        const Vec3f &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+        const Vec3f middle = (a + b + c) / 3, normal = (b - a).cross(c - a).normalized();
+        const auto first = static_cast<Slot>(apart.points.size());
+        for (const Slot v : t)
+            apart.points.push_back(middle + size * (mesh.points[v] - middle) + distance * normal);
+        apart.triangles.push_back({first, first + 1, first + 2});
+    }
+    return apart;
+}
+
 TriangleMesh scaled(TriangleMesh mesh, float by)
 {
     for (Vec3f& p : mesh.points)

@@ -46,6 +46,8 @@ TriangleMesh scaled(TriangleMesh mesh, float by);
 TriangleMesh reversed(TriangleMesh mesh);
 /// Both, with no vertex in common.
 TriangleMesh together(TriangleMesh a, const TriangleMesh& b);
+/// Each face on its own, nine tenths as large and moved along its normal by `distance`.
+TriangleMesh takenApart(const TriangleMesh& mesh, float distance = 0);
 /// Each coordinate moved by up to `amount`, by the seed.
 TriangleMesh noisy(TriangleMesh mesh, float amount, unsigned seed);
 /// Returns the same surface with vertices and triangles in another order, triangles with another corner first.

@@ -18,5 +18,6 @@ struct InsertRequest
     double unit = 1;                        ///< as so many mm the file's unit is taken; above 0
     /// repairs a model that is not sound; else it is refused.
     std::optional<core::RepairOptions> repair = std::nullopt;
+    bool acceptsLoss = false; ///< the person saw what the repair loses, and takes it
 };
 } // namespace ui

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QDialog>
+#include <QGridLayout>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -27,6 +28,11 @@ QCheckBox* check(const char* name, const QString& label, bool isChecked)
     box->setObjectName(QLatin1StringView(name));
     box->setChecked(isChecked);
     return box;
+}
+/// Lines, none of which ends before its unit.
+QString joined(const QStringList& lines)
+{
+    return lines.join(QLatin1Char('\n')).replace(QStringLiteral(" mm"), QStringLiteral("\u00A0mm"));
 }
 } // namespace
 
@@ -55,8 +61,34 @@ void askToRepair(QWidget* parent, RepairUse use, const QString& problem,
         ->setFocus();
 
     QObject::connect(dialog, &QDialog::accepted, dialog, [callback, largeHoles, cavities] {
-        callback({.fillLargeHoles = largeHoles->isChecked(), .innerAreCavities = cavities->isChecked()});
+        callback({.fillLargeHoles = largeHoles->isChecked(),
+                  .innerAreCavities = cavities->isChecked(),
+                  .canWrap = true}); // askToAccept() follows
     });
+    dialog->open();
+}
+
+void askToAccept(QWidget* parent, const RepairDoubt& doubt, const std::function<void()>& callback)
+{
+    auto* dialog = new QDialog(parent);
+    QVBoxLayout* column = beginDialog(dialog, "repairDoubtDialog", RepairDialogs::tr("Mended, But Not the Same"));
+    column->addWidget(dialogText(doubt.problem, textWidth));
+    auto* pictures = new QGridLayout;
+    int place = 0;
+    for (const auto& [title, picture] : {std::pair(RepairDialogs::tr("In the file"), doubt.before),
+                                         std::pair(RepairDialogs::tr("Mended"), doubt.after)}) {
+        auto* label = new QLabel;
+        label->setPixmap(QPixmap::fromImage(picture));
+        label->setAccessibleName(title);
+        pictures->addWidget(label, 0, place, Qt::AlignHCenter);
+        pictures->addWidget(new QLabel(title), 1, place++, Qt::AlignHCenter);
+    }
+    column->addLayout(pictures);
+    column->addWidget(dialogText(joined(doubt.losses), textWidth));
+    column->addSpacing(dialogGap);
+    addDialogButtons(dialog, doubt.use == RepairUse::Opening ? RepairDialogs::tr("Open This")
+                                                             : RepairDialogs::tr("Insert This"));
+    QObject::connect(dialog, &QDialog::accepted, dialog, callback);
     dialog->open();
 }
 
@@ -70,9 +102,7 @@ void showRepaired(QWidget* parent, RepairUse use, const QString& name, const QSt
     dialog->setObjectName(QStringLiteral("mendedDialog"));
     dialog->setTextFormat(Qt::PlainText);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const QString lines = steps.join(QLatin1Char('\n'));
-    dialog->setInformativeText(
-        QString(lines).replace(QStringLiteral(" mm"), QStringLiteral("\u00A0mm"))); // no line ends before its unit
+    dialog->setInformativeText(joined(steps));
     dialog->open();
 }
 } // namespace ui

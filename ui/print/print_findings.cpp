@@ -15,12 +15,6 @@ class PrintText
     Q_DECLARE_TR_FUNCTIONS(ui::PrintFindings)
 };
 
-QString areaText(double squareMillimetres)
-{
-    return squareMillimetres < 100 ? PrintText::tr("%1 mm²").arg(millimetres(squareMillimetres))
-                                   : PrintText::tr("%1 cm²").arg(millimetres(squareMillimetres / 100));
-}
-
 QString percent(double share)
 {
     return PrintText::tr("%1 %").arg(QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0));

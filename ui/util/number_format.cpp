@@ -34,6 +34,12 @@ QString volumeText(double cubicMillimetres)
                                    : NumberFormat::tr("%1 cm³").arg(millimetres(cubicMillimetres / 1000));
 }
 
+QString areaText(double squareMillimetres)
+{
+    return squareMillimetres < 100 ? NumberFormat::tr("%1 mm²").arg(millimetres(squareMillimetres))
+                                   : NumberFormat::tr("%1 cm²").arg(millimetres(squareMillimetres / 100));
+}
+
 QString durationText(double seconds)
 {
     constexpr qint64 minute = 60, hour = 60 * minute;

@@ -36,6 +36,10 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
                      .arg(number(report.joined), shortMillimetres(report.joinedWithin));
     add(report.turnedFaces, tr("Faces or parts turned outwards: %1"));
     add(report.membraneFaces, tr("Faces of inner sheets removed: %1"));
+    if (report.sheets > 0)
+        steps << tr("%n open sheets left out, which enclose no space; the largest is %1 x %2 mm", nullptr,
+                    static_cast<int>(report.sheets))
+                     .arg(shortMillimetres(report.sheetLength), shortMillimetres(report.sheetWidth));
     add(report.holes, tr("Holes filled: %1"));
     add(report.largeHoles, tr("of these, longer than a quarter of the model: %1"));
     add(report.innerParts, tr("Parts inside of others: %1"));
@@ -62,19 +66,57 @@ QString RepairMessages::progress(const QString& file, core::RepairStep step)
     return sentences[static_cast<std::size_t>(step)].arg(file);
 }
 
-QString RepairMessages::distance(const core::RepairReport& report)
+QStringList RepairMessages::losses(const core::RepairReport& report)
 {
-    return tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) "
-              "from the new.")
-        .arg(shortMillimetres(report.fromNew.largest), shortMillimetres(report.fromNew.mean),
-             shortMillimetres(report.fromOld.largest), shortMillimetres(report.fromOld.mean));
+    const auto& [areaBefore, volumeBefore, partsBefore] = report.before;
+    const auto& [areaAfter, volumeAfter, partsAfter] = report.after;
+    return {tr("Volume: %1, before %2").arg(volumeText(volumeAfter), volumeText(volumeBefore)),
+            tr("Surface: %1, before %2").arg(areaText(areaAfter), areaText(areaBefore)),
+            tr("Parts: %1, before %2").arg(number(partsAfter), number(partsBefore)),
+            tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) "
+               "from the new.")
+                .arg(shortMillimetres(report.fromNew.largest), shortMillimetres(report.fromNew.mean),
+                     shortMillimetres(report.fromOld.largest), shortMillimetres(report.fromOld.mean))};
+}
+
+QString RepairMessages::doubt(const QString& file, const core::RepairReport& report)
+{
+    if (report.isFaithful())
+        return {};
+    if (report.remeshedAt)
+        return tr("%1 could only be made anew, with edges of about %2 mm: its form is near the old one, its detail is "
+                  "lost.")
+            .arg(file, shortMillimetres(*report.remeshedAt));
+    constexpr double percent = 100;
+    if (report.lost <= core::RepairReport::mostLost * report.size)
+        return tr("%1 was mended, but has %2 % of its volume now.")
+            .arg(file, QLocale().toString(percent * report.keptVolume(), 'f', 1));
+    return tr("%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the "
+              "size.")
+        .arg(file, shortMillimetres(report.lost), QLocale().toString(percent * report.lost / report.size, 'f', 1));
 }
 
 QString RepairMessages::refusal(const QString& file, const core::RepairResult& result)
 {
-    if (result.refusal == core::RepairRefusal::LargeHoles)
+    switch (result.refusal) {
+    case core::RepairRefusal::LargeHoles:
         return tr("%1 was not mended: it has holes longer than a quarter of it (%2).")
             .arg(file, number(result.report.largeHoles));
+    case core::RepairRefusal::Unresolved:
+        return result.place ? tr("%1 cannot be mended as it is: its faces could not be cut apart near %2, %3, %4.")
+                                  .arg(file, millimetres(result.place->x()), millimetres(result.place->y()),
+                                       millimetres(result.place->z()))
+                            : tr("%1 cannot be mended as it is: its faces could not be cut apart.").arg(file);
+    case core::RepairRefusal::TooMuchLost:
+        return tr("%1 cannot be mended as it is: its faces hang together too badly, and most of it would be lost.")
+            .arg(file);
+    default:
+        break;
+    }
+    if (result.report.sheets > 0)
+        return tr("%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.", nullptr,
+                  static_cast<int>(result.report.sheets))
+            .arg(file, shortMillimetres(result.report.sheetLength), shortMillimetres(result.report.sheetWidth));
     return tr("%1 cannot be mended: its faces enclose no space.").arg(file);
 }
 } // namespace ui

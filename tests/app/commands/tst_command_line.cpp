@@ -133,6 +133,8 @@ private Q_SLOTS:
     void convert_up();
     void convert_brokenModelWritesNothing();
     void convert_legalise();
+    void convert_wrap();
+    void convert_leavesSheetsOut();
     void convert_refusals_data();
     void convert_refusals();
     void convert_ontoItself();
@@ -238,6 +240,7 @@ void TestCommandLine::usage_isRefused_data()
                              "convert a.stl b.stl --size 10mm",
                              "convert a.stl b.stl --up x",
                              "convert a.stl b.stl --inner-parts hollow",
+                             "convert a.stl b.stl --wrap",
                              "convert a.stl b.stl --legalise --large-holes perhaps",
                              "replay",
                              "replay s.json",
@@ -825,6 +828,35 @@ void TestCommandLine::convert_legalise()
     QCOMPARE(no.status, 1);
     QVERIFY(no.out.isEmpty() && no.err.contains("sheet.obj") && no.err.count('\n') == 1);
     QVERIFY(!QFile::exists(at("none.stl")));
+}
+
+/// What is not the model any more is never status 0, and the whole is made anew only where --wrap says so.
+void TestCommandLine::convert_wrap()
+{
+    core::writeMesh(at("apart.ply").toStdString(), shapes::takenApart(core::icosphere(3, 10)));
+    QStringList convert{QStringLiteral("convert"), at("apart.ply"), at("out.stl"), QStringLiteral("--legalise")};
+    const Answer no = fettle(convert);
+    QCOMPARE(no.status, 1);
+    QVERIFY(no.out.isEmpty() && no.err.contains("apart.ply") && no.err.contains("--wrap") && no.err.count('\n') == 1);
+    QVERIFY(!QFile::exists(at("out.stl")));
+
+    convert << QStringLiteral("--wrap");
+    const Answer anew = fettle(convert);
+    QCOMPARE(anew.status, 1);
+    QVERIFY(anew.out.contains("Volume: ") && anew.err.contains("anew") && anew.err.count('\n') == 1);
+    QVERIFY(core::checkMesh(core::readMesh(at("out.stl").toStdString())).printReady());
+}
+
+void TestCommandLine::convert_leavesSheetsOut()
+{
+    write(at("floor.obj"), cube + "v -50 -1 -50\nv 50 -1 -50\nv 50 -1 50\nf -3 -2 -1\n");
+    const Answer answer =
+        fettle({QStringLiteral("convert"), at("floor.obj"), at("out.stl"), QStringLiteral("--legalise")},
+               {{QStringLiteral("LC_ALL"), QStringLiteral("C")}});
+    QCOMPARE(answer.status, 0);
+    QVERIFY2(answer.out.contains("1 open sheet left out, which encloses no space; it is 100 x 100 mm\n"),
+             answer.out.constData());
+    QCOMPARE(core::readMesh(at("out.stl").toStdString()).triangles.size(), std::size_t(12));
 }
 
 void TestCommandLine::convert_refusals_data()

@@ -7,6 +7,7 @@
 #include "ui/files/file_grid.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -93,6 +94,7 @@ private Q_SLOTS:
     void theFirstThatCannotBeReadIsNoMatter();
     void aBrokenModelIsRepaired_data();
     void aBrokenModelIsRepaired();
+    void aRepairThatLosesMuchIsAsked();
     void aBrokenModelIsRepairedAndInserted();
 };
 
@@ -282,6 +284,31 @@ void TestOpening::aBrokenModelIsRepaired()
         QVERIFY(opened.isEmpty());
     }
     QVERIFY(refused.isEmpty());
+}
+
+/// The faces of a ball, each on its own: its surface can only be made anew, and only if the person wants that.
+void TestOpening::aRepairThatLosesMuchIsAsked()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("apart.ply"));
+    core::writeMesh(path.toStdString(), shapes::takenApart(core::icosphere(3, 10)));
+    Program program;
+    const QSignalSpy opened(&program.document, &Document::opened);
+    const auto question = [&] { return program.window.findChild<QDialog*>(QStringLiteral("repairDoubtDialog")); };
+    for (const Qt::Key answer : {Qt::Key_Escape, Qt::Key_Return}) {
+        program.document.opener().open(path);
+        QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), 60'000);
+        QTest::keyClick(repairQuestion(program), Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(question() && !program.document.job().isBusy(), 60'000);
+        QVERIFY(opened.isEmpty());
+        const QList<QLabel*> labels = question()->findChildren<QLabel*>();
+        QCOMPARE(std::ranges::count_if(labels, [](const QLabel* label) { return !label->pixmap().isNull(); }), 2);
+        QTest::keyClick(question(), answer);
+        QTRY_VERIFY(!question() && !repairQuestion(program));
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, 60'000);
+    QVERIFY(program.document.savedState().isModified());
+    QVERIFY(repairReport(program).contains(QStringLiteral("anew")));
 }
 
 void TestOpening::aBrokenModelIsRepairedAndInserted()

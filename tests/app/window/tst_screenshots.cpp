@@ -1,4 +1,5 @@
 #include "app/classroom/classroom_mode.h"
+#include "app/model/repair_doubts.h"
 #include "tests/support/effort.h"
 #include "tests/support/program.h"
 #include "tests/support/test_main.h"
@@ -382,6 +383,18 @@ void TestScreenshots::takeRepair(Program& program)
     takeDialog(QStringLiteral("mend"));
     ui::askToRepair(&program.window, ui::RepairUse::Insertion, problem, [](const auto&) {});
     takeDialog(QStringLiteral("mend-and-insert"));
+    core::RepairResult anew;
+    anew.mesh = core::icosphere(3, 20);
+    anew.report.size = 40;
+    anew.report.remeshedAt = 0.62;
+    anew.report.before = {5026.5, 33000, 1280};
+    anew.report.after = {4900, 32100, 1};
+    anew.report.fromOld = {1.2, 0.3};
+    anew.report.fromNew = {0.9, 0.2};
+    const auto doubt = repairDoubt(ui::RepairUse::Opening, QStringLiteral("a-scan-with-a-long-name.obj"), anew,
+                                   core::icosphere(2, 20));
+    ui::askToAccept(&program.window, *doubt, [] {});
+    takeDialog(QStringLiteral("mended-but-different"));
     core::RepairReport steps;
     steps.welded = 1234;
     steps.degenerateFaces = steps.duplicateFaces = 56;
@@ -394,7 +407,7 @@ void TestScreenshots::takeRepair(Program& program)
     steps.joined = 1234;
     steps.joinedWithin = 0.0123;
     ui::showRepaired(&program.window, ui::RepairUse::Opening, QStringLiteral("a-scan-with-a-long-name.obj"),
-                     ui::RepairMessages::steps(steps) << ui::RepairMessages::distance(steps));
+                     ui::RepairMessages::steps(steps) + ui::RepairMessages::losses(steps));
     takeDialog(QStringLiteral("mended"));
 }
 

@@ -1,0 +1,55 @@
+#include "core/repair/neighbourhood.h"
+
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/predicates.h"
+
+namespace core::repair
+{
+std::vector<FaceBox> boxesAround(const TriangleSoup& surface, std::span<const Slot> points, float margin)
+{
+    std::vector<bool> isMeant(surface.points.size(), false);
+    for (const Slot v : points)
+        isMeant[v] = true;
+    std::vector<Triangle> around;
+    for (const Triangle& t : surface.triangles)
+        if (isMeant[t[0]] || isMeant[t[1]] || isMeant[t[2]])
+            around.push_back(t);
+    std::vector<FaceBox> boxes = faceBoxes(surface.points, std::span<const Triangle>(around));
+    for (FaceBox& box : boxes) {
+        box.min -= margin;
+        box.max += margin;
+    }
+    return boxes;
+}
+
+std::vector<Slot> facesNear(const TriangleSoup& surface, const std::vector<FaceBox>& boxes)
+{
+    std::vector<Slot> near;
+    if (boxes.empty())
+        return near;
+    const BoxTree tree(boxes);
+    const std::vector<FaceBox> all = faceBoxes(surface.points, std::span<const Triangle>(surface.triangles));
+    for (Slot f = 0; f < all.size(); ++f) {
+        bool isNear = false;
+        tree.forEachMeeting(all[f], [&](Slot) { isNear = true; });
+        if (isNear)
+            near.push_back(f);
+    }
+    return near;
+}
+
+IntersectionReport intersectionsAmong(const TriangleSoup& surface, std::span<const Slot> faces, std::size_t maxPairs,
+                                      const std::stop_token& stop)
+{
+    std::vector<Triangle> triangles;
+    triangles.reserve(faces.size());
+    for (const Slot f : faces)
+        triangles.push_back(surface.triangles[f]);
+    IntersectionReport met = selfIntersections<LatticePredicates>(surface.points, triangles, maxPairs, stop);
+    for (auto& [first, second] : met.pairs) {
+        first = faces[first];
+        second = faces[second];
+    }
+    return met;
+}
+} // namespace core::repair

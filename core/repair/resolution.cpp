@@ -1,0 +1,185 @@
+#include "core/repair/resolution.h"
+
+#include "core/repair/cleanup.h"
+#include "core/repair/contact_separation.h"
+#include "core/repair/neighbourhood.h"
+#include "core/repair/outward_offset.h"
+
+#include "core/analysis/mesh_topology.h"
+
+#include <algorithm>
+
+namespace core::repair
+{
+namespace
+{
+constexpr std::size_t maxPairs = 4'000'000;
+
+/// The faces of the pairs, each once.
+std::vector<Slot> facesOf(std::span<const FacePair> pairs)
+{
+    std::vector<Slot> faces;
+    for (const auto& [first, second] : pairs) {
+        faces.push_back(first);
+        faces.push_back(second);
+    }
+    std::ranges::sort(faces);
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+}
+
+std::vector<Slot> cornersOf(const TriangleSoup& surface, std::span<const Slot> faces)
+{
+    std::vector<Slot> corners;
+    for (const Slot f : faces)
+        corners.insert(corners.end(), surface.triangles[f].begin(), surface.triangles[f].end());
+    return corners;
+}
+
+/// The faces that have one of these points.
+std::vector<Slot> facesWith(const TriangleSoup& surface, std::span<const Slot> points)
+{
+    std::vector<bool> isMeant(surface.points.size(), false);
+    for (const Slot v : points)
+        isMeant[v] = true;
+    std::vector<Slot> faces;
+    for (Slot f = 0; f < surface.triangles.size(); ++f) {
+        const Triangle& t = surface.triangles[f];
+        if (isMeant[t[0]] || isMeant[t[1]] || isMeant[t[2]])
+            faces.push_back(f);
+    }
+    return faces;
+}
+
+/// Cuts a surface until none of its faces meet.
+class Cutting
+{
+public:
+    /// `budget`: of pairs of faces that are cut after the first time.
+    Cutting(TriangleSoup& surface, Inside inside, Resolution& resolution, std::uint64_t& budget,
+            const JobControl& control)
+        : m_surface(surface)
+        , m_inside(inside)
+        , m_resolution(resolution)
+        , m_budget(budget)
+        , m_control(control)
+    {}
+
+    void run()
+    {
+        constexpr std::size_t maxRounds = 14;
+        constexpr std::uint64_t manyMore = 10, fewEnough = 1000; // a tangle that grows comes to no end
+        m_resolution.isDone = false;
+        m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
+        m_resolution.intersections = m_met.count;
+        if (canGoOn())
+            removeSlivers(ofFile);
+        cut(m_control.part(0, 0.5));
+        std::uint64_t fewest = m_met.count;
+        double tolerance = firstTolerance, reached = 0.5;
+        for (std::size_t round = 1; round < maxRounds && !m_control.isCancelled(); ++round) {
+            m_met = intersectionsAmong(m_surface, facesNear(m_surface, m_changed), maxPairs, m_control.stop);
+            if (m_met.count > 0 && canGoOn())
+                removeSlivers(tolerance / 2);
+            if (m_met.count > 0 && canGoOn())
+                offset(tolerance);
+            m_resolution.isDone = m_met.count == 0;
+            m_resolution.unresolved.reset();
+            if (m_met.count > 0)
+                m_resolution.unresolved = m_surface.points[m_surface.triangles[m_met.pairs[0].first][0]];
+            if (m_resolution.isDone || m_met.count > std::min(m_budget, manyMore * fewest + fewEnough))
+                return;
+            m_budget -= m_met.count;
+            fewest = std::min(fewest, m_met.count);
+            tolerance *= growth;
+            cut(m_control.part(reached, (1 + reached) / 2));
+            reached = (1 + reached) / 2;
+        }
+    }
+
+private:
+    /// Lattice units: what a file's floats are off by, and what roundings are.
+    static constexpr double ofFile = 2, firstTolerance = 8, growth = 1.5;
+    static constexpr float ofRounding = 2;
+
+    bool canGoOn() const { return m_met.count <= maxPairs; }
+
+    void removeSlivers(double tolerance)
+    {
+        const std::vector<Slot> faces = facesOf(m_met.pairs), corners = cornersOf(m_surface, faces);
+        if (repair::removeSlivers(m_surface, faces, tolerance))
+            searchAround(corners);
+    }
+
+    void offset(double distance)
+    {
+        const std::vector<Slot> corners = cornersOf(m_surface, facesOf(m_met.pairs));
+        offsetOutwards(m_surface, corners, distance);
+        cleanUp(m_surface, Duplicates::Cancel);
+        searchAround(corners);
+    }
+
+    void searchAround(std::span<const Slot> points)
+    {
+        m_met = intersectionsAmong(m_surface, facesNear(m_surface, boxesAround(m_surface, points, ofRounding)),
+                                   maxPairs, m_control.stop);
+    }
+
+    void cut(const JobControl& control)
+    {
+        constexpr double afterCutting = 0.5;
+        if (!canGoOn() || m_control.isCancelled())
+            return;
+        m_resolution.rounds += m_met.count > 0;
+        m_changed = boxesAround(m_surface, cornersOf(m_surface, facesOf(m_met.pairs)), ofRounding);
+        WindingSolid solid = windingSolidOf(m_surface, arrange(m_surface, m_met.pairs, control.part(0, afterCutting)),
+                                            m_inside, control.part(afterCutting, 1));
+        m_surface = std::move(solid.surface);
+        m_inside = Inside::Positive; // now it bounds what was asked for; what rounding turns inside out goes
+        m_resolution.insideOut = std::max(m_resolution.insideOut, solid.insideOut);
+        if (m_resolution.volume == 0)
+            m_resolution.volume = solid.volume;
+        cleanUp(m_surface, Duplicates::Cancel);
+        control.reportProgress(1);
+    }
+
+    TriangleSoup& m_surface;
+    Inside m_inside;
+    Resolution& m_resolution;
+    std::uint64_t& m_budget;
+    const JobControl& m_control;
+    IntersectionReport m_met;
+    std::vector<FaceBox> m_changed; ///< where faces changed in the last cut: elsewhere none meet
+};
+} // namespace
+
+Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobControl& control)
+{
+    constexpr int maxTimes = 8;
+    constexpr int firstReach = 16;  // lattice units; doubled each time
+    std::uint64_t budget = 200'000; // a minute's work
+    Resolution resolution;
+    Cutting(surface, inside, resolution, budget, control).run();
+    for (int time = 0; time < maxTimes && resolution.isDone && !control.isCancelled(); ++time) {
+        const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
+        if (topology.nonManifoldEdges.count + topology.nonManifoldVertices.count == 0)
+            break;
+        const SeparationResult separated = separateContacts(surface, control);
+        resolution.touchingEdges += separated.edges;
+        resolution.touchingVertices += separated.vertices;
+        if (separated.stuck.empty())
+            break;
+        removeSlivers(surface, facesWith(surface, separated.stuck), (firstReach << time) / 2);
+        if (time % 2 == 0)
+            offsetOutwards(surface, separated.stuck, firstReach << time);
+        else
+            joinAt(surface, separated.stuck, firstReach << time);
+        weld(surface);
+        Resolution unread;
+        Cutting(surface, Inside::Positive, unread, budget, {control.stop, {}}).run();
+        resolution.isDone = unread.isDone;
+        resolution.unresolved = unread.unresolved;
+    }
+    return resolution;
+}
+} // namespace core::repair

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/repair/winding_solid.h"
+
+#include "core/util/job_control.h"
+
+#include <optional>
+
+namespace core::repair
+{
+struct Resolution
+{
+    bool isDone = false;                    ///< it came to an end: no faces meet
+    std::optional<LatticePoint> unresolved; ///< where faces still meet
+    double insideOut = 0;                   ///< share of the boundary that bounds what is inside out
+    double volume = 0;                      ///< lattice units^3, of all that the surface winds around, either way
+    std::uint64_t intersections = 0;        ///< pairs of faces that met at first
+    std::size_t rounds = 0;                 ///< of cutting
+    std::size_t touchingEdges = 0, touchingVertices = 0;
+};
+
+/// Cuts the surface along all of its intersections, keeps the boundary of what counts as solid, rounds that to the
+/// lattice, and again while rounding makes faces meet; where it does so, points and slivers within a tolerance that
+/// grows go, and what is left of these faces is offset outwards by it, so that sheets that lie upon each other but for
+/// rounding overlap clearly. Parts that touch at edges and vertices are then separated or joined. The surface is
+/// closed. Away from these places no point moves. All cores.
+Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobControl& control = {});
+} // namespace core::repair

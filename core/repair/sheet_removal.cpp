@@ -1,0 +1,130 @@
+#include "core/repair/sheet_removal.h"
+
+#include "core/repair/edge_faces.h"
+#include "core/repair/hole_filling.h"
+
+#include "core/geometry/winding_number.h"
+#include "core/util/disjoint_sets.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace core::repair
+{
+namespace
+{
+using Faces = std::vector<Slot>;
+
+/// The parts that have an open edge, by their first faces.
+std::vector<Faces> openParts(const TriangleSoup& surface)
+{
+    DisjointSets sets(surface.triangles.size());
+    std::vector<Slot> open;
+    forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+        for (const EdgeFace& e : around)
+            sets.unite(around[0].face, e.face);
+        if (around.size() == 1)
+            open.push_back(around[0].face);
+    });
+    std::map<Slot, Faces> parts;
+    for (const Slot f : open)
+        parts[sets.root(f)];
+    for (Slot f = 0; f < surface.triangles.size(); ++f)
+        if (const auto part = parts.find(sets.root(f)); part != parts.end())
+            part->second.push_back(f);
+    std::vector<Faces> result;
+    for (auto& [root, faces] : parts)
+        result.push_back(std::move(faces));
+    std::ranges::sort(result, {}, [](const Faces& faces) { return faces[0]; });
+    return result;
+}
+
+TriangleSoup partOf(const TriangleSoup& surface, const Faces& faces)
+{
+    TriangleSoup part;
+    std::map<Slot, Slot> slots;
+    for (const Slot f : faces) {
+        Triangle t = surface.triangles[f];
+        for (Slot& v : t) {
+            const auto [entry, isNew] = slots.try_emplace(v, static_cast<Slot>(part.points.size()));
+            if (isNew)
+                part.points.push_back(surface.points[v]);
+            v = entry->second;
+        }
+        part.triangles.push_back(t);
+    }
+    return part;
+}
+
+/// Of a closed part: its volume is small for its area.
+bool isFlat(const TriangleSoup& part)
+{
+    constexpr double ofBall = 0.1;
+    const Vec3 origin = part.points[part.triangles[0][0]].cast<double>();
+    double twiceArea = 0, sixVolumes = 0;
+    for (const Triangle& t : part.triangles) {
+        const auto at = [&](std::size_t i) { return Vec3(part.points[t[i]].cast<double>() - origin); };
+        twiceArea += (at(1) - at(0)).cross(at(2) - at(0)).norm();
+        sixVolumes += at(0).dot(at(1).cross(at(2)));
+    }
+    const double area = twiceArea / 2, ballVolume = area * std::sqrt(area) / (6 * std::sqrt(std::numbers::pi));
+    return std::abs(sixVolumes / 6) < ofBall * ballVolume;
+}
+
+/// By how much all other faces wind around the middles of some of these, on average over their area.
+double windingOfOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
+                       const Faces& faces)
+{
+    constexpr std::size_t samples = 64;
+    double sum = 0, area = 0;
+    for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
+        const Triangle& t = surface.triangles[faces[i]];
+        const double share = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+        const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
+        sum += share * winding.at(middle, std::span(faces).subspan(i, 1));
+        area += share;
+    }
+    return area > 0 ? std::abs(sum / area) : 0;
+}
+} // namespace
+
+SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
+{
+    constexpr double mostFilled = 0.75, leastWinding = 0.25;
+    SheetRemoval removed;
+    std::vector<std::pair<Faces, LatticeBox>> candidates;
+    for (Faces& faces : openParts(surface)) {
+        if (control.isCancelled())
+            return removed;
+        TriangleSoup part = partOf(surface, faces);
+        const LatticeBox box = part.box();
+        if (fillHoles(part, true, control).share > mostFilled && isFlat(part))
+            candidates.emplace_back(std::move(faces), box);
+    }
+    if (candidates.empty())
+        return removed;
+    const std::vector<Vec3> points = surface.places();
+    const WindingNumber winding(points, surface.triangles);
+    std::vector<bool> goes(surface.triangles.size(), false);
+    for (const auto& [faces, box] : candidates) {
+        if (control.isCancelled() || windingOfOthers(surface, points, winding, faces) > leastWinding)
+            continue;
+        ++removed.sheets;
+        for (const Slot f : faces)
+            goes[f] = true;
+        Vec3 sides = (box.max - box.min).cast<double>();
+        std::ranges::sort(sides);
+        if (sides[2] * sides[1] >= removed.length * removed.width) {
+            removed.length = sides[2];
+            removed.width = sides[1];
+        }
+    }
+    std::size_t kept = 0;
+    for (Slot f = 0; f < surface.triangles.size(); ++f)
+        if (!goes[f])
+            surface.triangles[kept++] = surface.triangles[f];
+    surface.triangles.resize(kept);
+    return removed;
+}
+} // namespace core::repair
