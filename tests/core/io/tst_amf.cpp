@@ -2,6 +2,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
+#include "tests/core/io/text_mutation.h"
 #include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 
@@ -785,21 +786,7 @@ void TestAmf::mutatedFiles_neverGetThrough()
     std::mt19937 engine(seed);
     int refused = 0;
     for (int round = 0; round < rounds; ++round) {
-        std::string text = good;
-        for (auto edits = 1 + engine() % 3; edits != 0; --edits) {
-            const std::size_t at = engine() % text.size();
-            switch (engine() % 3) {
-            case 0:
-                text[at] = static_cast<char>(engine());
-                break;
-            case 1:
-                text.erase(at, 1 + engine() % 8);
-                break;
-            default:
-                text.insert(at, words[engine() % words.size()]);
-                break;
-            }
-        }
+        const std::string text = mutated(good, words, engine);
         const auto error = errorOf([&] {
             const TriangleMesh mesh = core::parseMesh("a.amf", text);
             for (const core::Triangle& t : mesh.triangles)

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <random>
+#include <span>
+#include <string>
+
+/// Returns the text with one to three places changed: a character replaced, up to eight erased, or a word put in. The
+/// text is not empty.
+inline std::string mutated(std::string text, std::span<const std::string> words, std::mt19937& engine)
+{
+    for (auto edits = 1 + engine() % 3; edits != 0; --edits) {
+        const std::size_t at = engine() % text.size();
+        switch (engine() % 3) {
+        case 0:
+            text[at] = static_cast<char>(engine());
+            break;
+        case 1:
+            text.erase(at, 1 + engine() % 8);
+            break;
+        default:
+            text.insert(at, words[engine() % words.size()]);
+            break;
+        }
+    }
+    return text;
+}
