@@ -65,7 +65,10 @@ void loadTranslations(QCoreApplication& application)
         {QStringLiteral("fettle"), QStringLiteral(":/i18n")}};
     for (const auto& [name, folder] : catalogues) {
         auto* translator = new QTranslator(&application);
-        if (translator->load(QLocale(), name, QStringLiteral("_"), folder))
+        const auto load = [&, name = name, folder = folder](const QLocale& locale) {
+            return translator->load(locale, name, QStringLiteral("_"), folder);
+        };
+        if (load(QLocale()) || load(QLocale(QLocale::English))) // for its plurals
             QCoreApplication::installTranslator(translator);
     }
 }

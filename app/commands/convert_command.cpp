@@ -136,12 +136,13 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
                              AnswerIsNo};
 }
 
-QString refusalText(const QString& file, const core::RepairResult& repaired)
+QString refusalText(const QString& file, const core::RepairResult& repaired, const core::RepairOptions& options)
 {
     const QString refusal = ui::RepairMessages::refusal(file, repaired);
     const bool mayWrap =
         repaired.refusal == core::RepairRefusal::Unresolved || repaired.refusal == core::RepairRefusal::TooMuchLost;
-    return mayWrap ? refusal + u' ' + ConvertMessages::tr("--wrap may make its surface anew.") : refusal;
+    return mayWrap && !options.canWrap ? refusal + u' ' + ConvertMessages::tr("--wrap may make its surface anew.")
+                                       : refusal;
 }
 
 /// What was done is the answer. A model that is in order stays as it is. Returns why the outcome may not be the model
@@ -156,7 +157,7 @@ QString makeSound(const QString& file, core::TriangleMesh& mesh, const core::Rep
     core::RepairResult repaired = core::repairMesh(mesh, options, {}, onStep);
     CommandLine::printProgress({});
     if (!repaired.mesh)
-        throw CommandFailure{refusalText(file, repaired), AnswerIsNo};
+        throw CommandFailure{refusalText(file, repaired, options), AnswerIsNo};
     mesh = core::placedMesh(toPath(file), std::move(*repaired.mesh), -repaired.report.moved);
     const QStringList steps = ui::RepairMessages::steps(repaired.report) + ui::RepairMessages::losses(repaired.report);
     CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));

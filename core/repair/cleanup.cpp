@@ -157,7 +157,7 @@ std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot
         if (isTouched[f])
             continue;
         const auto across = std::find_if(first, last, [&](const EdgeFace& e) {
-            return e.face != f && e.forward != (from < to) && !isTouched[e.face];
+            return e.face != f && e.forward != (from < to) && !isTouched[e.face] && !repeatsCorner(triangles[e.face]);
         });
         const bool mustWait = across == last && std::any_of(first, last, [&](const EdgeFace& e) {
                                   return e.face != f && isTouched[e.face];

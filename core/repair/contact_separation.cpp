@@ -2,7 +2,8 @@
 // its own
 // 2. pair    faces at such an edge that have solid between them, by their exact order around it
 // 3. split   each vertex into one for each fan of faces that are joined around it
-// 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact check of the whole
+// 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact check of the
+// neighbourhood
 
 #include "core/repair/contact_separation.h"
 

@@ -16,11 +16,10 @@ struct SeparationResult
 };
 
 /// Parts of the solid that touch at edges or vertices only draw back from each other there, by a few lattice units.
-/// Where they cannot, a small solid is added to join them, a closed surface of its own: then the whole must be resolved
-/// again. The surface bounds a solid but for those touches.
+/// Where they cannot, the points are returned. The surface bounds a solid but for those touches.
 SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control = {});
 
-/// Adds a small closed solid around each place of these points, in lattice units >= 16: then the whole must be resolved
-/// again.
+/// Adds a small closed solid around each place of these points: then the whole must be resolved again. `radius`:
+/// lattice units, >= 16.
 void joinAt(TriangleSoup& surface, std::span<const Slot> points, int radius);
 } // namespace core::repair

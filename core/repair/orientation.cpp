@@ -209,6 +209,22 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     }
     return volume;
 }
+
+/// Whether all of a closed part lies in others, which wind around it one way or the other: at every one of some faces.
+/// A part that crosses others does not.
+bool liesInOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
+                  const std::vector<Slot>& faces, bool facesIn)
+{
+    constexpr std::size_t samples = 64;
+    const double own = facesIn ? -0.5 : 0.5; // of the rest of the part, at its own surface
+    for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
+        const Triangle& t = surface.triangles[faces[i]];
+        const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
+        if (std::abs(winding.at(middle, std::span(faces).subspan(i, 1)) - own) <= 0.5)
+            return false;
+    }
+    return true;
+}
 } // namespace
 
 OrientationResult orient(TriangleSoup& surface)
@@ -235,10 +251,7 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
         const double volume = volumeOf(surface, faces);
         bool isInside = false;
         if (areSeveral) {
-            const Triangle& t = surface.triangles[faces[0]];
-            const double own = volume < 0 ? -0.5 : 0.5; // of the rest of the part, at its own surface
-            const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
-            isInside = std::abs(winding.at(middle, std::span(faces).first(1)) - own) > 0.5;
+            isInside = liesInOthers(surface, points, winding, faces, volume < 0);
         }
         const bool facesIn = volume < 0;
         const bool shouldTurn = isInside ? !facesIn && innerAreCavities : facesIn;

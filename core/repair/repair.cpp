@@ -122,6 +122,7 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     report.sheets = removed.sheets;
     report.sheetLength = removed.length * unit;
     report.sheetWidth = removed.width * unit;
+    report.before.volume = removed.volume * std::pow(unit, 3);
     ClosedSurface closed;
     closed.unfilled = surface;
     const repair::HoleFillingResult filled = repair::fillHoles(surface, options.fillLargeHoles, control);
@@ -182,8 +183,8 @@ public:
         progress.begin(RepairStep::Resolve);
         TriangleSoup surface = m_surface;
         m_resolution = repair::resolveIntersections(surface, inside, progress.control.part(0, afterResolving));
-        m_report.before.volume = m_resolution.volume * std::pow(m_lattice.unit(), 3);
         RepairReport report = m_report;
+        report.before.volume += m_resolution.volume * std::pow(m_lattice.unit(), 3);
         report.intersections = m_resolution.intersections;
         report.rounds = m_resolution.rounds;
         report.touchingEdges = m_resolution.touchingEdges;
@@ -196,8 +197,11 @@ public:
     {
         constexpr double afterShrinkWrap = 0.4;
         progress.begin(RepairStep::Remesh);
+        if (refusal() != RepairRefusal::None)
+            m_best.reset();
         const int cell = repair::cellFor(m_closed.unfilled);
         RepairReport report = m_report;
+        report.before.volume += m_resolution.volume * std::pow(m_lattice.unit(), 3);
         report.remeshedAt = cell * m_lattice.unit();
         offer(repair::shrinkWrap(m_closed.unfilled, cell, progress.control.part(0, afterShrinkWrap)), report,
               progress.part(afterShrinkWrap, 1));
@@ -213,8 +217,10 @@ public:
     RepairRefusal refusal() const
     {
         constexpr double half = 0.5, mostDistance = 0.05;
+        if (!m_best && m_resolution.volume <= 0)
+            return m_closed.isLoose ? RepairRefusal::TooMuchLost : RepairRefusal::EnclosesNothing;
         if (!m_best)
-            return m_resolution.volume <= 0 ? RepairRefusal::EnclosesNothing : RepairRefusal::Unresolved;
+            return RepairRefusal::Unresolved;
         const RepairReport& report = m_best->report;
         const bool isOther = m_closed.isLoose || report.remeshedAt;
         const bool isFar = isOther && report.lost > mostDistance * report.size;

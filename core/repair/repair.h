@@ -50,9 +50,11 @@ struct RepairReport
     Vec3 moved =
         Vec3::Zero(); ///< was added to each point, as the model lay far from the origin; distances are without that
     double size = 0;  ///< the longest side of the model
-    SurfaceMeasures before, after; ///< without the sheets
-    SurfaceDistance fromOld;       ///< of the old surface, from the new one: what went
-    SurfaceDistance fromNew;       ///< of the new surface, from the old one: what was added, and what moved
+    /// Before: area and parts are those of the model without the sheets, the volume that of its closed and oriented
+    /// surface and, as if they were closed, of the sheets.
+    SurfaceMeasures before, after;
+    SurfaceDistance fromOld; ///< of the old surface, from the new one: what went
+    SurfaceDistance fromNew; ///< of the new surface, from the old one: what was added, and what moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
     static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005;
     double lost = 0; ///< mean distance of the old surface from the new one, where it does not lie inside of that
@@ -65,7 +67,7 @@ enum class RepairRefusal {
     None,
     LargeHoles,
     EnclosesNothing,
-    Unresolved, ///< faces still meet at RepairResult::place: it could only be made anew
+    Unresolved, ///< faces still meet or touch at RepairResult::place: it could only be made anew
     TooMuchLost ///< more than half of the volume: it could only be made anew
 };
 

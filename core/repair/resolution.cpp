@@ -6,8 +6,10 @@
 #include "core/repair/outward_offset.h"
 
 #include "core/analysis/mesh_topology.h"
+#include "core/analysis/nesting.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace core::repair
 {
@@ -87,7 +89,9 @@ public:
             m_resolution.unresolved.reset();
             if (m_met.count > 0)
                 m_resolution.unresolved = m_surface.points[m_surface.triangles[m_met.pairs[0].first][0]];
-            if (m_resolution.isDone || m_met.count > std::min(m_budget, manyMore * fewest + fewEnough))
+            if (m_resolution.isDone)
+                return cut(m_control.part(reached, 1)); // what was turned inside out since goes
+            if (m_met.count > std::min(m_budget, manyMore * fewest + fewEnough))
                 return;
             m_budget -= m_met.count;
             fewest = std::min(fewest, m_met.count);
@@ -98,7 +102,7 @@ public:
     }
 
 private:
-    /// Lattice units: what a file's floats are off by, and what roundings are.
+    /// Tolerances in lattice units: of the file's own floats; of the first rounding, and by how much they grow.
     static constexpr double ofFile = 2, firstTolerance = 8, growth = 1.5;
     static constexpr float ofRounding = 2;
 
@@ -151,13 +155,43 @@ private:
     IntersectionReport m_met;
     std::vector<FaceBox> m_changed; ///< where faces changed in the last cut: elsewhere none meet
 };
+/// Drops components that are thin and small.
+void dropCrumbs(TriangleSoup& surface)
+{
+    constexpr double thin = 64;    // lattice units: the volume by half the area
+    constexpr double small = 1e-4; // of the area
+    const Components components = componentsOf(surface.points.size(), surface.triangles);
+    std::vector<double> volume(components.count, 0), area(components.count, 0);
+    std::vector<Slot> origin(components.count, noSlot);
+    double whole = 0;
+    for (Slot f = 0; f < surface.triangles.size(); ++f) {
+        const Triangle& t = surface.triangles[f];
+        const Slot component = components.ofFace[f];
+        if (origin[component] == noSlot)
+            origin[component] = t[0];
+        const auto at = [&](Slot v) {
+            return Vec3((surface.points[v] - surface.points[origin[component]]).cast<double>());
+        };
+        const double faceArea = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() / 2;
+        volume[component] += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6;
+        area[component] += faceArea;
+        whole += faceArea;
+    }
+    std::size_t kept = 0;
+    for (Slot f = 0; f < surface.triangles.size(); ++f) {
+        const Slot c = components.ofFace[f];
+        if (area[c] > small * whole || 2 * std::abs(volume[c]) > thin * area[c])
+            surface.triangles[kept++] = surface.triangles[f];
+    }
+    surface.triangles.resize(kept);
+}
 } // namespace
 
 Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobControl& control)
 {
     constexpr int maxTimes = 8;
     constexpr int firstReach = 16;  // lattice units; doubled each time
-    std::uint64_t budget = 200'000; // a minute's work
+    std::uint64_t budget = 200'000; // pairs: tens of seconds
     Resolution resolution;
     Cutting(surface, inside, resolution, budget, control).run();
     for (int time = 0; time < maxTimes && resolution.isDone && !control.isCancelled(); ++time) {
@@ -169,6 +203,11 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobC
         resolution.touchingVertices += separated.vertices;
         if (separated.stuck.empty())
             break;
+        if (time + 1 == maxTimes) {
+            resolution.isDone = false;
+            resolution.unresolved = surface.points[separated.stuck[0]];
+            break;
+        }
         removeSlivers(surface, facesWith(surface, separated.stuck), (firstReach << time) / 2);
         if (time % 2 == 0)
             offsetOutwards(surface, separated.stuck, firstReach << time);
@@ -180,6 +219,8 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobC
         resolution.isDone = unread.isDone;
         resolution.unresolved = unread.unresolved;
     }
+    if (resolution.rounds > 0)
+        dropCrumbs(surface);
     return resolution;
 }
 } // namespace core::repair

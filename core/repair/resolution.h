@@ -11,7 +11,7 @@ namespace core::repair
 struct Resolution
 {
     bool isDone = false;                    ///< it came to an end: no faces meet
-    std::optional<LatticePoint> unresolved; ///< where faces still meet
+    std::optional<LatticePoint> unresolved; ///< where faces still meet or touch
     double insideOut = 0;                   ///< share of the boundary that bounds what is inside out
     double volume = 0;                      ///< lattice units^3, of all that the surface winds around, either way
     std::uint64_t intersections = 0;        ///< pairs of faces that met at first
@@ -22,7 +22,8 @@ struct Resolution
 /// Cuts the surface along all of its intersections, keeps the boundary of what counts as solid, rounds that to the
 /// lattice, and again while rounding makes faces meet; where it does so, points and slivers within a tolerance that
 /// grows go, and what is left of these faces is offset outwards by it, so that sheets that lie upon each other but for
-/// rounding overlap clearly. Parts that touch at edges and vertices are then separated or joined. The surface is
-/// closed. Away from these places no point moves. All cores.
+/// rounding overlap clearly. Parts that touch at edges and vertices are then separated or joined, and crumbs that all
+/// this left, less than 64 units thick and with less than 1/10,000 of the area, are dropped. The surface is closed.
+/// Away from these places no point moves. All cores.
 Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobControl& control = {});
 } // namespace core::repair

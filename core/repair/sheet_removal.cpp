@@ -57,10 +57,13 @@ TriangleSoup partOf(const TriangleSoup& surface, const Faces& faces)
     return part;
 }
 
-/// Of a closed part: its volume is small for its area.
-bool isFlat(const TriangleSoup& part)
+struct Extent
 {
-    constexpr double ofBall = 0.1;
+    double area = 0, volume = 0;
+};
+
+Extent extentOf(const TriangleSoup& part)
+{
     const Vec3 origin = part.points[part.triangles[0][0]].cast<double>();
     double twiceArea = 0, sixVolumes = 0;
     for (const Triangle& t : part.triangles) {
@@ -68,11 +71,25 @@ bool isFlat(const TriangleSoup& part)
         twiceArea += (at(1) - at(0)).cross(at(2) - at(0)).norm();
         sixVolumes += at(0).dot(at(1).cross(at(2)));
     }
-    const double area = twiceArea / 2, ballVolume = area * std::sqrt(area) / (6 * std::sqrt(std::numbers::pi));
-    return std::abs(sixVolumes / 6) < ofBall * ballVolume;
+    return {twiceArea / 2, std::abs(sixVolumes / 6)};
 }
 
-/// By how much all other faces wind around the middles of some of these, on average over their area.
+/// Asks whether the volume is small for the area.
+bool isFlat(const Extent& extent)
+{
+    constexpr double ofBall = 0.1;
+    const double ballVolume = extent.area * std::sqrt(extent.area) / (6 * std::sqrt(std::numbers::pi));
+    return extent.volume < ofBall * ballVolume;
+}
+
+struct Candidate
+{
+    Faces faces;
+    LatticeBox box;
+    double volume;
+};
+
+/// Averages over their area by how much all other faces wind around the middles of some of these.
 double windingOfOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
                        const Faces& faces)
 {
@@ -93,24 +110,26 @@ SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
 {
     constexpr double mostFilled = 0.75, leastWinding = 0.25;
     SheetRemoval removed;
-    std::vector<std::pair<Faces, LatticeBox>> candidates;
+    std::vector<Candidate> candidates;
     for (Faces& faces : openParts(surface)) {
         if (control.isCancelled())
             return removed;
         TriangleSoup part = partOf(surface, faces);
         const LatticeBox box = part.box();
-        if (fillHoles(part, true, control).share > mostFilled && isFlat(part))
-            candidates.emplace_back(std::move(faces), box);
+        const bool isOpen = fillHoles(part, true, control).share > mostFilled;
+        if (const Extent extent = extentOf(part); isOpen && isFlat(extent))
+            candidates.push_back({std::move(faces), box, extent.volume});
     }
     if (candidates.empty())
         return removed;
     const std::vector<Vec3> points = surface.places();
     const WindingNumber winding(points, surface.triangles);
     std::vector<bool> goes(surface.triangles.size(), false);
-    for (const auto& [faces, box] : candidates) {
+    for (const auto& [faces, box, volume] : candidates) {
         if (control.isCancelled() || windingOfOthers(surface, points, winding, faces) > leastWinding)
             continue;
         ++removed.sheets;
+        removed.volume += volume;
         for (const Slot f : faces)
             goes[f] = true;
         Vec3 sides = (box.max - box.min).cast<double>();

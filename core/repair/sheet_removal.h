@@ -12,6 +12,7 @@ struct SheetRemoval
 {
     std::size_t sheets = 0;
     double length = 0, width = 0; ///< the longer two sides of the largest one's box, lattice units
+    double volume = 0;            ///< lattice units^3, that they would have if they were closed
 };
 
 /// Removes open parts that enclose nothing: what would close such a part has more than three quarters of its area, it

@@ -100,7 +100,7 @@ double insideOutShare(const Arrangement& arrangement, const std::vector<Sides>& 
     }
     return area > 0 ? insideOut / area : 0;
 }
-/// Of what is inside and of what is inside out.
+/// Sums what is inside and what is inside out.
 double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides)
 {
     double sixVolumes = 0;

@@ -48,8 +48,8 @@ void row(const std::string& name, const TriangleMesh& mesh)
                 "apart %zu+%zu%s"
                 " | %.4f, %.5f | %.4f, %.5f | %s | %.2f |\n",
                 result.mesh->triangles.size(), r.welded, r.joined, r.joinedWithin, r.degenerateFaces, r.duplicateFaces,
-                r.turnedFaces, r.membraneFaces, r.holes, r.innerParts, static_cast<unsigned long long>(r.intersections),
-                r.rounds, r.touchingEdges, r.touchingVertices,
+                r.turnedFaces, r.membraneFaces + r.sheets, r.holes, r.innerParts,
+                static_cast<unsigned long long>(r.intersections), r.rounds, r.touchingEdges, r.touchingVertices,
                 r.remeshedAt ? (" remeshed at " + std::to_string(*r.remeshedAt)).c_str() : "", r.fromOld.largest,
                 r.fromOld.mean, r.fromNew.largest, r.fromNew.mean, verdict && verdict->allWell() ? "sound" : "WRONG",
                 seconds);

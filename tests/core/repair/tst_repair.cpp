@@ -113,6 +113,9 @@ private Q_SLOTS:
     void looseFaces_areNotLost();
     void thinStrips_keepTheirVolume();
     void turnedParts_areRepairedAlike();
+    void turnedCylinders_areOnePart();
+    void insideOutParts_areNotTakenAway();
+    void broadGround_isNotLostSilently();
     void lossOfVolume_isNotFaithful();
     void farModel_isMovedAndSaid();
     void threads_doNotChangeTheOutcome();
@@ -420,6 +423,92 @@ void TestRepair::turnedParts_areRepairedAlike()
             }
         }
     }
+}
+
+/// Three cylinders that stand on each other, turned by any angle: no crumbs are left where they touch.
+void TestRepair::turnedCylinders_areOnePart()
+{
+    constexpr Slot sides = 48;
+    const auto cylinder = [](double radius, double from, double to) {
+        TriangleMesh mesh{{{0, static_cast<float>(from), 0}, {0, static_cast<float>(to), 0}}, {}, {}};
+        for (Slot i = 0; i < sides; ++i)
+            for (const double y : {from, to}) {
+                const double angle = 2 * std::numbers::pi * i / sides;
+                mesh.points.push_back(Vec3(radius * std::sin(angle), y, radius * std::cos(angle)).cast<float>());
+            }
+        for (Slot i = 0; i < sides; ++i) {
+            const Slot a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % sides);
+            mesh.triangles.insert(mesh.triangles.end(),
+                                  {{0, b, a}, {1, a + 1, b + 1}, {a, b, b + 1}, {a, b + 1, a + 1}});
+        }
+        return mesh;
+    };
+    const TriangleMesh stack =
+        shapes::together(shapes::together(cylinder(20, 0, 5), cylinder(8, 5, 20)), cylinder(4, 20, 30));
+    const double volume = volumeOf(cylinder(20, 0, 5)) + volumeOf(cylinder(8, 5, 20)) + volumeOf(cylinder(4, 20, 30));
+    std::mt19937 random(1);
+    for (int turn = 0; turn < byEffort(6, 30, 30); ++turn) {
+        const auto unit = [&random] { return 2 * static_cast<double>(random()) / 0xffffffff - 1; };
+        const Eigen::Quaterniond rotation(
+            Eigen::AngleAxisd(std::numbers::pi * unit(), Vec3(unit(), unit(), unit()).normalized()));
+        TriangleMesh turned = stack;
+        for (Vec3f& p : turned.points)
+            p = (rotation * p.cast<double>()).cast<float>();
+        const RepairResult result = repairMesh(turned);
+        QVERIFY2(result.mesh && result.report.isFaithful(), qPrintable(QString::number(turn)));
+        QCOMPARE(result.report.after.parts, std::size_t(1));
+        QVERIFY2(std::abs(volumeOf(*result.mesh) - volume) < 1e-3 * volume, qPrintable(QString::number(turn)));
+    }
+}
+
+/// A beam that faces inwards runs through a cube; its first face lies inside of that, or another one does.
+void TestRepair::insideOutParts_areNotTakenAway()
+{
+    TriangleMesh beam = shapes::cube(40);
+    for (Vec3f& p : beam.points)
+        p = p.cwiseProduct(Vec3f(3, 0.5f, 0.5f)) + Vec3f(5, 0, 0);
+    const TriangleMesh cube = shapes::cube(40);
+    const double whole = volumeOf(*repairMesh(shapes::together(cube, beam)).mesh);
+    TriangleMesh turned = shapes::reversed(beam);
+    for (std::size_t first = 0; first < turned.triangles.size(); ++first) {
+        std::ranges::rotate(turned.triangles, turned.triangles.begin() + 1);
+        for (const TriangleMesh& mesh : {shapes::together(cube, turned), shapes::together(turned, cube)}) {
+            const RepairResult result = repairMesh(mesh);
+            QVERIFY(result.mesh && result.report.isFaithful());
+            QVERIFY(std::abs(volumeOf(*result.mesh) - whole) < 1e-3 * whole);
+        }
+    }
+}
+
+/// A tower on a broad open ground is flat for its area, but no sheet that nobody misses.
+void TestRepair::broadGround_isNotLostSilently()
+{
+    TriangleMesh ground = shapes::cube(40);
+    std::erase_if(ground.triangles, [&](const Triangle& t) {
+        return std::ranges::all_of(t, [&](Slot v) { return ground.points[v].y() == ground.points[0].y(); });
+    });
+    const float y = ground.points[0].y();
+    std::vector<Slot> corners;
+    for (Slot v = 0; v < 8; ++v)
+        if (ground.points[v].y() == y)
+            corners.push_back(v);
+    QCOMPARE(corners.size(), std::size_t(4));
+    const Vec3f middle = (ground.points[corners[0]] + ground.points[corners[1]] + ground.points[corners[2]] +
+                          ground.points[corners[3]]) /
+                         4;
+    std::ranges::sort(corners, {}, [&](Slot v) {
+        return std::atan2(ground.points[v].z() - middle.z(), ground.points[v].x() - middle.x());
+    });
+    for (std::size_t i = 0; i < 4; ++i)
+        ground.points.push_back(middle + 10 * (ground.points[corners[i]] - middle));
+    for (Slot i = 0; i < 4; ++i) {
+        const Slot a = corners[i], b = corners[(i + 1) % 4], c = 8 + i, d = 8 + (i + 1) % 4;
+        ground.triangles.push_back({a, c, d});
+        ground.triangles.push_back({a, d, b});
+    }
+    const TriangleMesh bead = shapes::moved(shapes::cube(10), {0, 300, 0});
+    const RepairResult result = repairMesh(shapes::together(ground, bead));
+    QVERIFY(!result.mesh || !result.report.isFaithful() || volumeOf(*result.mesh) > 64000);
 }
 
 void TestRepair::lossOfVolume_isNotFaithful()
