@@ -293,7 +293,8 @@ void TestOpening::aRepairThatLosesMuchIsAsked()
     const QString path = folder.filePath(QStringLiteral("apart.ply"));
     core::writeMesh(path.toStdString(), shapes::takenApart(core::icosphere(3, 10)));
     Program program;
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0, 60'000); // the ball
+    program.document.opener().openSphere();
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && !program.document.job().isBusy(), 60'000);
     const QSignalSpy opened(&program.document, &Document::opened);
     const auto question = [&] { return program.window.findChild<QDialog*>(QStringLiteral("repairDoubtDialog")); };
     for (const Qt::Key answer : {Qt::Key_Escape, Qt::Key_Return}) {
