@@ -53,7 +53,7 @@ public:
     static void requireMeshEnding(const QString& path);
     static void print(const QString& text);
     static void printError(const QString& sentence);
-    /// What goes on, in place of what was said before; only for a person at a terminal. Empty: nothing any more.
+    /// Shows what goes on, in place of what was shown before; only at a terminal. Empty: clears the line.
     static void printProgress(const QString& what);
 
 private:

@@ -145,8 +145,8 @@ QString refusalText(const QString& file, const core::RepairResult& repaired, con
                                        : refusal;
 }
 
-/// What was done is the answer. A model that is in order stays as it is. Returns why the outcome may not be the model
-/// any more; empty if it is.
+/// Repairs a model that is not in order, and prints what was done as the answer. Returns why the outcome may not be the
+/// model any more; empty if it is.
 QString makeSound(const QString& file, core::TriangleMesh& mesh, const core::RepairOptions& options)
 {
     if (core::checkMesh(mesh).printReady())
@@ -174,7 +174,7 @@ double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
     return *options.size / box.sizes().maxCoeff();
 }
 
-/// Of a model that has more triangles than were asked for.
+/// Returns the sentence about a model that has more triangles than were asked for.
 QString tooManyText(const QString& file, const core::Decimated& few, std::size_t asked)
 {
     const bool needsTopology = few.obstacles.topology > few.obstacles.shape;

@@ -42,7 +42,7 @@ template <class Value> std::optional<Value> valueOf(const aiMetadata* data, cons
     return data && data->Get(key, value) ? std::optional(value) : std::nullopt;
 }
 
-/// How a model follows its parent's scale.
+/// Names the ways in which a model follows its parent's scale.
 enum class Inherit {
     ComponentWise, ///< by its own axes: RrSs
     Usual,         ///< as matrices do: RSrs

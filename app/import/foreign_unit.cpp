@@ -14,7 +14,7 @@ namespace app
 {
 namespace
 {
-/// As their specifications have it; LWS as the LWO that it names.
+/// Lists the formats that are in metres by their specifications; LWS is so because the LWO that it names is.
 constexpr std::string_view endingsInMetres[] = {".dae", ".zae", ".x3d", ".lwo", ".lws", ".ifc"};
 constexpr double millimetresInMetre = 1000;
 

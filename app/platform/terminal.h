@@ -4,6 +4,6 @@
 
 namespace app
 {
-/// Whether a person at a terminal reads what is written there.
+/// Returns whether a terminal shows what is written to the stream.
 bool isTerminal(std::FILE* stream);
 } // namespace app

@@ -61,7 +61,8 @@ double leaningOf(const Side& side)
     return side.isOnBed || area == 0 ? -90 : std::asin(std::clamp(-side.normal.y() / area, -1.0, 1.0)) / degree;
 }
 
-/// What floats cannot hold, and no printer can tell: a wall that misses the limit by less is not thin.
+/// The tolerance of the limit, which floats cannot hold and printers cannot tell: a wall that misses it by less is not
+/// thin.
 double wallTolerance(const TriangleMesh& mesh, double minWall)
 {
     constexpr double share = 1e-3, floatSteps = 4;

@@ -22,7 +22,7 @@ constexpr double compact = 0.1, compactOfMany = 0.5, compactThickness = 0.9;
 constexpr double many = 4;
 /// Towards a sharp edge parts are divided until they are all thinner than any wall that is printed, mm.
 constexpr double finest = 0.1;
-/// Where a part is measured: in its middle, and near its corners.
+/// The places at which a part is measured: its middle, and near its corners.
 constexpr std::array<std::array<double, 3>, 4> places = {
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.94, 0.03, 0.03}, {0.03, 0.94, 0.03}, {0.03, 0.03, 0.94}}};
 
@@ -91,7 +91,7 @@ std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobC
     return parts;
 }
 
-/// Between its places a cell may be thinner: all of it is asked about, from what was found there on.
+/// Measures a cell at its places and then as a whole, from what was found there on: between them it may be thinner.
 WallParts::Cell WallParts::measured(Slot position, const WallCell& cell, double share, const Starts& starts) const
 {
     Cell result{cell, share, {}, noBall, 0, m_surface.pointOf(position, cell.centre()), 0, 0};

@@ -21,10 +21,10 @@ public:
 
     WallParts(const WallSurface& surface, const Limits& limits) : m_surface(surface), m_limits(limits) {}
 
-    /// Whether its centre may not speak for a face, by its size. `centre`: the thickness there; `reach`: how far away
-    /// the centre has seen.
+    /// Returns whether a face is too large for its centre to speak for it. `centre`: the thickness there; `reach`: how
+    /// far away the centre has seen.
     bool isLarge(Slot position, double centre, double reach) const;
-    /// Nothing if the centre speaks for all of the face.
+    /// Returns the parts of a face; none if the centre speaks for all of it.
     std::vector<WallPart> divide(Slot position, double centre, const JobControl& control) const;
 
 private:

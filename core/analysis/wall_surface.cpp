@@ -1,5 +1,5 @@
-// How thick the matter is, by balls: the ball inside that touches the surface at p with the normal n, and touches it
-// again at q, has the diameter |q - p|^2 / ((p - q) . n).
+// Measures thickness by balls: the ball inside that touches the surface at p with the normal n, and touches it again at
+// q, has the diameter |q - p|^2 / ((p - q) . n).
 //   1. rays     from p inward; each hit on an opposite face is a q
 //               (after Shapira, Shamir and Cohen-Or 2008, whose cone it is)
 //   2. ball     a ball shrinks: the point nearest to its centre, of the opposite faces, is the next q, until none lies
@@ -29,7 +29,7 @@ constexpr double coneTangent = 0.57735026918962576;
 /// matter, whose whole surface it all but touches, would look at all faces there are.
 constexpr double shallow = 0.04, shallowOfMany = 0.1;
 constexpr int maxShrinkings = 48;
-/// So many faces that are not in sight are passed over, of one ball.
+/// The number of faces out of sight that are passed over for one ball.
 constexpr std::size_t maxHidden = 6;
 /// Lines of sight begin and end so far within the faces, as a share of the line's length: on an edge rounding decides.
 constexpr double inset = 1e-3;
@@ -39,8 +39,8 @@ constexpr std::size_t facesAtOnce = 256;
 /// A ridge is bent more, as the cosine between the faces' normals.
 constexpr double minBend = 0.94;
 
-/// By face and side, the corner of the other face across from it, if the edge juts into the matter as that at the
-/// ground of a groove does; else noSlot. Sides are named by the corner across. Cost: a sort of the sides.
+/// Returns, by face and side, the corner of the other face across from it, if the edge juts into the matter as that at
+/// the ground of a groove does; else noSlot. Sides are named by the corner across. Cost: a sort of the sides.
 std::vector<std::array<Slot, 3>> ridgesOf(const TriangleMesh& mesh)
 {
     struct Side
@@ -82,7 +82,7 @@ Vec3 towards(const Vec3& p, const Vec3& goal, double length)
     return distance > length ? Vec3(p + length / distance * way) : goal;
 }
 
-/// Whether a ball that touches the surface at p, and again at p + way, touches it there from 120 degrees away or more.
+/// Returns whether a ball that touches the surface at p and at p + way touches it there from 120 degrees away or more.
 bool isSteep(const Vec3& way, const Vec3& inward)
 {
     constexpr double least = 0.75; // cos 30 squared
@@ -140,7 +140,7 @@ public:
     Vec3 toFrame(const Vec3& p) const { return m_axes * (p - m_origin); }
     Vec3 toSpace(const Vec3& p) const { return m_axes.transpose() * p + m_origin; }
 
-    /// At most the square of the distance; infinity for what is not behind the face.
+    /// Returns a bound from below of the squared distance; infinity for what is not behind the face.
     double reach(const FaceBox& box) const
     {
         const Vec3 min = box.min.cast<double>(), max = box.max.cast<double>();
@@ -236,7 +236,7 @@ bool WallSurface::mayTouch(Slot position, Slot other) const
     return areOpposite(position, other) || m_walls[other].hasRidge;
 }
 
-/// Whether some direction between the two faces at a ridge is opposite.
+/// Returns whether some direction between the two faces at a ridge is opposite.
 bool WallSurface::isOppositeRidge(Slot position, std::size_t side, const Vec3& inward) const
 {
     const Slot across = m_walls[position].ridges[side];
@@ -249,7 +249,7 @@ bool WallSurface::isOppositeRidge(Slot position, std::size_t side, const Vec3& i
            direction.dot(m_mesh.points[across].cast<double>() - start) >= 0;
 }
 
-/// They do where the cell has a corner, or a point of an edge, that both faces have.
+/// Returns whether the cell has a corner, or a point of an edge, that both faces have.
 bool WallSurface::doTouch(Slot position, const WallCell& cell, Slot other) const
 {
     const Triangle &own = m_mesh.triangles[m_walls[position].face], &others = m_mesh.triangles[m_walls[other].face];
@@ -292,7 +292,7 @@ WallSurface::Hit WallSurface::firstHit(Slot from, const Vec3& origin, const Vec3
     return hit;
 }
 
-/// Each ray goes one unit inward, so that the ball that its hit at t makes has the diameter t (1 + tan^2).
+/// Casts rays that go one unit inward: the ball that a hit at t makes has the diameter t (1 + tan^2).
 double WallSurface::byRays(Slot position, const Vec3& p, double largest) const
 {
     static constexpr std::array<std::array<double, 2>, 4> around = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
@@ -373,7 +373,7 @@ ThinnestPlace WallSurface::thinnestIn(Slot position, const WallCell& cell, doubl
     return thinnest;
 }
 
-/// Of a face that is not opposite only its opposite ridges count.
+/// Finds the nearest pair of points. A face that is not opposite counts by its opposite ridges only.
 template <typename NearestOfFace, typename NearestOfSide>
 NearestPair WallSurface::nearestOf(Slot position, const Vec3& inward, Slot other, NearestOfFace ofFace,
                                    NearestOfSide ofSide) const

@@ -26,7 +26,7 @@ struct ThinnestPlace
 {
     double diameter = noBall;  ///< of its ball; noBall: none below what was asked for
     Vec3 point = Vec3::Zero(); ///< of the surface; not on the cell's border
-    /// Of opposite points that are not in sight of the cell's nearest point; others near them may be.
+    /// The least ball of opposite points that are not in sight of the cell's nearest point; points near them may be.
     double hidden = noBall;
 };
 
@@ -40,7 +40,7 @@ public:
     explicit WallSurface(const TriangleMesh& mesh);
 
     std::size_t size() const { return m_walls.size(); }
-    /// Of a model with so many faces each can be measured less well: its neighbours make up for it.
+    /// Returns whether there are so many faces that each may be measured less well: its neighbours make up for it.
     bool hasMany() const { return size() > 100'000; }
     Slot faceAt(Slot position) const { return m_walls[position].face; }
     bool hasArea(Slot position) const { return !m_walls[position].normal.isZero(); }
@@ -55,9 +55,9 @@ public:
     /// The ball that no opposite face in sight of p reaches into, from one with the diameter `start` on; infinity if
     /// there is none below.
     double byBall(Slot position, const Vec3& p, double start) const;
-    /// How far it is along the normal through the matter; 0 if that cannot be told.
+    /// Returns the length of the matter along the normal; 0 if that cannot be told.
     double depthBehind(Slot position, const Vec3& p) const;
-    /// Of all points of the cell at once: the cell, lifted by the radius, is the locus of the balls' centres. Opposite
+    /// Measures all points of the cell at once: lifted by the radius, it is the locus of the balls' centres. Opposite
     /// faces that the cell touches, at an edge or corner of the solid, do not count.
     ThinnestPlace thinnestIn(Slot position, const WallCell& cell, double start) const;
 

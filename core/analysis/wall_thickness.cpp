@@ -1,4 +1,4 @@
-// How thick walls are: each face at its centre, and faces that are large for their thickness in parts.
+// Measures walls: a face at its centre, and faces that are large for their thickness in parts.
 
 #include "core/analysis/wall_thickness.h"
 

@@ -23,15 +23,15 @@ struct WallPart
     double shareBelow(double thickness) const;
 };
 
-/// How thick the matter is, in the model's unit: the diameter of a ball that touches a point of a face from within and,
+/// Thickness of the matter in the model's unit: the diameter of a ball that touches a point of a face from within and,
 /// on the other side, a face in sight that looks more than 120 degrees away, or an edge that juts into the matter
 /// there. An edge sharper than 60 degrees is a thin place, the thinner the nearer to it; it is followed down to about
 /// 0.1. Infinity where nothing is opposite, and behind a face without area.
 struct WallThickness
 {
     std::vector<float> byRays; ///< by face, at its centre; the least ball that one of a cone of five rays finds
-    /// By face, at its centre; the ball that no opposite face in sight reaches into, at most 4 % too large (of more
-    /// than 100,000 faces 7 %); never above byRays.
+    /// Thickness by face, at its centre: the ball that no opposite face in sight reaches into, at most 4 % too large
+    /// (with more than 100,000 faces 7 %); never above byRays.
     std::vector<float> byBalls;
     /// Parts of the faces for which the centre does not speak, because they are large for their thickness; by face, and
     /// together the whole of each such face. A face is divided where it is thinner than the largest ball, until each

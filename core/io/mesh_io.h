@@ -11,7 +11,7 @@
 
 namespace core
 {
-/// All are read; all but the last two are written, too.
+/// Formats that are read; all but the last two are written, too.
 enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf, Gltf, Amf };
 
 /// The formats by their endings (lower case, without dot), in the order of MeshFormat.

@@ -28,7 +28,7 @@ namespace
 constexpr double colorReach = 0.1;
 /// Where a surface is flat its vertices stay in the middle, and short edges go first.
 constexpr double pull = 1e-6, perLength = 1e-4;
-/// How far a collapse may go.
+/// The limits of a collapse.
 struct Tolerance
 {
     double minTurnCosine; ///< of a face, between its normals before and after
@@ -215,7 +215,7 @@ template <int N> bool Decimater<N>::collapse(const Candidate& candidate)
     return false;
 }
 
-/// To one of the ends or to the middle, whichever changes least.
+/// Collapses to one of the ends or to the middle, whichever changes least.
 template <int N> bool Decimater<N>::collapseAnywhere(Slot h)
 {
     const Slot v0 = m_mesh.from(h), v1 = m_mesh.to(h);

@@ -5,7 +5,7 @@
 
 namespace core
 {
-/// Why no edge can be collapsed any more: numbers of edges, by what stands in the way.
+/// Counts of the edges that could not be collapsed, by what stood in the way.
 struct CollapseObstacles
 {
     std::size_t topology = 0; ///< a handle or a part would go

@@ -135,7 +135,7 @@ bool mergeNearPoints(TriangleSoup& surface, std::span<const Slot> faces, double 
     return true;
 }
 
-/// One round: each face takes part in one exchange at most. Returns how many of the flat faces were dealt with.
+/// Exchanges each face at most once. Returns how many of the flat faces were dealt with.
 std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot face)>& isFlat)
 {
     std::vector<Triangle>& triangles = surface.triangles;

@@ -210,8 +210,8 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
-/// Whether all of a closed part lies in others, which wind around it one way or the other: at every one of some faces.
-/// A part that crosses others does not.
+/// Returns whether a closed part lies in others, which wind around it one way or the other, at all of some of its
+/// faces. A part that crosses others does not.
 bool liesInOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
                   const std::vector<Slot>& faces, bool facesIn)
 {

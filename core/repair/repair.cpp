@@ -207,7 +207,7 @@ public:
               progress.part(afterShrinkWrap, 1));
     }
 
-    /// Some of the space is wound around the other way, and was lost.
+    /// Returns whether space that is wound around the other way was lost.
     bool isInsideOut() const
     {
         return m_resolution.insideOut > 0 && (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);

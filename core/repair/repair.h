@@ -17,7 +17,7 @@ struct RepairOptions
     bool canWrap = false;          ///< the whole may be made anew if nothing else keeps it
 };
 
-/// Of a surface: area and what it winds around, in the model's unit, and the parts that edges connect.
+/// Measures of a surface: area and the volume that it winds around, in the model's unit, and parts that edges connect.
 struct SurfaceMeasures
 {
     double area = 0, volume = 0;

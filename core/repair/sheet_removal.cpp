@@ -89,7 +89,7 @@ struct Candidate
     double volume;
 };
 
-/// Averages over their area by how much all other faces wind around the middles of some of these.
+/// Averages, over their area, the winding numbers of all other faces at the middles of some of these.
 double windingOfOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
                        const Faces& faces)
 {

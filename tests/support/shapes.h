@@ -46,7 +46,7 @@ TriangleMesh scaled(TriangleMesh mesh, float by);
 TriangleMesh reversed(TriangleMesh mesh);
 /// Both, with no vertex in common.
 TriangleMesh together(TriangleMesh a, const TriangleMesh& b);
-/// Each face on its own, nine tenths as large and moved along its normal by `distance`.
+/// Takes the faces apart: nine tenths as large, with corners of their own, and moved along their normals by `distance`.
 TriangleMesh takenApart(const TriangleMesh& mesh, float distance = 0);
 /// Each coordinate moved by up to `amount`, by the seed.
 TriangleMesh noisy(TriangleMesh mesh, float amount, unsigned seed);

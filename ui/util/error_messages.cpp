@@ -41,7 +41,7 @@ QString token(const core::FileError& error)
     return QString::fromLatin1(error.token);
 }
 
-/// What a model is without, that another program would show.
+/// Lists what was left out and another program would show.
 QStringList leftOut(const core::ReadRemarks& remarks)
 {
     QStringList left;

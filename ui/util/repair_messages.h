@@ -18,7 +18,7 @@ public:
     static QStringList steps(const core::RepairReport& report);
     /// Describes the present step of the repair of `file`.
     static QString progress(const QString& file, core::RepairStep step);
-    /// How much is left of the model and how far the surface moved, a line each.
+    /// Returns what is left of the model and how far the surface moved, a line each.
     static QStringList losses(const core::RepairReport& report);
     /// Says why a repaired model may not be the model any more; empty if it is.
     static QString doubt(const QString& file, const core::RepairReport& report);

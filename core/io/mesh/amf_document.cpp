@@ -10,7 +10,7 @@
 
 namespace core::io
 {
-/// Numbers come last, in the order of what they are kept in.
+/// Elements that hold one number come last, in the order of the fields that keep them.
 enum class AmfDocumentReader::Element : std::uint8_t {
     Outside,
     Other,
@@ -50,7 +50,7 @@ enum class AmfDocumentReader::Element : std::uint8_t {
     Scale
 };
 
-/// An element that means something, by where it stands. Those that are most come first.
+/// An element that is heeded inside of a parent. The most frequent ones come first, as the search is linear.
 struct AmfDocumentReader::Rule
 {
     Element parent;
@@ -354,7 +354,7 @@ void AmfDocumentReader::endVolume()
     node.colors.removeTriangles(m_volume.firstTriangle);
 }
 
-/// Only now all vertices are known: they may come behind the triangles.
+/// Checks the corners now that all vertices are known: they may come behind the triangles.
 void AmfDocumentReader::endMesh()
 {
     const std::size_t vertices = m_document.nodes.back().mesh.points.size() - m_firstVertex;

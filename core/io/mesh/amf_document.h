@@ -31,7 +31,7 @@ struct AmfNode
     AmfColors colors;
 };
 
-/// What an AMF's XML holds.
+/// The content of an AMF's XML.
 struct AmfDocument
 {
     double millimetres = 1; ///< of its unit

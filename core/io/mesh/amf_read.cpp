@@ -1,5 +1,5 @@
-// AMF: objects stand where they are, those that a constellation names only where it puts them, and so do
-// constellations.
+// Places the objects of an AMF: an object or constellation that another one names stands only where that puts it, the
+// others once, as they are.
 #include "core/io/mesh/amf_document.h"
 #include "core/io/mesh/mesh_assembly.h"
 #include "core/io/mesh/zip_reader.h"

@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t maxJson = std::size_t(1) << 23;
 /// As many bytes as a model's file may have.
 constexpr std::size_t maxBytes = std::size_t(1) << 31;
-/// So many times its own bytes are unpacked of a file, as of a zip.
+/// The limit of what is unpacked of a file, in times of its own bytes, as of a zip; and what is allowed in any case.
 constexpr std::size_t maxUnpackedTimes = 100, alwaysUnpacked = std::size_t(16) << 20;
 
 /// Of JSON, what is not inside of texts; each text counts as its two quotes.

@@ -37,7 +37,7 @@ public:
     GltfDocument(const FileBytes& file, bool isBinary);
 
     const Json& document() const { return m_document; }
-    /// Of the file, its buffers, and what has been unpacked of them.
+    /// Counts the bytes of the file, of its buffers, and of what has been unpacked of them.
     std::size_t bytes() const { return m_bytes + m_unpackedBytes; }
 
     /// Empty if there is none.

@@ -20,7 +20,7 @@ struct MeshoptView
     std::string name;       ///< of the view, for errors
 };
 
-/// At most so many bytes come of each packed one.
+/// The most bytes that one packed byte can stand for.
 inline constexpr std::size_t maxMeshoptRatio = 1024;
 
 /// Returns the view's elements, unpacked and filtered. Precondition: count, stride and filter are as the extensions
@@ -53,7 +53,7 @@ private:
     std::string_view m_rest;
 };
 
-/// For meshoptUnpacked(), which chooses among them.
+/// Steps of meshoptUnpacked(), which chooses among them.
 std::string meshoptAttributes(const FileBytes& file, const MeshoptView& view);
 std::string meshoptTriangles(const FileBytes& file, const MeshoptView& view);
 std::string meshoptIndices(const FileBytes& file, const MeshoptView& view);

@@ -35,7 +35,7 @@ void refuseX3d(const FileBytes& file, const X3dNode& node, FileFault fault, std:
     throw error;
 }
 
-/// What expat calls. No exception passes through it: it is kept, and parsing ends.
+/// The handlers that expat calls. No exception passes through it: it is kept, and parsing ends.
 struct X3dDocument::Parser
 {
     Parser(const FileBytes& bytes, X3dDocument& to)

@@ -118,7 +118,7 @@ X3dFaces cylinderOf(const FileBytes& file, const X3dNode& node)
     return faces.take();
 }
 
-/// What is drawn along what.
+/// A section that is drawn along a spine.
 struct Extrusion
 {
     std::vector<Vec3> spine;

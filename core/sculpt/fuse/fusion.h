@@ -39,9 +39,9 @@ public:
 
     /// See FusionCandidates::takeVisits().
     std::uint64_t takeVisits() { return m_candidates.takeVisits(); }
-    /// Whether this stroke has joined anything.
+    /// Returns whether this stroke has joined anything.
     bool hasJoints() const { return m_joints.size() > 0; }
-    /// Whether this dab has joined anything.
+    /// Returns whether this dab has joined anything.
     bool hasJoined() const { return m_joined.size() > 0; }
     /// Whether the vertex lies at a join of this dab.
     bool isJoined(Slot v) const { return m_joined.contains(v); }

@@ -925,7 +925,7 @@ void TestClassroom::stopping_keepsTheForm()
     QCOMPARE(TurnAnswers::read(work).questionnaire.answers[0], 3);
 }
 
-/// No panel flashes up that is not due.
+/// Checks that no panel flashes up that is not due.
 void TestClassroom::eachPanel_opensOnce()
 {
     const QTemporaryDir root;

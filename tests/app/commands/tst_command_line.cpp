@@ -830,7 +830,7 @@ void TestCommandLine::convert_legalise()
     QVERIFY(!QFile::exists(at("none.stl")));
 }
 
-/// What is not the model any more is never status 0, and the whole is made anew only where --wrap says so.
+/// Status 0 is only for what is still the model, and the whole is made anew only where --wrap says so.
 void TestCommandLine::convert_wrap()
 {
     core::writeMesh(at("apart.ply").toStdString(), shapes::takenApart(core::icosphere(3, 10)));

@@ -241,8 +241,8 @@ TriangleMesh randomPart(unsigned number)
     return turned(part, random.rotation());
 }
 
-/// As wall_thickness.h says it: of all points q in sight, on faces that look more than 120 degrees away, or on edges
-/// that jut into the matter and lie there, the least ball that touches p and q.
+/// Takes, as wall_thickness.h says it, of all points q in sight, on faces that look more than 120 degrees away, or on
+/// edges that jut into the matter and lie there, the least ball that touches p and q.
 class Reference
 {
 public:
@@ -377,7 +377,7 @@ private:
         return true;
     }
 
-    /// By bisection: the ball of a diameter reaches into the face, or it does not.
+    /// Bisects: the ball of a diameter reaches into the face, or it does not.
     double ofFace(std::size_t face, const Vec3& p, const Vec3& inward, std::size_t g, double below) const
     {
         const auto reaches = [&](double diameter) {
@@ -393,7 +393,7 @@ private:
         return isInSight(face, p, q + 1e-3 * (middle(m_faces[g]) - q)) || isInSight(face, p, q) ? high : infinity;
     }
 
-    /// By sampling the edge.
+    /// Samples the edge.
     double ofRidge(std::size_t face, const Vec3& p, const Vec3& inward, const Ridge& ridge, double below) const
     {
         constexpr int steps = 400;
@@ -451,7 +451,7 @@ void TestWallThickness::wedge_isMeasuredAtItsThinEnd()
     const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
     QVERIFY(report.minByBalls && std::abs(*report.minByBalls / 0.2 - 1) < 0.05);
     QVERIFY(report.minByRays && std::abs(*report.minByRays / 0.2 - 1) < 0.1);
-    // It is 0.8 mm thick 6.1 mm from its thin end, on both of its sides.
+    // The wedge is 0.8 mm thick 6.1 mm from its thin end, on both of its sides.
     const double expected = 2 * 40 * 100 * 0.6 / 9.8 / report.area;
     QVERIFY2(std::abs(thinShare(report) / expected - 1) < 0.1, qPrintable(QString::number(thinShare(report))));
     QVERIFY(report.thin.count == 2u || report.thin.count == 1u); // its two sides, or joined at the blunt end

@@ -27,8 +27,8 @@ void TestProximityGrid::cells_holdAllInTheBox_data()
     }
 }
 
-/// Each point in a box is visited once, and none outside of the cells that it meets, which are two reaches long at
-/// most.
+/// Checks that each point in a box is visited once, and none outside of the cells that it meets, which are two reaches
+/// long at most.
 void TestProximityGrid::cells_holdAllInTheBox()
 {
     QFETCH(int, count);

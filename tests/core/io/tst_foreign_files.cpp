@@ -791,7 +791,7 @@ void TestForeignFiles::binaryOff_keepsColors()
     }
 }
 
-/// All triangles of a ribbon round a cylinder face outwards, whatever the strip's length and its restarts.
+/// Triangles of a ribbon round a cylinder face outwards, whatever the strip's length and its restarts.
 void TestForeignFiles::strips_faceAsTheirFirstTriangle()
 {
     for (const int restartEach : {0, 6, 8}) {

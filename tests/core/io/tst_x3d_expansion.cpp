@@ -1,4 +1,5 @@
-// What is written of X3D scenes: nothing that a simple reader would get wrong, and never more than it says.
+// Checks the text that is written of X3D scenes: it has nothing that a simple reader would get wrong, within its
+// limits.
 
 #include "core/io/mesh/x3d_expansion.h"
 
@@ -243,7 +244,7 @@ void TestX3dExpansion::badFiles_areRefused()
     QVERIFY(errorOf({}, "<head><unit category='length' conversionFactor='0'/></head>"));
 }
 
-/// Each group holds the one before twice: 2^40 boxes in 3 kB.
+/// Groups that hold the one before twice: 2^40 boxes in 3 kB.
 void TestX3dExpansion::growth_isBounded()
 {
     QByteArray scene = "<Group DEF='g0'>" + box + "</Group>";

@@ -189,7 +189,7 @@ void TestDecimate::tooSmallABudget_keepsTopology()
     }
 }
 
-/// Each of twenty rings keeps its hole, for which it needs ten vertices or so: twenty triangles.
+/// Twenty rings keep their holes, for each of which ten vertices or so are needed: twenty triangles.
 void TestDecimate::tooSmallABudget_isToldWithItsReason()
 {
     constexpr std::size_t rings = 20, asked = 200;

@@ -52,7 +52,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Each fault has a sentence of its own, with file and line.
+    /// Faults have sentences of their own, with file and line.
     void everyFaultHasWordsOfItsOwn()
     {
         QSet<QString> seen;

@@ -170,7 +170,8 @@ private Q_SLOTS:
         QVERIFY(!vr::strokeSettings(brush, {}, somePlacement()).add);
     }
 
-    /// One stroke joins the ball with what it crosses. The ball waits for the end of smoothing, and of an open stroke.
+    /// A single stroke joins the ball with what it crosses. The ball waits for the end of smoothing, and of an open
+    /// stroke.
     void theNextStrokeAddsABall()
     {
         BrushState brush = vr::changed(BrushState(), vr::PanelAction(core::Tool::Flatten));
