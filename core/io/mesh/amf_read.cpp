@@ -51,10 +51,17 @@ bool isNamedAmf(std::string_view name)
                       [](char wanted, char c) { return wanted == (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
 }
 
-/// Returns the entries that are AMF: by name and content, or, if there are none, by content alone.
+/// Returns the entries that are AMF: by name and content, or, if there are none, by content alone. Folders of Finder's
+/// notes are passed over, and of very many entries all but the first hundred.
 std::vector<std::string> modelsIn(const FileBytes& file, ZipReader& package)
 {
-    const std::vector<std::string> names = package.names();
+    constexpr std::size_t maxEntries = 100;
+    std::vector<std::string> names = package.names();
+    names.erase(std::remove_if(names.begin(), names.end(),
+                               [](const std::string& name) { return name.starts_with("__MACOSX/"); }),
+                names.end());
+    std::stable_partition(names.begin(), names.end(), isNamedAmf);
+    names.resize(std::min(names.size(), maxEntries));
     std::vector<std::string> models, others;
     for (const std::string& name : names) {
         const std::string start = startOf(name, package);

@@ -94,7 +94,7 @@ struct X3dDocument::Parser
     static void end(void* self, const char*)
     {
         auto& parser = *static_cast<Parser*>(self);
-        parser.guarded([&] { parser.open.pop_back(); });
+        parser.guarded([&] { parser.endNode(); });
     }
     static void documentType(void* self, const char*, const char*, const char*, int declaresSomething)
     {
@@ -117,6 +117,8 @@ struct X3dDocument::Parser
         if (!open.empty())
             open.back()->children.push_back(&node);
         open.push_back(&node);
+        if (node.name == "ProtoDeclare")
+            outside.push_back(defined); // names of a prototype hold inside of it only
         if (const std::string_view used = node.text("USE"); !used.empty()) {
             const auto found = defined.find(used);
             if (found == defined.end())
@@ -129,6 +131,15 @@ struct X3dDocument::Parser
             document.m_scene = &node;
         if (node.name == "unit" && node.text("category") == "length")
             document.m_metres = metresOf(node);
+    }
+
+    void endNode()
+    {
+        if (open.back()->name == "ProtoDeclare") {
+            defined = std::move(outside.back());
+            outside.pop_back();
+        }
+        open.pop_back();
     }
 
     double metresOf(const X3dNode& unit) const
@@ -145,6 +156,7 @@ struct X3dDocument::Parser
     std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> parser;
     std::vector<X3dNode*> open; ///< from the root on
     std::map<std::string, const X3dNode*, std::less<>> defined;
+    std::vector<std::map<std::string, const X3dNode*, std::less<>>> outside; ///< of each prototype that is open
     std::exception_ptr problem;
 };
 

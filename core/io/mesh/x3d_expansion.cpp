@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -18,6 +19,7 @@ namespace core::io
 namespace
 {
 constexpr std::size_t maxNodes = std::size_t(1) << 18;
+constexpr std::size_t maxDepth = 256; ///< groups in each other, as XML may have them, those of USE counted
 constexpr std::size_t leastText = std::size_t(1) << 26; ///< the bytes that are written of any file
 
 /// The children of these are in the scene, where they stand.
@@ -25,7 +27,9 @@ constexpr std::array<std::string_view, 12> groups{"Group",     "StaticGroup", "C
                                                   "Billboard", "CADAssembly", "CADLayer",  "CADFace",
                                                   "Layer",     "LayerSet",    "Viewport",  "PickableGroup"};
 constexpr std::array<std::string_view, 2> transforms{"Transform", "CADPart"};
-constexpr std::array<std::string_view, 5> placing{"center", "rotation", "scale", "scaleOrientation", "translation"};
+/// The attributes that place a group, and how many numbers they have: three, or an axis and an angle.
+constexpr std::array<std::pair<std::string_view, std::size_t>, 5> placing{
+    {{"center", 3}, {"rotation", 4}, {"scale", 3}, {"scaleOrientation", 4}, {"translation", 3}}};
 /// Surfaces that are left to the reader of the file.
 constexpr std::array<std::string_view, 7> primitives{"Box",    "Sphere",      "ElevationGrid", "ArcClose2D",
                                                      "Disk2D", "Rectangle2D", "TriangleSet2D"};
@@ -119,6 +123,16 @@ public:
             m_text.append(" ").append(name).append("=\"").append(escaped(value)).append("\"");
     }
 
+    void addNumbers(std::string_view name, const std::vector<double>& numbers)
+    {
+        m_text.append(" ").append(name).append("=\"");
+        std::array<char, 32> digits;
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            m_text.append(i > 0 ? " " : "")
+                .append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), numbers[i]).ptr);
+        m_text += '"';
+    }
+
     /// Gives a node without one of the file's own a name.
     void addName() { m_text += " DEF=\"n" + std::to_string(m_nextName++) + "\""; }
 
@@ -205,14 +219,14 @@ private:
 
     void addGroup(const X3dNode& node, const X3dNode& meant)
     {
-        if (!m_open.insert(&meant).second)
+        if (m_open.size() >= maxDepth || !m_open.insert(&meant).second)
             refuseX3d(m_file, node, FileFault::TooDeep, "nodes of USE=" + std::string(node.text("USE")));
         const std::size_t before = m_to.size();
         const bool isTransform = isIn(transforms, meant.name);
         m_to.begin(node, isTransform ? "Transform" : "Group");
         if (isTransform)
-            for (const std::string_view name : placing)
-                m_to.addAttribute(meant, name);
+            for (const auto& [name, count] : placing)
+                addPlacing(meant, name, count);
         m_to.add(">");
         const std::size_t inside = m_to.size();
         if (meant.name == "Switch" || meant.name == "LOD")
@@ -224,6 +238,25 @@ private:
         else
             m_to.add(isTransform ? "</Transform>" : "</Group>");
         m_open.erase(&meant);
+    }
+
+    /// Adds an attribute whose axis, if it has one, is of unit length: Assimp multiplies with it as it stands. An axis
+    /// of no length turns nothing.
+    void addPlacing(const X3dNode& node, std::string_view name, std::size_t count)
+    {
+        std::vector<double> numbers = x3dNumbers(m_file, node, name);
+        if (numbers.empty())
+            return;
+        if (numbers.size() != count)
+            refuseX3d(m_file, node, FileFault::Number, node.text(name));
+        if (count == 4) {
+            const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
+            if (length == 0)
+                return;
+            for (std::size_t i = 0; i < 3; ++i)
+                numbers[i] /= length;
+        }
+        m_to.addNumbers(name, numbers);
     }
 
     /// Adds the child that is shown: of a LOD the first, which is the finest.
@@ -331,7 +364,7 @@ private:
             return;
         m_to.begin(node, "Coordinate");
         m_to.addDefinition(node);
-        m_to.addAttribute(node, "point");
+        m_to.addNumbers("point", x3dNumbers(m_file, node, "point"));
         m_to.add("/>");
     }
 

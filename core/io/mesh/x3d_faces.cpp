@@ -207,6 +207,20 @@ std::vector<std::string_view> x3dWords(std::string_view text)
     }
 }
 
+std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::string_view name,
+                               std::string_view usual)
+{
+    std::vector<double> numbers;
+    const std::string_view text = node.text(name);
+    for (const std::string_view word : x3dWords(text.empty() ? usual : text)) {
+        const auto value = parseDouble(word);
+        if (!value || !std::isfinite(*value))
+            refuseX3d(file, node, FileFault::Number, word);
+        numbers.push_back(*value);
+    }
+    return numbers;
+}
+
 std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node)
 {
     const std::size_t points = pointsOf(node);

@@ -18,6 +18,10 @@ struct X3dFaces
 /// Returns the parts of a list of numbers or indices, which blanks and commas divide.
 std::vector<std::string_view> x3dWords(std::string_view text);
 
+/// Returns the numbers of an attribute, or of `usual` where it is missing. Throws FileError with the node's line.
+std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::string_view name,
+                               std::string_view usual = {});
+
 /// Returns the faces of a node that has some by lists of points: IndexedFaceSet, and triangles and quads in sets,
 /// strips and fans. They are wound anticlockwise. Faces of fewer than three corners are left out. Empty if it is no
 /// such node. Throws FileError with its line, also where an index is out of range.

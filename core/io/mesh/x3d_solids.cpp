@@ -53,22 +53,9 @@ private:
     bool m_isReversed;
 };
 
-std::vector<double> numbersIn(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual)
-{
-    std::vector<double> numbers;
-    const std::string_view text = node.text(name);
-    for (const std::string_view word : x3dWords(text.empty() ? usual : text)) {
-        const auto value = parseDouble(word);
-        if (!value)
-            refuseX3d(file, node, FileFault::Number, word);
-        numbers.push_back(*value);
-    }
-    return numbers;
-}
-
 double numberIn(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual)
 {
-    const std::vector<double> numbers = numbersIn(file, node, name, usual);
+    const std::vector<double> numbers = x3dNumbers(file, node, name, usual);
     if (numbers.empty())
         refuseX3d(file, node, FileFault::Number, {});
     return numbers.front();
@@ -127,24 +114,31 @@ struct Extrusion
     bool isSpineClosed = false, isSectionClosed = false;
 };
 
+/// Returns whether the first and the last of the values, which have so many numbers each, are the same.
+bool endsAsItBegins(const std::vector<double>& values, std::size_t each)
+{
+    const auto last = values.begin() + static_cast<std::ptrdiff_t>(each * (values.size() / each - 1));
+    return std::equal(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(each), last);
+}
+
 Extrusion extrusionOf(const FileBytes& file, const X3dNode& node)
 {
     Extrusion result;
-    const auto spine = numbersIn(file, node, "spine", "0 0 0 0 1 0"),
-               section = numbersIn(file, node, "crossSection", "1 1 1 -1 -1 -1 -1 1 1 1");
+    const auto spine = x3dNumbers(file, node, "spine", "0 0 0 0 1 0"),
+               section = x3dNumbers(file, node, "crossSection", "1 1 1 -1 -1 -1 -1 1 1 1");
     for (std::size_t i = 0; i + 3 <= spine.size(); i += 3)
         result.spine.emplace_back(spine[i], spine[i + 1], spine[i + 2]);
     for (std::size_t i = 0; i + 2 <= section.size(); i += 2)
         result.section.emplace_back(section[i], section[i + 1]);
-    result.scale = numbersIn(file, node, "scale", "1 1");
-    result.orientation = numbersIn(file, node, "orientation", "0 0 1 0");
+    result.scale = x3dNumbers(file, node, "scale", "1 1");
+    result.orientation = x3dNumbers(file, node, "orientation", "0 0 1 0");
     if (result.scale.size() < 2 || result.orientation.size() < 4)
         refuseX3d(file, node, FileFault::Number, {});
     result.isSectionClosed = result.section.size() > 2 && result.section.front() == result.section.back();
     if (result.isSectionClosed)
         result.section.pop_back();
     result.isSpineClosed = result.spine.size() > 3 && result.spine.front() == result.spine.back() &&
-                           result.scale.size() == 2 && result.orientation.size() == 4;
+                           endsAsItBegins(result.scale, 2) && endsAsItBegins(result.orientation, 4);
     if (result.isSpineClosed)
         result.spine.pop_back();
     return result;

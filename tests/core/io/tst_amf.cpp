@@ -523,6 +523,12 @@ void TestAmf::zips_areRead_data()
     QTest::newRow("no ending") << QStringList{"icon", "model"} << QStringList{icon, good} << 0;
     QTest::newRow("with a mark") << QStringList{"a.amf"} << QStringList{QChar(0xfeff) + good} << 0;
     QTest::newRow("beside the Finder's") << QStringList{"__MACOSX/._a.amf", "a.amf"} << QStringList{icon, good} << 0;
+    QTest::newRow("behind the Finder's") << QStringList{"__MACOSX/a.amf", "a.amf"} << QStringList{other, good} << 0;
+    QStringList many;
+    for (int i = 0; i < 2000; ++i)
+        many << QStringLiteral("%1.txt").arg(i);
+    QTest::newRow("behind many others") << (many + QStringList{"a.amf"})
+                                        << (QStringList(2000, QStringLiteral("text")) + QStringList{good}) << 0;
     QTest::newRow("beside other XML") << QStringList{"a.xml", "b.xml"} << QStringList{"<x/>", good} << 0;
     QTest::newRow("beside another") << QStringList{"b.amf", "a.amf"} << QStringList{good, other} << 1;
     QTest::newRow("the name decides") << QStringList{"a.xml", "b.amf"} << QStringList{other, good} << 0;

@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <cmath>
 #include <optional>
 
 namespace
@@ -73,10 +74,14 @@ private Q_SLOTS:
     void colors_areThoseOfPoints();
     void units_areScaled();
     void expandedFiles_stayAsTheyAre();
+    void axes_areOfUnitLength();
+    void namesOfPrototypes_holdInsideOnly();
+    void closedExtrusions_haveNoCaps();
     void unreadSurfaces_areCounted();
     void badFiles_areRefused_data();
     void badFiles_areRefused();
     void growth_isBounded();
+    void chainsOfUses_areBounded();
     void cutFiles_areRefused();
 };
 
@@ -188,10 +193,51 @@ void TestX3dExpansion::units_areScaled()
 void TestX3dExpansion::expandedFiles_stayAsTheyAre()
 {
     const X3dExpansion once =
-        expanded("<Transform DEF='T' center='1 &quot; &lt; &amp; 2'>" + box +
+        expanded("<Transform DEF='T'><Shape><Box size='1 &quot; &lt; &amp; 2'/></Shape>" + box +
                  "<Shape><Cone/></Shape></Transform><Transform USE='T'/><Shape><IndexedTriangleSet index='0 1 2'>" +
                  points + "</IndexedTriangleSet></Shape>");
     QCOMPARE(core::io::expandX3d({path, once.text}).text, once.text);
+}
+
+void TestX3dExpansion::axes_areOfUnitLength()
+{
+    const auto rotation = [](const QByteArray& attribute) {
+        return valueOf(sceneOf("<Transform " + attribute + ">" + box + "</Transform>"), "rotation");
+    };
+    QCOMPARE(rotation("rotation='0 0 5 1.5'"), QStringLiteral("0 0 1 1.5"));
+    const QStringList numbers = rotation("rotation='1 1 1 2'").split(u' ');
+    QCOMPARE(numbers.size(), 4);
+    double squares = 0;
+    for (const QString& number : numbers.first(3))
+        squares += number.toDouble() * number.toDouble();
+    QVERIFY(std::abs(squares - 1) < 1e-12);
+    QCOMPARE(numbers[3], QStringLiteral("2"));
+    QCOMPARE(rotation("rotation='0 0 0 1'"), QString()); // no axis: no turn
+    QCOMPARE(valueOf(sceneOf("<Transform scaleOrientation='0 3 0 .5'>" + box + "</Transform>"), "scaleOrientation"),
+             QStringLiteral("0 1 0 0.5"));
+}
+
+void TestX3dExpansion::namesOfPrototypes_holdInsideOnly()
+{
+    const QByteArray prototype = "<ProtoDeclare><ProtoBody><Shape DEF='S'><Sphere/></Shape></ProtoBody></ProtoDeclare>";
+    const QString scene = sceneOf("<Shape DEF='S'><Box/></Shape>" + prototype + "<Group><Shape USE='S'/></Group>");
+    QCOMPARE(scene.count("Sphere"), 0);
+    QCOMPARE(scene.count("<Box"), 1);
+    const auto error = errorOf(prototype + "<Shape USE='S'/>");
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->fault), static_cast<int>(FileFault::Missing));
+}
+
+/// A ring whose scales and orientations are stated for each point is as closed as one whose are not.
+void TestX3dExpansion::closedExtrusions_haveNoCaps()
+{
+    const QByteArray ring = "<Shape><Extrusion crossSection='1 1 1 -1 -1 -1 -1 1 1 1' "
+                            "spine='5 0 0 0 0 5 -5 0 0 0 0 -5 5 0 0' ";
+    const QString plain = sceneOf(ring + "/></Shape>");
+    QCOMPARE(sceneOf(ring + "scale='1 1 1 1 1 1 1 1 1 1'/></Shape>"), plain);
+    QCOMPARE(sceneOf(ring + "orientation='0 0 1 0 0 0 1 0 0 0 1 0 0 0 1 0 0 0 1 0'/></Shape>"), plain);
+    QCOMPARE(valueOf(plain, "coordIndex").count(QStringLiteral("-1")), 16);
+    QCOMPARE(valueOf(sceneOf(ring + "scale='1 1 1 1 1 1 1 1 2 2'/></Shape>"), "coordIndex").count(u"-1"), 18);
 }
 
 void TestX3dExpansion::unreadSurfaces_areCounted()
@@ -222,6 +268,11 @@ void TestX3dExpansion::badFiles_areRefused_data()
     row("no index", "\n" + set("coordIndex='0 x 2'"), FileFault::VertexIndex, "x");
     row("negative", "\n" + set("coordIndex='0 -2 2'"), FileFault::VertexIndex, "-2");
     row("beyond", "\n" + set("coordIndex='0 1 6'"), FileFault::None, "6", Kind::IndexOutOfRange);
+    row("no coordinate",
+        "\n<Shape><IndexedFaceSet coordIndex='0 1 2'><Coordinate point='0 0 0 1 abc 0 1 1 0'/>" +
+            QByteArray("</IndexedFaceSet></Shape>"),
+        FileFault::Number, "abc");
+    row("three numbers for four", "\n<Transform rotation='0 1 0'>" + box + "</Transform>", FileFault::Number, "0 1 0");
     row("no number", "\n<Shape><Cone height='a'/></Shape>", FileFault::Number, "a");
     row("deep", "\n" + QByteArray("<Group>").repeated(300) + QByteArray("</Group>").repeated(300),
         FileFault::XmlTooDeep, "");
@@ -255,10 +306,26 @@ void TestX3dExpansion::growth_isBounded()
     QVERIFY(!errorOf(scene));
     const auto many = errorOf(scene + "<Group USE='g39'/>");
     QVERIFY(many && many->kind == Kind::TooManyElements && many->token == "nodes");
-    const QByteArray longText = "<Transform DEF='T' translation='" + QByteArray(1 << 20, '1') + "'>" + box +
-                                "</Transform>" + QByteArray("<Transform USE='T'/>").repeated(200);
+    const QByteArray longText = "<Transform DEF='T'><Inline url='" + QByteArray(1 << 20, '1') + "'/></Transform>" +
+                                QByteArray("<Transform USE='T'/>").repeated(200);
     const auto large = errorOf(longText);
     QVERIFY(large && large->kind == Kind::UnpacksTooLarge);
+}
+
+/// Groups each of which uses the one before: as deep as nothing else in the file.
+void TestX3dExpansion::chainsOfUses_areBounded()
+{
+    const auto chain = [](int length) {
+        QByteArray scene = "<Switch><Group DEF='g0'>" + box + "</Group>";
+        for (int i = 1; i < length; ++i)
+            scene +=
+                "<Group DEF='g" + QByteArray::number(i) + "'><Group USE='g" + QByteArray::number(i - 1) + "'/></Group>";
+        return scene + "</Switch><Group USE='g" + QByteArray::number(length - 1) + "'/>";
+    };
+    QCOMPARE(sceneOf(chain(200)).count("<Box"), 1);
+    const auto error = errorOf(chain(60'000));
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->fault), static_cast<int>(FileFault::TooDeep));
 }
 
 void TestX3dExpansion::cutFiles_areRefused()
