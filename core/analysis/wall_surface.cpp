@@ -21,8 +21,9 @@ namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Faces are opposite if the cosine between their normals is less: they look 120 degrees away from each other.
-constexpr double maxCosine = -0.5;
+/// Faces are opposite if the cosine between their normals is less: they look more than 120 degrees away from each
+/// other, by more than what floats are off by, so that 60 degree edges are the same whichever way they are turned.
+constexpr double maxCosine = -0.5 - 1e-4;
 /// The rays around the normal: 30 degrees from it, their tangent.
 constexpr double coneTangent = 0.57735026918962576;
 /// A ball is as good as empty if what lies in it is so near to its surface, in radii. Much less, and a ball in round
@@ -85,7 +86,7 @@ Vec3 towards(const Vec3& p, const Vec3& goal, double length)
 /// Returns whether a ball that touches the surface at p and at p + way touches it there from 120 degrees away or more.
 bool isSteep(const Vec3& way, const Vec3& inward)
 {
-    constexpr double least = 0.75; // cos 30 squared
+    constexpr double least = (1 - maxCosine) / 2; // the squared cosine of half the angle between the normals
     const double height = way.dot(inward);
     return height > 0 && height * height >= least * way.squaredNorm();
 }

@@ -435,6 +435,7 @@ private Q_SLOTS:
     void wedge_isMeasuredAtItsThinEnd();
     void groove_isMeasuredAtItsGround_data();
     void groove_isMeasuredAtItsGround();
+    void edgesOf60Degrees_areNoThinPlaces();
     void parts_agreeWithDenseSampling();
     void parts_makeUpTheirFaces();
     void parts_areBounded();
@@ -483,6 +484,22 @@ void TestWallThickness::groove_isMeasuredAtItsGround()
     QVERIFY2(std::abs(report.thin.area / expected - 1) < 0.1,
              qPrintable(QStringLiteral("%1 mm2, not %2").arg(report.thin.area).arg(expected)));
     QVERIFY(std::abs(report.thin.places[0].point.x() - 20) < 0.5);
+}
+
+/// Edges of 60 degrees, of a bar of an equilateral section, stay on the same side of the rule however they are turned.
+void TestWallThickness::edgesOf60Degrees_areNoThinPlaces()
+{
+    TriangleMesh bar = Plate({flat(0, 0), flat(30, 0), flat(15, 1)}, {}, 20).take();
+    for (Vec3f& p : bar.points)
+        if (p.y() > 0)
+            p.y() = static_cast<float>(30 * std::sin(std::numbers::pi / 3));
+    Random random(1);
+    for (int turn = 0; turn < 12; ++turn) {
+        const PrintMeasures measures = core::measureForPrint(turned(bar, random.rotation()));
+        const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
+        QVERIFY2(report.minByBalls && *report.minByBalls > 10, qPrintable(QString::number(turn)));
+        QCOMPARE(report.thin.count, std::size_t(0));
+    }
 }
 
 void TestWallThickness::parts_agreeWithDenseSampling()
