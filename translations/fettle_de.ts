@@ -354,12 +354,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ConvertCommand</name>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need them to stay as they are. Nothing was written.</source>
-        <translation>%1 ließ sich auf %2 Dreiecke bringen, nicht auf %3: Seine Löcher und Teile brauchen sie, um zu bleiben, wie sie sind. Nichts wurde geschrieben.</translation>
+        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
+        <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Löcher und Teile brauchen mindestens %4. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet. Nothing was written.</source>
-        <translation>%1 ließ sich auf %2 Dreiecke bringen, nicht auf %3: Mit weniger würden Flächen sich umwenden oder einander berühren. Nichts wurde geschrieben.</translation>
+        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet, or holes close. Nothing was written.</source>
+        <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Mit weniger würden Flächen umklappen oder sich treffen oder Löcher sich schließen. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
@@ -5298,8 +5298,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Die komprimierten Daten von „%2“ sind nicht so gepackt, wie ihre Erweiterung es vorschreibt.</translation>
     </message>
     <message>
-        <source>%1 is FBX of version %2; version 7 is read: save it as FBX 7 or GLB.</source>
-        <translation>%1 ist FBX der Version %2; gelesen wird Version 7: Speichern Sie die Datei als FBX 7 oder GLB.</translation>
+        <source>%1 is FBX of version %2; versions from 7.1 on are read: save it as FBX 7 or GLB.</source>
+        <translation>%1 ist FBX der Version %2; gelesen wird ab Version 7.1: Speichern Sie die Datei als FBX 7 oder GLB.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>

@@ -352,12 +352,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ConvertCommand</name>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need them to stay as they are. Nothing was written.</source>
-        <translation>%1 可以降到 %2 个三角形，降不到 %3 个：要保持原有的孔洞和部件，就需要这些三角形。未写入任何文件。</translation>
+        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
+        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：其孔洞和部件至少需要 %4 个。未写入任何文件。</translation>
     </message>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet. Nothing was written.</source>
-        <translation>%1 可以降到 %2 个三角形，降不到 %3 个：若更少，面会翻转或相互接触。未写入任何文件。</translation>
+        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet, or holes close. Nothing was written.</source>
+        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：再减少会使面翻转、相交，或使孔洞闭合。未写入任何文件。</translation>
     </message>
     <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
@@ -5280,8 +5280,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1：“%2”的压缩数据未按其扩展的规定打包。</translation>
     </message>
     <message>
-        <source>%1 is FBX of version %2; version 7 is read: save it as FBX 7 or GLB.</source>
-        <translation>%1 是 FBX %2 版；可读取的是第 7 版：请保存为 FBX 7 或 GLB。</translation>
+        <source>%1 is FBX of version %2; versions from 7.1 on are read: save it as FBX 7 or GLB.</source>
+        <translation>%1 是 FBX %2 版；可读取 7.1 及以上版本：请保存为 FBX 7 或 GLB。</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>

@@ -11,6 +11,7 @@
 #include "core/operations/decimate.h"
 #include "core/repair/repair.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/number_format.h"
 #include "ui/util/repair_messages.h"
 
 #include <QLocale>
@@ -175,17 +176,17 @@ double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
 }
 
 /// Returns the sentence about a model that has more triangles than were asked for.
-QString tooManyText(const QString& file, const core::Decimated& few, std::size_t asked)
+QString tooManyText(const QString& file, const core::TriangleMesh& few, std::size_t asked)
 {
-    const bool needsTopology = few.obstacles.topology > few.obstacles.shape;
-    const QLocale locale;
-    return (needsTopology
-                ? ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: its holes and parts need "
-                                      "them to stay as they are. Nothing was written.")
-                : ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: with fewer, faces would "
-                                      "turn over or meet. Nothing was written."))
-        .arg(file, locale.toString(static_cast<qulonglong>(few.mesh.triangles.size())),
-             locale.toString(static_cast<qulonglong>(asked)));
+    const std::size_t needed = core::fewestTriangles(few);
+    const QString sentence =
+        needed > asked ? ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: its holes and parts "
+                                             "need at least %4. Nothing was written.")
+                             .arg(file, ui::number(few.triangles.size()), ui::number(asked), ui::number(needed))
+                       : ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: with fewer, faces "
+                                             "would turn over or meet, or holes close. Nothing was written.")
+                             .arg(file, ui::number(few.triangles.size()), ui::number(asked));
+    return sentence;
 }
 
 /// On the lattice that an import would choose.
@@ -197,7 +198,7 @@ core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMe
     const core::Vec3 place = built.mesh->frame().place;
     core::Decimated few = core::decimate(std::move(*built.mesh), options.triangles);
     if (few.mesh.triangles.size() > options.triangles)
-        throw CommandFailure{tooManyText(options.in, few, options.triangles), AnswerIsNo};
+        throw CommandFailure{tooManyText(options.in, few.mesh, options.triangles), AnswerIsNo};
     return core::placedMesh(toPath(options.out), std::move(few.mesh), place);
 }
 } // namespace

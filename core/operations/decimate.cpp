@@ -11,6 +11,7 @@
 
 #include "core/operations/decimate.h"
 
+#include "core/analysis/nesting.h"
 #include "core/geometry/quadric.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/normals.h"
@@ -103,7 +104,6 @@ private:
     std::size_t m_start;
     std::uint64_t m_refused = 0;
     Tolerance m_tolerance = tolerances[0];
-    CollapseObstacles m_obstacles; ///< of the last round
 };
 
 template <int N> Decimated Decimater<N>::run()
@@ -114,13 +114,12 @@ template <int N> Decimated Decimater<N>::run()
         for (bool hasChanged = true; hasChanged && !isDone();) {
             for (const Slot e : m_mesh.edges()) // again: what stood in the way of a collapse may be gone
                 push(m_mesh.from(2 * e), m_mesh.to(2 * e));
-            m_obstacles = {};
             hasChanged = collapseQueue() > 0;
         }
     }
     if (m_control.isCancelled())
         return {};
-    return {extractMesh(m_mesh), m_refused, m_obstacles};
+    return {extractMesh(m_mesh), m_refused};
 }
 
 template <int N> typename Decimater<N>::Point Decimater<N>::pointOf(Slot v) const
@@ -203,16 +202,9 @@ template <int N> bool Decimater<N>::collapse(const Candidate& candidate)
     const Slot h = m_mesh.findHalfedge(v0, v1);
     if (h == noSlot)
         return false;
-    if (!m_mesh.isCollapseOk(h)) {
-        ++m_obstacles.topology;
+    if (!m_mesh.isCollapseOk(h))
         return false;
-    }
-    if (collapseTo(h, placeFor(v0, v1)))
-        return true;
-    if (m_tolerance.triesAll && collapseAnywhere(h))
-        return true;
-    ++m_obstacles.shape;
-    return false;
+    return collapseTo(h, placeFor(v0, v1)) || (m_tolerance.triesAll && collapseAnywhere(h));
 }
 
 /// Collapses to one of the ends or to the middle, whichever changes least.
@@ -279,6 +271,29 @@ bool isColored(const Mesh& mesh)
     return std::ranges::any_of(mesh.vertices(), [&](Slot v) { return mesh.color(v) != Rgb(); });
 }
 } // namespace
+
+std::size_t fewestTriangles(const TriangleMesh& mesh)
+{
+    const Components shells = componentsOf(mesh.points.size(), mesh.triangles);
+    std::vector<std::size_t> faces(shells.count, 0), vertices(shells.count, 0);
+    std::vector<bool> isCounted(mesh.points.size(), false);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        ++faces[shells.ofFace[f]];
+        for (const Slot v : mesh.triangles[f])
+            if (!isCounted[v]) {
+                isCounted[v] = true;
+                ++vertices[shells.ofFace[f]];
+            }
+    }
+    std::size_t fewest = 0;
+    for (std::size_t i = 0; i < shells.count; ++i) {
+        // V - E + F = 2 - 2g with E = 3F/2; V >= (7 + sqrt(1 + 48g)) / 2 with a handle, and F = 2 (V + 2g - 2)
+        const double genus = (2 - static_cast<double>(vertices[i]) + static_cast<double>(faces[i]) / 2) / 2;
+        const double least = genus > 0 ? std::ceil((7 + std::sqrt(1 + 48 * genus)) / 2) : 4;
+        fewest += static_cast<std::size_t>(2 * (least + 2 * genus - 2));
+    }
+    return fewest;
+}
 
 Decimated decimate(Mesh mesh, std::size_t triangles, const JobControl& control)
 {
