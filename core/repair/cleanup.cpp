@@ -240,6 +240,15 @@ CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates)
     return cleaned;
 }
 
+bool hasDoubles(const TriangleSoup& surface)
+{
+    std::vector<Triangle> corners;
+    for (const Triangle& t : surface.triangles)
+        corners.push_back(sortedCorners(t));
+    std::ranges::sort(corners);
+    return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+}
+
 bool removeSlivers(TriangleSoup& surface, std::span<const Slot> faces, double tolerance)
 {
     bool isChanged = mergeNearPoints(surface, faces, tolerance);

@@ -27,6 +27,9 @@ struct CleanupResult
 /// are welded.
 CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates);
 
+/// Returns whether two faces have the same corners.
+bool hasDoubles(const TriangleSoup& surface);
+
 /// Corners of these faces within `tolerance` (lattice units) of each other become one, those of the faces that are
 /// lower than that give their middle corner away as above, and all is cleaned up with Cancel. Moves the surface by
 /// about the tolerance; what was closed stays closed. Points keep their indices. False: nothing was to do.

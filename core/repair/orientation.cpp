@@ -6,6 +6,7 @@
 #include "core/geometry/winding_number.h"
 
 #include <cmath>
+#include <map>
 
 namespace core::repair
 {
@@ -210,6 +211,21 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
+/// Returns, by part, whether its faces run each of its edges as often one way as the other.
+std::vector<bool> closedParts(const TriangleSoup& surface, const Parts& parts)
+{
+    std::vector<bool> isClosed(parts.faces.size(), true);
+    std::map<Slot, int> net; // of an edge, by part
+    forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+        net.clear();
+        for (const EdgeFace& e : around)
+            net[parts.ofFace[e.face]] += e.forward ? 1 : -1;
+        for (const auto& [part, sum] : net)
+            isClosed[part] = isClosed[part] && sum == 0;
+    });
+    return isClosed;
+}
+
 /// Returns whether a closed part lies in others, which wind around it one way or the other, at all of some of its
 /// faces. A part that crosses others does not.
 bool liesInOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
@@ -245,15 +261,15 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
     const Parts parts = Flood(surface).run(turned);
     const std::vector<Vec3> points = surface.places();
     const bool areSeveral = parts.faces.size() > 1;
+    const std::vector<bool> isClosed = closedParts(surface, parts);
     const WindingNumber winding(points, areSeveral ? std::span<const Triangle>(surface.triangles)
                                                    : std::span<const Triangle>());
-    for (const std::vector<Slot>& faces : parts.faces) {
-        const double volume = volumeOf(surface, faces);
-        bool isInside = false;
-        if (areSeveral) {
-            isInside = liesInOthers(surface, points, winding, faces, volume < 0);
-        }
-        const bool facesIn = volume < 0;
+    for (std::size_t part = 0; part < parts.faces.size(); ++part) {
+        if (!isClosed[part])
+            continue;
+        const std::vector<Slot>& faces = parts.faces[part];
+        const bool facesIn = volumeOf(surface, faces) < 0;
+        const bool isInside = areSeveral && liesInOthers(surface, points, winding, faces, facesIn);
         const bool shouldTurn = isInside ? !facesIn && innerAreCavities : facesIn;
         faced.inner += isInside && !facesIn;
         faced.turned += shouldTurn && !isInside;

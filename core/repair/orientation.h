@@ -24,7 +24,7 @@ struct OutwardResult
     std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
 };
 
-/// Closed parts face outwards; those inside of others keep their way: inwards, they are cavities. With
-/// `innerAreCavities` parts inside of others that face outwards are turned as well.
+/// Turns closed parts outwards, and leaves those alone that only others close; those inside of others keep their way:
+/// inwards, they are cavities. With `innerAreCavities` parts inside of others that face outwards are turned as well.
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
 } // namespace core::repair

@@ -20,6 +20,7 @@
 
 #include "core/repair/cleanup.h"
 #include "core/repair/crack_stitching.h"
+#include "core/repair/edge_faces.h"
 #include "core/repair/hole_filling.h"
 #include "core/repair/mask_transfer.h"
 #include "core/repair/orientation.h"
@@ -100,43 +101,85 @@ void join(TriangleSoup& surface, double unit, RepairReport& report)
         weldAndCleanUp(surface, report);
 }
 
-ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptions& options, RepairReport& report,
-                           const Progress& progress)
+/// Takes a surface as it is if it is closed, runs one way everywhere, and has no double faces, but for opposite ones,
+/// which cancel: those of parts that touch, which may enclose a void. No component goes by that. False: it is not so.
+bool takeClosed(TriangleSoup& surface, RepairReport& report)
+{
+    TriangleSoup taken = surface;
+    const std::size_t welded = repair::weld(taken);
+    const Components before = componentsOf(taken.points.size(), taken.triangles);
+    std::vector<bool> isKept(before.count, false);
+    std::vector<Slot> componentOf(taken.points.size(), 0);
+    for (Slot f = 0; f < taken.triangles.size(); ++f)
+        for (const Slot v : taken.triangles[f])
+            componentOf[v] = before.ofFace[f];
+    const repair::CleanupResult cleaned = repair::cleanUp(taken, repair::Duplicates::Cancel);
+    for (const Triangle& t : taken.triangles)
+        isKept[componentOf[t[0]]] = true;
+    bool isClosed = std::ranges::find(isKept, false) == isKept.end() && !repair::hasDoubles(taken);
+    repair::forEachEdge(taken.triangles, [&](std::span<const repair::EdgeFace> around) {
+        std::size_t forward = 0;
+        for (const repair::EdgeFace& e : around)
+            forward += e.forward ? 1 : 0;
+        isClosed = isClosed && 2 * forward == around.size();
+    });
+    if (!isClosed)
+        return false;
+    surface = std::move(taken);
+    report.welded += welded;
+    report.degenerateFaces += cleaned.degenerate;
+    report.duplicateFaces += cleaned.duplicates;
+    return true;
+}
+
+/// Makes a closed surface of any, but for the holes that are not to be filled.
+ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOptions& options, RepairReport& report,
+                            const Progress& progress)
 {
     constexpr double nearlyAll = 0.75;
-    constexpr double afterCleanup = 0.3, afterStitching = 0.5, afterOrienting = 0.7, afterFilling = 0.8;
-    const JobControl& control = progress.control;
+    constexpr double afterStitching = 0.4, afterOrienting = 0.6;
     progress.begin(RepairStep::CleanUp);
     weldAndCleanUp(surface, report);
-    control.reportProgress(afterCleanup);
     progress.begin(RepairStep::Stitch);
     join(surface, unit, report);
-    control.reportProgress(afterStitching);
+    progress.control.reportProgress(afterStitching);
     progress.begin(RepairStep::Orient);
     const repair::OrientationResult oriented = repair::orient(surface);
     report.turnedFaces = oriented.turned;
     report.membraneFaces = oriented.membranes;
-    control.reportProgress(afterOrienting);
+    progress.control.reportProgress(afterOrienting);
     progress.begin(RepairStep::Fill);
-    const repair::SheetRemoval removed = repair::removeSheets(surface, control);
+    const repair::SheetRemoval removed = repair::removeSheets(surface, progress.control);
     report.sheets = removed.sheets;
     report.sheetLength = removed.length * unit;
     report.sheetWidth = removed.width * unit;
     report.before.volume = removed.volume * std::pow(unit, 3);
-    ClosedSurface closed;
-    closed.unfilled = surface;
-    const repair::HoleFillingResult filled = repair::fillHoles(surface, options.fillLargeHoles, control);
-    control.reportProgress(afterFilling);
+    ClosedSurface result;
+    result.unfilled = surface;
+    const repair::HoleFillingResult filled = repair::fillHoles(surface, options.fillLargeHoles, progress.control);
     report.holes = filled.holes;
     report.largeHoles = filled.largeHoles;
-    closed.isRefused = filled.largeHoles > 0 && !options.fillLargeHoles;
-    closed.isLoose = filled.share > nearlyAll;
+    result.isRefused = filled.largeHoles > 0 && !options.fillLargeHoles;
+    result.isLoose = filled.share > nearlyAll;
     repair::cleanUp(surface, repair::Duplicates::Cancel);
+    return result;
+}
+
+ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptions& options, RepairReport& report,
+                           const Progress& progress)
+{
+    constexpr double afterFilling = 0.8;
+    ClosedSurface result;
+    if (takeClosed(surface, report))
+        result.unfilled = surface;
+    else
+        result =
+            stitchAndFill(surface, unit, options, report, {progress.control.part(0, afterFilling), progress.onStep});
     const repair::OutwardResult faced = repair::orientOutwards(surface, options.innerAreCavities);
     report.turnedFaces += faced.turned;
     report.innerParts = faced.inner;
-    control.reportProgress(1);
-    return closed;
+    progress.control.reportProgress(1);
+    return result;
 }
 
 /// A surface that is in order, and how far it is from what it was.

@@ -116,6 +116,7 @@ private Q_SLOTS:
     void turnedCylinders_areOnePart();
     void insideOutParts_areNotTakenAway();
     void broadGround_isNotLostSilently();
+    void voidsBetweenParts_stay();
     void lossOfVolume_isNotFaithful();
     void farModel_isMovedAndSaid();
     void threads_doNotChangeTheOutcome();
@@ -509,6 +510,30 @@ void TestRepair::broadGround_isNotLostSilently()
     const TriangleMesh bead = shapes::moved(shapes::cube(10), {0, 300, 0});
     const RepairResult result = repairMesh(shapes::together(ground, bead));
     QVERIFY(!result.mesh || !result.report.isFaithful() || volumeOf(*result.mesh) > 64000);
+}
+
+/// Boxes around a void that touch by faces, and in a checkerboard that touch by edges: what they enclose stays empty.
+void TestRepair::voidsBetweenParts_stay()
+{
+    const auto boxes = [](int side, auto isThere) {
+        TriangleMesh mesh;
+        for (int i = 0; i < side * side * side; ++i) {
+            const int x = i % side, y = i / side % side, z = i / side / side;
+            if (isThere(x, y, z))
+                mesh = shapes::together(
+                    mesh, shapes::moved(shapes::cube(10), {10.f * float(x), 10.f * float(y), 10.f * float(z)}));
+        }
+        return mesh;
+    };
+    const auto isInner = [](int i) { return i == 1 || i == 2; };
+    const RepairResult hollow =
+        repairMesh(boxes(4, [&](int x, int y, int z) { return !isInner(x) || !isInner(y) || !isInner(z); }));
+    QVERIFY(hollow.mesh && hollow.report.isFaithful());
+    QVERIFY(std::abs(volumeOf(*hollow.mesh) - 56'000) < 56);
+    const RepairResult board = repairMesh(boxes(4, [](int x, int y, int z) { return (x + y + z) % 2 == 0; }));
+    QVERIFY(board.mesh);
+    QVERIFY2(!board.report.isFaithful() || std::abs(volumeOf(*board.mesh) / 32'000 - 1) < 0.02,
+             qPrintable(QString::number(volumeOf(*board.mesh))));
 }
 
 void TestRepair::lossOfVolume_isNotFaithful()
