@@ -254,8 +254,8 @@ int runWindow(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-    if (argc == 3 && qstrcmp(argv[1], app::importWord) == 0)
-        return app::runImport(argv[2]);
+    if (argc == 4 && qstrcmp(argv[1], app::importWord) == 0)
+        return app::runImport(argv[2], argv[3]);
     nameProgram();
     app::surviveFileSizeLimit();
     app::installSandboxedImporter();

@@ -1,5 +1,6 @@
 #include "app/import/assimp_import.h"
 
+#include "app/import/draco_decoder.h"
 #include "app/import/fbx_file.h"
 #include "app/import/fbx_scene.h"
 #include "app/import/foreign_unit.h"
@@ -9,7 +10,10 @@
 #include "app/platform/resource_limits.h"
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/io/mesh/number_parsing.h"
+#include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
+#include "core/util/worker_pool.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -38,7 +42,7 @@ template <class Element> bool send(const std::vector<Element>& elements)
 
 int sendResult(const ImportHeader& header, const core::TriangleMesh& mesh)
 {
-    const bool isSent = send(&header, sizeof header) && send(mesh.points) && send(mesh.colors) &&
+    const bool isSent = send(&header, sizeof header) && send(mesh.points) && send(mesh.colors) && send(mesh.masks) &&
                         send(mesh.triangles) && send(&importEnd, sizeof importEnd) && std::fflush(stdout) == 0;
     return isSent ? 0 : 1;
 }
@@ -119,7 +123,30 @@ void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::
     header.unreadNodes += fbxNurbs(bytes);
 }
 
-int import(const fs::path& path, const ImportLimits& limits)
+/// Reads a format of our own, for which this process has what others lack: the decoder of Draco.
+int importOwn(const fs::path& path, const ImportLimits& limits)
+{
+    core::WorkerPool::shared().setThreads(1); // the memory of others, stacks and heaps, counts as this process's
+    core::setDracoDecoder(decodedDraco);
+    const core::ReadResult result = core::readModel(path, {.up = core::UpAxis::Y});
+    if (result.mesh.points.size() > limits.points || result.mesh.triangles.size() > limits.triangles)
+        throw std::bad_alloc();
+    ImportHeader header;
+    header.outcome = ImportHeader::Outcome::Read;
+    header.points = result.mesh.points.size();
+    header.colors = result.mesh.colors.size();
+    header.masks = result.mesh.masks.size();
+    header.triangles = result.mesh.triangles.size();
+    header.objects = result.remarks.objects;
+    header.repeatedCorners = result.remarks.repeatedCorners;
+    header.facesOfFewer = result.remarks.facesOfFewer;
+    header.materials = result.remarks.materials;
+    header.textures = result.remarks.textures;
+    header.poses = result.remarks.poses;
+    return sendResult(header, result.mesh);
+}
+
+int importForeign(const fs::path& path, const ImportLimits& limits)
 {
     constexpr std::size_t startSize = 1 << 16;
     const std::string start = startOf(path, startSize);
@@ -156,13 +183,14 @@ bool assimpHoldsUnit(const fs::path& file)
     return holdsUnit(file);
 }
 
-int runImport(const char* file)
+int runImport(const char* file, const char* bytes)
 {
     try {
         const fs::path path = fs::absolute(file);
-        const ImportLimits limits(fs::file_size(path));
+        const ImportLimits limits(
+            static_cast<std::uint64_t>(std::max<std::int64_t>(core::io::parseInteger(bytes).value_or(0), 0)));
         limitOwnProcess(limits.memory, limits.seconds);
-        return import(path, limits);
+        return core::meshFormatOf(path) ? importOwn(path, limits) : importForeign(path, limits);
     } catch (const std::bad_alloc&) {
         return refuse(ImportHeader::Outcome::OutOfMemory, {});
     } catch (const core::FileError& error) {

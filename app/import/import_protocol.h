@@ -5,8 +5,8 @@
 
 namespace app
 {
-/// The result of the process that reads further formats: this header, then points, colours and triangles as core has
-/// them, then importEnd. Both ends are the same program on the same machine.
+/// The result of the process that reads further formats: this header, then points, colours, masks and triangles as core
+/// has them, then importEnd. Both ends are the same program on the same machine.
 struct ImportHeader
 {
     /// Faulty: what kind, fault, unit, place, expected and found say.
@@ -15,7 +15,7 @@ struct ImportHeader
 
     std::uint32_t magic = magicNumber;
     Outcome outcome = Outcome::Refused;
-    std::uint64_t points = 0, colors = 0, triangles = 0, objects = 1;
+    std::uint64_t points = 0, colors = 0, masks = 0, triangles = 0, objects = 1;
     std::uint64_t repeatedCorners = 0, facesOfFewer = 0, animations = 0, subdivisions = 0, unreadNodes = 0;
     std::uint64_t place = 0, expected = 0, found = 0; ///< of a core::FileError
     std::uint32_t kind = 0, fault = 0, unit = 0;      ///< of a core::FileError, as numbers

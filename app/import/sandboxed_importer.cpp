@@ -66,7 +66,10 @@ bool isSound(const TriangleMesh& mesh)
         for (const core::Slot corner : t)
             if (corner >= mesh.points.size())
                 return false;
-    return mesh.colors.empty() || mesh.colors.size() == mesh.points.size();
+    const auto isOnePerPoint = [&mesh](const auto& values) {
+        return values.empty() || values.size() == mesh.points.size();
+    };
+    return isOnePerPoint(mesh.colors) && isOnePerPoint(mesh.masks);
 }
 
 /// Returns the text of the header's message, or an empty one if it is not printable as a whole.
@@ -115,10 +118,10 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
         refuse(header, path, limits);
     core::ReadResult result;
     std::uint32_t end = 0;
-    const bool isWhole = reader.read(result.mesh.points, header.points) &&
-                         reader.read(result.mesh.colors, header.colors) &&
-                         reader.read(result.mesh.triangles, header.triangles) && reader.read(&end, sizeof end) &&
-                         end == importEnd && reader.atEnd();
+    const bool isWhole =
+        reader.read(result.mesh.points, header.points) && reader.read(result.mesh.colors, header.colors) &&
+        reader.read(result.mesh.masks, header.masks) && reader.read(result.mesh.triangles, header.triangles) &&
+        reader.read(&end, sizeof end) && end == importEnd && reader.atEnd();
     if (!isWhole || !isSound(result.mesh))
         throw errorOf(FileErrorKind::ReaderDied, path);
     for (const core::Vec3f& point : result.mesh.points)
@@ -136,13 +139,15 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
     return result;
 }
 
-core::ReadResult read(const std::string& program, const std::filesystem::path& path, const std::stop_token& stop)
+/// `bytes`: the size of what is read.
+core::ReadResult read(const std::string& program, const std::filesystem::path& path, std::uint64_t bytes,
+                      const std::stop_token& stop)
 {
-    const ImportLimits limits(std::filesystem::file_size(path));
-    ChildRequest request{{program, importWord, std::filesystem::absolute(path).string()}};
+    const ImportLimits limits(bytes);
+    ChildRequest request{{program, importWord, std::filesystem::absolute(path).string(), std::to_string(bytes)}};
     request.time = std::chrono::seconds(2 * limits.seconds);
     request.maxBytes = sizeof(ImportHeader) + sizeof importEnd +
-                       limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb)) +
+                       limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb) + sizeof(std::uint8_t)) +
                        limits.triangles * sizeof(core::Triangle);
     request.stop = stop;
     const ChildResult result = runChild(request);
@@ -161,11 +166,14 @@ core::ReadResult read(const std::string& program, const std::filesystem::path& p
 }
 } // namespace
 
-core::ExternalReader sandboxedImporter(std::string program)
+core::ExternalReader sandboxedImporter(const std::string& program)
 {
     return {{endings.begin(), endings.end()},
-            [program = std::move(program)](const std::filesystem::path& path, const std::stop_token& stop) {
-                return read(program, path, stop);
+            [program](const std::filesystem::path& path, const std::stop_token& stop) {
+                return read(program, path, std::filesystem::file_size(path), stop);
+            },
+            [program](const std::filesystem::path& path, std::uint64_t bytes, const std::stop_token& stop) {
+                return read(program, path, bytes, stop);
             }};
 }
 

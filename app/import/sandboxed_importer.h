@@ -6,10 +6,10 @@
 
 namespace app
 {
-/// The formats that Assimp reads and we do not. Each file is read by a process of its own, `program` with importWord,
-/// so that whatever a file does to Assimp it does not do to us; what it answers is checked as a file would be.
-/// `program` is fettle.
-core::ExternalReader sandboxedImporter(std::string program);
+/// Reads the formats that Assimp reads and we do not, and glTF that Draco packed. Each file is read by a process of its
+/// own, `program` with importWord, so that whatever a file does to Assimp or Draco it does not do to us; what it
+/// answers is checked as a file would be. `program` is fettle.
+core::ExternalReader sandboxedImporter(const std::string& program);
 /// By this program; from now on core reads those formats.
 void installSandboxedImporter();
 } // namespace app

@@ -5,6 +5,7 @@
 #include "core/io/external_reader.h"
 #include "core/io/mesh/format.h"
 #include "core/io/mesh/glb_metadata.h"
+#include "core/io/mesh/gltf_draco.h"
 #include "core/io/mesh/input_file.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/vertex_welder.h"
@@ -225,6 +226,31 @@ void settle(ReadResult& result, const io::FileBytes& file, bool isWelded, UpAxis
         fromZUp(result.mesh.points);
 }
 
+/// Returns whether the external reader has what our own reader lacks for the file.
+bool isForExternalReader(const FileError& error)
+{
+    return error.kind == FileErrorKind::Malformed && error.fault == FileFault::NeedsExtension &&
+           error.token == io::dracoExtension && externalReader().readDraco;
+}
+
+ReadResult readOwn(const std::filesystem::path& path, std::uint64_t size, MeshFormat format,
+                   const std::stop_token& stop)
+{
+    const io::InputFile input(path);
+    std::array<char, io::startSize> start;
+    refuseStart({path, {start.data(), input.read(0, start)}}, size, format);
+    std::uint64_t bytesWithBuffers = 0;
+    try {
+        const LargeBuffer<char> bytes = allOf(input, path, size, stop);
+        return parse({path, {bytes.data(), bytes.size()}, stop}, format);
+    } catch (const FileError& error) {
+        if (!isForExternalReader(error))
+            throw;
+        bytesWithBuffers = error.expected;
+    }
+    return externalReader().readDraco(path, bytesWithBuffers, stop);
+}
+
 ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, const ReadOptions& options)
 {
     refuseSize(path, size);
@@ -283,14 +309,7 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
         return readExternal(path, size, options);
     const MeshFormat format = requireFormat(path);
     refuseSize(path, size);
-    const io::InputFile input(path);
-    std::array<char, io::startSize> start;
-    refuseStart({path, {start.data(), input.read(0, start)}}, size, format);
-    ReadResult result;
-    {
-        const LargeBuffer<char> bytes = allOf(input, path, size, options.stop);
-        result = parse({path, {bytes.data(), bytes.size()}, options.stop}, format);
-    }
+    ReadResult result = readOwn(path, size, format, options.stop);
     settle(result, {path, {}, options.stop}, isWeldedByReader(format), options.up.value_or(usualUp(format)));
     return result;
 }

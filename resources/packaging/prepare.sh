@@ -21,6 +21,7 @@ libeigen3-dev       Eigen: vectors and matrices
 libboost-dev        Boost.Multiprecision: exact points where faces cross
 nlohmann-json3-dev  JSON: stroke files, reports, glTF
 libassimp-dev       Assimp: reads the formats that we do not
+libdraco-dev        Draco: unpacks glTF that it packed
 libexpat1-dev       Expat: the XML of 3MF and AMF
 libzip-dev          libzip: the packages that 3MF files are, and zipped AMF
 libopenxr-dev       OpenXR: the headset

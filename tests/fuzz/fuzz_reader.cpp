@@ -1,7 +1,9 @@
 // The reader of the format that FETTLE_FORMAT names (stl, obj, ...), fed with a stranger's bytes: it returns a mesh as
 // core/io/mesh_io.h promises, or throws a FileError; nothing else. "brush": the reader of presets
 // (core/io/stroke/brush_file.h), which throws a StrokeFileError. "x3d": what Assimp is given of X3D files
-// (core/io/mesh/x3d_expansion.h).
+// (core/io/mesh/x3d_expansion.h). Streams of Draco are not decoded: a decoder of this program makes of their bytes
+// whatever a broken one might.
+#include "core/io/draco_stream.h"
 #include "core/io/mesh/x3d_expansion.h"
 #include "core/io/mesh_io.h"
 #include "core/io/stroke/brush_file.h"
@@ -83,11 +85,32 @@ void checkX3d(const std::filesystem::path& path, std::string_view text)
     } catch (const core::FileError&) {
     }
 }
+
+/// Returns a mesh whose counts, types and corners are the stream's bytes.
+std::optional<core::DracoMesh> decodedByBytes(std::string_view stream, std::span<const std::uint32_t> ids)
+{
+    std::size_t at = 0;
+    const auto next = [&] { return at < stream.size() ? static_cast<unsigned char>(stream[at++]) : 0U; };
+    if (next() == 0)
+        return std::nullopt;
+    core::DracoMesh mesh{.vertices = next(), .corners = {}, .attributes = {}};
+    for (const std::uint32_t id : ids) {
+        core::DracoMesh::Attribute attribute{.id = id, .componentType = 5120 + static_cast<int>(next() % 8)};
+        attribute.components = static_cast<int>(next() % 5);
+        attribute.bytes.assign(mesh.vertices * static_cast<std::size_t>(attribute.components) * (next() % 5), '\1');
+        mesh.attributes.push_back(attribute);
+    }
+    while (at < stream.size())
+        mesh.corners.push_back(next());
+    return mesh;
+}
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
     static const Folder folder;
+    static const bool hasDecoder = (core::setDracoDecoder(decodedByBytes), true);
+    static_cast<void>(hasDecoder);
     if (folder.isOfBrushes()) {
         checkBrush({reinterpret_cast<const char*>(data), size});
         return 0;

@@ -3,6 +3,7 @@
 
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/gltf_buffers.h"
+#include "core/io/mesh/gltf_draco.h"
 #include "core/io/mesh/gltf_extensions.h"
 #include "core/io/mesh/gltf_meshopt.h"
 #include "core/util/parallel.h"
@@ -20,7 +21,7 @@ constexpr std::size_t maxJson = std::size_t(1) << 23;
 /// As many bytes as a model's file may have.
 constexpr std::size_t maxBytes = std::size_t(1) << 31;
 /// The limit of what is unpacked of a file, in times of its own bytes, as of a zip; and what is allowed in any case.
-constexpr std::size_t maxUnpackedTimes = 100, alwaysUnpacked = std::size_t(16) << 20;
+constexpr std::size_t maxUnpackedTimes = 100, alwaysUnpacked = std::size_t(64) << 20;
 
 /// Of JSON, what is not inside of texts; each text counts as its two quotes.
 std::size_t sizeBesideTexts(std::string_view json)
@@ -124,11 +125,13 @@ GltfDocument::GltfDocument(const FileBytes& file, bool isBinary) : m_file(file),
     refuseOldVersion();
     refuseExtensions();
     loadBuffers();
+    if (isRequired(dracoExtension) && !dracoDecoder())
+        refuse(FileFault::NeedsExtension, dracoExtension, m_bytes);
 }
 
-void GltfDocument::refuse(FileFault fault, std::string_view what) const
+void GltfDocument::refuse(FileFault fault, std::string_view what, std::uint64_t expected) const
 {
-    throw malformed(fault, errorWithToken({}, m_file, what));
+    throw malformed(fault, withCounts(errorWithToken({}, m_file, what), expected));
 }
 
 void GltfDocument::refuseCutOff() const
@@ -186,6 +189,12 @@ void GltfDocument::refuseOldVersion() const
     const std::string& text = version->get_ref<const std::string&>();
     if (text.starts_with("0.") || text.starts_with("1."))
         refuse(FileFault::OldGltf, text);
+}
+
+bool GltfDocument::isRequired(std::string_view extension) const
+{
+    const Json& required = arrayIn(m_document, "extensionsRequired");
+    return std::any_of(required.begin(), required.end(), [extension](const Json& name) { return name == extension; });
 }
 
 /// What cannot be passed over.
@@ -267,7 +276,14 @@ std::string_view GltfDocument::partOf(std::size_t buffer, std::size_t offset, st
     return m_buffers[buffer].substr(offset, length);
 }
 
-/// Returns what a buffer view holds, unpacked.
+void GltfDocument::countUnpacked(std::size_t bytes) const
+{
+    const std::size_t max = std::clamp(maxUnpackedTimes * m_bytes, alwaysUnpacked, maxBytes);
+    if (bytes > max - m_unpackedBytes)
+        throw withCounts({FileErrorKind::UnpacksTooLarge, m_file.path}, max);
+    m_unpackedBytes += bytes;
+}
+
 std::string_view GltfDocument::viewBytes(std::size_t index) const
 {
     const Json& view = element("bufferViews", index);
@@ -278,11 +294,7 @@ std::string_view GltfDocument::viewBytes(std::size_t index) const
         return found->second;
     MeshoptView what = packed->view;
     what.data = partOf(packed->buffer, packed->offset, packed->length);
-    const std::size_t max = std::clamp(maxUnpackedTimes * m_bytes, alwaysUnpacked, maxBytes),
-                      size = what.count * what.stride;
-    if (size > max - m_unpackedBytes)
-        throw withCounts({FileErrorKind::UnpacksTooLarge, m_file.path}, max);
-    m_unpackedBytes += size;
+    countUnpacked(what.count * what.stride);
     return m_unpacked[index] = meshoptUnpacked(m_file, what);
 }
 
@@ -301,8 +313,7 @@ GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size
     return {.first = bytes.data() + offset, .count = count, .stride = stride};
 }
 
-/// An accessor with so many components, its sparse part aside.
-GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max) const
+GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max, const GltfLayout* decoded) const
 {
     const Json& from = element("accessors", accessor);
     const std::string name = "accessors/" + std::to_string(accessor);
@@ -314,10 +325,21 @@ GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max) const
                                                : 0;
     const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
     const std::size_t count = sizeIn(from, "count", 0);
-    const std::size_t maxCount = from.contains("bufferView") ? maxMeshoptRatio * m_bytes : m_bytes;
+    const std::size_t maxCount = decoded                       ? decoded->count
+                                 : from.contains("bufferView") ? maxMeshoptRatio * m_bytes
+                                                               : m_bytes;
     if (components < min || components > max || sizeOf(componentType) == 0 || count == 0 || count > maxCount)
         refuse(FileFault::WrongAccessor, name);
     GltfLayout layout;
+    if (decoded) {
+        const bool isAlike = decoded->count == count && decoded->components == components &&
+                             (!from.contains("sparse") || decoded->componentType == componentType);
+        if (!isAlike || decoded->stride != sizeOf(decoded->componentType) * static_cast<std::size_t>(components))
+            refuse(FileFault::WrongAccessor, name);
+        layout = *decoded;
+        layout.normalized = from.value("normalized", Json(false)) == true;
+        return layout;
+    }
     if (from.contains("bufferView"))
         layout = elementsIn(from, count, sizeOf(componentType) * static_cast<std::size_t>(components), 0);
     layout.count = count;

@@ -16,6 +16,9 @@ inline constexpr std::size_t glbHeadSize = 12, glbChunkHeadSize = 8;
 inline constexpr std::uint32_t glbMagic = 0x46546c67, glbVersion = 2, glbJsonChunk = 0x4e4f534a,
                                glbBinaryChunk = 0x004e4942;
 
+/// The modes of primitives that make triangles.
+enum GltfMode : std::size_t { GltfTriangles = 4, GltfTriangleStrip = 5, GltfTriangleFan = 6 };
+
 /// How the numbers of an accessor lie in a buffer.
 struct GltfLayout
 {
@@ -28,7 +31,9 @@ struct GltfLayout
 /// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked
 /// for is looked at before anything is read by it: wrong types, indices and sizes throw FileError with the JSON's word
 /// for what is wrong. Extensions that it requires are passed over where they say nothing of the shape. Buffer views
-/// that meshopt compressed are unpacked when they are asked for. Not thread-safe.
+/// that meshopt compressed are unpacked when they are asked for. A file that requires Draco is refused where there is
+/// no decoder (draco_stream.h): NeedsExtension, with the bytes of the file and of its buffers as `expected`. Not
+/// thread-safe.
 class GltfDocument
 {
 public:
@@ -51,13 +56,21 @@ public:
     /// Of one of the document's lists: an object.
     const Json& element(const char* list, std::size_t index) const;
 
-    /// An accessor with so many components, its sparse part aside.
-    GltfLayout layoutOf(std::size_t accessor, int min, int max) const;
+    bool isRequired(std::string_view extension) const;
+
+    /// Returns what a buffer view holds, unpacked.
+    std::string_view viewBytes(std::size_t index) const;
+    /// Adds to the bytes that have been unpacked. Throws UnpacksTooLarge if those are too many for the file.
+    void countUnpacked(std::size_t bytes) const;
+
+    /// An accessor with so many components, its sparse part aside. `decoded`: its numbers from elsewhere, which have to
+    /// be as many as it says.
+    GltfLayout layoutOf(std::size_t accessor, int min, int max, const GltfLayout* decoded = nullptr) const;
     /// The accessor's numbers, element after element; normalised ones from -1 or 0 to 1.
     LargeBuffer<float> valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const;
     LargeBuffer<std::uint32_t> wholesOf(std::size_t accessor, const std::stop_token& stop) const;
 
-    [[noreturn]] void refuse(FileFault fault, std::string_view what) const;
+    [[noreturn]] void refuse(FileFault fault, std::string_view what, std::uint64_t expected = 0) const;
 
 private:
     void readChunks();
@@ -67,7 +80,6 @@ private:
     void loadBuffers();
     [[noreturn]] void refuseCutOff() const;
     std::string_view partOf(std::size_t buffer, std::size_t offset, std::size_t length) const;
-    std::string_view viewBytes(std::size_t index) const;
     GltfLayout elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const;
     struct Sparse
     {

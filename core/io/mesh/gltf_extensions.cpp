@@ -8,7 +8,8 @@ namespace core::io
 {
 bool isWithoutShape(std::string_view extension)
 {
-    constexpr std::array<std::string_view, 18> names{"KHR_mesh_quantization",
+    constexpr std::array<std::string_view, 19> names{"KHR_mesh_quantization",
+                                                     "KHR_draco_mesh_compression",
                                                      "EXT_meshopt_compression",
                                                      "KHR_meshopt_compression",
                                                      "KHR_animation_pointer",

@@ -1,6 +1,8 @@
 // Reads glTF: the triangles of each primitive with the transforms above it, metres made millimetres.
 
 #include "core/io/mesh/gltf_document.h"
+#include "core/io/mesh/gltf_draco.h"
+#include "core/io/mesh/gltf_primitive.h"
 #include "core/io/mesh/gltf_scene.h"
 #include "core/io/mesh/srgb.h"
 #include "core/util/parallel.h"
@@ -8,7 +10,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numeric>
 
 namespace core::io
 {
@@ -21,8 +22,6 @@ using Json = GltfDocument::Json;
 constexpr std::size_t maxCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 constexpr double millimetres = 1000;
 constexpr std::size_t chunkSize = 1 << 15;
-
-enum Mode { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 
 class GltfReader
 {
@@ -57,31 +56,25 @@ private:
             addPrimitive(primitive, transform);
     }
 
-    void addPrimitive(const Json& primitive, const Eigen::Matrix4d& transform)
+    void addPrimitive(const Json& json, const Eigen::Matrix4d& transform)
     {
-        if (!primitive.is_object())
-            m_gltf.refuse(FileFault::NotAnObject, "primitives");
-        const std::size_t mode = m_gltf.sizeIn(primitive, "mode", Triangles);
-        const auto attributes = primitive.find("attributes");
-        if (attributes == primitive.end() || !attributes->is_object())
-            m_gltf.refuse(FileFault::NotAnObject, "attributes");
-        m_hasTargets = m_hasTargets || primitive.contains("targets");
-        const auto positions = m_gltf.indexIn(*attributes, "POSITION");
-        if (!positions || (mode != Triangles && mode != TriangleStrip && mode != TriangleFan))
+        const GltfPrimitive primitive(m_file, m_gltf, m_draco, json);
+        m_hasTargets = m_hasTargets || json.contains("targets");
+        if (!primitive.hasTriangles())
             return; // points and lines
         const auto first = static_cast<Slot>(m_mesh.points.size());
-        const LargeBuffer<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_file.stop);
+        const LargeBuffer<float> numbers = primitive.numbersOf("POSITION", 3, 3).values;
         const std::size_t count = numbers.size() / 3;
         if (const std::size_t max = std::min(maxVertices, std::max(alwaysTaken, maxCopies * m_gltf.bytes()));
             m_mesh.points.size() + count > max)
             throw tooMany("vertices", max, errorAtByte({}, m_file, m_file.bytes.data()));
         addPoints(numbers, transform);
-        if (const auto colors = m_gltf.indexIn(*attributes, "COLOR_0"))
-            addColors(first, count, *colors);
-        if (const auto masks = m_gltf.indexIn(*attributes, "_MASK"))
-            addMasks(first, count, *masks);
+        if (primitive.has("COLOR_0"))
+            addColors(first, count, primitive);
+        if (primitive.has("_MASK"))
+            addMasks(first, count, primitive);
         const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
-        addTriangles(cornersOf(primitive, count), static_cast<Mode>(mode), first, isMirrored);
+        addTriangles(primitive.cornersOf(count), primitive.mode(), first, isMirrored);
     }
 
     void addPoints(const LargeBuffer<float>& numbers, const Eigen::Matrix4d& transform)
@@ -102,29 +95,28 @@ private:
     }
 
     /// Linear, with or without alpha.
-    void addColors(Slot first, std::size_t count, std::size_t accessor)
+    void addColors(Slot first, std::size_t count, const GltfPrimitive& primitive)
     {
-        const GltfLayout layout = m_gltf.layoutOf(accessor, 3, 4);
-        const LargeBuffer<float> numbers = m_gltf.valuesOf(accessor, layout, m_file.stop);
-        const auto components = static_cast<std::size_t>(layout.components);
-        if (numbers.size() != count * components)
+        const GltfPrimitive::Numbers numbers = primitive.numbersOf("COLOR_0", 3, 4);
+        const float* const values = numbers.values.data();
+        const std::size_t size = numbers.components;
+        if (numbers.values.size() != count * size)
             m_gltf.refuse(FileFault::WrongAccessor, "COLOR_0");
         m_hasColors = true;
         m_mesh.colors.resize(first + count, Rgb());
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const auto seen = [&](std::size_t k) {
-                    return srgbFromLinear(static_cast<double>(numbers[i * components + k]));
-                };
+                const float* const color = values + i * size;
+                const auto seen = [color](std::size_t k) { return srgbFromLinear(static_cast<double>(color[k])); };
                 m_mesh.colors[first + i] = {seen(0), seen(1), seen(2)};
             }
         });
     }
 
     /// As writeGlb has them.
-    void addMasks(Slot first, std::size_t count, std::size_t accessor)
+    void addMasks(Slot first, std::size_t count, const GltfPrimitive& primitive)
     {
-        const LargeBuffer<float> numbers = m_gltf.valuesOf(accessor, m_gltf.layoutOf(accessor, 1, 1), m_file.stop);
+        const LargeBuffer<float> numbers = primitive.numbersOf("_MASK", 1, 1).values;
         if (numbers.size() != count)
             m_gltf.refuse(FileFault::WrongAccessor, "_MASK");
         m_hasMasks = true;
@@ -134,27 +126,11 @@ private:
                 static_cast<std::uint8_t>(numbers[i] > 0 ? std::min(numbers[i], 1.0f) * 255 + 0.5f : 0);
     }
 
-    /// Of a primitive's vertices; without indices they follow each other.
-    LargeBuffer<std::uint32_t> cornersOf(const Json& primitive, std::size_t vertices) const
+    void addTriangles(const LargeBuffer<std::uint32_t>& corners, std::size_t mode, Slot first, bool isMirrored)
     {
-        const auto indices = m_gltf.indexIn(primitive, "indices");
-        if (!indices) {
-            LargeBuffer<std::uint32_t> corners(vertices);
-            std::iota(corners.data(), corners.data() + vertices, 0U);
-            return corners;
-        }
-        LargeBuffer<std::uint32_t> corners = m_gltf.wholesOf(*indices, m_file.stop);
-        for (const std::uint32_t corner : corners.part(0, corners.size()))
-            if (corner >= vertices)
-                throw withCounts(errorWithToken(FileErrorKind::IndexOutOfRange, m_file, std::to_string(corner)),
-                                 vertices);
-        return corners;
-    }
-
-    void addTriangles(const LargeBuffer<std::uint32_t>& corners, Mode mode, Slot first, bool isMirrored)
-    {
-        const std::size_t before = m_mesh.triangles.size(),
-                          count = mode == Triangles ? corners.size() / 3 : std::max<std::size_t>(corners.size(), 2) - 2;
+        const std::size_t before = m_mesh.triangles.size(), count = mode == GltfTriangles
+                                                                        ? corners.size() / 3
+                                                                        : std::max<std::size_t>(corners.size(), 2) - 2;
         if (const std::size_t max = std::min(maxFaces, std::max(2 * alwaysTaken, maxFaceCopies * m_gltf.bytes()));
             before + count > max)
             throw tooMany("faces", max, errorAtByte({}, m_file, m_file.bytes.data()));
@@ -167,18 +143,18 @@ private:
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 switch (mode) {
-                case Triangles:
+                case GltfTriangles:
                     add(i, 3 * i, 3 * i + 1, 3 * i + 2);
                     break;
-                case TriangleStrip:
+                case GltfTriangleStrip:
                     add(i, i, i + 1 + i % 2, i + 2 - i % 2);
                     break;
-                case TriangleFan:
+                case GltfTriangleFan:
                     add(i, 0, i + 1, i + 2);
                     break;
                 }
         });
-        if (mode == Triangles)
+        if (mode == GltfTriangles)
             return;
         const auto isSeam = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
         const auto begin = m_mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before);
@@ -188,6 +164,7 @@ private:
 
     const FileBytes& m_file;
     GltfDocument m_gltf;
+    GltfDraco m_draco{m_gltf};
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     bool m_hasColors = false, m_hasMasks = false, m_hasTargets = false;

@@ -1,5 +1,6 @@
 // glTF with its buffers in the JSON and in files beside it; and files that name what is not theirs.
 
+#include "core/io/draco_stream.h"
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 #include "tests/support/shapes.h"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <random>
 
 namespace
@@ -44,6 +47,32 @@ QByteArray gltf(const QByteArray& uri, int bytes = 72, const QByteArray& more = 
 "count":12,"type":"SCALAR"}],
 "bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],"buffers":[{"uri":")" +
            uri + R"(","byteLength":)" + QByteArray::number(bytes) + "}]" + more + "}";
+}
+
+/// A tetrahedron that a stream of three bytes is said to hold, its positions with the id 7.
+QByteArray packedGltf(const QByteArray& nodes)
+{
+    return R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"],)" + nodes +
+           R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":2},"indices":1,"extensions":{
+"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{"POSITION":7,"NORMAL":3}}}}]}],
+"accessors":[{"componentType":5126,"count":4,"type":"VEC3"},{"componentType":5123,"count":12,"type":"SCALAR"},
+{"componentType":5126,"count":4,"type":"VEC3"}],
+"bufferViews":[{"buffer":0,"byteLength":3}],"buffers":[{"uri":"data:;base64,YWJj","byteLength":3}],
+"extras":")" +
+           QByteArray(200, ' ') + R"("})";
+}
+
+core::DracoMesh tetrahedronStream()
+{
+    const TriangleMesh mesh = shapes::tetrahedron();
+    core::DracoMesh decoded{.vertices = mesh.points.size(), .corners = {}, .attributes = {}};
+    core::DracoMesh::Attribute positions{.id = 7, .componentType = 5126, .components = 3, .bytes = {}};
+    for (const Vec3f& p : mesh.points)
+        positions.bytes.append(reinterpret_cast<const char*>(p.data()), 3 * sizeof(float));
+    decoded.attributes.push_back(positions);
+    for (const core::Triangle& t : mesh.triangles)
+        decoded.corners.insert(decoded.corners.end(), t.begin(), t.end());
+    return decoded;
 }
 
 QByteArray inside()
@@ -90,6 +119,10 @@ private Q_SLOTS:
     void badBuffers_areRefused();
     void mutatedFiles_neverGetThrough();
     void gltf_isNotWritten();
+
+    void decodedStreams_areReadOnce();
+    void decodersResults_areChecked_data();
+    void decodersResults_areChecked();
 
 private:
     void write(const QString& name, const QByteArray& bytes) const
@@ -233,6 +266,68 @@ void TestGltfDocument::gltf_isNotWritten()
     } catch (const FileError& error) {
         QCOMPARE(static_cast<int>(error.kind), static_cast<int>(Kind::NotWritten));
     }
+}
+
+/// A decoder is asked once for each stream, and only for the attributes that are read.
+void TestGltfDocument::decodedStreams_areReadOnce()
+{
+    int calls = 0;
+    std::vector<std::uint32_t> asked;
+    std::string got;
+    core::setDracoDecoder([&](std::string_view stream, std::span<const std::uint32_t> ids) {
+        ++calls;
+        asked.assign(ids.begin(), ids.end());
+        got = stream;
+        return std::optional(tetrahedronStream());
+    });
+    QVERIFY(isTetrahedron(read(packedGltf(R"("nodes":[{"mesh":0,"scale":[0.001,0.001,0.001]}])"))));
+    QCOMPARE(calls, 1);
+    QVERIFY(asked == std::vector<std::uint32_t>{7});
+    QCOMPARE(got, std::string("abc"));
+    QCOMPARE(read(packedGltf(R"("nodes":[{"mesh":0},{"mesh":0,"translation":[0,0,9]}])")).triangles.size(),
+             std::size_t(8));
+    QCOMPARE(calls, 2);
+    core::setDracoDecoder({});
+    const auto error = errorOf(packedGltf(R"("nodes":[{"mesh":0}])"));
+    QVERIFY(error && error->fault == core::FileFault::NeedsExtension);
+    QVERIFY(error->expected > 700); // the file, and the three bytes in it
+}
+
+void TestGltfDocument::decodersResults_areChecked_data()
+{
+    QTest::addColumn<std::shared_ptr<core::DracoMesh>>("mesh"); // null: the stream is broken
+    QTest::addColumn<int>("kind");
+    const auto row = [](const char* name, Kind kind, const std::function<void(core::DracoMesh&)>& change) {
+        auto mesh = std::make_shared<core::DracoMesh>(tetrahedronStream());
+        change(*mesh);
+        QTest::newRow(name) << mesh << static_cast<int>(kind);
+    };
+    QTest::newRow("nothing") << std::shared_ptr<core::DracoMesh>() << static_cast<int>(Kind::Malformed);
+    row("no vertices", Kind::Malformed, [](auto& mesh) { mesh.vertices = 0; });
+    row("fewer bytes", Kind::Malformed, [](auto& mesh) { mesh.attributes[0].bytes.pop_back(); });
+    row("no bytes", Kind::Malformed, [](auto& mesh) { mesh.attributes[0].bytes.clear(); });
+    row("other type", Kind::Malformed, [](auto& mesh) { mesh.attributes[0].componentType = 5123; });
+    row("no type", Kind::Malformed, [](auto& mesh) { mesh.attributes[0].componentType = 0; });
+    row("two numbers", Kind::Malformed, [](auto& mesh) { mesh.attributes[0].components = 2; });
+    row("other id", Kind::Malformed, [](auto& mesh) { mesh.attributes[0].id = 6; });
+    row("no attribute", Kind::Malformed, [](auto& mesh) { mesh.attributes.clear(); });
+    row("two corners", Kind::Malformed, [](auto& mesh) { mesh.corners.resize(11); });
+    row("fewer triangles", Kind::Malformed, [](auto& mesh) { mesh.corners.resize(9); });
+    row("no such vertex", Kind::IndexOutOfRange, [](auto& mesh) { mesh.corners[5] = 4; });
+    row("no number", Kind::NotANumber, [](auto& mesh) { mesh.attributes[0].bytes.replace(4, 4, 4, '\xff'); });
+    row("too much", Kind::UnpacksTooLarge, [](auto& mesh) { mesh.corners.resize(30'000'000); });
+}
+
+void TestGltfDocument::decodersResults_areChecked()
+{
+    QFETCH(std::shared_ptr<core::DracoMesh>, mesh);
+    QFETCH(int, kind);
+    core::setDracoDecoder(
+        [&](std::string_view, std::span<const std::uint32_t>) { return mesh ? std::optional(*mesh) : std::nullopt; });
+    const auto error = errorOf(packedGltf(R"("nodes":[{"mesh":0}])"));
+    core::setDracoDecoder({});
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), kind);
 }
 
 FETTLE_TEST(TestGltfDocument)

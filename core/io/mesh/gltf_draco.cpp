@@ -1,0 +1,102 @@
+// Source: Khronos, KHR_draco_mesh_compression. The stream stands for the primitive's indices and for the attributes
+// that the extension names, by their unique ids; the accessors tell their counts and types.
+#include "core/io/mesh/gltf_draco.h"
+
+#include <algorithm>
+#include <array>
+
+namespace core::io
+{
+namespace
+{
+using Json = GltfDocument::Json;
+
+/// Names the attributes that are read, of those that a stream may hold.
+constexpr std::array<const char*, 3> readAttributes{"POSITION", "COLOR_0", "_MASK"};
+
+const Json* extensionOf(const Json& primitive)
+{
+    const auto extensions = primitive.find("extensions");
+    if (extensions == primitive.end() || !extensions->is_object())
+        return nullptr;
+    const auto extension = extensions->find(dracoExtension);
+    return extension == extensions->end() ? nullptr : &*extension;
+}
+
+std::size_t sizeOf(const DracoMesh& mesh)
+{
+    std::size_t size = mesh.corners.size() * sizeof mesh.corners.front();
+    for (const DracoMesh::Attribute& attribute : mesh.attributes)
+        size += attribute.bytes.size();
+    return size;
+}
+} // namespace
+
+/// Returns whether the primitive is in its stream alone.
+bool GltfDraco::isNeeded(const Json& primitive) const
+{
+    if (m_gltf.isRequired(dracoExtension))
+        return true;
+    const auto attributes = primitive.find("attributes");
+    const auto positions = attributes != primitive.end() && attributes->is_object()
+                               ? m_gltf.indexIn(*attributes, "POSITION")
+                               : std::nullopt;
+    return positions && !m_gltf.element("accessors", *positions).contains("bufferView");
+}
+
+std::optional<std::uint32_t> GltfDraco::idOf(const Json& extension, const char* name) const
+{
+    const auto attributes = extension.find("attributes");
+    if (attributes == extension.end() || !attributes->is_object())
+        m_gltf.refuse(FileFault::NotAnObject, "attributes");
+    const auto id = m_gltf.indexIn(*attributes, name);
+    if (id && *id > UINT32_MAX)
+        m_gltf.refuse(FileFault::NotAnIndex, name);
+    return id ? std::optional(static_cast<std::uint32_t>(*id)) : std::nullopt;
+}
+
+const DracoMesh* GltfDraco::meshOf(const Json& primitive)
+{
+    const Json* const extension = extensionOf(primitive);
+    if (!extension || !isNeeded(primitive))
+        return nullptr;
+    if (!extension->is_object())
+        m_gltf.refuse(FileFault::NotAnObject, dracoExtension);
+    if (!dracoDecoder())
+        m_gltf.refuse(FileFault::NeedsExtension, dracoExtension, m_gltf.bytes());
+    Key key;
+    if (const auto view = m_gltf.indexIn(*extension, "bufferView"))
+        key.first = *view;
+    else
+        m_gltf.refuse(FileFault::Missing, "bufferView");
+    for (const char* const name : readAttributes)
+        if (const auto id = idOf(*extension, name))
+            key.second.push_back(*id);
+    auto found = m_meshes.find(key);
+    if (found == m_meshes.end())
+        found = m_meshes.emplace(key, decoded(key)).first;
+    return &found->second;
+}
+
+DracoMesh GltfDraco::decoded(const Key& key) const
+{
+    const std::string name = "bufferViews/" + std::to_string(key.first);
+    std::optional<DracoMesh> mesh = dracoDecoder()(m_gltf.viewBytes(key.first), key.second);
+    if (!mesh || mesh->corners.size() % 3 != 0)
+        m_gltf.refuse(FileFault::CompressedWrong, name);
+    m_gltf.countUnpacked(sizeOf(*mesh));
+    return *std::move(mesh);
+}
+
+const DracoMesh::Attribute* GltfDraco::attributeOf(const Json& primitive, const DracoMesh& mesh, const char* name) const
+{
+    const auto id = idOf(*extensionOf(primitive), name);
+    if (!id)
+        return nullptr;
+    const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(),
+                                    [id](const DracoMesh::Attribute& a) { return a.id == *id; });
+    if (found == mesh.attributes.end())
+        m_gltf.refuse(FileFault::Missing, name);
+    return &*found;
+}
+} // namespace core::io
