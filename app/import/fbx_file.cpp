@@ -30,10 +30,15 @@ int numberBehind(std::string_view rest)
 }
 } // namespace
 
+bool isBinaryFbx(std::string_view bytes)
+{
+    return bytes.starts_with(binaryStart);
+}
+
 int fbxVersion(std::string_view bytes)
 {
     constexpr std::size_t versionAt = 23, startSize = 1 << 16;
-    if (bytes.starts_with(binaryStart))
+    if (isBinaryFbx(bytes))
         return static_cast<int>(std::min<std::uint32_t>(wordAt(bytes, versionAt), 1 << 20));
     constexpr std::string_view key = "FBXVersion";
     const std::string_view start = bytes.substr(0, startSize);
@@ -44,7 +49,7 @@ int fbxVersion(std::string_view bytes)
 std::size_t fbxSubdivisions(std::string_view bytes)
 {
     constexpr std::string_view key = "Smoothness"; // 0: none, 1: the hull, 2: both, 3: smooth
-    const bool isBinary = bytes.starts_with(binaryStart);
+    const bool isBinary = isBinaryFbx(bytes);
     std::size_t count = 0;
     for (std::size_t at = bytes.find(key); at != std::string_view::npos; at = bytes.find(key, at + 1)) {
         const std::string_view rest = bytes.substr(at + key.size());

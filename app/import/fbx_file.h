@@ -5,6 +5,8 @@
 
 namespace app
 {
+bool isBinaryFbx(std::string_view bytes);
+
 /// Returns the version of an FBX file, binary or text, as it stands there: 7400 is 7.4. 0: there is none.
 int fbxVersion(std::string_view bytes);
 

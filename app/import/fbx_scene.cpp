@@ -63,14 +63,9 @@ Model modelOf(const aiNode& first)
     const aiNode* node = &first;
     while (!factorOf(*node).empty() && node->mNumChildren == 1)
         node = node->mChildren[0];
-    const bool turnsAsSaid = valueOf<bool>(node->mMetaData, "RotationActive").value_or(true) &&
-                             !valueOf<bool>(node->mMetaData, "RotationSpaceForLimitOnly").value_or(false);
     Model model;
     for (const aiNode* part = &first;; part = part->mChildren[0]) {
-        const std::string_view factor = factorOf(*part);
-        const bool isIgnored = !turnsAsSaid && (factor == "PreRotation" || factor == "PostRotation");
-        if (!isIgnored)
-            (isGeometric(factor) ? model.ofMeshes : model.local) *= matrixOf(*part);
+        (isGeometric(factorOf(*part)) ? model.ofMeshes : model.local) *= matrixOf(*part);
         if (part == node)
             break;
     }

@@ -1,6 +1,7 @@
 #include "app/import/import_folder.h"
 
 #include "app/import/collada_text.h"
+#include "app/import/fbx_models.h"
 
 #include "core/util/file_error.h"
 
@@ -38,7 +39,7 @@ std::string lowerEnding(const fs::path& path)
 Assimp::IOStream* ImportFolder::Open(const char* file, const char* mode)
 {
     const bool reads = std::strchr(mode, 'r') && !std::strchr(mode, '+');
-    if (!reads || !isWithin(file))
+    if (!reads || m_notes.problem || !isWithin(file))
         return nullptr;
     try {
         if (const std::string* const text = replacement(fs::canonical(file)))
@@ -54,7 +55,7 @@ const std::string* ImportFolder::replacement(const fs::path& path)
 {
     const std::string ending = lowerEnding(path);
     const bool isX3d = ending == ".x3d";
-    if (!isX3d && ending != ".dae")
+    if (!isX3d && ending != ".dae" && ending != ".fbx")
         return nullptr;
     if (isX3d && ++m_opened > maxOpened) {
         core::FileError error = core::io::errorWithToken({}, {path, {}}, "Inline nodes");
@@ -67,11 +68,13 @@ const std::string* ImportFolder::replacement(const fs::path& path)
             core::io::X3dExpansion expansion = core::io::expandX3d({path, bytes});
             m_notes.unread += expansion.unread;
             found->second = std::move(expansion.text);
+        } else if (ending == ".fbx") {
+            found->second = fbxAsAssimpReadsIt(path, bytes);
         } else {
             found->second = colladaText(bytes);
         }
     }
-    return &found->second;
+    return found->second ? &*found->second : nullptr;
 }
 
 bool ImportFolder::isWithin(const char* file) const

@@ -7,12 +7,13 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace app
 {
-/// Lets Assimp read in one folder, links followed, and write nowhere. It is given X3D files expanded, and COLLADA files
-/// in UTF-8, with counts as they are.
+/// Lets Assimp read in one folder, links followed, and write nowhere. It is given X3D files expanded, COLLADA files in
+/// UTF-8, with counts as they are, and FBX files with rotations that it turns right.
 class ImportFolder : public Assimp::DefaultIOSystem
 {
 public:
@@ -36,7 +37,7 @@ private:
 
     std::filesystem::path m_folder;
     Notes& m_notes;
-    std::map<std::filesystem::path, std::string> m_replacements;
+    std::map<std::filesystem::path, std::optional<std::string>> m_replacements; ///< empty: the file itself
     int m_opened = 0; ///< X3D files, each as often as it was asked for
 };
 

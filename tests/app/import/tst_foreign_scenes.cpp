@@ -92,7 +92,8 @@ QByteArray cube()
 }
 
 /// An FBX file of version 7.4 as text, by default in millimetres and with Y up.
-QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, const QByteArray& mesh = cube())
+QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, const QByteArray& mesh = cube(),
+               const QByteArray& definitions = {})
 {
     QByteArray objects, connections;
     for (qsizetype i = 0; i < models.size(); ++i) {
@@ -107,8 +108,8 @@ QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, c
     }
     return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\nFBXHeaderVersion: 1003\nFBXVersion: 7400\n}\n"
            "GlobalSettings:  {\nVersion: 1000\nProperties70:  {\n" +
-           (settings.isEmpty() ? R"(P: "UnitScaleFactor", "double", "Number", "",0.1)" : settings) +
-           "\n}\n}\nObjects:  {\n" + objects + "}\nConnections:  {\n" + connections + "}\n";
+           (settings.isEmpty() ? R"(P: "UnitScaleFactor", "double", "Number", "",0.1)" : settings) + "\n}\n}\n" +
+           definitions + "Objects:  {\n" + objects + "}\nConnections:  {\n" + connections + "}\n";
 }
 } // namespace
 
@@ -128,6 +129,9 @@ private Q_SLOTS:
     void fbx_postRotationIsInverted();
     void fbx_pivotsArePassedAround();
     void fbx_inactiveRotationsAreNot();
+    void fbx_ordersAreOfOwnRotationsAlone_data();
+    void fbx_ordersAreOfOwnRotationsAlone();
+    void fbx_cyclesAndSphericOrdersAreRefused();
     void fbx_scalesAreInherited_data();
     void fbx_scalesAreInherited();
     void fbx_axesAndUnitAreItsOwn_data();
@@ -239,6 +243,53 @@ void TestForeignScenes::fbx_inactiveRotationsAreNot()
         COMPARE_VECTORS(boxOf(readFbx(fbx({{turned + off}})).mesh).size(), 10, 10, 10);
         COMPARE_VECTORS(boxOf(readFbx(fbx({{turned + limits}})).mesh).size(), 10, 10, 10);
     }
+}
+
+void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone_data()
+{
+    QTest::addColumn<int>("order");
+    int order = 0;
+    for (const char* name : {"XYZ", "XZY", "YZX", "YXZ", "ZXY", "ZYX"})
+        QTest::newRow(name) << order++;
+}
+
+/// Geometric rotations, and those that are inactive, go about x, then y, then z, whatever the order.
+void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone()
+{
+    QFETCH(int, order);
+    const QByteArray ordered = number("RotationOrder", order), off = number("RotationActive", 0),
+                     usual = "Definitions:  {\nObjectType: \"Model\" {\nPropertyTemplate: \"FbxNode\" "
+                             "{\nProperties70:  {\n" +
+                             off + "}\n}\n}\n}\n";
+    for (const Vec3& angles : {Vec3(20, 40, 60), Vec3(10, 90, 35)}) {
+        const auto pointsOf = [&](const QByteArray& properties, const QByteArray& definitions = {}) {
+            return readFbx(fbx({{properties}}, {}, cube(), definitions)).mesh.points;
+        };
+        const auto areAlike = [](const std::vector<Vec3f>& a, const std::vector<Vec3f>& b) {
+            return a.size() == b.size() &&
+                   std::equal(a.begin(), a.end(), b.begin(),
+                              [](const Vec3f& p, const Vec3f& q) { return (p - q).norm() < 1e-4F; });
+        };
+        const QByteArray own = vector("Lcl Rotation", angles), geometric = vector("GeometricRotation", angles);
+        const std::vector<Vec3f> turned = pointsOf(own);
+        QVERIFY(areAlike(pointsOf(geometric + ordered), turned));
+        QVERIFY(areAlike(pointsOf(own + ordered + off), turned));
+        QVERIFY(areAlike(pointsOf(own + ordered, usual), turned));
+        QVERIFY(areAlike(pointsOf(own + ordered), turned) == (order == 0));
+    }
+}
+
+void TestForeignScenes::fbx_cyclesAndSphericOrdersAreRefused()
+{
+    QByteArray cyclic = fbx({{}, {.properties = {}, .parent = 0}});
+    cyclic.replace("Connections:  {\n", "Connections:  {\nC: \"OO\",2000,2001\n");
+    const auto cycle = errorOf(QStringLiteral("a.fbx"), cyclic);
+    QVERIFY(cycle && cycle->kind == core::FileErrorKind::Malformed && cycle->fault == core::FileFault::TooDeep);
+    QCOMPARE(cycle->token, std::string("models below m0"));
+    const auto spheric =
+        errorOf(QStringLiteral("a.fbx"), fbx({{vector("Lcl Rotation", {1, 2, 3}) + number("RotationOrder", 6)}}));
+    QVERIFY(spheric && spheric->kind == core::FileErrorKind::ReaderRefused);
+    QCOMPARE(spheric->token, std::string("the rotation order SphericXYZ is not read"));
 }
 
 void TestForeignScenes::fbx_scalesAreInherited_data()

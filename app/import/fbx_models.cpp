@@ -1,0 +1,324 @@
+// Source: Autodesk, FBX SDK Help, "Computing transformation matrices", and FbxNode::SetRotationActive(); ufbx, which
+// takes inactive rotations as XYZ. Assimp (5.2 to 6.0) applies RotationOrder to geometric rotations, too, and takes no
+// notice of RotationActive.
+#include "app/import/fbx_models.h"
+
+#include "app/import/fbx_records.h"
+
+#include "core/io/mesh/binary.h"
+#include "core/io/mesh/format.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+
+namespace app
+{
+namespace
+{
+using Records = std::vector<FbxRecord>;
+using Eigen::Vector3d;
+
+constexpr double radian = std::numbers::pi / 180;
+
+/// Lists the values of RotationOrder. XYZ turns about x first.
+constexpr std::array<std::array<int, 3>, 6> orders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
+constexpr double spheric = 6;
+
+Eigen::Matrix3d turnOf(const Vector3d& degrees)
+{
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    for (const int axis : orders[0])
+        turn = Eigen::AngleAxisd(degrees[axis] * radian, Vector3d::Unit(axis)) * turn;
+    return turn;
+}
+
+/// Returns the angles that make the turn in that order, in degrees.
+Vector3d anglesOf(const Eigen::Matrix3d& turn, std::size_t order)
+{
+    const auto [first, second, third] = orders[order];
+    const Vector3d backwards = turn.eulerAngles(third, second, first);
+    Vector3d degrees;
+    degrees[third] = backwards[0] / radian;
+    degrees[second] = backwards[1] / radian;
+    degrees[first] = backwards[2] / radian;
+    return degrees;
+}
+
+/// Counts the values before a property's numbers: name, type, its second name, flags.
+constexpr std::size_t valuesBefore = 4;
+
+const FbxRecord* propertyIn(const FbxRecord* properties, std::string_view name)
+{
+    if (!properties)
+        return nullptr;
+    const auto found = std::ranges::find_if(properties->records, [name](const FbxRecord& record) {
+        return record.name == "P" && record.values.size() > valuesBefore && record.values[0].bytes == name;
+    });
+    return found == properties->records.end() ? nullptr : &*found;
+}
+
+/// Returns a number behind a property's name, types and flags.
+std::optional<double> valueOf(const FbxRecord* property, std::size_t index = 0)
+{
+    const std::size_t at = valuesBefore + index;
+    return property && at < property->values.size() ? property->values[at].number() : std::nullopt;
+}
+
+std::optional<Vector3d> vectorOf(const FbxRecord* property)
+{
+    const auto x = valueOf(property), y = valueOf(property, 1), z = valueOf(property, 2);
+    if (!x || !y || !z || !std::isfinite(*x) || !std::isfinite(*y) || !std::isfinite(*z))
+        return std::nullopt;
+    return Vector3d(*x, *y, *z);
+}
+
+/// Returns the name of a model: "Model::name" in text, "name", NUL, SOH, "Model" in binary files.
+std::string nameOf(const FbxRecord& model)
+{
+    if (model.values.size() < 2)
+        return {};
+    std::string_view name = model.values[1].bytes;
+    name = name.substr(0, name.find('\0'));
+    constexpr std::string_view kind = "Model::";
+    return std::string(name.starts_with(kind) ? name.substr(kind.size()) : name);
+}
+
+/// Changes the numbers of a file.
+class Changes
+{
+public:
+    explicit Changes(std::string_view bytes) : m_bytes(bytes) {}
+
+    void set(const FbxRecord& property, std::size_t index, double number)
+    {
+        const FbxValue& value = property.values[valuesBefore + index];
+        if (value.number() != number)
+            m_texts[value.at] = {value.bytes.size(), textOf(value.type, number)};
+    }
+    void set(const FbxRecord& property, const Vector3d& vector)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+            set(property, static_cast<std::size_t>(axis), vector[axis]);
+    }
+
+    std::optional<std::string> result() const
+    {
+        if (m_texts.empty())
+            return std::nullopt;
+        std::string result;
+        result.reserve(m_bytes.size() + 32 * m_texts.size());
+        std::size_t done = 0;
+        for (const auto& [at, change] : m_texts) {
+            result.append(m_bytes.substr(done, at - done)).append(change.second);
+            done = at + change.first;
+        }
+        return result.append(m_bytes.substr(done));
+    }
+
+private:
+    static std::string textOf(char type, double number)
+    {
+        std::string text;
+        switch (type) {
+        case 'D':
+            core::io::append(text, number);
+            return text;
+        case 'F':
+            core::io::append(text, static_cast<float>(number));
+            return text;
+        case 'L':
+            core::io::append(text, static_cast<std::int64_t>(number));
+            return text;
+        case 'I':
+            core::io::append(text, static_cast<std::int32_t>(number));
+            return text;
+        case 'Y':
+            core::io::append(text, static_cast<std::int16_t>(number));
+            return text;
+        case 'C':
+        case 'B':
+            return {static_cast<char>(number)};
+        default:
+            std::array<char, 32> digits{};
+            const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+            return {digits.data(), end};
+        }
+    }
+
+    std::string_view m_bytes;
+    std::map<std::size_t, std::pair<std::size_t, std::string>> m_texts; ///< length, and what is there instead
+};
+
+/// Rights the rotations of models.
+class RotationFixer
+{
+public:
+    /// `usual`: the properties of the template, not owned; may be null.
+    RotationFixer(const std::filesystem::path& path, const FbxRecord* usual, Changes& changes)
+        : m_path(path)
+        , m_usual(usual)
+        , m_changes(changes)
+    {}
+
+    void fix(const FbxRecord& model)
+    {
+        m_own = recordIn(model.records, "Properties70");
+        const bool isActive = valueOf(property("RotationActive")).value_or(1) != 0 &&
+                              valueOf(property("RotationSpaceForLimitOnly")).value_or(0) == 0;
+        const std::size_t order = orderOf(isActive);
+        if (!isActive) {
+            setOwn("PreRotation", Vector3d::Zero());
+            setOwn("PostRotation", Vector3d::Zero());
+            reorder("Lcl Rotation", order);
+        }
+        reorder("GeometricRotation", order);
+    }
+
+private:
+    const FbxRecord* property(std::string_view name) const
+    {
+        const FbxRecord* const own = propertyIn(m_own, name);
+        return own ? own : propertyIn(m_usual, name);
+    }
+
+    /// Returns the order that Assimp takes the rotations in.
+    std::size_t orderOf(bool isActive)
+    {
+        const double number = valueOf(property("RotationOrder")).value_or(0);
+        if (number >= 0 && number < spheric)
+            return static_cast<std::size_t>(number);
+        if (number != spheric)
+            return 0; // no order that there is
+        if (isActive && !vectorOf(property("Lcl Rotation")).value_or(Vector3d::Zero()).isZero(0)) {
+            core::FileError error = core::io::errorWithToken(core::FileErrorKind::ReaderRefused, {m_path, {}}, {});
+            error.token = "the rotation order SphericXYZ is not read";
+            throw error;
+        }
+        if (const FbxRecord* const own = propertyIn(m_own, "RotationOrder"))
+            m_changes.set(*own, 0, 0);
+        return 0;
+    }
+
+    void setOwn(std::string_view name, const Vector3d& vector)
+    {
+        const FbxRecord* const own = propertyIn(m_own, name);
+        if (own && vectorOf(own))
+            m_changes.set(*own, vector);
+    }
+
+    /// Gives the angles, which stand for turns about x, then y, then z, in the other order.
+    void reorder(std::string_view name, std::size_t order)
+    {
+        const auto angles = vectorOf(propertyIn(m_own, name));
+        if (angles && order != 0)
+            setOwn(name, anglesOf(turnOf(*angles), order));
+    }
+
+    const std::filesystem::path& m_path;
+    const FbxRecord* m_usual;
+    const FbxRecord* m_own = nullptr;
+    Changes& m_changes;
+};
+
+const FbxRecord* modelTemplateIn(const Records& records)
+{
+    const FbxRecord* const definitions = recordIn(records, "Definitions");
+    if (!definitions)
+        return nullptr;
+    for (const FbxRecord& type : definitions->records)
+        if (type.name == "ObjectType" && !type.values.empty() && type.values[0].bytes == "Model")
+            if (const FbxRecord* const properties = recordIn(type.records, "PropertyTemplate"))
+                return recordIn(properties->records, "Properties70");
+    return nullptr;
+}
+
+/// Follows which models are below which.
+class ModelTree
+{
+public:
+    ModelTree(const Records& models, const Records& connections)
+    {
+        for (const FbxRecord& model : models)
+            if (const auto id = idOf(model, 0))
+                m_models[*id].record = &model;
+        for (const FbxRecord& c : connections)
+            if (const auto child = idOf(c, 1), parent = idOf(c, 2);
+                child && parent && c.values[0].bytes == "OO" && isModel(*child))
+                m_models[*parent].below.push_back(*child);
+    }
+
+    /// Returns the model at which the models below the root come to no end; null: they do.
+    const FbxRecord* endless()
+    {
+        struct Step
+        {
+            Model* model;
+            std::size_t next = 0;
+        };
+        std::vector<Step> way{{&m_models[0]}};
+        while (!way.empty()) {
+            Step& step = way.back();
+            step.model->isOnWay = true;
+            if (step.next == step.model->below.size()) {
+                step.model->isOnWay = false;
+                step.model->isDone = true;
+                way.pop_back();
+                continue;
+            }
+            Model& child = m_models[step.model->below[step.next++]];
+            if (child.isOnWay || way.size() > maxDepth)
+                return child.record;
+            if (!child.isDone)
+                way.push_back({&child});
+        }
+        return nullptr;
+    }
+
+private:
+    static constexpr std::size_t maxDepth = 4096;
+
+    struct Model
+    {
+        const FbxRecord* record = nullptr;
+        std::vector<std::int64_t> below;
+        bool isOnWay = false, isDone = false;
+    };
+
+    static std::optional<std::int64_t> idOf(const FbxRecord& record, std::size_t value)
+    {
+        return value < record.values.size() ? record.values[value].whole() : std::nullopt;
+    }
+    bool isModel(std::int64_t id) const
+    {
+        const auto found = m_models.find(id);
+        return found != m_models.end() && found->second.record;
+    }
+
+    std::map<std::int64_t, Model> m_models;
+};
+} // namespace
+
+std::optional<std::string> fbxAsAssimpReadsIt(const std::filesystem::path& path, std::string_view bytes)
+{
+    const std::optional<Records> records = fbxModelRecords(bytes);
+    const FbxRecord* const objects = records ? recordIn(*records, "Objects") : nullptr;
+    if (!objects)
+        return std::nullopt;
+    if (const FbxRecord* const connections = recordIn(*records, "Connections"))
+        if (const FbxRecord* const model = ModelTree(objects->records, connections->records).endless())
+            throw core::io::malformed(core::FileFault::TooDeep,
+                                      core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(*model)));
+    Changes changes(bytes);
+    RotationFixer fixer(path, modelTemplateIn(*records), changes);
+    for (const FbxRecord& model : objects->records)
+        fixer.fix(model);
+    return changes.result();
+}
+} // namespace app

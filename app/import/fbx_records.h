@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace app
+{
+/// A value of a record, and where it is in the file.
+struct FbxValue
+{
+    char type = 0;               ///< of binary files as they name it; of text 'S' for what is in quotes, else 'T'
+    std::size_t at = 0;          ///< byte of the file
+    std::string_view bytes = {}; ///< without the quotes or the length
+
+    /// Returns its number; empty if it is none.
+    std::optional<double> number() const;
+    /// Returns its whole number, of 64 bits; empty if it is none.
+    std::optional<std::int64_t> whole() const;
+};
+
+/// A record of an FBX file: name, values, and the records in its braces as far as they were asked for.
+struct FbxRecord
+{
+    std::string_view name;
+    std::vector<FbxValue> values;
+    std::vector<FbxRecord> records;
+};
+
+/// Returns those records of an FBX file of version 7, binary or text, that tell of its models: the property templates
+/// and properties of models, and the connections. Geometry is passed over. Empty if the file cannot be followed. The
+/// records point into `bytes`. Memory: a few times what the models take in the file.
+std::optional<std::vector<FbxRecord>> fbxModelRecords(std::string_view bytes);
+
+/// Returns the first record of the name; null if there is none.
+const FbxRecord* recordIn(const std::vector<FbxRecord>& records, std::string_view name);
+} // namespace app

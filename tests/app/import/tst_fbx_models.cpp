@@ -1,0 +1,353 @@
+// FBX files, binary and text, as their models' rotations are righted for Assimp; and files that cannot be followed.
+
+#include "app/import/fbx_models.h"
+#include "app/import/fbx_records.h"
+#include "core/util/file_error.h"
+#include "tests/support/effort.h"
+#include "tests/support/test_main.h"
+
+#include <QTest>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <numbers>
+#include <random>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace
+{
+using core::FileError;
+using Eigen::Vector3d;
+
+constexpr unsigned fbxSeed = 20261127;
+
+/// A record to be written, its values text, numbers or whole numbers.
+struct Record
+{
+    using Value = std::variant<std::string, double, std::int64_t>;
+    std::string name;
+    std::vector<Value> values;
+    std::vector<Record> records = {};
+};
+
+enum class Form { Text, Binary, WideBinary };
+
+std::string textOf(std::span<const Record> records)
+{
+    std::string text;
+    for (const Record& record : records) {
+        text += "\t" + record.name + ": ";
+        for (std::size_t i = 0; i < record.values.size(); ++i) {
+            text += i == 0 ? "" : ", ";
+            if (const auto* const word = std::get_if<std::string>(&record.values[i]))
+                text += '"' + *word + '"';
+            else if (const auto* const whole = std::get_if<std::int64_t>(&record.values[i]))
+                text += std::to_string(*whole);
+            else
+                text += QByteArray::number(std::get<double>(record.values[i]), 'g', 17).toStdString();
+        }
+        if (!record.records.empty())
+            text += " {\n ; a brace } in a comment\n" + textOf(record.records) + "}";
+        text += '\n';
+    }
+    return text;
+}
+
+template <class Number> std::string rawBytes(Number number)
+{
+    return {reinterpret_cast<const char*>(&number), sizeof number}; // little-endian machines only
+}
+
+std::string sizeField(std::size_t size, bool isWide)
+{
+    return isWide ? rawBytes(static_cast<std::uint64_t>(size)) : rawBytes(static_cast<std::uint32_t>(size));
+}
+
+/// `at`: the byte of the file at which they begin.
+std::string binaryOf(std::span<const Record> records, std::size_t at, bool isWide)
+{
+    const std::size_t width = isWide ? 8 : 4;
+    std::string bytes;
+    for (const Record& record : records) {
+        std::string values;
+        for (const Record::Value& value : record.values) {
+            if (const auto* const word = std::get_if<std::string>(&value))
+                values += 'S' + rawBytes(static_cast<std::uint32_t>(word->size())) + *word;
+            else if (const auto* const whole = std::get_if<std::int64_t>(&value))
+                values += *whole > 100 ? 'L' + rawBytes(*whole) : 'I' + rawBytes(static_cast<std::int32_t>(*whole));
+            else
+                values += 'D' + rawBytes(std::get<double>(value));
+        }
+        const std::size_t head = 3 * width + 1 + record.name.size(), inner = at + bytes.size() + head + values.size();
+        std::string below;
+        if (!record.records.empty())
+            below = binaryOf(record.records, inner, isWide) + std::string(3 * width + 1, '\0');
+        bytes += sizeField(inner + below.size(), isWide) + sizeField(record.values.size(), isWide) +
+                 sizeField(values.size(), isWide) + static_cast<char>(record.name.size()) + record.name + values +
+                 below;
+    }
+    return bytes;
+}
+
+std::string fileOf(std::span<const Record> records, Form form)
+{
+    if (form == Form::Text)
+        return "; FBX 7.4.0 project file\n" + textOf(records);
+    const bool isWide = form == Form::WideBinary;
+    const std::string head = std::string("Kaydara FBX Binary  \0\x1a\0", 23) + rawBytes(isWide ? 7500 : 7400);
+    return head + binaryOf(records, head.size(), isWide) + std::string(isWide ? 25 : 13, '\0') + "footer";
+}
+
+Record vectorProperty(const char* name, const Vector3d& v)
+{
+    return {"P",
+            {std::string(name), std::string("Vector3D"), std::string("Vector"), std::string(), v.x(), v.y(), v.z()}};
+}
+
+Record numberProperty(const char* name, std::int64_t value)
+{
+    return {"P", {std::string(name), std::string("int"), std::string(), std::string(), value}};
+}
+
+Record modelRecord(std::int64_t id, const std::vector<Record>& properties)
+{
+    return {"Model",
+            {id, std::string("Model::m") + std::to_string(id), std::string("Mesh")},
+            {{"Properties70", {}, properties}}};
+}
+
+std::vector<Record> sceneOf(const std::vector<Record>& models, const std::vector<Record>& connections,
+                            const std::vector<Record>& usual = {})
+{
+    std::vector<Record> objects{{"Geometry", {std::int64_t(1000)}, {{"Vertices", {1.5}}}}};
+    objects.insert(objects.end(), models.begin(), models.end());
+    std::vector<Record> records{{"Creator", {std::string("a { brace")}}};
+    if (!usual.empty())
+        records.push_back({"Definitions",
+                           {},
+                           {{"ObjectType", {std::string("Geometry")}, {{"Count", {std::int64_t(1)}}}},
+                            {"ObjectType",
+                             {std::string("Model")},
+                             {{"PropertyTemplate", {std::string("FbxNode")}, {{"Properties70", {}, usual}}}}}}});
+    records.push_back({"Objects", {}, objects});
+    records.push_back({"Connections", {}, connections});
+    return records;
+}
+
+Record connection(std::int64_t child, std::int64_t parent)
+{
+    return {"C", {std::string("OO"), child, parent}};
+}
+
+std::string righted(const std::string& bytes)
+{
+    return app::fbxAsAssimpReadsIt("a.fbx", bytes).value_or(bytes);
+}
+
+/// Returns a property of the file's first model.
+std::optional<Vector3d> propertyOf(const std::string& bytes, std::string_view name)
+{
+    const auto records = app::fbxModelRecords(bytes);
+    const app::FbxRecord* const objects = records ? app::recordIn(*records, "Objects") : nullptr;
+    const app::FbxRecord* const first = objects ? app::recordIn(objects->records, "Model") : nullptr;
+    const app::FbxRecord* const properties = first ? app::recordIn(first->records, "Properties70") : nullptr;
+    if (!properties)
+        return std::nullopt;
+    for (const app::FbxRecord& p : properties->records)
+        if (p.values.front().bytes == name)
+            return Vector3d(p.values[4].number().value_or(0),
+                            p.values.size() > 5 ? p.values[5].number().value_or(0) : 0,
+                            p.values.size() > 6 ? p.values[6].number().value_or(0) : 0);
+    return std::nullopt;
+}
+
+constexpr std::array<const char*, 6> orderNames{"xyz", "xzy", "yzx", "yxz", "zxy", "zyx"};
+
+/// Returns the turn by the angles, in degrees, in that order: "xyz" is about x first.
+Eigen::Matrix3d turnBy(const Vector3d& degrees, const char* order)
+{
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    for (const char* axis = order; *axis; ++axis)
+        turn = Eigen::AngleAxisd(degrees[*axis - 'x'] * std::numbers::pi / 180, Vector3d::Unit(*axis - 'x')) * turn;
+    return turn;
+}
+
+const std::array<Vector3d, 4> anglesTried{Vector3d(20, 40, 60), Vector3d(0, 90, 0), Vector3d(30, -90, 45),
+                                          Vector3d(180, 10, -200)};
+} // namespace
+
+class TestFbxModels : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void rotations_areRighted_data();
+    void rotations_areRighted();
+    void rightFiles_areLeft();
+    void spheric_isRefusedWhereItTurns();
+    void cycles_areRefused_data();
+    void cycles_areRefused();
+    void brokenFiles_areLeft();
+};
+
+void TestFbxModels::rotations_areRighted_data()
+{
+    QTest::addColumn<int>("form");
+    QTest::addColumn<int>("order");
+    for (const int form : {0, 1, 2})
+        for (int order = 0; order < 6; ++order)
+            QTest::addRow("%d %s", form, orderNames[static_cast<std::size_t>(order)]) << form << order;
+}
+
+/// In the model's order the angles of the geometric rotation mean what the file's mean about x, y, z; if its rotations
+/// are inactive, its own do, too.
+void TestFbxModels::rotations_areRighted()
+{
+    QFETCH(int, form);
+    QFETCH(int, order);
+    const char* const name = orderNames[static_cast<std::size_t>(order)];
+    enum Inactive { No, Own, ForLimits, ByTemplate };
+    for (const Vector3d& angles : anglesTried)
+        for (const Inactive inactive : {No, Own, ForLimits, ByTemplate}) {
+            std::vector<Record> properties{
+                vectorProperty("Lcl Rotation", angles), vectorProperty("PreRotation", {1, 2, 3}),
+                vectorProperty("PostRotation", {4, 5, 6}), numberProperty("RotationOrder", order),
+                vectorProperty("GeometricRotation", angles)};
+            if (inactive == Own)
+                properties.push_back(numberProperty("RotationActive", 0));
+            if (inactive == ForLimits)
+                properties.push_back(numberProperty("RotationSpaceForLimitOnly", 1));
+            const std::vector<Record> usual{numberProperty("RotationActive", inactive == ByTemplate ? 0 : 1)};
+            const std::string before =
+                fileOf(sceneOf({modelRecord(500, properties)}, {connection(500, 0)}, usual), static_cast<Form>(form));
+            const std::string after = righted(before);
+            QVERIFY(app::fbxModelRecords(after));
+            const auto is = [&](const char* property) { return propertyOf(after, property).value(); };
+            QVERIFY(turnBy(is("GeometricRotation"), name).isApprox(turnBy(angles, "xyz"), 1e-9));
+            if (inactive == No) {
+                QVERIFY(is("Lcl Rotation") == angles && is("PreRotation") == Vector3d(1, 2, 3));
+                QVERIFY(is("PostRotation") == Vector3d(4, 5, 6));
+            } else {
+                QVERIFY(turnBy(is("Lcl Rotation"), name).isApprox(turnBy(angles, "xyz"), 1e-9));
+                QVERIFY(is("PreRotation").isZero(0) && is("PostRotation").isZero(0));
+            }
+            if (form != 0)
+                QCOMPARE(after.size(), before.size()); // places in the file are by byte
+        }
+}
+
+void TestFbxModels::rightFiles_areLeft()
+{
+    for (const Form form : {Form::Text, Form::Binary, Form::WideBinary}) {
+        const std::vector<Record> properties{vectorProperty("Lcl Rotation", {1, 2, 3}),
+                                             vectorProperty("GeometricRotation", {4, 5, 6}),
+                                             vectorProperty("PreRotation", {7, 8, 9})};
+        std::vector<Record> ordered{vectorProperty("Lcl Rotation", {1, 2, 3}), numberProperty("RotationOrder", 4)};
+        QVERIFY(
+            !app::fbxAsAssimpReadsIt("a.fbx", fileOf(sceneOf({modelRecord(500, properties), modelRecord(501, ordered)},
+                                                             {connection(500, 0), connection(501, 500)}),
+                                                     form)));
+        ordered.push_back(numberProperty("RotationOrder", 3)); // a second one counts for nothing
+        QVERIFY(!app::fbxAsAssimpReadsIt("a.fbx", fileOf(sceneOf({modelRecord(500, ordered)}, {}), form)));
+    }
+    for (const char* text :
+         {"", ";", "x", "Objects: {\n}\n", "Objects: {\n", "}", "a: \"", "Objects: 1, {\nModel: {\n}\n}\n"})
+        QVERIFY(!app::fbxAsAssimpReadsIt("a.fbx", text));
+}
+
+void TestFbxModels::spheric_isRefusedWhereItTurns()
+{
+    const auto tried = [](const std::vector<Record>& properties) -> std::string {
+        try {
+            return righted(fileOf(sceneOf({modelRecord(500, properties)}, {connection(500, 0)}), Form::Binary));
+        } catch (const FileError& error) {
+            return error.kind == core::FileErrorKind::ReaderRefused ? error.token : "?";
+        }
+    };
+    const Record spheric = numberProperty("RotationOrder", 6), turn = vectorProperty("Lcl Rotation", {10, 0, 0});
+    QCOMPARE(tried({spheric, turn}), std::string("the rotation order SphericXYZ is not read"));
+    for (const std::vector<Record>& properties : {std::vector{spheric},
+                                                  {spheric, vectorProperty("Lcl Rotation", Vector3d::Zero())},
+                                                  {spheric, turn, numberProperty("RotationActive", 0)}}) {
+        const auto order = propertyOf(tried(properties), "RotationOrder");
+        QVERIFY(order && order->isZero(0));
+    }
+    QVERIFY(propertyOf(tried({numberProperty("RotationOrder", 7), turn}), "RotationOrder")->x() == 7); // Assimp's XYZ
+}
+
+void TestFbxModels::cycles_areRefused_data()
+{
+    QTest::addColumn<QList<QPair<int, int>>>("connections"); // child, parent
+    QTest::addColumn<QByteArray>("token");                   // empty: it is none
+    using Pairs = QList<QPair<int, int>>;
+    QTest::newRow("itself") << Pairs{{500, 0}, {500, 500}} << QByteArray("models below m500");
+    QTest::newRow("two") << Pairs{{500, 0}, {501, 500}, {500, 501}} << QByteArray("models below m500");
+    QTest::newRow("three, below") << Pairs{{500, 0}, {501, 500}, {502, 501}, {503, 502}, {501, 503}}
+                                  << QByteArray("models below m501");
+    QTest::newRow("not in the scene") << Pairs{{500, 0}, {501, 502}, {502, 501}} << QByteArray();
+    QTest::newRow("two parents") << Pairs{{500, 0}, {501, 500}, {502, 500}, {503, 501}, {503, 502}} << QByteArray();
+    QTest::newRow("unknown models") << Pairs{{7, 0}, {500, 7}, {7, 500}, {0, 0}} << QByteArray();
+    Pairs deep{{500, 0}}, tooDeep{{500, 0}};
+    for (int i = 1; i < 6000; ++i)
+        (i < 4000 ? deep : tooDeep).append({500 + i, 500 + i - 1});
+    QTest::newRow("deep") << deep << QByteArray();
+    QTest::newRow("too deep") << deep + tooDeep << QByteArray("models below m4596");
+    Pairs many;
+    for (int i = 0; i < 40; ++i)
+        many << qMakePair(500 + i, i == 0 ? 0 : 499 + i) << qMakePair(500 + i, i == 0 ? 0 : 499 + i);
+    QTest::newRow("doubled 40 times") << many << QByteArray(); // ends; the process's memory is another matter
+}
+
+void TestFbxModels::cycles_areRefused()
+{
+    using Pairs = QList<QPair<int, int>>;
+    QFETCH(Pairs, connections);
+    QFETCH(QByteArray, token);
+    std::vector<Record> models, lines;
+    for (int i = 0; i < (connections.size() > 1000 ? 6000 : 50); ++i)
+        models.push_back(modelRecord(500 + i, {}));
+    for (const auto& [child, parent] : connections)
+        lines.push_back(connection(child, parent));
+    for (const Form form : {Form::Text, Form::Binary, Form::WideBinary}) {
+        std::string problem;
+        try {
+            app::fbxAsAssimpReadsIt("a.fbx", fileOf(sceneOf(models, lines), form));
+        } catch (const FileError& error) {
+            QVERIFY(error.kind == core::FileErrorKind::Malformed && error.fault == core::FileFault::TooDeep);
+            problem = error.token;
+        }
+        QCOMPARE(problem, token.toStdString());
+    }
+}
+
+/// Cut anywhere, and changed anywhere: what cannot be followed is left for Assimp to refuse.
+void TestFbxModels::brokenFiles_areLeft()
+{
+    std::mt19937 engine(fbxSeed);
+    const std::vector<Record> properties{vectorProperty("Lcl Rotation", {1, 2, 3}), numberProperty("RotationOrder", 4),
+                                         vectorProperty("GeometricRotation", {4, 5, 6})};
+    for (const Form form : {Form::Text, Form::Binary, Form::WideBinary}) {
+        const std::string whole = fileOf(
+            sceneOf({modelRecord(500, properties)}, {connection(500, 0)}, {numberProperty("RotationActive", 0)}), form);
+        for (std::size_t size = 0; size < whole.size(); ++size) {
+            const std::vector<char> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+            app::fbxModelRecords({cut.data(), cut.size()});
+        }
+        for (int round = byEffort(2000, 20000, 200000); round > 0; --round) {
+            std::string bytes = whole;
+            for (auto edits = 1 + engine() % 4; edits != 0; --edits)
+                bytes[engine() % bytes.size()] = static_cast<char>(engine() % 3 == 0 ? 0 : engine());
+            try {
+                app::fbxAsAssimpReadsIt("a.fbx", bytes);
+            } catch (const FileError&) {
+            }
+        }
+    }
+}
+
+FETTLE_TEST(TestFbxModels)
+#include "tst_fbx_models.moc"
