@@ -5158,8 +5158,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>die Unterteilung von Flächen (%1)</translation>
     </message>
     <message>
-        <source>surfaces of kinds that are not read (%1)</source>
-        <translation>Flächen von Arten, die nicht gelesen werden (%1)</translation>
+        <source>surfaces that are not read (%1)</source>
+        <translation>Flächen, die nicht gelesen werden (%1)</translation>
     </message>
 </context>
 <context>

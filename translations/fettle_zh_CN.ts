@@ -5140,8 +5140,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>曲面细分（%1）</translation>
     </message>
     <message>
-        <source>surfaces of kinds that are not read (%1)</source>
-        <translation>无法读取的类型的曲面（%1）</translation>
+        <source>surfaces that are not read (%1)</source>
+        <translation>未读取的曲面（%1）</translation>
     </message>
 </context>
 <context>

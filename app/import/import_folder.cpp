@@ -65,7 +65,8 @@ const std::string* ImportFolder::replacement(const fs::path& path)
     if (isNew) {
         const std::string bytes = bytesOf(path);
         if (isX3d) {
-            core::io::X3dExpansion expansion = core::io::expandX3d({path, bytes});
+            core::io::X3dExpansion expansion = core::io::expandX3d(
+                {path, bytes}, [&path](std::string_view url) { return canInline(path.parent_path() / url); });
             m_notes.unread += expansion.unread;
             found->second = std::move(expansion.text);
         } else if (ending == ".fbx") {
@@ -75,6 +76,13 @@ const std::string* ImportFolder::replacement(const fs::path& path)
         }
     }
     return found->second ? &*found->second : nullptr;
+}
+
+/// Returns whether the file is for Assimp to have: it is there, or it is outside of the folder, which is to be told.
+bool ImportFolder::canInline(const fs::path& file)
+{
+    std::error_code problem;
+    return lowerEnding(file) == ".x3d" && fs::is_regular_file(file, problem);
 }
 
 bool ImportFolder::isWithin(const char* file) const

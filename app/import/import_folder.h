@@ -31,6 +31,7 @@ public:
     Assimp::IOStream* Open(const char* file, const char* mode) override;
 
 private:
+    static bool canInline(const std::filesystem::path& file);
     bool isWithin(const char* file) const;
     /// Returns what is given instead of the file; null: the file itself. Throws core::FileError.
     const std::string* replacement(const std::filesystem::path& path);

@@ -52,7 +52,7 @@ QStringList leftOut(const core::ReadRemarks& remarks)
     if (remarks.subdivisions > 0)
         left << ErrorMessages::tr("the subdivision of surfaces (%1)").arg(number(remarks.subdivisions));
     if (remarks.unreadNodes > 0)
-        left << ErrorMessages::tr("surfaces of kinds that are not read (%1)").arg(number(remarks.unreadNodes));
+        left << ErrorMessages::tr("surfaces that are not read (%1)").arg(number(remarks.unreadNodes));
     return left;
 }
 } // namespace

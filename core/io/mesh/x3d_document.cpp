@@ -28,6 +28,17 @@ std::string_view X3dNode::text(std::string_view attribute) const
     return {};
 }
 
+bool X3dNode::isFalse(std::string_view attribute) const
+{
+    constexpr std::string_view word = "false", blanks = " \t\r\n";
+    std::string_view value = text(attribute);
+    value.remove_prefix(std::min(value.find_first_not_of(blanks), value.size()));
+    value = value.substr(0, value.find_last_not_of(blanks) + 1);
+    return std::equal(value.begin(), value.end(), word.begin(), word.end(), [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+    });
+}
+
 void refuseX3d(const FileBytes& file, const X3dNode& node, FileFault fault, std::string_view token)
 {
     FileError error = malformed(fault, errorWithToken({}, file, token));
@@ -110,7 +121,7 @@ struct X3dDocument::Parser
         if (open.size() >= maxDepth)
             refuse(FileFault::XmlTooDeep);
         X3dNode& node = document.m_nodes.emplace_back();
-        node.name = name;
+        node.name = withoutPrefix(name);
         node.line = XML_GetCurrentLineNumber(parser.get());
         for (; *pairs; pairs += 2)
             node.attributes.emplace_back(pairs[0], pairs[1]);
@@ -131,6 +142,14 @@ struct X3dDocument::Parser
             document.m_scene = &node;
         if (node.name == "unit" && node.text("category") == "length")
             document.m_metres = metresOf(node);
+    }
+
+    /// Returns the name of an element; the first one's prefix is the whole file's.
+    std::string_view withoutPrefix(std::string_view name)
+    {
+        if (open.empty())
+            prefix = name.substr(0, name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
+        return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
     }
 
     void endNode()
@@ -157,6 +176,7 @@ struct X3dDocument::Parser
     std::vector<X3dNode*> open; ///< from the root on
     std::map<std::string, const X3dNode*, std::less<>> defined;
     std::vector<std::map<std::string, const X3dNode*, std::less<>>> outside; ///< of each prototype that is open
+    std::string prefix;                                                      ///< with its colon
     std::exception_ptr problem;
 };
 

@@ -21,11 +21,13 @@ struct X3dNode
     const X3dNode& meant() const { return used ? *used : *this; }
     /// Returns the value, or an empty text.
     std::string_view text(std::string_view attribute) const;
-    bool isFalse(std::string_view attribute) const { return text(attribute) == "false"; }
+    /// Returns whether the value is false, in either case, blanks around it or not.
+    bool isFalse(std::string_view attribute) const;
 };
 
 /// An X3D file in its XML encoding, parsed as a tree by a library (expat). Elements lie at most 256 deep; a document
-/// type is passed over, unless it declares something. Throws FileError with the line, also where a USE names nothing.
+/// type is passed over, unless it declares something; elements with the root's prefix go without it. Throws FileError
+/// with the line, also where a USE names nothing.
 class X3dDocument
 {
 public:

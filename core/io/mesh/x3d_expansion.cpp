@@ -4,6 +4,7 @@
 // its cones and cylinders are not closed, and the caps of its extrusions not wound alike.
 #include "core/io/mesh/x3d_expansion.h"
 
+#include "core/io/mesh/number_parsing.h"
 #include "core/io/mesh/x3d_faces.h"
 #include "core/io/mesh/x3d_solids.h"
 
@@ -42,16 +43,20 @@ template <class Names> bool isIn(const Names& names, std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Returns the first of a list of texts, without its quotes, which Assimp takes amiss.
-std::string_view firstOf(std::string_view texts)
+/// Returns a list of texts without their quotes, which Assimp takes amiss. What has no quotes is one text.
+std::vector<std::string_view> textsOf(std::string_view list)
 {
-    const std::size_t quote = texts.find_first_not_of(" \t\r\n");
-    if (quote == std::string_view::npos)
-        return {};
-    if (texts[quote] != '"')
-        return texts.substr(quote);
-    texts.remove_prefix(quote + 1);
-    return texts.substr(0, texts.find('"'));
+    std::vector<std::string_view> texts;
+    while (true) {
+        list.remove_prefix(std::min(list.find_first_not_of(" \t\r\n,"), list.size()));
+        if (list.empty())
+            return texts;
+        const bool isQuoted = list.front() == '"';
+        list.remove_prefix(isQuoted ? 1 : 0);
+        const std::size_t end = isQuoted ? std::min(list.find('"'), list.size()) : list.size();
+        texts.push_back(list.substr(0, end));
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
 }
 
 bool isMetadata(const X3dNode& node)
@@ -99,20 +104,21 @@ public:
         m_text.append("<").append(name);
     }
 
-    /// Names a node that was written already. Returns false if it was not.
+    /// Names a node that was written already, as a node of that name. Returns false if it was not.
     bool addUse(const X3dNode& node, std::string_view name)
     {
         const auto found = m_names.find(&node);
-        if (found == m_names.end())
+        if (found == m_names.end() || found->second.second != name)
             return false;
         begin(node, name);
-        m_text += " USE=\"n" + std::to_string(found->second) + "\"/>";
+        m_text += " USE=\"n" + std::to_string(found->second.first) + "\"/>";
         return true;
     }
 
-    void addDefinition(const X3dNode& node)
+    /// `name`: a literal.
+    void addDefinition(const X3dNode& node, std::string_view name)
     {
-        m_names.emplace(&node, m_nextName);
+        m_names.insert_or_assign(&node, std::pair(m_nextName, name));
         addName();
     }
 
@@ -165,13 +171,13 @@ private:
     const FileBytes& m_file;
     std::string m_text;
     std::size_t m_nodes = 0, m_nextName = 0;
-    std::unordered_map<const X3dNode*, std::size_t> m_names; ///< of what was written
+    std::unordered_map<const X3dNode*, std::pair<std::size_t, std::string_view>> m_names; ///< of what was written
 };
 
 class X3dWriter
 {
 public:
-    explicit X3dWriter(const FileBytes& file) : m_file(file), m_to(file) {}
+    X3dWriter(const FileBytes& file, const X3dHasFile& hasFile) : m_file(file), m_hasFile(hasFile), m_to(file) {}
 
     X3dExpansion write(const X3dDocument& document)
     {
@@ -259,22 +265,24 @@ private:
         m_to.addNumbers(name, numbers);
     }
 
-    /// Adds the child that is shown: of a LOD the first, which is the finest.
+    /// Adds what is shown: of a Switch the child that it chooses, of a LOD the first that shows anything, which is the
+    /// finest.
     void addChosen(const X3dNode& node)
     {
-        std::size_t choice = 0;
+        std::int64_t choice = 0;
         if (node.name == "Switch") {
-            const std::string_view which = node.text("whichChoice");
-            const auto end = which.data() + which.size();
-            if (std::from_chars(which.data(), end, choice).ptr != end || which.empty())
-                return; // -1: nothing is shown
+            const std::vector<std::string_view> which = x3dWords(node.text("whichChoice"));
+            choice = which.empty() ? -1 : parseInteger(which.front()).value_or(-1);
         }
+        if (choice < 0)
+            return; // nothing is shown
+        const std::size_t before = m_to.size();
         for (const X3dNode* child : node.children) {
-            if (isMetadata(*child) || isIn(noSurfaces, child->name))
+            if (isMetadata(*child) || isIn(noSurfaces, child->name) || choice-- > 0)
                 continue;
-            if (choice == 0)
-                return add(*child);
-            --choice;
+            add(*child);
+            if (node.name == "Switch" || m_to.size() > before)
+                return;
         }
     }
 
@@ -284,7 +292,7 @@ private:
             return;
         const std::size_t before = m_to.size();
         m_to.begin(shape, "Shape");
-        m_to.addDefinition(shape);
+        m_to.addDefinition(shape, "Shape");
         m_to.add(">");
         for (const X3dNode* child : shape.children)
             if (child->meant().name == "Appearance")
@@ -332,7 +340,7 @@ private:
         if (!faces || faces->coordIndex.empty())
             return false;
         m_to.begin(node, "IndexedFaceSet");
-        m_to.addDefinition(node);
+        m_to.addDefinition(node, "IndexedFaceSet");
         m_to.add(" coordIndex=\"" + faces->coordIndex + "\">");
         if (!faces->points.empty()) {
             m_to.add("<Coordinate");
@@ -340,11 +348,13 @@ private:
             m_to.add(" point=\"" + faces->points + "\"/>");
         } else
             for (const X3dNode* child : node.children)
-                if (child->meant().name == "Coordinate")
+                if (isX3dCoordinate(child->meant()))
                     addPoints(child->meant());
-        if (!faces->colors.empty())
-            m_to.add((faces->colorNumbers == 3 ? "<Color color=\"" : "<ColorRGBA color=\"") +
-                     X3dText::escaped(faces->colors) + "\"/>");
+        if (!faces->colors.empty()) {
+            m_to.add(faces->colorNumbers == 3 ? "<Color" : "<ColorRGBA");
+            m_to.addNumbers("color", faces->colors);
+            m_to.add("/>");
+        }
         m_to.add("</IndexedFaceSet>");
         return true;
     }
@@ -363,30 +373,37 @@ private:
         if (m_to.addUse(node, "Coordinate"))
             return;
         m_to.begin(node, "Coordinate");
-        m_to.addDefinition(node);
+        m_to.addDefinition(node, "Coordinate");
         m_to.addNumbers("point", x3dNumbers(m_file, node, "point"));
         m_to.add("/>");
     }
 
     void addInline(const X3dNode& node)
     {
-        const std::string url = X3dText::escaped(firstOf(node.text("url")));
-        if (node.isFalse("load") || url.empty())
+        const std::vector<std::string_view> urls = textsOf(node.text("url"));
+        if (node.isFalse("load") || urls.empty())
             return;
+        const auto url = std::find_if(urls.begin(), urls.end(),
+                                      [this](std::string_view name) { return !m_hasFile || m_hasFile(name); });
+        if (url == urls.end()) {
+            ++m_unread;
+            return;
+        }
         m_to.begin(node, "Inline");
-        m_to.add(" url=\"" + url + "\"/>");
+        m_to.add(" url=\"" + X3dText::escaped(*url) + "\"/>");
     }
 
     const FileBytes& m_file;
+    const X3dHasFile& m_hasFile;
     X3dText m_to;
     std::size_t m_unread = 0;
     std::unordered_set<const X3dNode*> m_open; ///< groups that are being written
 };
 } // namespace
 
-X3dExpansion expandX3d(const FileBytes& file)
+X3dExpansion expandX3d(const FileBytes& file, const X3dHasFile& hasFile)
 {
     const X3dDocument document(file);
-    return X3dWriter(file).write(document);
+    return X3dWriter(file, hasFile).write(document);
 }
 } // namespace core::io

@@ -45,8 +45,10 @@ const X3dNode* childOf(const X3dNode& node, std::string_view name)
 
 std::size_t pointsOf(const X3dNode& node)
 {
-    const X3dNode* const points = childOf(node, "Coordinate");
-    return points ? x3dWords(points->text("point")).size() / 3 : 0;
+    for (const X3dNode* child : node.children)
+        if (isX3dCoordinate(child->meant()))
+            return x3dWords(child->meant().text("point")).size() / 3;
+    return 0;
 }
 
 /// Returns the numbers 0, 1, 2 and so on, one for each point.
@@ -181,7 +183,7 @@ void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Fac
     const X3dNode* const color = plain ? plain : childOf(node, "ColorRGBA");
     if (!color)
         return;
-    const std::vector<std::string_view> numbers = x3dWords(color->text("color"));
+    const std::vector<double> numbers = x3dNumbers(file, *color, "color");
     to.colorNumbers = plain ? 3 : 4;
     const std::size_t each = plain ? 3 : 4, count = numbers.size() / each;
     if (count == 0)
@@ -189,8 +191,7 @@ void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Fac
     for (const Index index : colorsOfPoints(file, node, faces, points, count))
         for (std::size_t k = 0; k < each; ++k) {
             const bool isKnown = index >= 0 && static_cast<std::size_t>(index) < count;
-            to.colors.append(to.colors.empty() ? "" : " ");
-            to.colors += isKnown ? numbers[static_cast<std::size_t>(index) * each + k] : std::string_view("1");
+            to.colors.push_back(isKnown ? numbers[static_cast<std::size_t>(index) * each + k] : 1);
         }
 }
 } // namespace
@@ -221,8 +222,15 @@ std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::
     return numbers;
 }
 
+bool isX3dCoordinate(const X3dNode& node)
+{
+    return node.name == "Coordinate" || node.name == "CoordinateDouble";
+}
+
 std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node)
 {
+    if (childOf(node, "GeoCoordinate"))
+        return std::nullopt;
     const std::size_t points = pointsOf(node);
     const auto faces = facesOf(file, node, points);
     if (!faces)

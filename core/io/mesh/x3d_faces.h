@@ -9,10 +9,10 @@ namespace core::io
 /// Faces as an IndexedFaceSet has them.
 struct X3dFaces
 {
-    std::string coordIndex; ///< with -1 behind each face
-    std::string points;     ///< if they are not those of the node's Coordinate
-    std::string colors;     ///< one for each point, or empty
-    int colorNumbers = 3;   ///< of each colour: 3 or 4
+    std::string coordIndex;     ///< with -1 behind each face
+    std::string points;         ///< if they are not those of the node's Coordinate
+    std::vector<double> colors; ///< one for each point, or empty
+    int colorNumbers = 3;       ///< of each colour: 3 or 4
 };
 
 /// Returns the parts of a list of numbers or indices, which blanks and commas divide.
@@ -22,8 +22,12 @@ std::vector<std::string_view> x3dWords(std::string_view text);
 std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::string_view name,
                                std::string_view usual = {});
 
+/// Returns whether the node has the points of a face set.
+bool isX3dCoordinate(const X3dNode& node);
+
 /// Returns the faces of a node that has some by lists of points: IndexedFaceSet, and triangles and quads in sets,
 /// strips and fans. They are wound anticlockwise. Faces of fewer than three corners are left out. Empty if it is no
-/// such node. Throws FileError with its line, also where an index is out of range.
+/// such node, or if its points are on the globe (GeoCoordinate). Throws FileError with its line, also where an index is
+/// out of range.
 std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node);
 } // namespace core::io

@@ -6,6 +6,7 @@
 #include "core/util/file_error.h"
 #include "tests/support/test_main.h"
 
+#include <QDir>
 #include <QFile>
 #include <QPointF>
 #include <QStringEncoder>
@@ -450,6 +451,19 @@ void TestForeignScenes::x3d_inlinedFilesAreExpandedToo()
     const ReadResult whole =
         read(QStringLiteral("whole.x3d"), "<X3D><Scene><Inline url='\"part.x3d\"'/></Scene></X3D>");
     QCOMPARE(whole.mesh.triangles.size(), std::size_t(24));
+    const ReadResult second =
+        read(QStringLiteral("whole.x3d"), "<X3D><Scene><Inline url='\"none.x3d\" \"part.x3d\"'/></Scene></X3D>");
+    QCOMPARE(second.mesh.triangles.size(), std::size_t(24));
+    QCOMPARE(second.remarks.unreadNodes, std::size_t(0));
+    const ReadResult missing =
+        read(QStringLiteral("whole.x3d"),
+             "<X3D><Scene><Shape><Box/></Shape><Inline url='\"none.x3d\" \"http://a.b/part.x3d\"'/></Scene></X3D>");
+    QCOMPARE(missing.mesh.triangles.size(), std::size_t(12));
+    QCOMPARE(missing.remarks.unreadNodes, std::size_t(1));
+    QVERIFY(QDir(m_dir.path()).mkpath(QStringLiteral("scene")));
+    const auto outside =
+        errorOf(QStringLiteral("scene/a.x3d"), "<X3D><Scene><Inline url='\"../part.x3d\"'/></Scene></X3D>");
+    QVERIFY(outside && outside->kind == core::FileErrorKind::OutsideFolder && outside->token == "part.x3d");
     const auto endless = errorOf(QStringLiteral("self.x3d"), "<X3D><Scene><Inline url='\"self.x3d\"'/></Scene></X3D>");
     QVERIFY(endless && endless->fault == core::FileFault::TooDeep && endless->token == "Inline nodes");
 }

@@ -83,6 +83,11 @@ private Q_SLOTS:
     void growth_isBounded();
     void chainsOfUses_areBounded();
     void cutFiles_areRefused();
+
+    void wordsAndNames_areTakenGenerously();
+    void usesOfOtherKinds_areUnread();
+    void inlines_haveAlternatives();
+    void colors_areNumbers();
 };
 
 void TestX3dExpansion::uses_areThereAgain()
@@ -336,6 +341,77 @@ void TestX3dExpansion::cutFiles_areRefused()
         const std::string cut = whole.substr(0, length);
         QVERIFY_THROWS_EXCEPTION(core::FileError, core::io::expandX3d({path, cut}));
     }
+}
+
+/// What other programs write that is not quite by the book.
+void TestX3dExpansion::wordsAndNames_areTakenGenerously()
+{
+    const auto set = [](const QByteArray& ccw, const QByteArray& coordinates) {
+        return "<Shape><IndexedFaceSet ccw='" + ccw + "' coordIndex='0 1 2 -1'>" + coordinates +
+               "</IndexedFaceSet></Shape>";
+    };
+    for (const char* no : {"false", "FALSE", "False", " false "})
+        QCOMPARE(valueOf(sceneOf(set(no, points)), "coordIndex"), QStringLiteral("2 1 0 -1"));
+    for (const char* yes : {"true", "TRUE", "", "fals", "falsee"})
+        QCOMPARE(valueOf(sceneOf(set(yes, points)), "coordIndex"), QStringLiteral("0 1 2 -1"));
+    QCOMPARE(valueOf(sceneOf(set("", "<CoordinateDouble point='0 0 0 1 0 0 0.1 1 0'/>")), "point"),
+             QStringLiteral("0 0 0 1 0 0 0.1 1 0"));
+    QCOMPARE(expanded(set("", "<GeoCoordinate point='0 0 0 1 0 0 0 1 0'/>")).unread, std::size_t(1));
+    QCOMPARE(sceneOf("<Switch whichChoice=' 1 '><Group/>" + box + "</Switch>").count("<Box"), 1);
+    QCOMPARE(sceneOf("<LOD><Group/>" + box + box + "</LOD>").count("<Box"), 1);
+    const std::string text = "<x:X3D xmlns:x='u' xmlns:y='v'><x:Scene><x:Shape><x:Box/></x:Shape>"
+                             "<y:Shape><y:Box/></y:Shape></x:Scene></x:X3D>";
+    QCOMPARE(sceneOf(core::io::expandX3d({path, text})).count("<Box"), 1);
+}
+
+/// A USE of what cannot stand there, itself among it.
+void TestX3dExpansion::usesOfOtherKinds_areUnread()
+{
+    for (const QByteArray& scene : {box + "<Shape DEF='S'><IndexedFaceSet coordIndex='0 1 2'>" + points +
+                                        "</IndexedFaceSet></Shape><Shape><IndexedFaceSet USE='S'/></Shape>",
+                                    box + "<Shape DEF='S'><Shape USE='S'/></Shape>"}) {
+        const X3dExpansion expansion = expanded(scene);
+        QCOMPARE(expansion.unread, std::size_t(1));
+        QVERIFY(!sceneOf(expansion).contains("<IndexedFaceSet USE"));
+    }
+}
+
+void TestX3dExpansion::inlines_haveAlternatives()
+{
+    const auto inlineOf = [](const QByteArray& urls, const core::io::X3dHasFile& hasFile) {
+        const std::string text = "<X3D><Scene><Inline url='" + urls.toStdString() + "'/></Scene></X3D>";
+        return core::io::expandX3d({path, text}, hasFile);
+    };
+    const core::io::X3dHasFile hasB = [](std::string_view url) { return url == "b c.x3d"; };
+    const QByteArray urls = R"("http://a/b.x3d" "a.wrl", "b c.x3d" "d.x3d")";
+    QCOMPARE(valueOf(sceneOf(inlineOf(urls, hasB)), "url"), QStringLiteral("b c.x3d"));
+    QCOMPARE(inlineOf(urls, hasB).unread, std::size_t(0));
+    QCOMPARE(valueOf(sceneOf(inlineOf(urls, {})), "url"), QStringLiteral("http://a/b.x3d"));
+    QCOMPARE(valueOf(sceneOf(inlineOf("b c.x3d", hasB)), "url"), QStringLiteral("b c.x3d"));
+    for (const char* missing : {"a.x3d", "\"a.x3d\"", "\"a.x3d\" \"\"", "\"a.x3d\" \"b"}) {
+        QVERIFY(!sceneOf(inlineOf(missing, hasB)).contains("<Inline"));
+        QCOMPARE(inlineOf(missing, hasB).unread, std::size_t(1));
+    }
+    QCOMPARE(inlineOf("", hasB).unread, std::size_t(0)); // it names none
+}
+
+/// A colour that takes a page is written as short as any, at each of the points that it comes to.
+void TestX3dExpansion::colors_areNumbers()
+{
+    QByteArray coordinates, indices;
+    for (int i = 0; i < 3000; ++i) {
+        coordinates += QByteArray::number(i) + " 0 0 ";
+        indices += QByteArray::number(i) + (i % 3 == 2 ? " -1 " : " ");
+    }
+    const auto colored = [&](const QByteArray& color) {
+        return "<Shape><IndexedFaceSet colorIndex='" + QByteArray("0 0 0 -1 ").repeated(1000) + "' coordIndex='" +
+               indices + "'><Coordinate point='" + coordinates + "'/><Color color='" + color +
+               "'/></IndexedFaceSet></Shape>";
+    };
+    const X3dExpansion expansion = expanded(colored("0." + QByteArray(20'000, '5') + " 0 1"));
+    QVERIFY(expansion.text.size() < 200'000);
+    const auto error = errorOf("\n" + colored("0 red 0"));
+    QVERIFY(error && error->fault == FileFault::Number && error->token == "red");
 }
 
 FETTLE_TEST(TestX3dExpansion)
