@@ -4873,6 +4873,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Eine Koordinate ist keine endliche Zahl.</translation>
     </message>
     <message>
+        <source>%1: a number is missing here, or is not finite.</source>
+        <translation>%1: Hier fehlt eine Zahl, oder sie ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a whole number that can be here.</source>
+        <translation>%1: „%2“ ist keine ganze Zahl, die hier stehen kann.</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; is not a finite number.</source>
         <translation>%1: „%2“ ist keine endliche Zahl.</translation>
     </message>
@@ -4887,6 +4895,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 holds no faces.</source>
         <translation>%1 enthält keine Flächen.</translation>
+    </message>
+    <message>
+        <source>%1 holds no faces, except those of a slicer&apos;s parts that are no matter (%2): negative ones, modifiers and supports, which are left out.</source>
+        <translation>%1 enthält keine Flächen außer denen von Teilen eines Slicers, die kein Material sind (%2): negative Teile, Modifikatoren und Stützen, die ausgelassen werden.</translation>
     </message>
     <message>
         <source>%1 cannot be written: it is not permitted%2.</source>

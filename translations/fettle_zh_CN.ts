@@ -4856,6 +4856,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1：有坐标不是有限数。</translation>
     </message>
     <message>
+        <source>%1: a number is missing here, or is not finite.</source>
+        <translation>%1：此处缺少数字，或数字不是有限数。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a whole number that can be here.</source>
+        <translation>%1：“%2”不是此处可用的整数。</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; is not a finite number.</source>
         <translation>%1：“%2”不是有限数。</translation>
     </message>
@@ -4870,6 +4878,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 holds no faces.</source>
         <translation>%1 不含任何面。</translation>
+    </message>
+    <message>
+        <source>%1 holds no faces, except those of a slicer&apos;s parts that are no matter (%2): negative ones, modifiers and supports, which are left out.</source>
+        <translation>%1 不含任何面，除了切片软件中不属于实体的部件（%2）：负体积、修改器和支撑，这些都会被略去。</translation>
     </message>
     <message>
         <source>%1 cannot be written: it is not permitted%2.</source>

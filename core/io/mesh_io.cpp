@@ -221,7 +221,8 @@ void settle(ReadResult& result, const io::FileBytes& file, bool isWelded, UpAxis
         io::weld(result.mesh, file.stop);
     result.remarks.facesOfFewer += eraseFacesOfFewerCorners(result.mesh.triangles);
     if (result.mesh.triangles.empty())
-        throw FileError(FileErrorKind::NoFaces, file.path);
+        throw io::withCounts({FileErrorKind::NoFaces, file.path},
+                             result.remarks.negativeParts + result.remarks.otherParts);
     if (up == UpAxis::Z)
         fromZUp(result.mesh.points);
 }

@@ -14,6 +14,7 @@
 #include <QStringList>
 
 #include <cmath>
+#include <limits>
 
 namespace ui
 {
@@ -54,6 +55,20 @@ QStringList leftOut(const core::ReadRemarks& remarks)
     if (remarks.unreadNodes > 0)
         left << ErrorMessages::tr("surfaces that are not read (%1)").arg(number(remarks.unreadNodes));
     return left;
+}
+
+/// Says why something is not the number that its place needs.
+QString notThatNumber(const core::FileError& error, const QString& where)
+{
+    bool isNumber = false;
+    const double value = QByteArray::fromStdString(error.token).toDouble(&isNumber);
+    if (isNumber && std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))
+        return ErrorMessages::tr("%1: \"%2\" is not a whole number that can be here.").arg(where, token(error));
+    if (!error.token.empty())
+        return ErrorMessages::tr("%1: \"%2\" is not a finite number.").arg(where, token(error));
+    return error.place.unit == core::FilePlace::Unit::Line
+               ? ErrorMessages::tr("%1: a number is missing here, or is not finite.").arg(where)
+               : ErrorMessages::tr("%1: a coordinate is not a finite number.").arg(where);
 }
 } // namespace
 
@@ -279,8 +294,7 @@ QString ErrorMessages::content(const core::FileError& error)
     case FileErrorKind::Malformed:
         return FileFaultMessages::sentence(error, where);
     case FileErrorKind::NotANumber:
-        return error.token.empty() ? tr("%1: a coordinate is not a finite number.").arg(where)
-                                   : tr("%1: \"%2\" is not a finite number.").arg(where, token(error));
+        return notThatNumber(error, where);
     case FileErrorKind::IndexOutOfRange:
         return tr("%1: a face names vertex %2, but there are %3 vertices.")
             .arg(where, token(error), number(error.expected));
@@ -304,7 +318,10 @@ QString ErrorMessages::content(const core::FileError& error)
         return tr("%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.")
             .arg(where, bytes(error.expected));
     case FileErrorKind::NoFaces:
-        return tr("%1 holds no faces.").arg(where);
+        return error.expected == 0 ? tr("%1 holds no faces.").arg(where)
+                                   : tr("%1 holds no faces, except those of a slicer's parts that are no matter (%2): "
+                                        "negative ones, modifiers and supports, which are left out.")
+                                         .arg(where, number(error.expected));
     default:
         return {};
     }

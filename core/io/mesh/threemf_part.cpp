@@ -22,36 +22,53 @@ constexpr std::string_view coreSpace = "http://schemas.microsoft.com/3dmanufactu
                            beamName = "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02|beam";
 
 /// Extensions that a file may require: ours, and those that change no shape (slices come beside a mesh, triangle sets
-/// name some of it).
+/// name some of it, slicers' own say how it is painted and printed).
 constexpr std::string_view knownSpaces[] = {coreSpace,
                                             firstCoreSpace,
                                             materialSpace,
                                             productionSpace,
                                             "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07|",
-                                            "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07|"};
+                                            "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07|",
+                                            "http://schemas.slic3r.org/3mf/2017/06|",
+                                            "http://schemas.bambulab.com/package/2021|"};
+
+/// Shapes that extensions put in the place of a mesh.
+constexpr std::string_view otherShapes[] = {
+    "http://schemas.3mf.io/3dmanufacturing/booleanoperations/2023/07|booleanshape",
+    "http://schemas.microsoft.com/3dmanufacturing/displacement/2022/07|"
+    "displacementmesh",
+    "http://schemas.3mf.io/3dmanufacturing/displacement/2023/10|displacementmesh",
+    "http://schemas.3mf.io/3dmanufacturing/volumetric/2022/01|levelset"};
+
+/// Returns an extension's name for people: its namespace without what they have in common.
+std::string_view extensionName(std::string_view space)
+{
+    for (const std::string_view common :
+         {"http://schemas.microsoft.com/3dmanufacturing/", "http://schemas.3mf.io/3dmanufacturing/", "http://"})
+        if (space.starts_with(common))
+            space.remove_prefix(common.size());
+    return space;
+}
 
 /// Refuses a model that requires an extension that is not read, by the name of its namespace.
 void requireKnownExtensions(const XmlAttributes& attributes)
 {
     std::string_view rest = attributes.text("requiredextensions");
     while (true) {
-        rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n,"), rest.size()));
         if (rest.empty())
             return;
-        const std::string_view prefix = rest.substr(0, rest.find_first_of(" \t\r\n"));
+        const std::string_view prefix = rest.substr(0, rest.find_first_of(" \t\r\n,"));
         rest.remove_prefix(prefix.size());
-        const std::string_view space = attributes.spaceOf(prefix);
+        std::string_view space = attributes.spaceOf(prefix);
+        if (space.empty())
+            space = prefix; // some name the namespace itself
         const bool isKnown =
             std::any_of(std::begin(knownSpaces), std::end(knownSpaces),
                         [space](std::string_view known) { return space == known.substr(0, known.size() - 1); });
         if (isKnown)
             continue;
-        std::string_view name = space.empty() ? prefix : space;
-        for (const std::string_view common :
-             {"http://schemas.microsoft.com/3dmanufacturing/", "http://schemas.3mf.io/3dmanufacturing/", "http://"})
-            if (name.starts_with(common))
-                name.remove_prefix(common.size());
-        attributes.refuse(FileFault::NeedsExtension, name);
+        attributes.refuse(FileFault::NeedsExtension, extensionName(space));
     }
 }
 
@@ -164,6 +181,8 @@ void ThreeMfPartReader::begin(std::string_view name, const XmlAttributes& attrib
         beginCore(ofCore, attributes);
     if (name == beamName)
         ++m_part.beams;
+    if (m_object && std::find(std::begin(otherShapes), std::end(otherShapes), name) != std::end(otherShapes))
+        m_object->otherShape = extensionName(name.substr(0, name.find('|')));
     if (!name.starts_with(materialSpace))
         return;
     name.remove_prefix(materialSpace.size());

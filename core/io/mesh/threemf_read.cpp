@@ -61,11 +61,13 @@ public:
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
         for (const ThreeMfComponent& item : root.build)
-            add(path, item, unit, 0);
+            add(path, item, {unit, 0, item.object});
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
         core::TriangleMesh mesh = m_assembly.take();
         if (mesh.triangles.empty() && m_remarks.beams > 0)
             throw malformed(FileFault::NeedsExtension, errorWithToken({}, m_file, "beamlattice"));
+        if (mesh.triangles.empty() && !m_otherShape.empty())
+            throw malformed(FileFault::NeedsExtension, errorWithToken({}, m_file, m_otherShape));
         return {std::move(mesh), m_remarks};
     }
 
@@ -86,10 +88,18 @@ private:
         return found->second;
     }
 
-    void add(const std::string& from, const ThreeMfComponent& component, const Eigen::Matrix4d& above, int depth)
+    /// The place of a component: the transform above it, how deep it is, and the object of the build that it is in.
+    struct Place
+    {
+        Eigen::Matrix4d above;
+        int depth = 0;
+        std::uint32_t built = 0;
+    };
+
+    void add(const std::string& from, const ThreeMfComponent& component, const Place& place)
     {
         m_stopCheck();
-        if (depth > maxDepth || ++m_instances > maxInstances)
+        if (place.depth > maxDepth || ++m_instances > maxInstances)
             throw tooMany("components", maxInstances, errorWithToken({}, m_file, {}));
         const std::string& path = component.part.empty() ? from : component.part;
         const auto& objects = part(path).objects;
@@ -98,15 +108,19 @@ private:
             throw malformed(FileFault::Missing,
                             errorWithToken({}, m_file, "objectid " + std::to_string(component.object)));
         if (!object->second.isSolid) {
-            ++(m_slicerParts.negativeObjects.contains(component.object) ? m_remarks.negativeParts
-                                                                        : m_remarks.otherParts);
+            const bool isNegative = m_slicerParts.negativeObjects.contains({place.built, component.object});
+            ++(isNegative ? m_remarks.negativeParts : m_remarks.otherParts);
             return;
         }
-        const Eigen::Matrix4d transform = above * component.transform;
+        if (!object->second.otherShape.empty()) {
+            ++m_remarks.unreadNodes;
+            m_otherShape = object->second.otherShape;
+        }
+        const Eigen::Matrix4d transform = place.above * component.transform;
         m_assembly.add(object->second.mesh, transform);
         m_remarks.objects += object->second.mesh.triangles.empty() ? 0 : 1;
         for (const ThreeMfComponent& inner : object->second.components)
-            add(path, inner, transform, depth + 1);
+            add(path, inner, {transform, place.depth + 1, place.built});
     }
 
     /// Removes the triangles of parts that are no matter.
@@ -137,6 +151,7 @@ private:
     std::map<std::string, ThreeMfPart> m_parts;
     ThreeMfSlicerParts m_slicerParts;
     MeshAssembly m_assembly;
+    std::string m_otherShape; ///< the extension of a shape that was left out
     std::size_t m_instances = 0;
     ReadRemarks m_remarks{.objects = 0};
 };

@@ -7,6 +7,22 @@ namespace core::io
 {
 namespace
 {
+/// Returns the name without a namespace: the files have none, but some programs give them one.
+std::string_view withoutSpace(std::string_view name)
+{
+    return name.substr(name.rfind('|') + 1);
+}
+
+/// Returns a whole number; nothing if there is none.
+std::optional<std::uint32_t> numberIn(const XmlAttributes& attributes, std::string_view name)
+{
+    try {
+        return attributes.wholeIfAny(name);
+    } catch (const FileError&) {
+        return std::nullopt; // one that is wrong leaves the others right
+    }
+}
+
 /// Gathers the volumes of PrusaSlicer's file: an element `volume` with the numbers of its triangles, in it metadata.
 class VolumeReader
 {
@@ -16,15 +32,17 @@ public:
     void begin(std::string_view name, const XmlAttributes& attributes)
     {
         if (name == "object") {
-            m_object = attributes.whole("id");
+            m_object = numberIn(attributes, "id");
         } else if (name == "volume") {
-            m_volume = {attributes.whole("firstid"), attributes.whole("lastid"), false};
+            m_first = numberIn(attributes, "firstid");
+            m_last = numberIn(attributes, "lastid");
             m_isMatter = true;
+            m_isNegative = false;
         } else if (name == "metadata" && attributes.text("type") == "volume") {
             const std::string_view key = attributes.text("key"), value = attributes.text("value");
             if (key == "volume_type" && value != "ModelPart") {
                 m_isMatter = false;
-                m_volume.isNegative = value == "NegativeVolume";
+                m_isNegative = value == "NegativeVolume";
             } else if (key == "modifier" && value == "1") { // before PrusaSlicer 1.42
                 m_isMatter = false;
             }
@@ -32,47 +50,65 @@ public:
     }
     void end(std::string_view name)
     {
-        if (name == "volume" && !m_isMatter)
-            m_parts.triangles[m_object].push_back(m_volume);
+        if (name == "volume" && !m_isMatter && m_object && m_first && m_last)
+            m_parts.triangles[*m_object].push_back({*m_first, *m_last, m_isNegative});
     }
 
 private:
     ThreeMfSlicerParts& m_parts;
-    std::uint32_t m_object = 0;
-    ThreeMfSlicerParts::Triangles m_volume;
-    bool m_isMatter = true;
+    std::optional<std::uint32_t> m_object, m_first, m_last;
+    bool m_isMatter = true, m_isNegative = false;
 };
 
-void readPart(const FileBytes& file, ZipReader& package, const std::string& name, XmlReader::Begin begin,
-              XmlReader::End end)
+/// Gathers the negative parts of Bambu Studio's file: elements `part` in an `object`.
+class PartReader
+{
+public:
+    explicit PartReader(ThreeMfSlicerParts& parts) : m_parts(parts) {}
+
+    void begin(std::string_view name, const XmlAttributes& attributes)
+    {
+        if (name == "object")
+            m_object = numberIn(attributes, "id");
+        if (name != "part" || attributes.text("subtype") != "negative_part")
+            return;
+        if (const auto part = numberIn(attributes, "id"); part && m_object)
+            m_parts.negativeObjects.insert({*m_object, *part});
+    }
+
+private:
+    ThreeMfSlicerParts& m_parts;
+    std::optional<std::uint32_t> m_object;
+};
+
+/// Reads a part, if it is there, up to where it breaks off.
+template <class Reader> void readPart(const FileBytes& file, ZipReader& package, const std::string& name, Reader reader)
 {
     const std::optional<std::string> part = package.find(name);
     if (!part)
         return;
-    XmlReader xml(file, std::move(begin), std::move(end));
-    package.read(*part, [&xml](std::string_view piece) { xml.take(piece); });
+    const auto end = [&reader](std::string_view element) {
+        if constexpr (requires { reader.end(element); })
+            reader.end(withoutSpace(element));
+    };
+    XmlReader xml(
+        file,
+        [&reader](std::string_view element, const XmlAttributes& attributes) {
+            reader.begin(withoutSpace(element), attributes);
+        },
+        end);
+    try {
+        package.read(*part, [&xml](std::string_view piece) { xml.take(piece); });
+    } catch (const FileError&) { // the model does not need it
+    }
 }
 } // namespace
 
 ThreeMfSlicerParts ThreeMfSlicerParts::in(const FileBytes& file, ZipReader& package)
 {
     ThreeMfSlicerParts parts;
-    try {
-        VolumeReader volumes(parts);
-        readPart(
-            file, package, "Metadata/Slic3r_PE_model.config",
-            [&](std::string_view name, const XmlAttributes& attributes) { volumes.begin(name, attributes); },
-            [&](std::string_view name) { volumes.end(name); });
-        readPart(
-            file, package, "Metadata/model_settings.config",
-            [&](std::string_view name, const XmlAttributes& attributes) {
-                if (name == "part" && attributes.text("subtype") == "negative_part")
-                    parts.negativeObjects.insert(attributes.whole("id"));
-            },
-            [](std::string_view) {});
-    } catch (const FileError&) {
-        return {}; // the model does not need it
-    }
+    readPart(file, package, "Metadata/Slic3r_PE_model.config", VolumeReader(parts));
+    readPart(file, package, "Metadata/model_settings.config", PartReader(parts));
     return parts;
 }
 } // namespace core::io

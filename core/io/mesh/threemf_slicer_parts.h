@@ -20,9 +20,12 @@ struct ThreeMfSlicerParts
         bool isNegative = false; ///< to be cut out; else a modifier or something for supports
     };
     std::map<std::uint32_t, std::vector<Triangles>> triangles; ///< by object: PrusaSlicer, SuperSlicer
-    std::set<std::uint32_t> negativeObjects;                   ///< Bambu Studio, OrcaSlicer
+    /// Pairs of an object of the build and of one that it is made of: Bambu Studio, OrcaSlicer. Objects that are in
+    /// different parts of the package may have the same number.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> negativeObjects;
 
-    /// Reads them; there are none if the package has no such file, or a broken one. Throws ReadingCancelled.
+    /// Reads them; there are none if the package has no such file. Of a broken file counts what is right, up to where
+    /// its XML breaks off. Throws ReadingCancelled.
     static ThreeMfSlicerParts in(const FileBytes& file, ZipReader& package);
 };
 } // namespace core::io

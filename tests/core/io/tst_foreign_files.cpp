@@ -627,6 +627,9 @@ private Q_SLOTS:
     void manyCopiesInASmallPackage_areRead();
     void slicersParts_areLeftOutAndTold_data();
     void slicersParts_areLeftOutAndTold();
+    void slicersNumbers_areOfTheirObject();
+    void slicersParts_areCountedWhereTheyAreAll();
+    void threeMfOtherShapes_areCounted();
     void threeMfExtensions_areRefusedByName_data();
     void threeMfExtensions_areRefusedByName();
     void threeMfBeams_areCounted();
@@ -953,6 +956,20 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold_data()
                                                R"(</object><object id="7"/></config>)")
                              << true << false;
     QTest::newRow("old modifier") << volumes("modifier", "1") << false << false;
+    const QString negative = volumes("volume_type", "NegativeVolume");
+    QTest::newRow("a wrong number beside it")
+        << QString(negative).replace(QStringLiteral("<object id=\"1\">"),
+                                     QStringLiteral("<object id=\"x\"><volume firstid=\"0\" lastid=\"1\"><metadata "
+                                                    "type=\"volume\" key=\"modifier\" value=\"1\"/></volume>"
+                                                    "</object><object id=\"1\"><volume firstid=\"0\" lastid=\"-5\">"
+                                                    "<metadata type=\"volume\" key=\"modifier\" value=\"1\"/>"
+                                                    "</volume>"))
+        << false << true;
+    QTest::newRow("broken behind it") << QString(negative).replace(QStringLiteral("</config>"), QStringLiteral("<"))
+                                      << false << true;
+    QTest::newRow("with a name space") << QString(negative).replace(QStringLiteral("<config>"),
+                                                                    QStringLiteral("<config xmlns=\"http://a.b/c\">"))
+                                       << false << true;
 }
 
 /// PrusaSlicer names ranges of an object's triangles, here of a tetrahedron in the box.
@@ -995,6 +1012,72 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold()
     QCOMPARE(bambu.remarks.otherParts, std::size_t(!isNegative));
 }
 
+/// Bambu Studio's numbers of parts are those of objects, which are counted anew in each part of the package.
+void TestForeignFiles::slicersNumbers_areOfTheirObject()
+{
+    const std::string space = "<model xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" ";
+    const auto partOf = [](const char* type) {
+        return replaced(modelOf(), "</object>",
+                        std::string("</object><object id=\"2\" type=\"") + type +
+                            "\"><components><component objectid=\"1\"/></components></object>");
+    };
+    const auto built = [](int id, const char* part) {
+        const std::string path = std::string("<component p:path=\"/3D/") + part + ".model\" objectid=";
+        return "<object id=\"" + std::to_string(id) + "\"><components>" + path + "\"1\"/>" + path +
+               "\"2\"/></components></object>";
+    };
+    std::string root =
+        replaced(replaced(modelOf(), "<model ", space), "</object>", "</object>" + built(8, "b") + built(9, "c"));
+    root = replaced(root, "<item objectid=\"1\"", "<item objectid=\"9\"/><item objectid=\"8\"");
+    packageOf(file("two.3mf"), {{"_rels/.rels", relationships("/3D/a.model")},
+                                {"3D/a.model", root},
+                                {"3D/b.model", partOf("other")},
+                                {"3D/c.model", partOf("other")},
+                                {"Metadata/model_settings.config",
+                                 R"(<config xmlns="http://a.b"><object id="8"><part id="2" subtype="negative_part"/>)"
+                                 R"(<part id="z" subtype="negative_part"/></object><object id="9"><part id="2" )"
+                                 R"(subtype="modifier_part"/></object></config>)"}});
+    const core::ReadResult read = core::readModel(file("two.3mf"));
+    QCOMPARE(read.mesh.triangles.size(), std::size_t(24));
+    QCOMPARE(read.remarks.negativeParts, std::size_t(1));
+    QCOMPARE(read.remarks.otherParts, std::size_t(1));
+}
+
+/// A model that is nothing but parts which a slicer leaves out, or takes away.
+void TestForeignFiles::slicersParts_areCountedWhereTheyAreAll()
+{
+    packageOf(file("all.3mf"), {{"_rels/.rels", relationships("/3D/a.model")},
+                                {"3D/a.model", replaced(modelOf(), "<object ", "<object type=\"support\" ")}});
+    std::ofstream(file("all.amf")) << "<amf><object><mesh><vertices/><volume><metadata type=\"slic3r.modifier\">1"
+                                      "</metadata></volume><volume><metadata type=\"slic3r.volume_type\">"
+                                      "NegativeVolume</metadata></volume></mesh></object></amf>";
+    for (const auto& [name, count] : {std::pair{"all.3mf", 1U}, {"all.amf", 2U}}) {
+        const auto error = errorOf([&, path = file(name)] { core::readModel(path); });
+        QVERIFY(error && error->kind == Kind::NoFaces);
+        QCOMPARE(error->expected, std::uint64_t(count));
+    }
+}
+
+/// Shapes that extensions put in the place of a mesh: counted, or named if there is nothing else.
+void TestForeignFiles::threeMfOtherShapes_areCounted()
+{
+    const std::string space = "<model xmlns:b=\"http://schemas.3mf.io/3dmanufacturing/booleanoperations/2023/07\" ";
+    const std::string boolean = "</object><object id=\"2\"><b:booleanshape objectid=\"1\"><b:boolean objectid=\"1\"/>"
+                                "</b:booleanshape></object>";
+    const std::string unbuilt = replaced(replaced(modelOf(), "<model ", space), "</object>", boolean);
+    const auto write = [this](const std::string& model) {
+        packageOf(file("boolean.3mf"), {{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", model}});
+        return file("boolean.3mf");
+    };
+    QCOMPARE(core::readModel(write(unbuilt)).remarks.unreadNodes, std::size_t(0));
+    const std::string both = replaced(unbuilt, "<item objectid=\"1\"", "<item objectid=\"2\"/><item objectid=\"1\"");
+    QCOMPARE(core::readModel(write(both)).remarks.unreadNodes, std::size_t(1));
+    const auto path = write(replaced(unbuilt, "<item objectid=\"1\"", "<item objectid=\"2\""));
+    const auto error = errorOf([&] { core::readModel(path); });
+    QVERIFY(error && error->fault == FileFault::NeedsExtension);
+    QCOMPARE(error->token, std::string("booleanoperations/2023/07"));
+}
+
 /// An extension without which the shape is another must not be passed over; those that change nothing may be required.
 void TestForeignFiles::threeMfExtensions_areRefusedByName_data()
 {
@@ -1003,6 +1086,8 @@ void TestForeignFiles::threeMfExtensions_areRefusedByName_data()
     const QString microsoft = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/");
     for (const char* known : {"material/2015/02", "production/2015/06", "slice/2015/07", "core/2015/02"})
         QTest::newRow(known) << microsoft + QLatin1StringView(known) << QString();
+    for (const char* slicers : {"http://schemas.slic3r.org/3mf/2017/06", "http://schemas.bambulab.com/package/2021"})
+        QTest::newRow(slicers) << QString::fromLatin1(slicers) << QString();
     for (const char* other : {"beamlattice/2017/02", "securecontent/2019/04"})
         QTest::newRow(other) << microsoft + QLatin1StringView(other) << QString::fromLatin1(other);
     QTest::newRow("volumetric") << "http://schemas.3mf.io/3dmanufacturing/volumetric/2022/01"
@@ -1031,6 +1116,8 @@ void TestForeignFiles::threeMfExtensions_areRefusedByName()
     }
     const auto undeclared = with("requiredextensions=\" e  nothing \"");
     QVERIFY(undeclared && undeclared->token == (token.isEmpty() ? "nothing" : token.toStdString()));
+    const auto byUri = with(qPrintable(QStringLiteral("requiredextensions=\"%1\"").arg(space)));
+    QCOMPARE(byUri ? QString::fromStdString(byUri->token) : QString(), token);
 }
 
 void TestForeignFiles::threeMfBeams_areCounted()

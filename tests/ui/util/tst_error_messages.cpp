@@ -95,6 +95,30 @@ private Q_SLOTS:
         QVERIFY(ui::ErrorMessages::sentence(e).contains(QStringLiteral("byte 80:")));
     }
 
+    /// A number may be one, and yet not the one that its place needs.
+    void numbersAreCalledWhatTheyAre()
+    {
+        FileError e(FileErrorKind::NotANumber, path);
+        e.place = {core::FilePlace::Unit::Line, 2};
+        for (const auto& [token, words] : {std::pair{"4.0", "\"4.0\" is not a whole number that can be here."},
+                                           {"-1", "\"-1\" is not a whole number that can be here."},
+                                           {"4294967296", "\"4294967296\" is not a whole number that can be here."},
+                                           {"nan", "\"nan\" is not a finite number."},
+                                           {"1e39", "\"1e39\" is not a finite number."},
+                                           {"1e999", "\"1e999\" is not a finite number."},
+                                           {"0,5", "\"0,5\" is not a finite number."},
+                                           {"", "a number is missing here, or is not finite."}}) {
+            e.token = token;
+            QVERIFY2(ui::ErrorMessages::sentence(e).endsWith(QLatin1StringView(words)), token);
+        }
+        e.place = {core::FilePlace::Unit::Byte, 2};
+        QVERIFY(ui::ErrorMessages::sentence(e).endsWith(QStringLiteral("a coordinate is not a finite number.")));
+        FileError none(FileErrorKind::NoFaces, path);
+        QVERIFY(ui::ErrorMessages::sentence(none).endsWith(QStringLiteral(" holds no faces.")));
+        none.expected = 3;
+        QVERIFY(ui::ErrorMessages::sentence(none).contains(QStringLiteral("a slicer's parts that are no matter (3)")));
+    }
+
     void theSystemsReasonIsGiven()
     {
         FileError e = error(FileErrorKind::NotWritable);
