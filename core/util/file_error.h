@@ -33,7 +33,7 @@ enum class FileErrorKind {
     ReaderDied,           ///< an external reader broke off
     ReaderTooSlow,        ///< an external reader was ended; expected: seconds that it had
     ReaderOutOfMemory,    ///< an external reader; expected: bytes that it had
-    NoFaces,              ///< vertices perhaps, but nothing to sculpt
+    NoFaces,              ///< nothing to sculpt; expected: a slicer's parts that were left out
     // Writing; nothing has changed on disk
     NotWritten,  ///< a format that is only read; token: the ending
     TooFar,      ///< where the model's file has it, 32 bits are too few for the model's detail
@@ -72,7 +72,7 @@ enum class FileFault {
     BeyondItsData,   ///< it has fewer bytes than are to be read of it
     WrongAccessor,   ///< its type or count is none that can be used for what names it
     TooDeep,         ///< it is nested too deeply, or holds itself
-    NeedsExtension,  ///< without which the shape is not known
+    NeedsExtension,  ///< without which the shape is not known; expected: bytes of a file that needs Draco
     OldGltf,         ///< glTF of a version before 2
     CompressedCut,   ///< compressed data that ends too early
     CompressedWrong, ///< compressed data that is not packed as it should be

@@ -257,9 +257,10 @@ private:
             refuseX3d(m_file, node, FileFault::Number, node.text(name));
         if (count == 4) {
             const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
+            constexpr double tolerance = 1e-12; // an axis that was divided once stays as it is
             if (length == 0)
                 return;
-            for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t i = 0; i < 3 && std::abs(length - 1) > tolerance; ++i)
                 numbers[i] /= length;
         }
         m_to.addNumbers(name, numbers);

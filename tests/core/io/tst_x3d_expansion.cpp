@@ -218,6 +218,10 @@ void TestX3dExpansion::axes_areOfUnitLength()
     QVERIFY(std::abs(squares - 1) < 1e-12);
     QCOMPARE(numbers[3], QStringLiteral("2"));
     QCOMPARE(rotation("rotation='0 0 0 1'"), QString()); // no axis: no turn
+    for (int x = 1; x < 30; ++x) {                       // what was divided by its length is not divided again
+        const QString once = rotation("rotation='" + QByteArray::number(x) + " 1 0 0.5'");
+        QCOMPARE(rotation("rotation='" + once.toLatin1() + "'"), once);
+    }
     QCOMPARE(valueOf(sceneOf("<Transform scaleOrientation='0 3 0 .5'>" + box + "</Transform>"), "scaleOrientation"),
              QStringLiteral("0 1 0 0.5"));
 }
