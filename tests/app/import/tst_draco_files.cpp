@@ -18,8 +18,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <functional>
 #include <optional>
 #include <random>
 

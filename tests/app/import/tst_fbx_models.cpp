@@ -12,6 +12,7 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
