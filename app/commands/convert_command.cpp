@@ -5,6 +5,7 @@
 #include "app/model/model_loader.h"
 
 #include "core/analysis/mesh_check.h"
+#include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
@@ -146,12 +147,19 @@ QString refusalText(const QString& file, const core::RepairResult& repaired, con
                                        : refusal;
 }
 
-/// Repairs a model that is not in order, and prints what was done as the answer. Returns why the outcome may not be the
-/// model any more; empty if it is.
-QString makeSound(const QString& file, core::TriangleMesh& mesh, const core::RepairOptions& options)
+/// A repair of the model, to be told of once it is known what was written.
+struct Repaired
+{
+    core::RepairReport report;
+    core::TriangleMesh old; ///< see core::RepairResult
+    QString doubt;          ///< why the outcome may not be the model any more; empty if it is
+};
+
+/// Repairs a model that is not in order.
+std::optional<Repaired> makeSound(const QString& file, core::TriangleMesh& mesh, const core::RepairOptions& options)
 {
     if (core::checkMesh(mesh).printReady())
-        return {};
+        return std::nullopt;
     const auto onStep = [&](core::RepairStep step) {
         CommandLine::printProgress(ui::RepairMessages::progress(file, step));
     };
@@ -160,19 +168,31 @@ QString makeSound(const QString& file, core::TriangleMesh& mesh, const core::Rep
     if (!repaired.mesh)
         throw CommandFailure{refusalText(file, repaired, options), AnswerIsNo};
     mesh = core::placedMesh(toPath(file), std::move(*repaired.mesh), -repaired.report.moved);
-    const QStringList steps = ui::RepairMessages::steps(repaired.report) + ui::RepairMessages::losses(repaired.report);
+    return Repaired{repaired.report, std::move(repaired.old), ui::RepairMessages::doubt(file, repaired.report)};
+}
+
+/// Measures what was made of the repaired model in place of the repair's own outcome.
+void measureAgain(const QString& file, Repaired& repaired, core::TriangleMesh mesh)
+{
+    for (core::Vec3f& p : mesh.points)
+        p = (p.cast<double>() + repaired.report.moved).cast<float>();
+    core::measureAgain(repaired.report, repaired.old, mesh);
+    if (const QString doubt = ui::RepairMessages::doubt(file, repaired.report);
+        !repaired.doubt.isEmpty() && !doubt.isEmpty())
+        repaired.doubt = doubt;
+}
+
+void printRepair(const core::RepairReport& report)
+{
+    const QStringList steps = ui::RepairMessages::steps(report) + ui::RepairMessages::losses(report);
     CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
-    return ui::RepairMessages::doubt(file, repaired.report);
 }
 
 double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
 {
     if (!options.size)
         return options.unit.value_or(1);
-    core::Box box;
-    for (const core::Vec3f& point : mesh.points)
-        box.extend(point.cast<double>());
-    return *options.size / box.sizes().maxCoeff();
+    return *options.size / core::boxOf(mesh).sizes().maxCoeff();
 }
 
 /// Returns the sentence about a model that has more triangles than were asked for.
@@ -218,16 +238,21 @@ ExitStatus convertCommand(const QStringList& arguments)
             if (!options->repair)
                 requireSound(options->in, mesh);
         }
-        QString doubt;
+        std::optional<Repaired> repaired;
         if (options->repair)
-            doubt = makeSound(options->in, mesh, *options->repair);
-        if (options->triangles > 0 && mesh.triangles.size() > options->triangles)
+            repaired = makeSound(options->in, mesh, *options->repair);
+        if (options->triangles > 0 && mesh.triangles.size() > options->triangles) {
             mesh = reduced(*options, mesh);
+            if (repaired)
+                measureAgain(options->in, *repaired, mesh);
+        }
+        if (repaired)
+            printRepair(repaired->report);
         core::writeMesh(toPath(options->out), mesh);
         if (const QString left = ui::ErrorMessages::remarks(options->in, remarks); !left.isEmpty())
             CommandLine::printError(left);
-        if (!doubt.isEmpty())
-            throw CommandFailure{doubt, AnswerIsNo};
+        if (repaired && !repaired->doubt.isEmpty())
+            throw CommandFailure{repaired->doubt, AnswerIsNo};
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::ErrorMessages::sentence(error));
     }

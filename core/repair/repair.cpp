@@ -199,6 +199,20 @@ TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
     return mesh;
 }
 
+/// Step 8. `measures`: of the mesh.
+void measure(RepairReport& report, const TriangleMesh& old, const TriangleMesh& mesh, const MeshReport& measures,
+             const JobControl& control = {})
+{
+    constexpr double half = 0.5;
+    constexpr double near = 1e-4; // of the size: what lies on the surface
+    report.after = {measures.area, measures.volume.value_or(0), measures.components};
+    report.fromOld = distanceFrom(old, mesh, control.part(0, half));
+    report.fromNew = distanceFrom(mesh, old, control.part(half, 1));
+    report.lost = report.fromOld.mean;
+    if (report.lost > RepairReport::mostLost * report.size) // some of it may have been inside
+        report.lost = meanDistanceOutside(old, mesh, near * report.size, {control.stop, {}});
+}
+
 /// Steps 6 to 8.
 class Solidification
 {
@@ -281,8 +295,7 @@ private:
     /// Takes it if it is in order and loses less than what there was.
     void offer(TriangleSoup surface, const RepairReport& report, const Progress& progress)
     {
-        constexpr double afterCheck = 0.35, afterFromOld = 0.7;
-        constexpr double near = 1e-4; // of the size: what lies on the surface
+        constexpr double afterCheck = 0.35;
         progress.begin(RepairStep::Check);
         Outcome outcome{meshOf(std::move(surface), m_lattice), report};
         if (outcome.mesh.triangles.empty())
@@ -290,14 +303,8 @@ private:
         const MeshReport measures = checkMesh(outcome.mesh, progress.control.part(0, afterCheck));
         if (!measures.printReady() || progress.control.isCancelled())
             return;
-        outcome.report.after = {measures.area, measures.volume.value_or(0), measures.components};
         progress.begin(RepairStep::Measure);
-        outcome.report.fromOld = distanceFrom(m_old, outcome.mesh, progress.control.part(afterCheck, afterFromOld));
-        outcome.report.fromNew = distanceFrom(outcome.mesh, m_old, progress.control.part(afterFromOld, 1));
-        outcome.report.lost = outcome.report.fromOld.mean;
-        if (outcome.report.lost > RepairReport::mostLost * report.size) // some of it may have been inside
-            outcome.report.lost =
-                meanDistanceOutside(m_old, outcome.mesh, near * report.size, {progress.control.stop, {}});
+        measure(outcome.report, m_old, outcome.mesh, measures, progress.control.part(afterCheck, 1));
         if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
             m_best = std::move(outcome);
     }
@@ -337,7 +344,7 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         result.refusal = RepairRefusal::LargeHoles;
     if (closed.isRefused || closed.unfilled.triangles.empty() || control.isCancelled())
         return result;
-    const TriangleMesh old =
+    TriangleMesh old =
         report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
     Solidification solid(surface, closed, placement.lattice, old, report);
     solid.resolve(repair::Inside::Positive, progress.part(afterClosing, afterFirstAttempt));
@@ -356,7 +363,13 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
     report = std::move(solid.best().report);
     result.mesh = std::move(solid.best().mesh);
     report.unmasked = repair::transferMasks(mesh, placement, *result.mesh);
+    result.old = std::move(old);
     control.reportProgress(1);
     return result;
+}
+
+void measureAgain(RepairReport& report, const TriangleMesh& old, const TriangleMesh& mesh)
+{
+    measure(report, old, mesh, checkMesh(mesh));
 }
 } // namespace core

@@ -74,6 +74,7 @@ enum class RepairRefusal {
 struct RepairResult
 {
     std::optional<TriangleMesh> mesh; ///< print-ready, and on its lattice; missing if refused or stopped
+    TriangleMesh old;                 ///< with `mesh`: the surface that it was held against, moved as `mesh` is
     RepairRefusal refusal = RepairRefusal::None;
     std::optional<Vec3> place; ///< if unresolved, in the model's coordinates
     RepairReport report;
@@ -89,4 +90,9 @@ using RepairStepCallback = std::function<void(RepairStep step)>;
 /// outcome is still the model. Indices in range, points finite, at least one face. Whole-mesh cost, on all cores.
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options = {}, const JobControl& control = {},
                         const RepairStepCallback& onStep = {});
+
+/// Measures what became of a repaired model, such as fewer triangles, against `old` of its repair: `after`, `fromOld`,
+/// `fromNew` and `lost` of the report. The mesh is closed and oriented, and lies where `old` does. Cost: that of
+/// checkMesh() and of two distanceFrom().
+void measureAgain(RepairReport& report, const TriangleMesh& old, const TriangleMesh& mesh);
 } // namespace core

@@ -1,10 +1,12 @@
 #include "app/commands/command_line.h"
 
 #include "core/analysis/mesh_check.h"
+#include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
+#include "ui/util/number_format.h"
 
 #include <QDir>
 #include <QFile>
@@ -134,6 +136,7 @@ private Q_SLOTS:
     void convert_brokenModelWritesNothing();
     void convert_legalise();
     void convert_wrap();
+    void convert_tellsOfTheReducedModel();
     void convert_leavesSheetsOut();
     void convert_refusals_data();
     void convert_refusals();
@@ -735,6 +738,13 @@ void TestCommandLine::convert_unitAndSize()
     QCOMPARE(float(sizeAfter({QStringLiteral("--unit"), QStringLiteral("in")})), 25.4f);
     QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("80")}), 80.0);
     QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("1e-300")}), -1.0); // nothing would be left of it
+
+    write(at("more.obj"), QByteArray(cube) + "v 90 0 0\n"); // a point that no face uses
+    QCOMPARE(fettle({QStringLiteral("convert"), at("more.obj"), at("more.stl"), QStringLiteral("--size"),
+                     QStringLiteral("80")})
+                 .status,
+             0);
+    QCOMPARE(core::boxOf(core::readMesh(at("more.stl").toStdString())).sizes().maxCoeff(), 80.0);
 }
 
 void TestCommandLine::convert_triangles()
@@ -845,6 +855,22 @@ void TestCommandLine::convert_wrap()
     QCOMPARE(anew.status, 1);
     QVERIFY(anew.out.contains("Volume: ") && anew.err.contains("anew") && anew.err.count('\n') == 1);
     QVERIFY(core::checkMesh(core::readMesh(at("out.stl").toStdString())).printReady());
+}
+
+/// The figures are those of the file that was written, with fewer triangles than the repair left.
+void TestCommandLine::convert_tellsOfTheReducedModel()
+{
+    core::writeMesh(at("apart.ply").toStdString(), shapes::takenApart(core::icosphere(3, 10)));
+    const Answer answer =
+        fettle({QStringLiteral("convert"), at("apart.ply"), at("out.stl"), QStringLiteral("--legalise"),
+                QStringLiteral("--wrap"), QStringLiteral("--triangles"), QStringLiteral("40")},
+               {{QStringLiteral("LC_ALL"), QStringLiteral("C")}});
+    QCOMPARE(answer.status, 1);
+    const core::MeshReport written = core::checkMesh(core::readMesh(at("out.stl").toStdString()));
+    QVERIFY(written.printReady() && written.faces <= 40);
+    const QByteArray area = "Surface: " + ui::areaText(written.area).toUtf8();
+    QVERIFY2(answer.out.contains(area), answer.out.constData());
+    QVERIFY(answer.err.contains("anew") && answer.err.count('\n') == 1);
 }
 
 void TestCommandLine::convert_leavesSheetsOut()
