@@ -1024,6 +1024,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird geprüft</translation>
     </message>
     <message>
+        <source>%1 cannot be sculpted where it lies: so far from the origin its coordinates are too coarse for its detail.</source>
+        <translation>%1 kann nicht bearbeitet werden, wo es liegt: So weit vom Ursprung sind seine Koordinaten zu grob für seine Einzelheiten.</translation>
+    </message>
+    <message>
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
     </message>

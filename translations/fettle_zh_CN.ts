@@ -1020,6 +1020,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在检查 %1</translation>
     </message>
     <message>
+        <source>%1 cannot be sculpted where it lies: so far from the origin its coordinates are too coarse for its detail.</source>
+        <translation>%1 无法在其所在位置雕刻：离原点这么远，其坐标的精度不足以表示它的细节。</translation>
+    </message>
+    <message>
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1：内存不足，无法载入此模型。</translation>
     </message>

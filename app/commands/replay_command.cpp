@@ -16,6 +16,7 @@
 #include "core/io/placed_mesh.h"
 #include "core/io/stroke/stroke_file.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/stroke_coordinates.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/stroke_file_messages.h"
 
@@ -153,12 +154,16 @@ void readInserted(Entries& entries, const QString& strokes)
     }
 }
 
-/// The strokes from `first` on, up to the next command: that may give the model another lattice.
-void checkAgainst(const core::Lattice& lattice, const Entries& entries, std::size_t first, const QString& path)
+/// Puts the strokes from `first` on, up to the next command, into the document's coordinates, and checks them against
+/// the model: a command may give it another place and lattice.
+void takeStrokes(const core::Mesh& mesh, const core::StrokeCoordinates& coordinates, Entries& entries,
+                 std::size_t first, const QString& path)
 {
     for (std::size_t i = first; i < entries.size() && std::holds_alternative<core::Stroke>(entries[i]); ++i) {
+        auto& stroke = std::get<core::Stroke>(entries[i]);
+        stroke = coordinates.inDocument(stroke, mesh);
         try {
-            core::requireFit(std::get<core::Stroke>(entries[i]), lattice);
+            core::requireFit(stroke, mesh.lattice(), coordinates.offset(mesh));
         } catch (core::StrokeFileError& error) {
             error.stroke = i;
             throw CommandFailure{ui::StrokeFileMessages::sentence(path, error)};
@@ -193,19 +198,6 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
     }
 }
 
-/// Moves the places of strokes and insertions.
-void moveBy(const core::Vec3& by, Entries& entries)
-{
-    for (core::FileEntry& entry : entries) {
-        if (auto* const stroke = std::get_if<core::Stroke>(&entry)) {
-            for (core::StrokeSample& sample : stroke->samples)
-                sample.position += sample.rotation * by;
-        } else if (auto* const insertion = std::get_if<core::Insert>(&std::get<core::FileCommand>(entry).command)) {
-            insertion->centre += by;
-        }
-    }
-}
-
 /// `index`: of the entry.
 void requireDone(const core::ModelChange& change, const core::FileCommand& entry, std::size_t index)
 {
@@ -216,10 +208,11 @@ void requireDone(const core::ModelChange& change, const core::FileCommand& entry
                              AnswerIsNo};
 }
 
-/// As the Model menu does it.
-core::MeshDelta play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
+/// As the Model menu does it, by the file's planes and axes.
+core::MeshDelta play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, const core::FileCommand& entry,
+                     std::size_t index)
 {
-    core::ModelChange change = core::applyToCopy(sculptor.mesh(), entry.command);
+    core::ModelChange change = coordinates.apply(sculptor.mesh(), entry.command);
     requireDone(change, entry, index);
     sculptor.swap(change.delta);
     return std::move(change.delta);
@@ -231,7 +224,8 @@ struct Replayed
     std::vector<core::MeshDelta> changes; ///< of what changed anything, back to before; only for frames
 };
 
-Replayed play(core::Sculptor& sculptor, const Entries& entries, const ReplayOptions& options)
+Replayed play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, Entries& entries,
+              const ReplayOptions& options)
 {
     Replayed replayed;
     std::vector<ReplayedDab>& dabs = replayed.dabs;
@@ -249,14 +243,14 @@ Replayed play(core::Sculptor& sculptor, const Entries& entries, const ReplayOpti
             dabs.back().quality = sculptor.selectionQuality();
         dabStart = threadCpuMs();
     });
-    checkAgainst(sculptor.mesh().lattice(), entries, 0, options.strokes);
+    takeStrokes(sculptor.mesh(), coordinates, entries, 0, options.strokes);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (const auto* stroke = std::get_if<core::Stroke>(&entries[i])) {
             addChange(play(sculptor, *stroke, dabStart));
             continue;
         }
-        addChange(play(sculptor, std::get<core::FileCommand>(entries[i]), i));
-        checkAgainst(sculptor.mesh().lattice(), entries, i + 1, options.strokes);
+        addChange(play(sculptor, coordinates, std::get<core::FileCommand>(entries[i]), i));
+        takeStrokes(sculptor.mesh(), coordinates, entries, i + 1, options.strokes);
     }
     sculptor.setBetweenSubsteps({});
     sculptor.setAfterDab({});
@@ -298,12 +292,11 @@ void run(const ReplayOptions& options, Entries& entries)
     if (!model.sculptor)
         CommandLine::fail(model.problem);
     setStart(entries, model.start);
-    const core::Vec3& place = model.sculptor->mesh().frame().place;
-    // Strokes are in the document's coordinates; those of a file that is no document are its own.
-    if (const core::Vec3 by = model.metadata.place() - place; !by.isZero(0))
-        moveBy(by, entries);
+    core::StrokeCoordinates coordinates(model.metadata.place());
+    if (core::ModelChange alignment = coordinates.aligned(model.sculptor->mesh()); alignment.changes)
+        model.sculptor->swap(alignment.delta);
     core::Box box = options.frames.isEmpty() ? core::Box() : core::boxOf(core::extractMesh(model.sculptor->mesh()));
-    Replayed replayed = play(*model.sculptor, entries, options);
+    Replayed replayed = play(*model.sculptor, coordinates, entries, options);
 
     const core::TriangleMesh mesh = core::extractMesh(model.sculptor->mesh());
     if (stats)

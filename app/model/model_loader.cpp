@@ -3,6 +3,8 @@
 #include "app/import/assimp_import.h"
 #include "app/model/repair_doubts.h"
 
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/lattice_placement.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
@@ -66,7 +68,13 @@ LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOpt
 LoadedModel ModelLoader::loadInPlace(const QString& path)
 {
     return read(path, {}, {}, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& control) {
-        build(loaded, mesh, {}, control);
+        const core::MeshReport report = build(loaded, mesh, {}, control);
+        if (loaded.sculptor && core::isTooFarForFloats(core::boxOf(mesh), report.area, report.faces)) {
+            loaded.problem = tr("%1 cannot be sculpted where it lies: so far from the origin its coordinates are too "
+                                "coarse for its detail.")
+                                 .arg(loaded.path);
+            loaded.sculptor.reset();
+        }
     });
 }
 
@@ -97,18 +105,18 @@ LoadedModel ModelLoader::read(const QString& path, const OnStage& onStage, const
     return loaded;
 }
 
-void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
-                        const core::JobControl& control)
+core::MeshReport ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
+                                    const core::JobControl& control)
 {
     core::BuildResult result = core::buildMesh(mesh, placing.isCentred, control, loaded.metadata.frame);
     if (control.isCancelled())
-        return;
+        return {};
     if (!result.mesh && !result.report.printReady())
         loaded.problem = ui::ErrorMessages::refusal(loaded.path, result.report);
     else if (!result.mesh)
         loaded.problem = ui::ErrorMessages::tooFine(loaded.path, result.unsnappable);
     if (!result.mesh)
-        return;
+        return result.report;
     core::MeshFrame frame = result.mesh->frame();
     frame.place += placing.origin;
     result.mesh->beginStroke();
@@ -118,6 +126,7 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, con
     loaded.sculptor = std::make_shared<core::Sculptor>(std::move(result.mesh));
     if (placing.isCentred && !holdsUnit(loaded.name))
         loaded.unitGuess = core::guessedUnit(*result.report.volume, result.report.size.maxCoeff());
+    return result.report;
 }
 
 QString ModelLoader::insertedUnitNotice(const ui::InsertRequest& insertion, double volume)

@@ -67,7 +67,8 @@ public:
     /// As load(), except that it repairs a model that is not sound. A repaired model has no path.
     static LoadedModel loadRepaired(const QString& path, const core::RepairOptions& options,
                                     const OnStage& onStage = {}, const core::JobControl& control = {});
-    /// Does as load(), for scripts: the model stays where it is, unless it lies far from the origin.
+    /// Does as load(), for scripts: the model stays where it is, unless it lies far from the origin. One that lies too
+    /// far for 32-bit coordinates is refused (core::isTooFarForFloats), as its file could not be written again.
     static LoadedModel loadInPlace(const QString& path);
     /// Returns the paper's sphere of 2562 vertices. Units: mm.
     static LoadedModel sphere(double radius);
@@ -96,8 +97,9 @@ private:
         bool isCentred = false;                 ///< the centre goes to the origin
         core::Vec3 origin = core::Vec3::Zero(); ///< the place of the mesh's origin in the file
     };
-    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
-                      const core::JobControl& control);
+    /// Returns the report of the mesh as it came.
+    static core::MeshReport build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
+                                  const core::JobControl& control);
 };
 
 /// Converts a path from Qt.

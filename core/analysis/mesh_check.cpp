@@ -141,7 +141,8 @@ MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control)
 
     if (report.closed && report.manifold && report.oriented)
         report.boundsSolid = boundsSolid(mesh.points, mesh.triangles);
-    report.latticeOk = staysValid && (image.empty() || !report.printReady() || boundsSolid(image, mesh.triangles));
+    report.latticeOk = staysValid && !isTooFarForFloats(box, report.area, report.faces) &&
+                       (image.empty() || !report.printReady() || boundsSolid(image, mesh.triangles));
     control.reportProgress(1);
     return report;
 }

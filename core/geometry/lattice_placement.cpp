@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace core
 {
@@ -10,6 +11,7 @@ namespace
 constexpr double farthestInSizes = 4;
 /// An import leaves room for eight times the model; a lattice is kept down to twice, and up to 32 times.
 constexpr int maxStepsOff = 2;
+constexpr double leastStepsPerEdge = 32;
 
 double largestCoordinate(const Box& box)
 {
@@ -30,6 +32,18 @@ LatticePoint LatticePlacement::toLattice(const Vec3f& p) const
 bool isFarFromOrigin(const Box& box)
 {
     return std::sqrt(box.center().squaredNorm()) > farthestInSizes * box.sizes().maxCoeff();
+}
+
+double floatStepsPerEdge(const Box& box, double area, std::size_t faces)
+{
+    const auto largest = static_cast<float>(largestCoordinate(box));
+    const double step = std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest;
+    return std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(faces)) / step; // of equilateral faces
+}
+
+bool isTooFarForFloats(const Box& box, double area, std::size_t faces)
+{
+    return isFarFromOrigin(box) && faces > 0 && floatStepsPerEdge(box, area, faces) < leastStepsPerEdge;
 }
 
 LatticePlacement placeOnLattice(const Box& box, bool centre)

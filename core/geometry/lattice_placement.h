@@ -17,6 +17,14 @@ struct LatticePlacement
 /// The box's centre is farther from the origin than four times its longest side.
 bool isFarFromOrigin(const Box& box);
 
+/// Returns the mean edge of a surface of this area and number of faces, above 0, in steps of the box's largest 32-bit
+/// coordinate.
+double floatStepsPerEdge(const Box& box, double area, std::size_t faces);
+
+/// The model lies far from the origin, and 32-bit coordinates there are too coarse to sculpt it where it lies: its mean
+/// edge is shorter than 32 steps.
+bool isTooFarForFloats(const Box& box, double area, std::size_t faces);
+
 /// The finest lattice for a model with this bounding box (not a single point). A model that lies far from the origin is
 /// moved there: the lattice would be too coarse for it. With `centre` any model.
 LatticePlacement placeOnLattice(const Box& box, bool centre = false);

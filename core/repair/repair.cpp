@@ -344,8 +344,7 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         result.refusal = RepairRefusal::LargeHoles;
     if (closed.isRefused || closed.unfilled.triangles.empty() || control.isCancelled())
         return result;
-    TriangleMesh old =
-        report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
+    TriangleMesh old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
     Solidification solid(surface, closed, placement.lattice, old, report);
     solid.resolve(repair::Inside::Positive, progress.part(afterClosing, afterFirstAttempt));
     if (solid.isInsideOut() && !control.isCancelled())

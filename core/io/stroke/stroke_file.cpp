@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -60,13 +61,13 @@ std::string readStrokeText(const std::string& path, std::size_t maxBytes)
     return text;
 }
 
-void requireFit(const Stroke& stroke, const Lattice& lattice)
+void requireFit(const Stroke& stroke, const Lattice& lattice, const Vec3& offset)
 {
     const double wall = lattice.halfVolume();
     const StrokeSettings& settings = stroke.settings;
     const double min = radiusFor(lattice.minDetail(), settings.detail);
     const bool isPosition = settings.brush != BrushShape::Ray && settings.place != Placement::Ray;
-    const auto refuse = [](const char* key, double from, double to, std::optional<std::size_t> sample) {
+    const auto refuse = [](const std::string& key, double from, double to, std::optional<std::size_t> sample) {
         StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);
         error.sample = sample;
         error.min = from;
@@ -82,8 +83,14 @@ void requireFit(const Stroke& stroke, const Lattice& lattice)
         const double radius = sample.radius.value_or(settings.radius);
         if (radius < min || radius > wall)
             refuse("radius", min, wall, j);
-        if (isPosition && !lattice.contains(sample.rotation.conjugate() * sample.position))
-            refuse("position", -wall, wall, j);
+        if (!isPosition)
+            continue;
+        const Vec3 onModel = sample.rotation.conjugate() * sample.position;
+        for (int i = 0; i < 3; ++i)
+            if (!(std::abs(onModel[i]) <= wall)) {
+                const std::string key = offset.isZero(0) ? "position" : "position[" + std::to_string(i) + "]";
+                refuse(key, offset[i] - wall, offset[i] + wall, j);
+            }
     }
 }
 } // namespace core

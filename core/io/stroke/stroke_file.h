@@ -87,8 +87,10 @@ std::vector<FileEntry> readStrokes(const std::string& path);
 std::string readStrokeText(const std::string& path, std::size_t maxBytes);
 
 /// Checks that the model's lattice holds the stroke's brushes and that the hands are within the working volume; a ray
-/// may come from anywhere. Throws StrokeFileError::OutOfRange, with the sample.
-void requireFit(const Stroke& stroke, const Lattice& lattice);
+/// may come from anywhere. Throws StrokeFileError::OutOfRange, with the sample. `offset`: of the document's origin in
+/// the file's coordinates, in which ranges are told; with one, a position is refused by its first coordinate that is
+/// out of range, as position[0].
+void requireFit(const Stroke& stroke, const Lattice& lattice, const Vec3& offset = Vec3::Zero());
 
 /// Writes every key, and numbers with enough digits to come back bit-identical.
 void writeStrokes(std::ostream& out, const std::vector<FileEntry>& entries);

@@ -1,5 +1,7 @@
 // What stroke files may hold: strokes in every tool and mode, and commands for the whole model.
 #include "app/model/model_loader.h"
+#include "core/analysis/mesh_check.h"
+#include "core/analysis/surface_distance.h"
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
 #include "core/operations/model_command.h"
@@ -17,7 +19,9 @@
 #include <QTest>
 
 #include <cmath>
+#include <functional>
 
+using core::Vec3;
 using Json = nlohmann::json;
 
 namespace
@@ -57,11 +61,43 @@ public:
         return file.open(QIODevice::ReadOnly) ? Json::parse(file.readAll().toStdString()) : Json();
     }
 
+    int on(const core::TriangleMesh& model, const std::vector<Json>& entries)
+    {
+        core::writeMesh(path("model.ply").toStdString(), model);
+        return (*this)(Json(entries), path("model.ply"));
+    }
+    core::TriangleMesh result() const { return core::readMesh(path("out.ply").toStdString()); }
+    core::Box box() const { return core::boxOf(result()); }
+
     QByteArray complaint;
 
 private:
     QTemporaryDir m_folder;
 };
+
+/// No two sides of it are alike. Its coordinates are whole multiples of 2^-12, which files hold wherever it lies here.
+core::TriangleMesh potato(const Vec3& middle)
+{
+    core::TriangleMesh mesh = core::icosphere(4, 0.8);
+    for (core::Vec3f& p : mesh.points) {
+        const Vec3 q = p.cast<double>();
+        const double r = 1 + 0.1 * q.x() + 0.06 * q.y() * q.x() - 0.08 * q.z() * q.y();
+        p = core::Lattice(12).snap(r * q + middle);
+    }
+    return mesh;
+}
+
+using Turned = std::function<Vec3(const Vec3&)>;
+
+/// Both lie as near to each other as two lattices and 32 bits of a far place allow.
+#define VERIFY_ALIKE(mesh, other, shift)                                                                               \
+    do {                                                                                                               \
+        core::TriangleMesh back = mesh;                                                                                \
+        for (core::Vec3f & p : back.points)                                                                            \
+            p = (p.cast<double>() - (shift)).cast<float>();                                                            \
+        const double there = core::distanceFrom(back, other).largest, here = core::distanceFrom(other, back).largest;  \
+        QVERIFY2(std::max(there, here) < 2e-3, qPrintable(QStringLiteral("%1, %2").arg(there).arg(here)));             \
+    } while (false)
 
 void sculpt(core::Sculptor& sculptor)
 {
@@ -90,6 +126,13 @@ private Q_SLOTS:
     void refused_isTheAnswerNo();
     void strokesAfterACommand_areCheckedAgainstItsModel();
     void modelFarFromTheOrigin_isPlayedWhereItIs();
+    void farModel_isTheNearOneShifted_data();
+    void farModel_isTheNearOneShifted();
+    void farModel_keepsTheFilesPlanes_data();
+    void farModel_keepsTheFilesPlanes();
+    void farModel_isToldInItsFilesCoordinates();
+    void document_keepsItsOwnCoordinates();
+    void check_saysWhatCanBeSculpted();
 };
 
 /// Each at a place of its own around the sphere, and last a ball beside it.
@@ -312,6 +355,163 @@ void TestReplayCommand::modelFarFromTheOrigin_isPlayedWhereItIs()
     QVERIFY2(replay(Json::array({pull}), replay.path("far.ply")) == 0, replay.complaint.constData());
     const core::Box box = core::boxOf(core::readMesh(replay.path("out.ply").toStdString()));
     QVERIFY(box.max().x() > 13.01 && std::abs(box.min().x() - 11) < 0.001 && std::abs(box.center().y() - 10) < 0.01);
+}
+
+void TestReplayCommand::farModel_isTheNearOneShifted_data()
+{
+    QTest::addColumn<QByteArray>("command");
+    QTest::addColumn<Turned>("map"); ///< of file's coordinates, by the command
+    const auto row = [](const Json& command, const Turned& map) {
+        QTest::newRow(command["command"].get<std::string>().c_str())
+            << QByteArray::fromStdString(command.dump()) << map;
+    };
+    const Eigen::Quaterniond turn(0.8, 0, 0.6, 0);
+    row({{"command", "move"}, {"by", {-0.5, 0.25, 0.125}}},
+        [](const Vec3& p) { return Vec3(p + Vec3(-0.5, 0.25, 0.125)); });
+    row({{"command", "rotate"}, {"rotation", {0, 0.6, 0, 0.8}}}, [=](const Vec3& p) { return Vec3(turn * p); });
+    row({{"command", "scale"}, {"factor", 2}}, [](const Vec3& p) { return Vec3(2 * p); });
+    row({{"command", "mirror"}, {"plane", "x"}}, [](const Vec3& p) { return Vec3(-p.x(), p.y(), p.z()); });
+    row({{"command", "recentre"}}, {});
+    row({{"command", "place_on_bed"}}, [](const Vec3& p) { return Vec3(p.x(), 0, p.z()); });
+}
+
+/// A command and a stroke after it, at the place where the model's file has it then.
+void TestReplayCommand::farModel_isTheNearOneShifted()
+{
+    QFETCH(QByteArray, command);
+    QFETCH(Turned, map);
+    const Vec3 far(1000, 300, -500);
+    const Vec3 shift = map ? Vec3(map(far) - map(Vec3::Zero())) : Vec3::Zero();
+    // Where the stroke is done: on the model as the command leaves the near one.
+    Replay replay;
+    QVERIFY2(replay.on(potato({0.125, 0.0625, 0}), {Json::parse(command.toStdString())}) == 0,
+             replay.complaint.constData());
+    const Vec3 at = replay.box().max().cwiseProduct(Vec3::UnitX()) + replay.box().center().cwiseProduct(Vec3(0, 1, 1));
+    const auto entries = [&](const Vec3& by) {
+        Json pull = pullAtX;
+        pull["place"] = "nearest";
+        pull["samples"][0]["position"] = {at.x() + by.x(), at.y() + by.y(), at.z() + by.z()};
+        return Json::array({Json::parse(command.toStdString()), pull});
+    };
+    const core::Box plain = replay.box();
+    QVERIFY2(replay.on(potato({0.125, 0.0625, 0}), entries(Vec3::Zero())) == 0, replay.complaint.constData());
+    const core::TriangleMesh near = replay.result();
+    QVERIFY(core::boxOf(near).max().x() > plain.max().x() + 0.01); // the stroke did something there
+    QVERIFY2(replay.on(potato(Vec3(0.125, 0.0625, 0) + far), entries(shift)) == 0, replay.complaint.constData());
+    VERIFY_ALIKE(replay.result(), near, shift);
+}
+
+void TestReplayCommand::farModel_keepsTheFilesPlanes_data()
+{
+    QTest::addColumn<QByteArray>("entry");
+    Json pull = pullAtX;
+    pull["samples"][0]["position"] = {0, 0.8, 0.3};
+    pull["symmetry"] = "z";
+    QTest::newRow("symmetry") << QByteArray::fromStdString(pull.dump());
+    pull["symmetry"] = "x";
+    pull["place"] = "nearest";
+    QTest::newRow("symmetry by a plane beside it") << QByteArray::fromStdString(pull.dump());
+    const Json symmetrize = {{"command", "symmetrize"}, {"plane", "z"}};
+    QTest::newRow("symmetrize") << QByteArray::fromStdString(symmetrize.dump());
+    const Json insert = {{"command", "insert"}, {"file", "other.ply"}, {"where", "centre"}, {"centre", {0, 2.5, 0.5}}};
+    QTest::newRow("insert at a centre") << QByteArray::fromStdString(insert.dump());
+}
+
+/// In x the model is far away, so that the plane x = 0 has no other side; z = 0 cuts it.
+void TestReplayCommand::farModel_keepsTheFilesPlanes()
+{
+    QFETCH(QByteArray, entry);
+    constexpr double away = 1000;
+    const Vec3 middle(0, 0, 0.25);
+    Json near = Json::parse(entry.toStdString()), far = near;
+    if (near.contains("samples"))
+        far["samples"][0]["position"][0] = away;
+    if (near.value("symmetry", "") == "x")
+        near["symmetry"] = "none";
+    if (near.contains("centre"))
+        far["centre"][0] = away;
+    Replay replay;
+    core::writeMesh(replay.path("other.ply").toStdString(), core::icosphere(2, 0.5));
+    QVERIFY2(replay.on(potato(middle), {near}) == 0, replay.complaint.constData());
+    const core::TriangleMesh expected = replay.result();
+    QVERIFY2(replay.on(potato(middle + Vec3(away, 0, 0)), {far}) == 0, replay.complaint.constData());
+    VERIFY_ALIKE(replay.result(), expected, Vec3(away, 0, 0));
+}
+
+void TestReplayCommand::farModel_isToldInItsFilesCoordinates()
+{
+    const core::TriangleMesh far = potato({1000, 0, 0});
+    Json pull = pullAtX;
+    pull["samples"][0]["position"] = {950, 0, 0};
+    Replay replay;
+    QCOMPARE(replay.on(far, {pull}), 2);
+    QVERIFY2(replay.complaint.contains("\"position[0]\" is out of range, 99") &&
+                 replay.complaint.contains(QStringLiteral("strokes[0]").toUtf8()),
+             replay.complaint.constData());
+    QCOMPARE(replay.on(far, {{{"command", "symmetrize"}, {"plane", "x"}}}), 1); // the image would be far away
+    QCOMPARE(replay.on(far, {{{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}}}), 1);
+
+    // Two parts of one assembly stand as far apart as their files have them.
+    core::writeMesh(replay.path("other.ply").toStdString(), potato({1003, 0, 0}));
+    QVERIFY2(replay.on(far, {{{"command", "insert"}, {"file", "other.ply"}, {"where", "as_it_is"}}}) == 0,
+             replay.complaint.constData());
+    const core::TriangleMesh both = replay.result();
+    QCOMPARE(both.points.size(), 2 * far.points.size());
+    QVERIFY((core::boxOf(both).min() - core::boxOf(far).min()).norm() < 1e-3 &&
+            std::abs(core::boxOf(both).max().x() - core::boxOf(far).max().x() - 3) < 1e-3);
+}
+
+/// Strokes on a document are in the coordinates of the window that wrote it, before and after commands.
+void TestReplayCommand::document_keepsItsOwnCoordinates()
+{
+    Replay replay;
+    core::writeMesh(replay.path("part.ply").toStdString(), core::icosphere(4, 1));
+    core::TriangleMesh part = core::icosphere(4, 1);
+    for (core::Vec3f& p : part.points)
+        p = core::Lattice(10).snap(p.cast<double>() + Vec3(60, 0, 0));
+    core::writeMesh(replay.path("part.ply").toStdString(), part);
+    const app::LoadedModel opened = app::ModelLoader::load(replay.path("part.ply"));
+    QVERIFY(opened.sculptor);
+    core::DocumentMetadata metadata;
+    metadata.frame = opened.sculptor->mesh().frame();
+    QCOMPARE(app::ModelLoader::save(replay.path("part.glb"), opened.start->surface, metadata), QString());
+    const Json mirror = {{"command", "mirror"}, {"plane", "x"}};
+    QVERIFY2(replay(Json::array({pullAtX, mirror, pullAtX}), replay.path("part.glb")) == 0,
+             replay.complaint.constData());
+    const core::Box box = replay.box();
+    QVERIFY(box.max().x() > 61.01 && box.min().x() < 58.99);
+}
+
+/// Where `check` says that it can be, strokes are played and written, however far the model lies; else nothing is.
+void TestReplayCommand::check_saysWhatCanBeSculpted()
+{
+    std::size_t played = 0, refused = 0;
+    for (const double away : {0.0, 1e3, 5e3, 1e4, 2e4, 1e5, 1e6}) {
+        const core::TriangleMesh model = potato({away, 0, 0});
+        const core::MeshReport report = core::checkMesh(model);
+        if (!report.printReady())
+            continue;
+        Json pull = pullAtX, smooth = pullAtX;
+        pull["place"] = smooth["place"] = "nearest";
+        pull["samples"] = Json::array();
+        for (int i = 0; i < 8; ++i)
+            pull["samples"].push_back({{"position", {away + 0.6, 0.1 * i, 0.05 * i}}});
+        smooth["samples"] = pull["samples"];
+        smooth["tool"] = "crease";
+        Replay replay;
+        const int status = replay.on(model, {pull, smooth});
+        QCOMPARE(status, report.latticeOk.value_or(false) ? 0 : 2);
+        if (status == 0) {
+            ++played;
+            QVERIFY(core::checkMesh(replay.result()).printReady());
+        } else {
+            ++refused;
+            QVERIFY2(replay.complaint.contains("model.ply cannot be sculpted where it lies"),
+                     replay.complaint.constData());
+            QVERIFY(!QFile::exists(replay.path("out.ply")));
+        }
+    }
+    QVERIFY(played > 2 && refused > 0);
 }
 
 FETTLE_TEST(TestReplayCommand, QCoreApplication)

@@ -1,0 +1,133 @@
+#include "core/operations/stroke_coordinates.h"
+
+#include "core/mesh/mesh.h"
+#include "core/operations/transform.h"
+
+namespace core
+{
+namespace
+{
+constexpr int yAxis = 1;
+
+int axisOf(Symmetry plane)
+{
+    return static_cast<int>(plane) - static_cast<int>(Symmetry::X);
+}
+
+Vec3 snapped(const Lattice& lattice, const Vec3& p)
+{
+    return {lattice.snap(p.x()), lattice.snap(p.y()), lattice.snap(p.z())};
+}
+} // namespace
+
+Vec3 StrokeCoordinates::offset(const Mesh& mesh) const
+{
+    return mesh.frame().place - m_origin;
+}
+
+Stroke StrokeCoordinates::inDocument(const Stroke& stroke, const Mesh& mesh) const
+{
+    Stroke result = stroke;
+    const Vec3 by = offset(mesh);
+    if (by.isZero(0))
+        return result;
+    for (StrokeSample& sample : result.samples)
+        sample.position -= sample.rotation * by;
+    StrokeSettings& settings = result.settings;
+    if (settings.symmetry != Symmetry::None && by[axisOf(settings.symmetry)] != 0)
+        settings.symmetry = Symmetry::None;
+    if (by.x() != 0 || by.z() != 0)
+        settings.radial = 1;
+    return result;
+}
+
+ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command)
+{
+    const Vec3 by = offset(mesh);
+    if (auto* const insert = std::get_if<Insert>(&command))
+        insert->centre -= by;
+    if (const auto* const half = std::get_if<Symmetrize>(&command); half && by[axisOf(half->plane)] != 0)
+        return symmetrizedBeside(mesh, *half, by);
+    const bool movesPlace = !by.isZero(0) && std::holds_alternative<Move>(command);
+    ModelChange change = applyToCopy(mesh, movesPlace ? ModelCommand(Move{}) : command);
+    if (change.refusal != ModelRefusal::None)
+        return change;
+    follow(command, by, change.delta.frame);
+    change.changes = change.changes || change.delta.frame != mesh.frame();
+    if (change.delta.frame.place != m_origin)
+        alignAfter(mesh, change);
+    return change;
+}
+
+/// Adds to the change what aligned() does after it.
+void StrokeCoordinates::alignAfter(const Mesh& mesh, ModelChange& change) const
+{
+    Mesh after = mesh;
+    after.swap(change.delta);
+    ModelChange alignment = aligned(after);
+    if (alignment.changes) {
+        after.swap(alignment.delta);
+        Mesh both = mesh;
+        both.beginStroke();
+        both.assign(after);
+        change.delta = both.endStroke();
+        both.swap(change.delta);
+    } else {
+        after.swap(change.delta);
+    }
+}
+
+/// Sets the place of a model that is as the command has left it, and the origin of these coordinates.
+void StrokeCoordinates::follow(const ModelCommand& command, const Vec3& offset, MeshFrame& frame)
+{
+    const bool isSame = offset.isZero(0);
+    if (const auto* const move = std::get_if<Move>(&command); move && !isSame)
+        frame.place += snapped(frame.lattice, move->by);
+    if (const auto* const turn = std::get_if<Rotate>(&command); turn && !isSame)
+        frame.place += snapped(frame.lattice, turn->rotation * offset - offset);
+    if (const auto* const mirror = std::get_if<Mirror>(&command); mirror && !isSame)
+        frame.place[mirror->axis] -= 2 * offset[mirror->axis];
+    if (const auto* const scale = std::get_if<Scale>(&command))
+        m_origin *= scale->factor;
+    if (std::holds_alternative<Recentre>(command))
+        m_origin.setZero();
+    if (std::holds_alternative<PlaceOnBed>(command))
+        m_origin[yAxis] = 0;
+    if (isSame)
+        m_origin = frame.place;
+    if (std::holds_alternative<Reset>(command))
+        m_origin = m_start;
+}
+
+/// Keeps the model whole, or nothing of it; its image would lie as far away on the plane's other side.
+ModelChange StrokeCoordinates::symmetrizedBeside(const Mesh& mesh, const Symmetrize& command, const Vec3& offset) const
+{
+    const int axis = axisOf(command.plane);
+    const bool isPositive = boxOf(mesh).center()[axis] + offset[axis] > 0;
+    ModelChange change;
+    change.refusal = isPositive == (command.keep == Half::Positive) ? ModelRefusal::TooFar : ModelRefusal::EmptyHalf;
+    return change;
+}
+
+ModelChange StrokeCoordinates::aligned(const Mesh& mesh) const
+{
+    const Vec3 by = offset(mesh);
+    if (by.isZero(0))
+        return {};
+    const Box box = boxOf(mesh);
+    const double reach = box.sizes().maxCoeff();
+    Vec3 shift = Vec3::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.min()[axis] - reach < -by[axis] && -by[axis] < box.max()[axis] + reach)
+            shift[axis] = by[axis];
+    if (shift.isZero(0))
+        return {};
+    ModelChange change = applyToCopy(mesh, Move{shift});
+    if (change.refusal != ModelRefusal::None)
+        return {};
+    for (int axis = 0; axis < 3; ++axis)
+        if (shift[axis] != 0)
+            change.delta.frame.place[axis] = m_origin[axis];
+    return change;
+}
+} // namespace core
