@@ -358,8 +358,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Löcher und Teile brauchen mindestens %4. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet, or holes close. Nothing was written.</source>
-        <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Mit weniger würden Flächen umklappen oder sich treffen oder Löcher sich schließen. Es wurde nichts geschrieben.</translation>
+        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, no surface was found whose faces do not meet and whose holes stay open. Nothing was written.</source>
+        <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Mit weniger fand sich keine Fläche, deren Dreiecke einander nicht schneiden und deren Löcher offen bleiben. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>

@@ -356,8 +356,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：其孔洞和部件至少需要 %4 个。未写入任何文件。</translation>
     </message>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, faces would turn over or meet, or holes close. Nothing was written.</source>
-        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：再减少会使面翻转、相交，或使孔洞闭合。未写入任何文件。</translation>
+        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, no surface was found whose faces do not meet and whose holes stay open. Nothing was written.</source>
+        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：更少时，找不到面互不相交且孔洞保持敞开的曲面。未写入任何文件。</translation>
     </message>
     <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>

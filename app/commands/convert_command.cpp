@@ -203,8 +203,9 @@ QString tooManyText(const QString& file, const core::TriangleMesh& few, std::siz
         needed > asked ? ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: its holes and parts "
                                              "need at least %4. Nothing was written.")
                              .arg(file, ui::number(few.triangles.size()), ui::number(asked), ui::number(needed))
-                       : ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: with fewer, faces "
-                                             "would turn over or meet, or holes close. Nothing was written.")
+                       : ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: with fewer, no "
+                                             "surface was found whose faces do not meet and whose holes stay open. "
+                                             "Nothing was written.")
                              .arg(file, ui::number(few.triangles.size()), ui::number(asked));
     return sentence;
 }

@@ -9,7 +9,9 @@
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
+#include <map>
 
 using core::Rgb;
 using core::TriangleMesh;
@@ -44,6 +46,44 @@ core::Mesh built(const TriangleMesh& mesh)
 std::int64_t eulerNumber(const TriangleMesh& mesh)
 {
     return static_cast<std::int64_t>(mesh.points.size()) - static_cast<std::int64_t>(mesh.triangles.size()) / 2;
+}
+
+/// The surface of the unit cubes that are there, of size x size x size.
+template <class IsThere> TriangleMesh voxels(int size, IsThere isThere)
+{
+    TriangleMesh mesh;
+    std::map<std::array<int, 3>, core::Slot> corners;
+    const auto corner = [&](const std::array<int, 3>& p) {
+        const auto [found, isNew] = corners.emplace(p, static_cast<core::Slot>(mesh.points.size()));
+        if (isNew)
+            mesh.points.emplace_back(static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]));
+        return found->second;
+    };
+    const auto isSolid = [&](const std::array<int, 3>& p) {
+        return std::ranges::all_of(p, [&](int x) { return x >= 0 && x < size; }) && isThere(p[0], p[1], p[2]);
+    };
+    for (int i = 0; i < size * size * size; ++i) {
+        const std::array<int, 3> cell = {i % size, i / size % size, i / size / size};
+        if (!isSolid(cell))
+            continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (const int side : {0, 1}) {
+                std::array<int, 3> beside = cell, p = cell;
+                beside[axis] += 2 * side - 1;
+                if (isSolid(beside))
+                    continue;
+                const std::size_t u = (axis + (side == 1 ? 1 : 2)) % 3, v = 3 - axis - u;
+                p[axis] += side;
+                const core::Slot a = corner(p);
+                const core::Slot b = corner((++p[u], p));
+                const core::Slot c = corner((++p[v], p));
+                const core::Slot d = corner((--p[u], p));
+                mesh.triangles.push_back({a, b, c});
+                mesh.triangles.push_back({a, c, d});
+            }
+        }
+    }
+    return mesh;
 }
 
 double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
@@ -95,6 +135,8 @@ private Q_SLOTS:
     void colors_stayWhereTheyAre();
     void tooSmallABudget_keepsTopology();
     void tooSmallABudget_isToldWithItsReason();
+    void handlesAndShells_needFewMore_data();
+    void handlesAndShells_needFewMore();
     void enough_changesNothing();
     void sameInput_sameBits();
     void stopped_givesNothing();
@@ -209,6 +251,56 @@ void TestDecimate::tooSmallABudget_isToldWithItsReason()
     QVERIFY(verdict && verdict->allWell());
     const core::Decimated enough = core::decimate(built(row), few.mesh.triangles.size());
     QVERIFY(enough.mesh.triangles.size() <= few.mesh.triangles.size()); // so many it can be asked for
+}
+
+/// As low as the share over what topology needs.
+void TestDecimate::handlesAndShells_needFewMore_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<double>("share");
+    QTest::newRow("ring") << shapes::scaled(shapes::torus({3, 1, 60, 30}), 10) << 1.15;
+    QTest::newRow("thin ring") << shapes::torus({100, 0.5F, 120, 6}) << 1.15;
+    TriangleMesh rings, chain;
+    for (int i = 0; i < 4; ++i) {
+        TriangleMesh ring = shapes::torus({10, 2, 32, 12});
+        rings = shapes::together(rings, shapes::moved(ring, {30 * static_cast<float>(i), 0, 0}));
+        if (i % 2 == 1)
+            for (Vec3f& p : ring.points)
+                p = {p.x(), -p.z(), p.y()};
+        chain = shapes::together(chain, shapes::moved(ring, {15 * static_cast<float>(i), 0, 0}));
+    }
+    QTest::newRow("rings") << rings << 1.15;
+    QTest::newRow("chain") << chain << 1.5;
+    QTest::newRow("sponge") << voxels(9, [](int x, int y, int z) {
+        return (x / 3 == 1) + (y / 3 == 1) + (z / 3 == 1) < 2;
+    }) << 1.15;
+    QTest::newRow("drilled box") << voxels(9, [](int x, int y, int z) {
+        return !(x == 2 && z == 2) && !(x == 6 && z == 6) && !(x == 4 && y == 4) && !(y == 2 && z == 6);
+    }) << 1.15;
+    TriangleMesh onion;
+    for (int i = 0; i < 4; ++i) {
+        const TriangleMesh shell = core::icosphere(3, 20 - 0.05 * i);
+        onion = shapes::together(onion, i % 2 == 0 ? shell : shapes::reversed(shell));
+    }
+    QTest::newRow("onion") << onion << 1.15;
+}
+
+void TestDecimate::handlesAndShells_needFewMore()
+{
+    QFETCH(TriangleMesh, mesh);
+    QFETCH(double, share);
+    const auto needed = static_cast<double>(core::fewestTriangles(mesh));
+    const auto asked = static_cast<std::size_t>(share * needed);
+    const core::Mesh before = built(mesh);
+    const TriangleMesh few = core::decimate(before, asked).mesh;
+    QVERIFY2(few.triangles.size() <= asked,
+             qPrintable(QStringLiteral("%1 for %2").arg(few.triangles.size()).arg(needed)));
+    QCOMPARE(eulerNumber(few), eulerNumber(core::extractMesh(before)));
+    QCOMPARE(core::fewestTriangles(few), core::fewestTriangles(mesh));
+    const auto verdict = judgedByCgal(few);
+    QVERIFY(verdict && verdict->allWell());
+    const TriangleMesh again = core::decimate(before, asked).mesh;
+    QVERIFY(again.points == few.points && again.triangles == few.triangles);
 }
 
 void TestDecimate::enough_changesNothing()
