@@ -121,6 +121,7 @@ private Q_SLOTS:
     void exported_liesWhereItLay();
     void reopened_isTheSame();
     void inserted_liesWhereItsFileHasIt();
+    void inserted_atACentreOfTheWindow();
     void recentred_isSavedAtTheOrigin();
     void onTheBed_isSavedOnTheBed();
     void anotherUnit_movesThePlace();
@@ -210,13 +211,29 @@ void TestModelPlace::reopened_isTheSame()
 /// Two parts of one assembly stand as far apart as their files have them.
 void TestModelPlace::inserted_liesWhereItsFileHasIt()
 {
-    PlacedSession session(ballFile({60, 0, 0}));
-    session.document.changer().insert({.path = ballFile({95, 0, 0}), .place = core::Insert::Place::AsItIs});
+    for (const double away : {60, 5000}) {
+        PlacedSession session(ballFile({away, 0, 0}));
+        session.document.changer().insert({.path = ballFile({away + 35, 0, 0}), .place = core::Insert::Place::AsItIs});
+        session.wait();
+        QVERIFY(std::abs(session.box().sizes().x() - (35 + 2 * radius)) < 0.01);
+        session.save(file(QStringLiteral("both.stl")));
+        const core::Box both = boxIn(file(QStringLiteral("both.stl")));
+        QVERIFY(std::abs(both.min().x() - (away - radius)) < 0.01 &&
+                std::abs(both.max().x() - (away + 35 + radius)) < 0.01);
+    }
+}
+
+/// The centre is the window's, where the present model is seen at the origin.
+void TestModelPlace::inserted_atACentreOfTheWindow()
+{
+    const double away = 5000;
+    PlacedSession session(ballFile({away, 0, 0}));
+    session.document.changer().insert(
+        {.path = ballFile({95, 0, 0}), .place = core::Insert::Place::Centre, .centre = {0, 40, 0}});
     session.wait();
-    QVERIFY(std::abs(session.box().sizes().x() - (35 + 2 * radius)) < 0.01);
-    session.save(file(QStringLiteral("both.stl")));
-    const core::Box both = boxIn(file(QStringLiteral("both.stl")));
-    QVERIFY(std::abs(both.min().x() - (60 - radius)) < 0.01 && std::abs(both.max().x() - (95 + radius)) < 0.01);
+    session.save(file(QStringLiteral("two.stl")));
+    const core::Box both = boxIn(file(QStringLiteral("two.stl")));
+    QVERIFY((both.center() - Vec3(away, 20, 0)).norm() < 0.01 && std::abs(both.sizes().y() - 40 - 2 * radius) < 0.01);
 }
 
 void TestModelPlace::recentred_isSavedAtTheOrigin()
