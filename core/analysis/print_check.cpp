@@ -93,6 +93,9 @@ PrintFault thinPlaces(const PrintMeasures& measures, const Sides& sides, double 
             if (const double share = part->shareBelow(limit); share > 0)
                 places.addPart(*part, area * static_cast<double>(part->share) * share);
     }
+    for (const WallRidge& ridge : measures.walls->ridges)
+        if (static_cast<double>(ridge.least) < limit)
+            places.addRidge(ridge);
     return places.take();
 }
 
@@ -157,6 +160,9 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
     if (measures.walls) {
         report.minByRays = minOf(*measures.walls, measures.walls->byRays, &WallPart::byRays);
         report.minByBalls = minOf(*measures.walls, measures.walls->byBalls, &WallPart::least);
+        for (const WallRidge& ridge : measures.walls->ridges)
+            if (const auto least = static_cast<double>(ridge.least); least < report.minByBalls.value_or(least + 1))
+                report.minByBalls = least;
     }
     report.thin = thinPlaces(measures, sides, limits.minWall);
     report.overhangs = overhangPlaces(measures.mesh, sides, limits.overhang);
@@ -190,16 +196,22 @@ std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture
     std::vector<float> values(measures.mesh.points.size(), isThickness ? infinity : -90);
     if (isThickness && !measures.walls)
         return values;
+    const auto show = [&](Slot face, const Vec3f& p, float thickness) {
+        float& value = values[nearestCorner(measures.mesh, face, p)];
+        value = std::min(value, thickness);
+    };
     const Sides sides(measures.mesh);
     std::vector<bool> isDivided(isThickness ? measures.mesh.triangles.size() : 0);
-    if (isThickness)
+    if (isThickness) {
         for (const WallPart& part : measures.walls->parts) {
             isDivided[part.face] = true;
-            for (const Vec3f& corner : part.corners) {
-                float& value = values[nearestCorner(measures.mesh, part.face, corner)];
-                value = std::min(value, part.least);
-            }
+            for (const Vec3f& corner : part.corners)
+                show(part.face, corner, part.least);
         }
+        for (const WallRidge& ridge : measures.walls->ridges)
+            for (const Vec3f& end : ridge.ends)
+                show(ridge.face, end, ridge.least);
+    }
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {
         if (isThickness && isDivided[f])
             continue;

@@ -11,18 +11,29 @@ namespace core
 void PrintPlaces::addFace(Slot face, double badness)
 {
     const auto& [a, b, c] = m_mesh.triangles[face];
-    m_bad.push_back({face, a, badness, normalOf(face).norm(), nullptr});
+    m_bad.push_back({face, a, badness, normalOf(face).norm(), nullptr, nullptr});
     m_vertices.unite(a, b);
     m_vertices.unite(a, c);
 }
 
 void PrintPlaces::addPart(const WallPart& part, double area)
 {
-    const auto member = static_cast<Slot>(m_mesh.points.size() + m_parts++);
-    m_bad.push_back({part.face, member, static_cast<double>(part.least), area, &part});
+    m_bad.push_back({part.face, memberAt(part.face), static_cast<double>(part.least), area, &part, nullptr});
+}
+
+void PrintPlaces::addRidge(const WallRidge& ridge)
+{
+    m_bad.push_back(
+        {ridge.face, memberAt(ridge.face), static_cast<double>(ridge.least), ridge.area(), nullptr, &ridge});
+}
+
+/// Returns a new member of the sets, for what lies within a face or at its border.
+Slot PrintPlaces::memberAt(Slot face)
+{
     m_isAtPart.resize(m_mesh.points.size());
-    for (const Slot corner : m_mesh.triangles[part.face])
+    for (const Slot corner : m_mesh.triangles[face])
         m_isAtPart[corner] = true;
+    return static_cast<Slot>(m_mesh.points.size() + m_parts++);
 }
 
 Vec3 PrintPlaces::normalOf(Slot face) const
@@ -33,15 +44,27 @@ Vec3 PrintPlaces::normalOf(Slot face) const
 
 std::array<Vec3, 3> PrintPlaces::cornersOf(const Bad& bad) const
 {
+    if (bad.ridge) {
+        const auto& [from, to] = bad.ridge->ends;
+        return {from.cast<double>(), to.cast<double>(), to.cast<double>()};
+    }
     if (!bad.part)
         return core::cornersOf(m_mesh, bad.face);
     const auto& [a, b, c] = bad.part->corners;
     return {a.cast<double>(), b.cast<double>(), c.cast<double>()};
 }
 
+Vec3 PrintPlaces::pointOf(const Bad& bad) const
+{
+    if (bad.part || bad.ridge)
+        return (bad.part ? bad.part->thinnest : bad.ridge->thinnest).cast<double>();
+    const std::array<Vec3, 3> corners = cornersOf(bad);
+    return (corners[0] + corners[1] + corners[2]) / 3;
+}
+
 bool PrintPlaces::isAtPart(const Bad& bad) const
 {
-    return bad.part ||
+    return bad.part || bad.ridge ||
            std::ranges::any_of(m_mesh.triangles[bad.face], [this](Slot corner) { return m_isAtPart[corner]; });
 }
 
@@ -103,9 +126,7 @@ PrintFault PrintPlaces::take()
         PrintPlace& place = fault.places[i];
         place.face = worst[i]->face;
         place.worst = worst[i]->badness;
-        const std::array<Vec3, 3> corners = cornersOf(*worst[i]);
-        place.point =
-            worst[i]->part ? worst[i]->part->thinnest.cast<double>() : Vec3((corners[0] + corners[1] + corners[2]) / 3);
+        place.point = pointOf(*worst[i]);
         const Vec3 normal = normalOf(place.face);
         place.normal = normal.isZero() ? Vec3::UnitY() : Vec3(normal.normalized());
     }

@@ -19,6 +19,9 @@ public:
     /// A part that is thin on an area.
     void addPart(const WallPart& part, double area);
 
+    /// A piece of a ridge that is thin.
+    void addRidge(const WallRidge& ridge);
+
     /// Cost: a sort of the parts, and of the whole faces around them.
     PrintFault take();
 
@@ -27,18 +30,21 @@ private:
     {
         Slot face, member; ///< of the sets
         double badness, area;
-        const WallPart* part; ///< null: the whole face
+        const WallPart* part;   ///< null, and
+        const WallRidge* ridge; ///< null: the whole face
     };
 
     Vec3 normalOf(Slot face) const; ///< as long as the face has area
+    Slot memberAt(Slot face);
     std::array<Vec3, 3> cornersOf(const Bad& bad) const;
+    Vec3 pointOf(const Bad& bad) const;
     bool isAtPart(const Bad& bad) const;
     void uniteTouching(DisjointSets& sets) const;
 
     const TriangleMesh& m_mesh;
     DisjointSets m_vertices;
     std::vector<Bad> m_bad;
-    std::vector<bool> m_isAtPart; ///< by vertex: of a face that has parts; empty without any
+    std::vector<bool> m_isAtPart; ///< by vertex: of a face that has parts or ridges; empty without any
     std::size_t m_parts = 0;
 };
 } // namespace core

@@ -21,59 +21,20 @@ namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Faces are opposite if the cosine between their normals is less: they look more than 120 degrees away from each
-/// other, by more than what floats are off by, so that 60 degree edges are the same whichever way they are turned.
-constexpr double maxCosine = -0.5 - 1e-4;
 /// The rays around the normal: 30 degrees from it, their tangent.
 constexpr double coneTangent = 0.57735026918962576;
 /// A ball is as good as empty if what lies in it is so near to its surface, in radii. Much less, and a ball in round
 /// matter, whose whole surface it all but touches, would look at all faces there are.
 constexpr double shallow = 0.04, shallowOfMany = 0.1;
 constexpr int maxShrinkings = 48;
+/// The least diameter that a second search begins with.
+constexpr double leastSecondStart = 0.05;
 /// The number of faces out of sight that are passed over for one ball.
 constexpr std::size_t maxHidden = 6;
 /// Lines of sight begin and end so far within the faces, as a share of the line's length: on an edge rounding decides.
 constexpr double inset = 1e-3;
 
 constexpr std::size_t facesAtOnce = 256;
-
-/// A ridge is bent more, as the cosine between the faces' normals.
-constexpr double minBend = 0.94;
-
-/// Returns, by face and side, the corner of the other face across from it, if the edge juts into the matter as that at
-/// the ground of a groove does; else noSlot. Sides are named by the corner across. Cost: a sort of the sides.
-std::vector<std::array<Slot, 3>> ridgesOf(const TriangleMesh& mesh)
-{
-    struct Side
-    {
-        std::uint64_t edge;
-        Slot face, across;
-    };
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (Slot f = 0; f < mesh.triangles.size(); ++f)
-        for (Slot i = 0; i < 3; ++i) {
-            const auto [low, high] = std::minmax({mesh.triangles[f][(i + 1) % 3], mesh.triangles[f][(i + 2) % 3]});
-            sides.push_back({std::uint64_t(low) << 32 | high, f, i});
-        }
-    std::ranges::sort(sides, {}, [](const Side& side) { return std::tie(side.edge, side.face); });
-    std::vector<std::array<Slot, 3>> ridges(mesh.triangles.size(), {noSlot, noSlot, noSlot});
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-        const Side &one = sides[i], &other = sides[i + 1];
-        if (one.edge != other.edge)
-            continue;
-        const auto [a, b, c] = cornersOf(mesh, one.face);
-        const auto [d, e, f] = cornersOf(mesh, other.face);
-        const Vec3 normal = (b - a).cross(c - a), otherNormal = (e - d).cross(f - d);
-        const Slot across = mesh.triangles[other.face][other.across];
-        if (normal.dot(mesh.points[across].cast<double>() - a) > 0 &&
-            normal.dot(otherNormal) < minBend * normal.norm() * otherNormal.norm()) {
-            ridges[one.face][one.across] = across;
-            ridges[other.face][other.across] = mesh.triangles[one.face][one.across];
-        }
-    }
-    return ridges;
-}
 
 /// Moves a point towards another, by no more than a length.
 Vec3 towards(const Vec3& p, const Vec3& goal, double length)
@@ -83,12 +44,38 @@ Vec3 towards(const Vec3& p, const Vec3& goal, double length)
     return distance > length ? Vec3(p + length / distance * way) : goal;
 }
 
+/// The squared cosine of half the angle between the normals of opposite faces.
+constexpr double minSteepness = (1 - maxOppositeCosine) / 2;
+
 /// Returns whether a ball that touches the surface at p and at p + way touches it there from 120 degrees away or more.
 bool isSteep(const Vec3& way, const Vec3& inward)
 {
-    constexpr double least = (1 - maxCosine) / 2; // the squared cosine of half the angle between the normals
     const double height = way.dot(inward);
-    return height > 0 && height * height >= least * way.squaredNorm();
+    return height > 0 && height * height >= minSteepness * way.squaredNorm();
+}
+
+/// Returns the point of a segment that the least ball reaches which touches the surface at p, steeply: f(s) = |w + s
+/// e|^2 / ((w + s e) . n) has its minimum where D s^2 + 2 C s + 2 B C - D A = 0, with A = w . w, B = w . e, C = w . n
+/// and D = e . n. It is steep on an interval, unless the segment itself is steep. Nothing if it is steep nowhere.
+std::optional<Vec3> steepPoint(const Vec3& p, const Vec3& inward, const Vec3& from, const Vec3& to)
+{
+    const Vec3 w = from - p, side = to - from;
+    const double length = side.norm();
+    if (length == 0)
+        return isSteep(w, inward) ? std::optional(from) : std::nullopt;
+    const Vec3 e = side / length;
+    const double a = w.squaredNorm(), b = w.dot(e), c = w.dot(inward), d = e.dot(inward);
+    const double square = d * d - minSteepness, half = c * d - minSteepness * b, constant = c * c - minSteepness * a;
+    const double inRoot = half * half - square * constant;
+    if (square >= 0 || inRoot < 0)
+        return std::nullopt;
+    const double low = std::max(0.0, (-half + std::sqrt(inRoot)) / square),
+                 high = std::min(length, (-half - std::sqrt(inRoot)) / square);
+    if (low > high || c + (low + high) / 2 * d <= 0)
+        return std::nullopt;
+    const double root = std::sqrt(std::max(0.0, c * c - d * (2 * b * c - d * a)));
+    const double best = std::abs(d) < 1e-9 ? -b : (root - c) / d;
+    return Vec3(from + std::clamp(best, low, high) * e);
 }
 
 /// The faces that were found to be out of sight, of one ball.
@@ -151,6 +138,23 @@ public:
         const Vec3 centre = toFrame((min + max) / 2), half = m_extents * ((max - min) / 2);
         return centre.z() + half.z() <= 0 ? infinity : std::max(gapTo(centre - half, centre + half), gap.squaredNorm());
     }
+    /// Returns the pair of the lifted cell and a segment, in the frame, if a ball that touches the face below reaches
+    /// the segment steeply; otherwise about the nearest pair that does, or none.
+    NearestPair nearestSteepPair(const Vec3& from, const Vec3& to) const
+    {
+        NearestPair pair = nearestOfTriangleAndSegment(m_cell, from, to);
+        const double height = m_min.z();
+        const Vec3 up = Vec3::UnitZ();
+        if (isSteep(pair.b - pair.a + height * up, up))
+            return pair;
+        std::array<Vec3, 3> face = m_cell;
+        for (Vec3& p : face)
+            p.z() = 0;
+        pair = nearestOfTriangleAndSegment(face, from, to);
+        const auto q = steepPoint(pair.a, up, from, to);
+        const Vec3 centre = pair.a + height * up;
+        return q ? NearestPair{centre, *q, (*q - centre).squaredNorm()} : NearestPair();
+    }
     double gapTo(const std::array<Vec3, 3>& triangle) const
     {
         const Vec3 max = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
@@ -172,16 +176,15 @@ private:
 
 WallSurface::WallSurface(const TriangleMesh& mesh)
     : m_mesh(mesh)
+    , m_edges(mesh)
     , m_tree(faceBoxes(mesh.points, mesh.triangles))
     , m_walls(mesh.triangles.size())
     , m_shallow(hasMany() ? shallowOfMany : shallow)
 {
-    const std::vector<std::array<Slot, 3>> ridges = ridgesOf(mesh);
     forEachChunk(m_walls.size(), facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             m_walls[i] = wallOf(mesh, m_tree.at(static_cast<Slot>(i)));
-            m_walls[i].ridges = ridges[m_walls[i].face];
-            m_walls[i].hasRidge = m_walls[i].ridges != std::array<Slot, 3>{noSlot, noSlot, noSlot};
+            m_walls[i].isAtEdge = m_edges.isAt(m_walls[i].face);
         }
     });
 }
@@ -229,25 +232,12 @@ double WallSurface::areaOf(Slot position) const
 
 bool WallSurface::areOpposite(Slot a, Slot b) const
 {
-    return static_cast<double>(m_walls[a].normal.dot(m_walls[b].normal)) < maxCosine;
+    return static_cast<double>(m_walls[a].normal.dot(m_walls[b].normal)) < maxOppositeCosine;
 }
 
 bool WallSurface::mayTouch(Slot position, Slot other) const
 {
-    return areOpposite(position, other) || m_walls[other].hasRidge;
-}
-
-/// Returns whether some direction between the two faces at a ridge is opposite.
-bool WallSurface::isOppositeRidge(Slot position, std::size_t side, const Vec3& inward) const
-{
-    const Slot across = m_walls[position].ridges[side];
-    if (across == noSlot)
-        return false;
-    const std::array<Vec3, 3> corners = cornersOf(position);
-    const Vec3 start = corners[(side + 1) % 3], edge = (corners[(side + 2) % 3] - start).normalized();
-    const Vec3 direction = inward - inward.dot(edge) * edge;
-    return direction.squaredNorm() > maxCosine * maxCosine && direction.dot(corners[side] - start) >= 0 &&
-           direction.dot(m_mesh.points[across].cast<double>() - start) >= 0;
+    return areOpposite(position, other) || m_walls[other].isAtEdge;
 }
 
 /// Returns whether the cell has a corner, or a point of an edge, that both faces have.
@@ -323,7 +313,22 @@ double WallSurface::depthBehind(Slot position, const Vec3& p) const
     return hit.position == noSlot ? 0 : hit.distance;
 }
 
+/// A large ball all but touches what is near to the point at which it touches the surface itself: that lies less deep
+/// in the ball than is looked for. A small ball holds it; 0 if it is too small to matter.
+double WallSurface::secondStart(double diameter) const
+{
+    const double second = m_shallow / (2 - m_shallow) * diameter;
+    return diameter < noBall && second > leastSecondStart ? second : 0;
+}
+
 double WallSurface::byBall(Slot position, const Vec3& p, double start) const
+{
+    const double found = shrunk(position, p, start);
+    const double second = secondStart(std::min(start, found));
+    return second > 0 ? std::min(found, shrunk(position, p, second)) : found;
+}
+
+double WallSurface::shrunk(Slot position, const Vec3& p, double start) const
 {
     const Vec3 inward = inwardOf(position);
     double diameter = start, found = infinity;
@@ -343,6 +348,19 @@ double WallSurface::byBall(Slot position, const Vec3& p, double start) const
 }
 
 ThinnestPlace WallSurface::thinnestIn(Slot position, const WallCell& cell, double start) const
+{
+    ThinnestPlace found = shrunk(position, cell, start);
+    if (const double second = secondStart(std::min(start, found.diameter)); second > 0) {
+        const ThinnestPlace near = shrunk(position, cell, second);
+        const double hidden = std::min(found.hidden, near.hidden);
+        if (near.diameter < found.diameter)
+            found = near;
+        found.hidden = hidden;
+    }
+    return found;
+}
+
+ThinnestPlace WallSurface::shrunk(Slot position, const WallCell& cell, double start) const
 {
     std::array<Vec3, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
@@ -374,7 +392,7 @@ ThinnestPlace WallSurface::thinnestIn(Slot position, const WallCell& cell, doubl
     return thinnest;
 }
 
-/// Finds the nearest pair of points. A face that is not opposite counts by its opposite ridges only.
+/// Finds the nearest pair of points. A face that is not opposite counts by its opposite edges and corners only.
 template <typename NearestOfFace, typename NearestOfSide>
 NearestPair WallSurface::nearestOf(Slot position, const Vec3& inward, Slot other, NearestOfFace ofFace,
                                    NearestOfSide ofSide) const
@@ -382,12 +400,16 @@ NearestPair WallSurface::nearestOf(Slot position, const Vec3& inward, Slot other
     if (areOpposite(position, other))
         return ofFace();
     NearestPair nearest;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!isOppositeRidge(other, i, inward))
-            continue;
-        const NearestPair pair = ofSide((i + 1) % 3, (i + 2) % 3);
-        if (pair.squaredDistance < nearest.squaredDistance && isSteep(pair.b - pair.a, inward))
+    const auto keep = [&](std::size_t from, std::size_t to) {
+        if (const NearestPair pair = ofSide(from, to); pair.squaredDistance < nearest.squaredDistance)
             nearest = pair;
+    };
+    const Slot face = m_walls[other].face;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (m_edges.isOppositeSide(face, i, inward))
+            keep((i + 1) % 3, (i + 2) % 3);
+        if (m_edges.isOppositeCorner(m_mesh.triangles[face][i], inward))
+            keep(i, i);
     }
     return nearest;
 }
@@ -410,7 +432,8 @@ std::optional<WallSurface::Touch> WallSurface::nearestOpposite(Slot position, co
         const NearestPair pair = nearestOf(
             position, inward, other, [&] { return pairWith(nearestInTriangle(centre, corners)); },
             [&](std::size_t from, std::size_t to) {
-                return pairWith(nearestOfSegments(centre, centre, corners[from], corners[to]).b);
+                const auto q = steepPoint(p, inward, corners[from], corners[to]);
+                return q ? pairWith(*q) : NearestPair();
             });
         if (pair.squaredDistance < min) {
             min = pair.squaredDistance;
@@ -432,27 +455,28 @@ std::optional<WallSurface::Touch> WallSurface::nearestOpposite(Slot position, co
     };
     std::optional<Touch> nearest;
     double min = (1 - shallow) * radius * (1 - shallow) * radius;
-    m_tree.forEachNear(
-        [&](const FaceBox& box) { return lifted.reach(box); }, min,
-        [&](Slot other) {
-            if (!mayTouch(position, other) || std::ranges::find(hidden, other) != hidden.end())
-                return min;
-            std::array<Vec3, 3> corners = cornersOf(other);
-            for (Vec3& corner : corners)
-                corner = lifted.toFrame(corner);
-            if (lifted.gapTo(corners) >= min || doTouch(position, cell, other))
-                return min;
-            const NearestPair pair = nearestOf(
-                position, inward, other, [&] { return inSpace(nearestOfTriangles(lifted.corners(), corners)); },
-                [&](std::size_t from, std::size_t to) {
-                    return inSpace(nearestOfTriangleAndSegment(lifted.corners(), corners[from], corners[to]));
-                });
-            if (pair.squaredDistance < min) {
-                min = pair.squaredDistance;
-                nearest = {pair.a, pair.b, other};
-            }
-            return min;
-        });
+    m_tree.forEachNear([&](const FaceBox& box) { return lifted.reach(box); }, min,
+                       [&](Slot other) {
+                           if (!mayTouch(position, other) || std::ranges::find(hidden, other) != hidden.end())
+                               return min;
+                           std::array<Vec3, 3> corners = cornersOf(other);
+                           for (Vec3& corner : corners)
+                               corner = lifted.toFrame(corner);
+                           if (lifted.gapTo(corners) >= min || doTouch(position, cell, other))
+                               return min;
+                           const NearestPair pair = nearestOf(
+                               position, inward, other,
+                               [&] { return inSpace(nearestOfTriangles(lifted.corners(), corners)); },
+                               [&](std::size_t from, std::size_t to) {
+                                   const NearestPair steep = lifted.nearestSteepPair(corners[from], corners[to]);
+                                   return std::isfinite(steep.squaredDistance) ? inSpace(steep) : steep;
+                               });
+                           if (pair.squaredDistance < min) {
+                               min = pair.squaredDistance;
+                               nearest = {pair.a, pair.b, other};
+                           }
+                           return min;
+                       });
     return nearest;
 }
 
@@ -460,5 +484,11 @@ bool WallSurface::isInSight(Slot position, const Vec3& p, const Vec3& q) const
 {
     constexpr double beforeIt = 1 - 1e-6;
     return firstHit(position, p, q - p, beforeIt).position == noSlot;
+}
+
+bool WallSurface::areInSight(const Vec3& p, const Vec3& q) const
+{
+    const Vec3 step = inset * (q - p);
+    return firstHit(noSlot, p + step, q - p - 2 * step, 1).position == noSlot;
 }
 } // namespace core

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/wall_edges.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/triangle_distance.h"
 #include "core/geometry/triangle_mesh.h"
@@ -60,6 +61,9 @@ public:
     /// Measures all points of the cell at once: lifted by the radius, it is the locus of the balls' centres. Opposite
     /// faces that the cell touches, at an edge or corner of the solid, do not count.
     ThinnestPlace thinnestIn(Slot position, const WallCell& cell, double start) const;
+    /// Returns whether no face lies between two points of the surface that see each other through the matter.
+    bool areInSight(const Vec3& p, const Vec3& q) const;
+    const WallEdges& edges() const { return m_edges; }
 
 private:
     /// A face at its place in the tree.
@@ -68,8 +72,7 @@ private:
         std::array<Vec3f, 3> corners;
         Vec3f normal; ///< unit length, or zero
         Slot face;
-        std::array<Slot, 3> ridges = {noSlot, noSlot, noSlot}; ///< see ridgesOf()
-        bool hasRidge = false;
+        bool isAtEdge = false; ///< see WallEdges
     };
     struct Hit
     {
@@ -87,10 +90,12 @@ private:
     Vec3 inwardOf(Slot position) const { return -m_walls[position].normal.cast<double>(); }
     bool areOpposite(Slot a, Slot b) const;
     bool mayTouch(Slot position, Slot other) const;
-    bool isOppositeRidge(Slot position, std::size_t side, const Vec3& inward) const;
     bool doTouch(Slot position, const WallCell& cell, Slot other) const;
     Hit firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const;
     double ballOfRay(Slot position, const Vec3& origin, const Vec3& direction, double largest) const;
+    double secondStart(double diameter) const;
+    double shrunk(Slot position, const Vec3& p, double start) const;
+    ThinnestPlace shrunk(Slot position, const WallCell& cell, double start) const;
     bool isInSight(Slot position, const Vec3& p, const Vec3& q) const;
     template <typename NearestOfFace, typename NearestOfSide>
     NearestPair nearestOf(Slot position, const Vec3& inward, Slot other, NearestOfFace ofFace,
@@ -101,6 +106,7 @@ private:
                                          std::span<const Slot> hidden) const;
 
     const TriangleMesh& m_mesh;
+    WallEdges m_edges;
     BoxTree m_tree;
     std::vector<Wall> m_walls; ///< by position
     double m_shallow;

@@ -3,6 +3,7 @@
 #include "core/analysis/wall_thickness.h"
 
 #include "core/analysis/wall_parts.h"
+#include "core/analysis/wall_ridges.h"
 #include "core/util/parallel.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ constexpr std::size_t centresAtOnce = 256, facesPerPart = 1 << 14, largeFacesAtO
 
 /// Parts of a face: the fewer the more faces there are.
 constexpr std::size_t allParts = 200'000, minParts = 4, maxParts = 4096;
+/// A ball that begins so much deeper than the matter holds well within it what is straight ahead.
+constexpr double beyond = 1.25;
 /// An area that does not count, as a share of the whole.
 constexpr double smallShare = 5e-7;
 
@@ -50,6 +53,14 @@ public:
         result.parts.insert(result.parts.end(), parts.begin(), parts.end());
     }
 
+    void measureRidges(const TriangleMesh& mesh, const JobControl& control, WallThickness& result) const
+    {
+        std::vector<float> least = result.byBalls;
+        for (const WallPart& part : result.parts)
+            least[part.face] = std::min(least[part.face], part.least);
+        result.ridges = WallRidges(mesh, m_surface, m_largestBall).measure(least, control);
+    }
+
     std::size_t size() const { return m_surface.size(); }
 
 private:
@@ -69,9 +80,8 @@ private:
         if (m_surface.hasArea(position)) {
             const Vec3 centre = m_surface.pointOf(position, Vec3::Constant(1.0 / 3));
             rays = m_surface.byRays(position, centre, m_largestBall);
-            const double depth = rays < noBall ? rays : m_surface.depthBehind(position, centre);
-            const double start = std::min(m_largestBall, depth);
-            ball = std::min(rays, m_surface.byBall(position, centre, start));
+            const double depth = rays < noBall ? rays : beyond * m_surface.depthBehind(position, centre);
+            ball = std::min(rays, m_surface.byBall(position, centre, std::min(m_largestBall, depth)));
             m_isLarge[position] = m_parts.isLarge(position, ball, depth) ? 1 : 0;
         }
         result.byRays[m_surface.faceAt(position)] = static_cast<float>(rays);
@@ -93,6 +103,12 @@ double WallPart::shareBelow(double thickness) const
     return thickness >= to ? 1 : (thickness - from) / (std::min(to, 2 * thickness) - from);
 }
 
+double WallRidge::area() const
+{
+    const auto length = static_cast<double>((ends[1] - ends[0]).norm()), width = static_cast<double>(least);
+    return width * (length > 0 ? length : width);
+}
+
 /// A slice at a time: others get the cores in between.
 WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobControl& control)
 {
@@ -107,6 +123,8 @@ WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const 
         control.reportProgress(static_cast<double>(first + count) / static_cast<double>(faces));
     }
     std::ranges::stable_sort(result.parts, {}, &WallPart::face);
+    if (!control.isCancelled())
+        thickness.measureRidges(mesh, control, result);
     return result;
 }
 } // namespace core

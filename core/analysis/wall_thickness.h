@@ -23,10 +23,30 @@ struct WallPart
     double shareBelow(double thickness) const;
 };
 
-/// Thickness of the matter in the model's unit: the diameter of a ball that touches a point of a face from within and,
-/// on the other side, a face in sight that looks more than 120 degrees away, or an edge that juts into the matter
-/// there. An edge sharper than 60 degrees is a thin place, the thinner the nearer to it; it is followed down to about
-/// 0.1. Infinity where nothing is opposite, and behind a face without area.
+/// A piece of an edge that juts into the matter, or a corner that does: nearer to another one than its faces are to
+/// what is opposite to them.
+struct WallRidge
+{
+    Slot face = 0; ///< one of those at it
+    std::array<Vec3f, 2> ends;
+    float least = 0; ///< the thinnest place, at most 1 % too large
+    Vec3f thinnest = Vec3f::Zero();
+
+    /// It counts as a strip as wide as the wall is thick: what balls of that size touch around it.
+    double area() const;
+};
+
+/// Thickness of the matter in the model's unit: the diameter of a ball that touches a point of the surface from within,
+/// along a normal there, and on the other side reaches a point in sight with a normal more than 120 degrees away.
+///   - A face has one normal. An edge, and a corner all of whose edges lie to one side of it, has all normals between
+///     those of its faces; it counts if it juts into the matter, as the ground of a groove or the tip of a pit does
+///     (bent by more than 20 degrees), or far out of it, as the edges of a thin three-sided spike (matter of less than
+///     80 degrees at it).
+///   - Faces are measured against faces, edges and corners. Edges and corners that jut into the matter are measured
+///     against each other, too: there the chord leaves both within 30 degrees of a normal.
+///   - An edge sharper than 60 degrees is a thin place, and so is the tip of a sharp spike, the thinner the nearer to
+///     it; it is followed down to about 0.1.
+/// Infinity where nothing is opposite, and behind a face without area.
 struct WallThickness
 {
     std::vector<float> byRays; ///< by face, at its centre; the least ball that one of a cone of five rays finds
@@ -38,6 +58,8 @@ struct WallThickness
     /// part's thickness differs by less than a tenth (of more than 100,000 faces a fifth), or there are about 200,000
     /// parts.
     std::vector<WallPart> parts;
+    /// Ridges that are thinner than the faces at them, none thicker than the largest ball; by face.
+    std::vector<WallRidge> ridges;
 };
 
 /// The model bounds a solid. Balls are sought among those not larger than `largestBall` (those of parts among all);

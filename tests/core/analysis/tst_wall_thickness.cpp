@@ -9,6 +9,7 @@
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/point_triangle.h"
 #include "core/geometry/polygon_triangulation.h"
+#include "core/geometry/triangle_distance.h"
 #include "core/util/worker_pool.h"
 
 #include <QTest>
@@ -162,6 +163,123 @@ TriangleMesh wedge(double from, double to, double length = 100, double width = 4
     return Plate({flat(0, 0), flat(length, 0), flat(length, to), flat(0, from)}, {}, width).take();
 }
 
+/// A solid of flat faces, made of its corners' coordinates in thousandths.
+class Polyhedron
+{
+public:
+    Slot add(double x, double y, double z)
+    {
+        m_mesh.points.push_back(Vec3(x, y, z).cast<float>());
+        return static_cast<Slot>(m_mesh.points.size() - 1);
+    }
+
+    /// A flat face, counterclockwise from outside.
+    void addFace(const std::vector<Slot>& corners)
+    {
+        Vec3 normal = Vec3::Zero();
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            normal += at(corners[i]).cross(at(corners[(i + 1) % corners.size()]));
+        Eigen::Index dropped = 0;
+        normal.cwiseAbs().maxCoeff(&dropped);
+        const Eigen::Index u = (dropped + 1) % 3, v = (dropped + 2) % 3;
+        const bool isTurned = normal[dropped] < 0;
+        std::vector<FlatPoint> points;
+        std::vector<Slot> loop;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec3 p = at(corners[isTurned ? corners.size() - 1 - i : i]);
+            points.push_back(flat(p[u], p[v]));
+            loop.push_back(static_cast<Slot>(i));
+        }
+        const auto triangles = core::triangulatePolygon(points, {loop});
+        if (!triangles)
+            return; // the mesh is not closed then, which the test sees
+        const auto corner = [&](Slot i) { return corners[isTurned ? corners.size() - 1 - i : i]; };
+        for (auto [a, b, c] : *triangles) {
+            if (isTurned)
+                std::swap(b, c);
+            m_mesh.triangles.push_back({corner(a), corner(b), corner(c)});
+        }
+    }
+
+    TriangleMesh take() { return std::move(m_mesh); }
+
+private:
+    Vec3 at(Slot v) const { return m_mesh.points[v].cast<double>(); }
+
+    TriangleMesh m_mesh;
+};
+
+/// A plate of 40 x 40 with a groove on each side that leave so much between their grounds; they run at right angles, or
+/// one above the other.
+TriangleMesh scored(double height, double left, double halfWidth, bool isCrossing)
+{
+    const double depth = (height - left) / 2, a = 20 - halfWidth, b = 20 + halfWidth;
+    if (!isCrossing)
+        return Plate({flat(0, 0), flat(a, 0), flat(20, depth), flat(b, 0), flat(40, 0), flat(40, height),
+                      flat(b, height), flat(20, height - depth), flat(a, height), flat(0, height)},
+                     {}, 40)
+            .take();
+    Polyhedron plate; // the upper groove runs along x, the lower one along y
+    const auto add = [&](double x, double y, double z) { return plate.add(x, y, z); };
+    const std::array<Slot, 4> below = {add(0, 0, 0), add(40, 0, 0), add(40, 40, 0), add(0, 40, 0)};
+    const std::array<Slot, 4> above = {add(0, 0, height), add(40, 0, height), add(40, 40, height), add(0, 40, height)};
+    std::array<std::array<Slot, 3>, 2> lower, upper; // at the ends: left, ground, right
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double end = i == 0 ? 0 : 40;
+        lower[i] = {add(a, end, 0), add(20, end, depth), add(b, end, 0)};
+        upper[i] = {add(end, a, height), add(end, 20, height - depth), add(end, b, height)};
+    }
+    const auto [l0, l1] = lower;
+    const auto [u0, u1] = upper;
+    plate.addFace({below[0], below[3], l1[0], l0[0]});
+    plate.addFace({l0[0], l1[0], l1[1], l0[1]});
+    plate.addFace({l0[1], l1[1], l1[2], l0[2]});
+    plate.addFace({l0[2], l1[2], below[2], below[1]});
+    plate.addFace({above[0], above[1], u1[0], u0[0]});
+    plate.addFace({u0[0], u1[0], u1[1], u0[1]});
+    plate.addFace({u0[1], u1[1], u1[2], u0[2]});
+    plate.addFace({u0[2], u1[2], above[2], above[3]});
+    plate.addFace({below[0], l0[0], l0[1], l0[2], below[1], above[1], above[0]});
+    plate.addFace({below[2], l1[2], l1[1], l1[0], below[3], above[3], above[2]});
+    plate.addFace({below[3], below[0], above[0], u0[0], u0[1], u0[2], above[3]});
+    plate.addFace({below[1], below[2], above[2], u1[2], u1[1], u1[0], above[1]});
+    return plate.take();
+}
+
+/// A pointed body of so many sides, its tip at the origin, that opens along z.
+TriangleMesh spike(int sides, double radius, double height)
+{
+    Polyhedron body;
+    const Slot tip = body.add(0, 0, 0);
+    std::vector<Slot> base;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        const FlatPoint p = flat(radius * std::cos(angle), radius * std::sin(angle));
+        base.push_back(body.add(double(p.x()) / perMillimetre, double(p.y()) / perMillimetre, height));
+    }
+    for (std::size_t i = 0; i < base.size(); ++i)
+        body.addFace({tip, base[(i + 1) % base.size()], base[i]});
+    body.addFace(base);
+    return body.take();
+}
+
+TriangleMesh movedTo(TriangleMesh mesh, const Vec3& place)
+{
+    return shapes::moved(std::move(mesh), place.cast<float>());
+}
+
+/// A block of 30 with a pointed hollow whose tip is so near to its floor, or two that point at each other.
+TriangleMesh hollowed(const TriangleMesh& spike, double left, bool isPair, double aside = 0)
+{
+    const TriangleMesh block = movedTo(Plate(rectangle(0, 0, 30, 30), {}, 30).take(), {0, 0, 0});
+    if (!isPair)
+        return shapes::together(block, shapes::reversed(movedTo(spike, {15, 14, left})));
+    const TriangleMesh other = turned(spike, Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX())));
+    const TriangleMesh hollows =
+        shapes::together(movedTo(spike, {15, 15, 15 + left / 2}), movedTo(other, {15 + aside, 15, 15 - left / 2}));
+    return shapes::together(block, shapes::reversed(hollows));
+}
+
 class Random
 {
 public:
@@ -242,7 +360,7 @@ TriangleMesh randomPart(unsigned number)
 }
 
 /// Takes, as wall_thickness.h says it, of all points q in sight, on faces that look more than 120 degrees away, or on
-/// edges that jut into the matter and lie there, the least ball that touches p and q.
+/// edges and at corners that do, the least ball that touches p and reaches q.
 class Reference
 {
 public:
@@ -262,9 +380,20 @@ public:
                 continue;
             const Vec3 from = at(side.first), to = at(side.second);
             const Vec3 otherNormal = m_normals[other->second.first], normal = m_normals[one.first];
-            if (normal.dot(at(other->second.second) - from) > 1e-9 && normal.dot(otherNormal) < 0.94)
-                m_ridges.push_back({from, to, at(one.second) - from, at(other->second.second) - from});
+            const double bend = normal.dot(otherNormal);
+            const bool isInward = normal.dot(at(other->second.second) - from) > 1e-9;
+            if (isInward ? bend < 0.94 : bend < std::cos(100 * std::numbers::pi / 180))
+                m_ridges.push_back({from,
+                                    to,
+                                    at(one.second) - from,
+                                    at(other->second.second) - from,
+                                    normal,
+                                    otherNormal,
+                                    {side.first, side.second},
+                                    {one.first, other->second.first},
+                                    isInward});
         }
+        findCorners();
     }
 
     double thicknessAt(std::size_t face, const Vec3& p) const
@@ -276,8 +405,15 @@ public:
                 least = std::min(least, ofFace(face, p, inward, g, least));
         for (const Ridge& ridge : m_ridges) {
             const Vec3 edge = (ridge.to - ridge.from).normalized(), way = inward - inward.dot(edge) * edge;
-            if (way.norm() > 0.5 && way.dot(ridge.one) >= 0 && way.dot(ridge.other) >= 0)
+            const double sign = ridge.isInward ? 1 : -1;
+            if (way.norm() > 0.5 && sign * way.dot(ridge.one) >= 0 && sign * way.dot(ridge.other) >= 0)
                 least = std::min(least, ofRidge(face, p, inward, ridge, least));
+        }
+        for (const Corner& corner : m_corners) {
+            const Vec3 way = corner.p - p;
+            if (isOpposite(corner, inward) && way.dot(inward) >= std::sqrt(0.75) * way.norm() && way.norm() > 0 &&
+                ballOf(way, inward) < least && isInSight(face, p, corner.p))
+                least = ballOf(way, inward);
         }
         return least;
     }
@@ -306,15 +442,23 @@ public:
             area += areaOf(m_faces[f]);
         Figures figures;
         std::vector<Sample> all;
+        std::vector<double> ofFaces(m_faces.size(), infinity);
+        for (const auto& [face, foot] : feet()) {
+            const Vec3 step = 0.02 * (m_faces[face][1] - m_faces[face][0]).normalized(),
+                       other = m_normals[face].cross(step);
+            all.push_back({thicknessAt(face, foot), face, {foot - step, foot + step, foot + other}});
+        }
         for (std::size_t f = 0; f < m_faces.size(); ++f) {
             const double share = areaOf(m_faces[f]) / area;
             const int n = std::max(3, static_cast<int>(std::ceil(std::sqrt(share * static_cast<double>(samples)))));
             for (const std::array<Vec3, 3>& triangle : split(m_faces[f], n)) {
                 const double thickness = thicknessAt(f, anywhere(triangle));
                 all.push_back({thickness, f, triangle});
+                ofFaces[f] = std::min(ofFaces[f], thickness);
                 figures.thin += thickness < limit ? areaOf(triangle) : 0;
             }
         }
+        measureRidges(limit, ofFaces, figures);
         figures.thinShare = figures.thin / area;
         std::ranges::sort(all, {}, &Sample::thickness);
         all.resize(std::min<std::size_t>(all.size(), 6)); // about these it is looked for more closely
@@ -333,10 +477,185 @@ public:
     }
 
 private:
+    /// An edge; its faces' other corners from its start, their normals, its ends and faces.
     struct Ridge
     {
-        Vec3 from, to, one, other;
+        Vec3 from, to, one, other, normal, otherNormal;
+        std::array<Slot, 2> ends;
+        std::array<std::size_t, 2> faces;
+        bool isInward;
     };
+    /// A corner all of whose edges lie on one side.
+    struct Corner
+    {
+        Vec3 p;
+        Slot vertex;
+        std::size_t face;
+        std::vector<Vec3> star;
+        bool isInward;
+    };
+    /// A point of an edge that juts inwards, with the length that it stands for, or a corner.
+    struct RidgePoint
+    {
+        Vec3 p;
+        const Ridge* ridge;
+        const Corner* corner;
+        double length;
+
+        std::array<Slot, 2> ends() const { return ridge ? ridge->ends : std::array{corner->vertex, corner->vertex}; }
+        bool touches(const RidgePoint& other) const
+        {
+            const std::array<Slot, 2> own = ends(), others = other.ends();
+            return std::ranges::find_first_of(own, others) != own.end();
+        }
+    };
+
+    void findCorners()
+    {
+        std::map<Slot, std::pair<Vec3, Corner>> corners;
+        for (const Ridge& ridge : m_ridges)
+            for (const Slot end : ridge.ends)
+                corners.try_emplace(end, Vec3::Zero(), Corner{at(end), end, 0, {}, false});
+        for (std::size_t f = 0; f < m_faces.size(); ++f)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto found = corners.find(m_mesh.triangles[f][i]);
+                if (found == corners.end())
+                    continue;
+                const Vec3 a = (m_faces[f][(i + 1) % 3] - m_faces[f][i]).normalized(),
+                           b = (m_faces[f][(i + 2) % 3] - m_faces[f][i]).normalized();
+                found->second.first += std::acos(std::clamp(a.dot(b), -1.0, 1.0)) * m_normals[f];
+                found->second.second.face = f;
+                found->second.second.star.push_back(a);
+            }
+        for (auto& [vertex, found] : corners) {
+            auto& [normal, corner] = found;
+            normal.normalize();
+            double least = 1, most = -1;
+            for (const Vec3& edge : corner.star) {
+                least = std::min(least, normal.dot(edge));
+                most = std::max(most, normal.dot(edge));
+            }
+            corner.isInward = least > 0.1;
+            if (least > 0.1 || most < -0.1)
+                m_corners.push_back(corner);
+        }
+    }
+
+    static bool isOpposite(const Corner& corner, const Vec3& inward)
+    {
+        const double sign = corner.isInward ? 1 : -1;
+        return std::ranges::all_of(corner.star, [&](const Vec3& edge) { return sign * inward.dot(edge) >= 0; });
+    }
+
+    /// Points of faces below corners and edges, where samples may miss how thin it is.
+    std::vector<std::pair<std::size_t, Vec3>> feet() const
+    {
+        std::vector<Vec3> from;
+        for (const Corner& corner : m_corners)
+            from.push_back(corner.p);
+        for (const Ridge& ridge : m_ridges)
+            for (const double share : {0.01, 0.5, 0.99})
+                from.push_back(ridge.from + share * (ridge.to - ridge.from));
+        std::vector<std::pair<std::size_t, Vec3>> feet;
+        for (const Vec3& p : from)
+            for (std::size_t f = 0; f < m_faces.size(); ++f) {
+                const Vec3 q = core::nearestInTriangle(p, m_faces[f]);
+                if ((q - p).norm() > 1e-6 && (q - p).cross(m_normals[f]).norm() < 1e-4 * (q - p).norm())
+                    feet.push_back({f, q});
+            }
+        return feet;
+    }
+
+    /// The cosine between a chord and the nearest normal, turned inwards, at a point of a ridge.
+    static double cosineOf(const RidgePoint& at, const Vec3& chord)
+    {
+        if (at.corner)
+            return isOpposite(*at.corner, -chord) ? 1 : -1;
+        const Vec3 edge = (at.ridge->to - at.ridge->from).normalized(), across = chord - chord.dot(edge) * edge;
+        if (across.dot(at.ridge->one) <= 0 && across.dot(at.ridge->other) <= 0)
+            return across.norm();
+        return std::max(-chord.dot(at.ridge->normal), -chord.dot(at.ridge->otherNormal));
+    }
+
+    double between(const RidgePoint& a, const RidgePoint& b, double below) const
+    {
+        const double length = (b.p - a.p).norm();
+        if (length >= below)
+            return infinity;
+        const Vec3 chord = (b.p - a.p) / length;
+        const double own = cosineOf(a, chord), others = cosineOf(b, -chord), ball = length / std::max(own, others);
+        if (std::min(own, others) < std::sqrt(0.75) || ball >= below)
+            return infinity;
+        const Vec3 p = a.p + 1e-3 * (b.p - a.p), q = b.p - 1e-3 * (b.p - a.p);
+        return isInSight(m_faces.size(), p, q) ? ball : infinity;
+    }
+
+    /// Takes pairs of points of edges and corners that jut inwards, and then looks more closely around the best.
+    void measureRidges(double limit, const std::vector<double>& ofFaces, Figures& figures) const
+    {
+        constexpr int steps = 32;
+        std::vector<RidgePoint> points;
+        for (const Ridge& ridge : m_ridges)
+            for (int i = 0; i < steps && ridge.isInward; ++i)
+                points.push_back({ridge.from + (i + 0.5) / steps * (ridge.to - ridge.from), &ridge, nullptr,
+                                  (ridge.to - ridge.from).norm() / steps});
+        for (const Corner& corner : m_corners)
+            if (corner.isInward)
+                points.push_back({corner.p, nullptr, &corner, 0});
+        for (std::size_t i = 0; i < m_ridges.size(); ++i) // samples may miss where two edges cross
+            for (std::size_t j = 0; j < i; ++j) {
+                const Ridge &one = m_ridges[i], &other = m_ridges[j];
+                if (!one.isInward || !other.isInward)
+                    continue;
+                const core::NearestPair nearest = core::nearestOfSegments(one.from, one.to, other.from, other.to);
+                points.push_back({nearest.a, &one, nullptr, 1e-9});
+                points.push_back({nearest.b, &other, nullptr, 1e-9});
+            }
+        double least = infinity;
+        std::pair<RidgePoint, RidgePoint> best;
+        for (const RidgePoint& a : points) {
+            double thickness = infinity;
+            for (const RidgePoint& b : points)
+                if (!a.touches(b))
+                    if (const double ball = between(a, b, thickness); ball < thickness) {
+                        thickness = ball;
+                        if (ball < least) {
+                            least = ball;
+                            best = {a, b};
+                        }
+                    }
+            const double faces =
+                a.ridge ? std::min(ofFaces[a.ridge->faces[0]], ofFaces[a.ridge->faces[1]]) : ofFaces[a.corner->face];
+            if (thickness < limit && thickness < 0.97 * faces)
+                figures.thin += thickness * (a.length > 0 ? a.length : thickness);
+        }
+        if (least == infinity)
+            return;
+        for (int round = 0, per = steps; round < 4; ++round, per *= 8) {
+            const auto [from, to] = best;
+            for (const RidgePoint& one : around(from, per))
+                for (const RidgePoint& other : around(to, per))
+                    if (const double ball = between(one, other, least); ball < least) {
+                        least = ball;
+                        best = {one, other};
+                    }
+        }
+        figures.least = std::min(figures.least, least);
+    }
+
+    static std::vector<RidgePoint> around(const RidgePoint& at, int per)
+    {
+        if (!at.ridge)
+            return {at};
+        const Vec3 way = at.ridge->to - at.ridge->from;
+        const double middle = (at.p - at.ridge->from).dot(way) / way.squaredNorm();
+        std::vector<RidgePoint> points;
+        for (int i = -8; i <= 8; ++i) {
+            points.push_back(at);
+            points.back().p = at.ridge->from + std::clamp(middle + i / (8.0 * per), 0.0, 1.0) * way;
+        }
+        return points;
+    }
 
     Vec3 at(Slot v) const { return m_mesh.points[v].cast<double>(); }
     static double areaOf(const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
@@ -419,6 +738,7 @@ private:
     std::vector<std::array<Vec3, 3>> m_faces;
     std::vector<Vec3> m_normals;
     std::vector<Ridge> m_ridges;
+    std::vector<Corner> m_corners;
 };
 
 double thinShare(const PrintReport& report)
@@ -437,6 +757,12 @@ private Q_SLOTS:
     void groove_isMeasuredAtItsGround();
     void edgesOf60Degrees_areNoThinPlaces();
     void parts_agreeWithDenseSampling();
+    void ridges_agreeWithDenseSampling_data();
+    void ridges_agreeWithDenseSampling();
+    void ridges_areMeasuredAtTheirGround_data();
+    void ridges_areMeasuredAtTheirGround();
+    void ridges_arePlacesOfTheirOwn();
+    void rods_ofThreeSidesAreThin();
     void parts_makeUpTheirFaces();
     void parts_areBounded();
     void places_ofOneFaceAreApart();
@@ -527,6 +853,158 @@ void TestWallThickness::parts_agreeWithDenseSampling()
         QVERIFY2(isKnife || std::abs(least / reference.least - 1) < 0.05, qPrintable(figures));
         QVERIFY2(std::abs(thinShare(report) - reference.thinShare) < 0.015 + 0.05 * reference.thinShare,
                  qPrintable(figures));
+    }
+}
+
+void TestWallThickness::ridges_agreeWithDenseSampling_data()
+{
+    QTest::addColumn<int>("kind");
+    for (const auto& [name, kind] : {std::pair("scored", 0),
+                                     {"crossing grooves", 1},
+                                     {"tip above a floor", 2},
+                                     {"two tips", 3},
+                                     {"spike", 4},
+                                     {"tip above a facet", 5}})
+        QTest::addRow("%s", name) << kind;
+}
+
+/// Walls between ridges, of random sizes at random turns.
+void TestWallThickness::ridges_agreeWithDenseSampling()
+{
+    QFETCH(const int, kind);
+    const int count = byEffort(6, 60, 600);
+    for (int number = 1; number <= count; ++number) {
+        Random random(static_cast<unsigned>(100 * kind + number));
+        const auto inThousandths = [&](double min, double max) {
+            return std::round(1e3 * random.between(min, max)) / 1e3;
+        };
+        const double left = 2 * inThousandths(0.15, 1), height = left + 2 * inThousandths(0.5, 4);
+        const double halfWidth = inThousandths(0.1, 8), radius = inThousandths(0.5, 6), length = inThousandths(3, 10);
+        const int sides = 3 + random.below(5);
+        TriangleMesh mesh;
+        switch (kind) {
+        case 0:
+        case 1:
+            mesh = scored(height, left, halfWidth, kind == 1);
+            break;
+        case 2:
+            mesh = hollowed(spike(sides, radius, length), left, false);
+            break;
+        case 3:
+            mesh = hollowed(spike(sides, radius, length), left, true, random.between(0, 0.4) * left);
+            break;
+        case 4:
+            mesh = spike(sides, radius, length);
+            break;
+        default:
+            mesh = hollowed(turned(spike(sides, radius, length),
+                                   Eigen::Quaterniond(Eigen::AngleAxisd(random.between(-0.3, 0.3), Vec3::UnitX()))),
+                            left, false);
+        }
+        mesh = turned(std::move(mesh), random.rotation());
+        const PrintMeasures measures = core::measureForPrint(mesh);
+        QVERIFY(measures.walls);
+        const double limit = std::min(PrintLimits::maxWall, random.between(1.05, 2) * left);
+        const PrintReport report = core::checkForPrint(measures, {.minWall = limit, .bed = {}});
+        const double least = report.minByBalls.value_or(infinity);
+        const Reference::Figures reference = Reference(mesh).figures(limit * (1 - 1e-3), 4000);
+        const QString figures = QStringLiteral("%1: %2 mm, reference %3; thinner than %4: %5, reference %6")
+                                    .arg(number)
+                                    .arg(least)
+                                    .arg(reference.least)
+                                    .arg(limit)
+                                    .arg(thinShare(report))
+                                    .arg(reference.thinShare);
+        if (qEnvironmentVariableIsSet("FETTLE_TRACE"))
+            qInfo().noquote() << figures;
+        const bool isKnife = least < 0.1 && reference.least < 0.1;
+        const bool isThick = least > PrintLimits::maxWall && reference.least > PrintLimits::maxWall;
+        QVERIFY2(isKnife || isThick || std::abs(least / reference.least - 1) < 0.05, qPrintable(figures));
+        QVERIFY2(std::abs(thinShare(report) - reference.thinShare) < 0.015 + 0.05 * reference.thinShare,
+                 qPrintable(figures));
+    }
+}
+
+void TestWallThickness::ridges_areMeasuredAtTheirGround_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<double>("left");
+    for (const double degrees : {30.0, 60.0, 90.0, 120.0}) {
+        const double halfWidth = 1.2 * std::tan(degrees * std::numbers::pi / 360);
+        QTest::addRow("scored by %g degrees", degrees) << scored(3, 0.6, halfWidth, false) << 0.6;
+        QTest::addRow("crossing grooves of %g degrees", degrees) << scored(3, 0.6, halfWidth, true) << 0.6;
+    }
+    for (const double radius : {0.5, 2.0, 5.0}) {
+        QTest::addRow("tip, %g wide", radius) << hollowed(spike(4, radius, 10), 0.5, false) << 0.5;
+        QTest::addRow("two tips, %g wide", radius) << hollowed(spike(4, radius, 10), 0.4, true) << 0.4;
+    }
+    // Two slots side by side, on both sides of a block, whose edges are 0.3 mm apart both ways.
+    QTest::addRow("edges of two slots") << Plate({flat(0, 0), flat(19, 0), flat(19, 4), flat(19.4, 4), flat(19.4, 0),
+                                                  flat(40, 0), flat(40, 8), flat(20.2, 8), flat(20.2, 4.3),
+                                                  flat(19.7, 4.3), flat(19.7, 8), flat(0, 8)},
+                                                 {}, 20)
+                                               .take()
+                                        << std::hypot(0.3, 0.3);
+}
+
+void TestWallThickness::ridges_areMeasuredAtTheirGround()
+{
+    QFETCH(const TriangleMesh, mesh);
+    QFETCH(const double, left);
+    Random random(1);
+    for (int turn = 0; turn < 4; ++turn) {
+        const PrintMeasures measures = core::measureForPrint(turn == 0 ? mesh : turned(mesh, random.rotation()));
+        const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
+        QVERIFY2(report.minByBalls && std::abs(*report.minByBalls / left - 1) < 0.02,
+                 qPrintable(QString::number(report.minByBalls.value_or(-1))));
+        QVERIFY(report.thin.count > 0 && report.thin.area > 0);
+        QVERIFY(std::ranges::any_of(report.thin.places, [&](const core::PrintPlace& place) {
+            return std::abs(place.worst / left - 1) < 0.02;
+        }));
+    }
+}
+
+/// Both grounds are shown along their whole length, and count as strips.
+void TestWallThickness::ridges_arePlacesOfTheirOwn()
+{
+    const TriangleMesh plate = scored(3, 0.6, 0.3, false);
+    const PrintMeasures measures = core::measureForPrint(plate);
+    const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
+    QCOMPARE(report.thin.count, std::size_t(2));
+    for (const core::PrintPlace& place : report.thin.places) {
+        QVERIFY(std::abs(place.point.x() - 20) < 1e-3 && std::abs(std::abs(place.point.y() - 1.5) - 0.3) < 1e-3);
+        QVERIFY(std::abs(place.area / (40 * 0.6) - 1) < 0.01);
+    }
+    const std::vector<float> picture = core::pictureOf(measures, core::PrintPicture::Thickness);
+    for (std::size_t v = 0; v < plate.points.size(); ++v)
+        QVERIFY((std::abs(plate.points[v].y() - 1.5F) < 0.4F) == (picture[v] < 0.7F));
+    QVERIFY(core::checkForPrint(measures, {.minWall = 0.5, .bed = {}}).thin.count == 0);
+    // Two slots side by side are thin all over; their edges say nothing new.
+    const TriangleMesh comb =
+        Plate({flat(0, 0), flat(30, 0), flat(30, 10), flat(20, 10), flat(20, 2), flat(15.3, 2), flat(15.3, 10),
+               flat(14.7, 10), flat(14.7, 2), flat(10, 2), flat(10, 10), flat(0, 10)},
+              {}, 10)
+            .take();
+    QVERIFY(core::wallThickness(comb, PrintLimits::largestBall).ridges.empty());
+}
+
+/// Faces of a rod or spike of three sides are not opposite to each other, but to its edges.
+void TestWallThickness::rods_ofThreeSidesAreThin()
+{
+    Random random(2);
+    const TriangleMesh rod =
+        Plate({flat(0, 0), flat(0.5, 0), flat(0.25, 0.433)}, {}, 20).take(); // 60 degrees within a thousandth
+    for (int turn = 0; turn < 4; ++turn) {
+        const PrintReport report =
+            core::checkForPrint(core::measureForPrint(turned(rod, random.rotation())), {.minWall = 0.8, .bed = {}});
+        QVERIFY(report.minByBalls && *report.minByBalls < 0.45);
+        QVERIFY2(thinShare(report) > 0.3, qPrintable(QString::number(thinShare(report))));
+    }
+    for (const int sides : {3, 4, 6}) {
+        const PrintReport report = core::checkForPrint(
+            core::measureForPrint(turned(spike(sides, 1, 20), random.rotation())), {.minWall = 0.8, .bed = {}});
+        QVERIFY2(report.minByBalls && *report.minByBalls < 0.15, qPrintable(QString::number(sides)));
+        QVERIFY(report.thin.count > 0);
     }
 }
 
@@ -626,6 +1104,8 @@ void TestWallThickness::parts_doNotDependOnThreads()
     core::WorkerPool::shared().setThreads(5);
     const core::WallThickness together = core::wallThickness(part, PrintLimits::largestBall);
     core::WorkerPool::shared().setThreads(0);
+    QVERIFY(alone.ridges.size() == together.ridges.size() &&
+            std::ranges::equal(alone.ridges, together.ridges, {}, &core::WallRidge::least, &core::WallRidge::least));
     QCOMPARE(alone.parts.size(), together.parts.size());
     for (std::size_t i = 0; i < alone.parts.size(); ++i)
         QVERIFY(alone.parts[i].least == together.parts[i].least && alone.parts[i].corners == together.parts[i].corners);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/analysis/wall_surface.h"
+#include "core/analysis/wall_thickness.h"
+
+namespace core
+{
+/// Measures walls between ridges: edges and corners that jut into the matter, as the grounds of two grooves on both
+/// sides of a plate do. Their faces need not be opposite at all.
+class WallRidges
+{
+public:
+    /// Keeps a reference to the surface. Walls thicker than that are not sought, in the model's unit.
+    WallRidges(const TriangleMesh& mesh, const WallSurface& surface, double thickest);
+
+    /// Returns pieces of ridges, and corners, that are thinner than their faces are by `ofFaces`, by face in ascending
+    /// order. All cores; the result does not depend on their number. Cost: a few microseconds for each pair of ridges
+    /// that look at each other within the thickest wall.
+    std::vector<WallRidge> measure(const std::vector<float>& ofFaces, const JobControl& control) const;
+
+private:
+    struct Segment
+    {
+        Vec3 from, to;
+
+        double length() const { return (to - from).norm(); }
+        Vec3 middle() const { return (from + to) / 2; }
+        Box box() const;
+    };
+    /// An edge or a corner, and about where it looks.
+    struct Ridge
+    {
+        Segment segment;
+        Slot edge = noSlot, corner = noSlot; ///< one of them
+        std::array<Slot, 2> vertices, faces;
+        Vec3 mean;        ///< of its normals
+        double minCosine; ///< between the mean and a chord that leaves the ridge; negative: does not tell anything
+    };
+    struct Place
+    {
+        double diameter;
+        Vec3 point = Vec3::Zero();
+    };
+
+    std::vector<FaceBox> addRidges(const TriangleMesh& mesh);
+    void measure(Slot ridge, const std::vector<float>& ofFaces, std::vector<WallRidge>& found) const;
+    Place thinnestOf(const Ridge& ridge, const Segment& piece, double thickest) const;
+    void search(const Ridge& ridge, const Segment& piece, const Ridge& other, Place& thinnest) const;
+    bool mayLook(const Ridge& ridge, const Segment& from, const Segment& to, double sign, double distance) const;
+    double cosineOf(const Ridge& ridge, const Vec3& chord) const;
+
+    const WallSurface& m_surface;
+    double m_thickest;
+    std::vector<Ridge> m_ridges;
+    BoxTree m_tree;
+};
+} // namespace core
