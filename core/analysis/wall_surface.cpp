@@ -30,7 +30,7 @@ constexpr int maxShrinkings = 48;
 /// The least diameter that a second search begins with.
 constexpr double leastSecondStart = 0.05;
 /// The number of faces out of sight that are passed over for one ball.
-constexpr std::size_t maxHidden = 6;
+constexpr std::size_t maxHidden = 16;
 /// Lines of sight begin and end so far within the faces, as a share of the line's length: on an edge rounding decides.
 constexpr double inset = 1e-3;
 
@@ -97,7 +97,9 @@ private:
 class WallSurface::LiftedCell
 {
 public:
-    LiftedCell(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& cell, const Vec3& inward) : m_origin(cell[0])
+    LiftedCell(const WallTree& tree, const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& cell,
+               const Vec3& inward)
+        : m_origin(cell[0])
     {
         Vec3 longest = face[1] - face[0];
         for (std::size_t i = 1; i < 3; ++i)
@@ -106,7 +108,6 @@ public:
         m_axes.row(2) = inward;
         m_axes.row(0) = (longest - longest.dot(inward) * inward).normalized();
         m_axes.row(1) = inward.cross(Vec3(m_axes.row(0)));
-        m_extents = m_axes.cwiseAbs();
         for (std::size_t i = 0; i < 3; ++i) {
             m_cell[i] = toFrame(cell[i]);
             m_cell[i].z() = 0;
@@ -114,6 +115,7 @@ public:
         }
         m_min = m_cell[0].cwiseMin(m_cell[1]).cwiseMin(m_cell[2]);
         m_max = m_cell[0].cwiseMax(m_cell[1]).cwiseMax(m_cell[2]);
+        m_error = 2 * std::max(tree.errorOf(m_space.min()), tree.errorOf(m_space.max()));
     }
 
     void lift(double height)
@@ -121,22 +123,50 @@ public:
         for (Vec3& p : m_cell)
             p.z() = height;
         m_min.z() = m_max.z() = height;
-        m_lift = height * Vec3(m_axes.row(2));
         m_isWide = m_space.sizes().maxCoeff() > height;
+        const Vec3 lift = height * Vec3(m_axes.row(2));
+        const double error = m_error + 1e-6 * height;
+        m_float.error = static_cast<float>(error);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto k = static_cast<Eigen::Index>(i);
+            m_float.high[i] = static_cast<float>(m_space.max()[k] + lift[k] + error);
+            m_float.low[i] = static_cast<float>(m_space.min()[k] + lift[k] - error);
+            m_float.max[i] = static_cast<float>(m_max[k] + error);
+            m_float.min[i] = static_cast<float>(m_min[k] - error);
+            m_float.origin[i] = static_cast<float>(m_origin[k]);
+            for (std::size_t j = 0; j < 3; ++j)
+                m_float.axes[i][j] = static_cast<float>(m_axes(k, static_cast<Eigen::Index>(j)));
+        }
     }
     const std::array<Vec3, 3>& corners() const { return m_cell; }
     Vec3 toFrame(const Vec3& p) const { return m_axes * (p - m_origin); }
     Vec3 toSpace(const Vec3& p) const { return m_axes.transpose() * p + m_origin; }
 
-    /// Returns a bound from below of the squared distance; infinity for what is not behind the face.
-    double reach(const FaceBox& box) const
+    /// Returns bounds from below of squared distances; infinity for what is not behind the face.
+    WallTree::Floats operator()(const WallTree::Node& node) const
     {
-        const Vec3 min = box.min.cast<double>(), max = box.max.cast<double>();
-        const Vec3 gap = (min - (m_space.max() + m_lift)).cwiseMax((m_space.min() + m_lift) - max).cwiseMax(0.0);
+        constexpr float closer = 1 - 1e-6F;
+        using Floats = WallTree::Floats;
+        Floats inSpace = Floats::Zero(), inFrame = Floats::Zero(), top = Floats::Zero();
+        for (std::size_t i = 0; i < 3; ++i)
+            inSpace += (node.min[i] - m_float.high[i]).max(m_float.low[i] - node.max[i]).max(0.0F).square();
         if (!m_isWide)
-            return gap.squaredNorm();
-        const Vec3 centre = toFrame((min + max) / 2), half = m_extents * ((max - min) / 2);
-        return centre.z() + half.z() <= 0 ? infinity : std::max(gapTo(centre - half, centre + half), gap.squaredNorm());
+            return closer * inSpace;
+        std::array<Floats, 3> centre, half;
+        for (std::size_t i = 0; i < 3; ++i) {
+            centre[i] = 0.5F * (node.min[i] + node.max[i]) - m_float.origin[i];
+            half[i] = 0.5F * (node.max[i] - node.min[i]);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::array<float, 3>& axis = m_float.axes[k];
+            const Floats middle = axis[0] * centre[0] + axis[1] * centre[1] + axis[2] * centre[2];
+            const Floats extent =
+                std::abs(axis[0]) * half[0] + std::abs(axis[1]) * half[1] + std::abs(axis[2]) * half[2];
+            inFrame += (middle - extent - m_float.max[k]).max(m_float.min[k] - middle - extent).max(0.0F).square();
+            top = middle + extent;
+        }
+        const Floats bound = closer * inFrame.max(inSpace);
+        return (top <= -m_float.error).select(Floats::Constant(std::numeric_limits<float>::infinity()), bound);
     }
     /// Returns the pair of the lifted cell and a segment, in the frame, if a ball that touches the face below reaches
     /// the segment steeply; otherwise about the nearest pair that does, or none.
@@ -167,23 +197,36 @@ private:
         return (min - m_max).cwiseMax(m_min - max).cwiseMax(0.0).squaredNorm();
     }
 
-    Vec3 m_origin, m_min, m_max, m_lift = Vec3::Zero();
-    Eigen::Matrix3d m_axes, m_extents;
+    /// For the tests of boxes, with room for what float32 is off by.
+    struct InFloats
+    {
+        std::array<float, 3> low, high, min, max, origin;
+        std::array<std::array<float, 3>, 3> axes;
+        float error;
+    };
+
+    Vec3 m_origin, m_min, m_max;
+    Eigen::Matrix3d m_axes;
     std::array<Vec3, 3> m_cell;
-    Box m_space;           ///< of the cell on its face
+    Box m_space; ///< of the cell on its face
+    double m_error;
+    InFloats m_float;
     bool m_isWide = false; ///< against how high it is lifted: the frame tells more than the space
 };
 
-WallSurface::WallSurface(const TriangleMesh& mesh)
+WallSurface::WallSurface(const TriangleMesh& mesh) : WallSurface(mesh, BoxTree(faceBoxes(mesh.points, mesh.triangles)))
+{}
+
+WallSurface::WallSurface(const TriangleMesh& mesh, const BoxTree& tree)
     : m_mesh(mesh)
     , m_edges(mesh)
-    , m_tree(faceBoxes(mesh.points, mesh.triangles))
+    , m_tree(tree)
     , m_walls(mesh.triangles.size())
     , m_shallow(hasMany() ? shallowOfMany : shallow)
 {
     forEachChunk(m_walls.size(), facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            m_walls[i] = wallOf(mesh, m_tree.at(static_cast<Slot>(i)));
+            m_walls[i] = wallOf(mesh, tree.at(static_cast<Slot>(i)));
             m_walls[i].isAtEdge = m_edges.isAt(m_walls[i].face);
         }
     });
@@ -194,12 +237,35 @@ WallSurface::Wall WallSurface::wallOf(const TriangleMesh& mesh, Slot face)
     Wall wall;
     for (std::size_t i = 0; i < 3; ++i)
         wall.corners[i] = mesh.points[mesh.triangles[face][i]];
-    const Vec3 a = wall.corners[0].cast<double>();
-    const Vec3 normal = (wall.corners[1].cast<double>() - a).cross(wall.corners[2].cast<double>() - a);
+    const auto [a, b, c] = core::cornersOf(mesh, face);
+    const Vec3 normal = (b - a).cross(c - a);
     const double length = std::sqrt(normal.squaredNorm());
     wall.normal = length > 0 ? Vec3f((normal / length).cast<float>()) : Vec3f::Zero();
     wall.face = face;
+    Vec3 longest = b - a;
+    for (const Vec3& side : {Vec3(c - b), Vec3(a - c)})
+        if (side.squaredNorm() > longest.squaredNorm())
+            longest = side;
+    wall.across = normal.cross(longest).normalized().cast<float>();
+    const double atB = (b - a).dot(wall.across.cast<double>()), atC = (c - a).dot(wall.across.cast<double>());
+    wall.least = static_cast<float>(std::min({0.0, atB, atC}));
+    wall.most = static_cast<float>(std::max({0.0, atB, atC}));
     return wall;
+}
+
+/// Returns a bound from below of the squared distance, by the face's plane and by how wide it is across its longest
+/// side: boxes of long thin faces are full of other faces.
+double WallSurface::reach(Slot position, const Vec3& p) const
+{
+    constexpr double error = 1e-6;
+    const Wall& wall = m_walls[position];
+    const Vec3 way = p - wall.corners[0].cast<double>();
+    const double off = error * way.lpNorm<1>();
+    const double height = std::abs(way.dot(wall.normal.cast<double>())), aside = way.dot(wall.across.cast<double>());
+    const double up = std::max(0.0, height - off);
+    const double beside =
+        std::max({0.0, static_cast<double>(wall.least) - aside - off, aside - static_cast<double>(wall.most) - off});
+    return up * up + beside * beside;
 }
 
 std::array<Vec3, 3> WallSurface::cornersOf(Slot position) const
@@ -257,23 +323,11 @@ bool WallSurface::doTouch(Slot position, const WallCell& cell, Slot other) const
     return false;
 }
 
-/// The first face that the ray leaves the matter by. Slab test by Kay and Kajiya 1986.
+/// The first face that the ray leaves the matter by.
 WallSurface::Hit WallSurface::firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const
 {
-    const Eigen::Array3d inverse = (direction.array() + 0.0).inverse(); // no -0
-    const auto reach = [&](const FaceBox& box) {
-        double enter = 0, leave = infinity;
-        for (int i = 0; i < 3; ++i) { // a ray that runs in a box's side gives NaN, which changes nothing
-            const bool isBackward = direction[i] < 0;
-            enter =
-                std::max(enter, (static_cast<double>(isBackward ? box.max[i] : box.min[i]) - origin[i]) * inverse[i]);
-            leave =
-                std::min(leave, (static_cast<double>(isBackward ? box.min[i] : box.max[i]) - origin[i]) * inverse[i]);
-        }
-        return enter <= leave ? enter : infinity;
-    };
     Hit hit{noSlot, farthest};
-    m_tree.forEachNear(reach, farthest, [&](Slot position) {
+    m_tree.forEachNear(WallTree::Ray(m_tree, origin, direction), farthest, [&](Slot position) {
         const auto [a, c, b] = cornersOf(position); // seen from within; a face that the ray enters by is a miss
         const double distance = position == from ? -1 : hitTriangle({origin, direction}, {a, b, c});
         if (distance >= 0 && distance < hit.distance)
@@ -328,7 +382,25 @@ double WallSurface::byBall(Slot position, const Vec3& p, double start) const
     return second > 0 ? std::min(found, shrunk(position, p, second)) : found;
 }
 
+/// The last ball is the least of all: unless it is out of sight, nobody needs to know whether those before it are.
 double WallSurface::shrunk(Slot position, const Vec3& p, double start) const
+{
+    const Vec3 inward = inwardOf(position);
+    double diameter = start;
+    std::optional<Touch> last;
+    for (int i = 0; i < maxShrinkings; ++i) {
+        const auto touch = nearestOpposite(position, p, diameter / 2, {});
+        if (!touch)
+            break;
+        last = touch;
+        diameter = (touch->q - p).squaredNorm() / (touch->q - p).dot(inward);
+    }
+    if (!last)
+        return infinity;
+    return isInSight(position, p, last->q) ? diameter : shrunkInSight(position, p, start);
+}
+
+double WallSurface::shrunkInSight(Slot position, const Vec3& p, double start) const
 {
     const Vec3 inward = inwardOf(position);
     double diameter = start, found = infinity;
@@ -366,7 +438,7 @@ ThinnestPlace WallSurface::shrunk(Slot position, const WallCell& cell, double st
     for (std::size_t i = 0; i < 3; ++i)
         corners[i] = pointOf(position, cell.weights[i]);
     const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3, inward = inwardOf(position);
-    LiftedCell lifted(cornersOf(position), corners, inward);
+    LiftedCell lifted(m_tree, cornersOf(position), corners, inward);
     ThinnestPlace thinnest;
     double diameter = start;
     HiddenFaces hidden;
@@ -418,15 +490,12 @@ std::optional<WallSurface::Touch> WallSurface::nearestOpposite(Slot position, co
                                                                std::span<const Slot> hidden) const
 {
     const Vec3 inward = inwardOf(position), centre = p + radius * inward;
-    const auto reach = [&](const FaceBox& box) {
-        const Eigen::Array3d c = centre.array();
-        return (box.min.cast<double>() - c).max(c - box.max.cast<double>()).max(0.0).matrix().squaredNorm();
-    };
     const auto pairWith = [&](const Vec3& q) { return NearestPair{p, q, (q - centre).squaredNorm()}; };
     std::optional<Touch> nearest;
     double min = (1 - m_shallow) * radius * (1 - m_shallow) * radius;
-    m_tree.forEachNear(reach, min, [&](Slot other) {
-        if (!mayTouch(position, other) || std::ranges::find(hidden, other) != hidden.end())
+    m_tree.forEachNear(WallTree::Point(m_tree, centre), min, [&](Slot other) {
+        if (!mayTouch(position, other) || reach(other, centre) >= min ||
+            std::ranges::find(hidden, other) != hidden.end())
             return min;
         const std::array<Vec3, 3> corners = cornersOf(other);
         const NearestPair pair = nearestOf(
@@ -455,28 +524,26 @@ std::optional<WallSurface::Touch> WallSurface::nearestOpposite(Slot position, co
     };
     std::optional<Touch> nearest;
     double min = (1 - shallow) * radius * (1 - shallow) * radius;
-    m_tree.forEachNear([&](const FaceBox& box) { return lifted.reach(box); }, min,
-                       [&](Slot other) {
-                           if (!mayTouch(position, other) || std::ranges::find(hidden, other) != hidden.end())
-                               return min;
-                           std::array<Vec3, 3> corners = cornersOf(other);
-                           for (Vec3& corner : corners)
-                               corner = lifted.toFrame(corner);
-                           if (lifted.gapTo(corners) >= min || doTouch(position, cell, other))
-                               return min;
-                           const NearestPair pair = nearestOf(
-                               position, inward, other,
-                               [&] { return inSpace(nearestOfTriangles(lifted.corners(), corners)); },
-                               [&](std::size_t from, std::size_t to) {
-                                   const NearestPair steep = lifted.nearestSteepPair(corners[from], corners[to]);
-                                   return std::isfinite(steep.squaredDistance) ? inSpace(steep) : steep;
-                               });
-                           if (pair.squaredDistance < min) {
-                               min = pair.squaredDistance;
-                               nearest = {pair.a, pair.b, other};
-                           }
-                           return min;
-                       });
+    m_tree.forEachNear(lifted, min, [&](Slot other) {
+        if (!mayTouch(position, other) || std::ranges::find(hidden, other) != hidden.end())
+            return min;
+        std::array<Vec3, 3> corners = cornersOf(other);
+        for (Vec3& corner : corners)
+            corner = lifted.toFrame(corner);
+        if (lifted.gapTo(corners) >= min || doTouch(position, cell, other))
+            return min;
+        const NearestPair pair = nearestOf(
+            position, inward, other, [&] { return inSpace(nearestOfTriangles(lifted.corners(), corners)); },
+            [&](std::size_t from, std::size_t to) {
+                const NearestPair steep = lifted.nearestSteepPair(corners[from], corners[to]);
+                return std::isfinite(steep.squaredDistance) ? inSpace(steep) : steep;
+            });
+        if (pair.squaredDistance < min) {
+            min = pair.squaredDistance;
+            nearest = {pair.a, pair.b, other};
+        }
+        return min;
+    });
     return nearest;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/wall_edges.h"
+#include "core/analysis/wall_tree.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/triangle_distance.h"
 #include "core/geometry/triangle_mesh.h"
@@ -70,7 +71,9 @@ private:
     struct Wall
     {
         std::array<Vec3f, 3> corners;
-        Vec3f normal; ///< unit length, or zero
+        Vec3f normal;      ///< unit length, or zero
+        Vec3f across;      ///< in the face, across its longest side
+        float least, most; ///< along that, from the first corner
         Slot face;
         bool isAtEdge = false; ///< see WallEdges
     };
@@ -86,15 +89,18 @@ private:
     };
     class LiftedCell;
 
+    WallSurface(const TriangleMesh& mesh, const BoxTree& tree);
     static Wall wallOf(const TriangleMesh& mesh, Slot face);
     Vec3 inwardOf(Slot position) const { return -m_walls[position].normal.cast<double>(); }
     bool areOpposite(Slot a, Slot b) const;
+    double reach(Slot position, const Vec3& p) const;
     bool mayTouch(Slot position, Slot other) const;
     bool doTouch(Slot position, const WallCell& cell, Slot other) const;
     Hit firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const;
     double ballOfRay(Slot position, const Vec3& origin, const Vec3& direction, double largest) const;
     double secondStart(double diameter) const;
     double shrunk(Slot position, const Vec3& p, double start) const;
+    double shrunkInSight(Slot position, const Vec3& p, double start) const;
     ThinnestPlace shrunk(Slot position, const WallCell& cell, double start) const;
     bool isInSight(Slot position, const Vec3& p, const Vec3& q) const;
     template <typename NearestOfFace, typename NearestOfSide>
@@ -107,7 +113,7 @@ private:
 
     const TriangleMesh& m_mesh;
     WallEdges m_edges;
-    BoxTree m_tree;
+    WallTree m_tree;
     std::vector<Wall> m_walls; ///< by position
     double m_shallow;
 };

@@ -148,6 +148,25 @@ TriangleMesh turned(TriangleMesh mesh, const Eigen::Quaterniond& by)
     return mesh;
 }
 
+/// Each face in four.
+TriangleMesh inQuarters(const TriangleMesh& mesh)
+{
+    TriangleMesh fine{mesh.points, {}, {}};
+    std::map<std::pair<Slot, Slot>, Slot> middles;
+    const auto middle = [&](Slot a, Slot b) {
+        const auto [found, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<Slot>(fine.points.size()));
+        if (isNew)
+            fine.points.push_back((mesh.points[a] + mesh.points[b]) / 2);
+        return found->second;
+    };
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Slot ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        for (const core::Triangle& t : {core::Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+            fine.triangles.push_back(t);
+    }
+    return fine;
+}
+
 /// A block of 40 x 30 x 20 with a groove of an angle across it that leaves so much.
 TriangleMesh grooved(double left, double halfWidth)
 {
@@ -763,6 +782,8 @@ private Q_SLOTS:
     void ridges_areMeasuredAtTheirGround();
     void ridges_arePlacesOfTheirOwn();
     void rods_ofThreeSidesAreThin();
+    void grooves_ofFineModelsAreSeen();
+    void barsBetweenHoles_areThin();
     void parts_makeUpTheirFaces();
     void parts_areBounded();
     void places_ofOneFaceAreApart();
@@ -1005,6 +1026,39 @@ void TestWallThickness::rods_ofThreeSidesAreThin()
             core::measureForPrint(turned(spike(sides, 1, 20), random.rotation())), {.minWall = 0.8, .bed = {}});
         QVERIFY2(report.minByBalls && *report.minByBalls < 0.15, qPrintable(QString::number(sides)));
         QVERIFY(report.thin.count > 0);
+    }
+}
+
+/// A block of more than 100,000 small faces, with a groove too steep for its faces to be opposite.
+void TestWallThickness::grooves_ofFineModelsAreSeen()
+{
+    TriangleMesh block = grooved(0.4, 1);
+    while (block.triangles.size() <= 100'000)
+        block = inQuarters(block);
+    const PrintReport report = core::checkForPrint(core::measureForPrint(block), {.minWall = 0.8, .bed = {}});
+    QVERIFY2(report.minByBalls && std::abs(*report.minByBalls / 0.4 - 1) < 0.1,
+             qPrintable(QString::number(report.minByBalls.value_or(-1))));
+    QVERIFY(report.thin.count > 0);
+}
+
+/// Faces look past bars at many others, which are out of sight.
+void TestWallThickness::barsBetweenHoles_areThin()
+{
+    constexpr int count = 8;
+    constexpr double hole = 3, bar = 0.6, height = 4, side = count * (hole + bar) + bar;
+    std::vector<Hole> holes;
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < count; ++k)
+            holes.push_back({rectangle(bar + i * (hole + bar), bar + k * (hole + bar), hole, hole)});
+    const TriangleMesh plate = Plate(rectangle(0, 0, side, side), holes, height).take();
+    const double inHoles = count * count * 4 * hole * height, outside = 4 * count * hole * height;
+    Random random(3);
+    for (int turn = 0; turn < 3; ++turn) {
+        const PrintReport report =
+            core::checkForPrint(core::measureForPrint(turned(plate, random.rotation())), {.minWall = 0.8, .bed = {}});
+        QVERIFY(report.minByBalls && std::abs(*report.minByBalls / bar - 1) < 0.01);
+        QVERIFY2(std::abs(report.thin.area / (inHoles + outside) - 1) < 0.03,
+                 qPrintable(QStringLiteral("%1 mm2, not %2").arg(report.thin.area).arg(inHoles + outside)));
     }
 }
 

@@ -1,0 +1,68 @@
+#include "core/analysis/wall_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+/// Steps of float32 that a coordinate may be off by, after the sums of a test.
+constexpr double floatSteps = 4;
+/// Rays that run almost within a plane are as good as in it: the product with any coordinate is a float32 still.
+constexpr double maxInverse = 1e30;
+} // namespace
+
+WallTree::WallTree(const BoxTree& tree)
+{
+    std::vector<FaceBox> boxes(tree.size());
+    for (Slot position = 0; position < tree.size(); ++position)
+        boxes[position] = tree.box(position);
+    for (const FaceBox& box : boxes)
+        m_farthest =
+            std::max({m_farthest, static_cast<double>(-box.min.minCoeff()), static_cast<double>(box.max.maxCoeff())});
+    do {
+        std::vector<Node>& nodes = m_levels.emplace_back();
+        std::vector<FaceBox> above((boxes.size() + width - 1) / width);
+        nodes.resize(std::max<std::size_t>(1, above.size()));
+        for (std::size_t i = 0; i < width * nodes.size(); ++i) {
+            const FaceBox box = i < boxes.size() ? boxes[i] : FaceBox();
+            Node& node = nodes[i / width];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                node.min[axis][static_cast<Eigen::Index>(i % width)] = box.min[static_cast<Eigen::Index>(axis)];
+                node.max[axis][static_cast<Eigen::Index>(i % width)] = box.max[static_cast<Eigen::Index>(axis)];
+            }
+            if (i < boxes.size())
+                above[i / width].extend(box);
+        }
+        boxes = std::move(above);
+    } while (boxes.size() > 1);
+}
+
+double WallTree::errorOf(const Vec3& p) const
+{
+    constexpr auto step = static_cast<double>(std::numeric_limits<float>::epsilon());
+    return floatSteps * step * std::max(m_farthest, p.cwiseAbs().maxCoeff());
+}
+
+WallTree::Ray::Ray(const WallTree& tree, const Vec3& origin, const Vec3& direction)
+{
+    const double error = tree.errorOf(origin);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        m_afterOrigin[i] = static_cast<float>(origin[axis] + error);
+        m_beforeOrigin[i] = static_cast<float>(origin[axis] - error);
+        const double inverse = direction[axis] == 0 ? maxInverse : 1 / direction[axis];
+        m_inverse[i] = static_cast<float>(std::clamp(inverse, -maxInverse, maxInverse));
+    }
+}
+
+WallTree::Point::Point(const WallTree& tree, const Vec3& p)
+{
+    const double error = tree.errorOf(p);
+    for (std::size_t i = 0; i < 3; ++i) {
+        m_after[i] = static_cast<float>(p[static_cast<Eigen::Index>(i)] + error);
+        m_before[i] = static_cast<float>(p[static_cast<Eigen::Index>(i)] - error);
+    }
+}
+} // namespace core

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "core/geometry/box_tree.h"
+
+namespace core
+{
+/// A BoxTree whose nodes hold the eight boxes below them side by side, in float32, so that they are tested together.
+/// Its tests err towards a box: they never miss one that the numbers in double would find.
+class WallTree
+{
+public:
+    static constexpr std::size_t width = BoxTree::nodeSize;
+    using Floats = Eigen::Array<float, static_cast<int>(width), 1>;
+    struct Node
+    {
+        std::array<Floats, 3> min, max;
+    };
+
+    /// Boxes keep their positions.
+    explicit WallTree(const BoxTree& tree);
+
+    /// Tells where a ray enters boxes, in the direction's length (slab test by Kay and Kajiya 1986).
+    class Ray
+    {
+    public:
+        Ray(const WallTree& tree, const Vec3& origin, const Vec3& direction);
+        Floats operator()(const Node& node) const;
+
+    private:
+        std::array<float, 3> m_afterOrigin, m_beforeOrigin, m_inverse;
+    };
+    /// Tells how far boxes are from a point, squared.
+    class Point
+    {
+    public:
+        Point(const WallTree& tree, const Vec3& p);
+        Floats operator()(const Node& node) const;
+
+    private:
+        std::array<float, 3> m_after, m_before;
+    };
+
+    /// Nearest first, about: reach(node) says how far away each of its boxes begins, infinity if it is not wanted;
+    /// visit(position) returns the distance from which on nothing is wanted any more, never more than `bound` or what
+    /// it returned before.
+    template <typename Reach, typename Visit> void forEachNear(const Reach& reach, double bound, Visit visit) const;
+
+    /// Returns what float32 may be off by, of a point's coordinates.
+    double errorOf(const Vec3& p) const;
+
+private:
+    static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any number of faces
+
+    std::vector<std::vector<Node>> m_levels; ///< above the boxes, up to one node
+    double m_farthest = 0;                   ///< coordinate
+};
+
+template <typename Reach, typename Visit>
+void WallTree::forEachNear(const Reach& reach, double bound, Visit visit) const
+{
+    struct Entry
+    {
+        double reach;
+        std::uint32_t level, index;
+    };
+    std::array<Entry, maxLevels * width> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {0, static_cast<std::uint32_t>(m_levels.size()) - 1, 0};
+    while (depth != 0) {
+        const Entry entry = stack[--depth];
+        if (!(entry.reach < bound))
+            continue;
+        const Floats distances = reach(m_levels[entry.level][entry.index]);
+        const std::uint32_t first = entry.index * static_cast<std::uint32_t>(width);
+        const std::size_t bottom = depth;
+        for (std::uint32_t i = 0; i < width; ++i) {
+            const auto distance = static_cast<double>(distances[i]);
+            if (!(distance < bound))
+                continue;
+            if (entry.level == 0) {
+                bound = visit(static_cast<Slot>(first + i));
+                continue;
+            }
+            std::size_t place = depth++; // the nearest on top
+            for (; place > bottom && stack[place - 1].reach < distance; --place)
+                stack[place] = stack[place - 1];
+            stack[place] = {distance, entry.level - 1, first + i};
+        }
+    }
+}
+
+inline WallTree::Floats WallTree::Ray::operator()(const Node& node) const
+{
+    constexpr float closer = 1 - 5e-7F, farther = 1 + 5e-7F, infinity = std::numeric_limits<float>::infinity();
+    Floats enter = Floats::Zero(), leave = Floats::Constant(infinity);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Floats low = (node.min[i] - m_afterOrigin[i]) * m_inverse[i];
+        const Floats high = (node.max[i] - m_beforeOrigin[i]) * m_inverse[i];
+        const bool isForward = m_inverse[i] > 0;
+        enter = enter.max(isForward ? low : high);
+        leave = leave.min(isForward ? high : low);
+    }
+    return (enter <= leave * farther).select(enter * closer, Floats::Constant(infinity));
+}
+
+inline WallTree::Floats WallTree::Point::operator()(const Node& node) const
+{
+    constexpr float closer = 1 - 1e-6F;
+    Floats sum = Floats::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += (node.min[i] - m_after[i]).max(m_before[i] - node.max[i]).max(0.0F).square();
+    return sum * closer;
+}
+} // namespace core
