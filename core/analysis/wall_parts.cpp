@@ -48,22 +48,33 @@ std::array<WallCell, 2> halves(const WallCell& cell, const std::array<Vec3, 3>& 
 }
 } // namespace
 
+/// Returns the distance from the centre to the farthest corner.
+double WallParts::radiusOf(Slot position) const
+{
+    const std::array<Vec3, 3> corners = m_surface.cornersOf(position);
+    const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3;
+    double radius2 = 0;
+    for (const Vec3& corner : corners)
+        radius2 = std::max(radius2, (corner - centre).squaredNorm());
+    return std::sqrt(radius2);
+}
+
 bool WallParts::isLarge(Slot position, double centre, double reach) const
 {
     const double seen = std::min(centre, reach);
     const double tolerated = seen > m_limits.largestBall ? thick : m_surface.hasMany() ? smallOfMany : small;
-    return m_surface.hasArea(position) && m_surface.radiusOf(position) > tolerated * seen;
+    return m_surface.hasArea(position) && radiusOf(position) > tolerated * seen;
 }
 
 std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobControl& control) const
 {
-    const double radius = m_surface.radiusOf(position);
+    const double radius = radiusOf(position);
     const double start = std::max(m_limits.largestBall, centre < noBall ? centre : many * radius);
     const double atPlaces =
         centre < noBall ? std::min(m_limits.largestBall, many * std::max(centre, radius)) : m_limits.largestBall;
     if (radius <= (m_surface.hasMany() ? compactOfMany : compact) * centre) {
         const ThinnestPlace place =
-            m_surface.thinnestIn(position, {}, std::min(compactThickness * centre, m_limits.largestBall));
+            m_balls.thinnestIn(position, {}, std::min(compactThickness * centre, m_limits.largestBall));
         if (place.diameter == noBall && place.hidden == noBall)
             return {};
     }
@@ -97,7 +108,7 @@ WallParts::Cell WallParts::measured(Slot position, const WallCell& cell, double 
     Cell result{cell, share, {}, noBall, 0, m_surface.pointOf(position, cell.centre()), 0, 0};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Vec3 p = m_surface.pointOf(position, weightsAt(cell, places[i]));
-        const double diameter = result.atPlaces[i] = m_surface.byBall(position, p, starts.atPlaces);
+        const double diameter = result.atPlaces[i] = m_balls.byBall(position, p, starts.atPlaces);
         result.most = std::max(result.most, diameter);
         if (diameter < result.least) {
             result.least = diameter;
@@ -105,7 +116,7 @@ WallParts::Cell WallParts::measured(Slot position, const WallCell& cell, double 
         }
     }
     const double below = result.least < noBall ? sameThickness * result.least : starts.inCell;
-    const ThinnestPlace place = m_surface.thinnestIn(position, cell, below);
+    const ThinnestPlace place = m_balls.thinnestIn(position, cell, below);
     if (place.diameter < result.least) {
         result.least = place.diameter;
         result.thinnest = place.point;
@@ -156,7 +167,7 @@ WallPart WallParts::partOf(Slot position, const Cell& cell) const
     for (std::size_t i = 0; i < 3; ++i)
         part.corners[i] = m_surface.pointOf(position, cell.cell.weights[i]).cast<float>();
     part.share = static_cast<float>(cell.share);
-    const double rays = m_surface.byRays(position, cell.thinnest, m_limits.largestBall);
+    const double rays = m_rays.byRays(position, cell.thinnest, m_limits.largestBall);
     part.byRays = static_cast<float>(rays);
     part.least = static_cast<float>(std::min(cell.least, rays));
     part.most = std::max(part.least, static_cast<float>(cell.most));

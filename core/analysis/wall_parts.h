@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/wall_surface.h"
+#include "core/analysis/wall_balls.h"
 #include "core/analysis/wall_thickness.h"
 
 #include <queue>
@@ -19,7 +19,13 @@ public:
         double area = 0;        ///< below which a doubt does not count
     };
 
-    WallParts(const WallSurface& surface, const Limits& limits) : m_surface(surface), m_limits(limits) {}
+    /// Keeps references.
+    WallParts(const WallSurface& surface, const WallRays& rays, const WallBalls& balls, const Limits& limits)
+        : m_surface(surface)
+        , m_rays(rays)
+        , m_balls(balls)
+        , m_limits(limits)
+    {}
 
     /// Returns whether a face is too large for its centre to speak for it. `centre`: the thickness there; `reach`: how
     /// far away the centre has seen.
@@ -50,6 +56,7 @@ private:
         double inCell, atPlaces;
     };
 
+    double radiusOf(Slot position) const;
     Cell measured(Slot position, const WallCell& cell, double share, const Starts& starts) const;
     double doubtOf(const Cell& cell, Slot position, double hidden) const;
     double even() const;
@@ -57,6 +64,8 @@ private:
     WallPart partOf(Slot position, const Cell& cell) const;
 
     const WallSurface& m_surface;
+    const WallRays& m_rays;
+    const WallBalls& m_balls;
     Limits m_limits;
 };
 } // namespace core

@@ -42,8 +42,9 @@ Box WallRidges::Segment::box() const
     return box;
 }
 
-WallRidges::WallRidges(const TriangleMesh& mesh, const WallSurface& surface, double thickest)
-    : m_surface(surface)
+WallRidges::WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays, double thickest)
+    : m_edges(edges)
+    , m_rays(rays)
     , m_thickest(thickest)
     , m_tree(addRidges(mesh))
 {}
@@ -51,9 +52,8 @@ WallRidges::WallRidges(const TriangleMesh& mesh, const WallSurface& surface, dou
 std::vector<FaceBox> WallRidges::addRidges(const TriangleMesh& mesh)
 {
     const auto at = [&](Slot vertex) { return Vec3(mesh.points[vertex].cast<double>()); };
-    const WallEdges& edges = m_surface.edges();
-    for (Slot i = 0; i < edges.edges().size(); ++i) {
-        const WallEdges::Edge& edge = edges.edges()[i];
+    for (Slot i = 0; i < m_edges.edges().size(); ++i) {
+        const WallEdges::Edge& edge = m_edges.edges()[i];
         if (!edge.isInward)
             continue;
         const Vec3 mean = (edge.inward[0] + edge.inward[1]).normalized();
@@ -65,8 +65,8 @@ std::vector<FaceBox> WallRidges::addRidges(const TriangleMesh& mesh)
                             mean,
                             widened(mean.dot(edge.inward[0]))});
     }
-    for (Slot i = 0; i < edges.corners().size(); ++i) {
-        const WallEdges::Corner& corner = edges.corners()[i];
+    for (Slot i = 0; i < m_edges.corners().size(); ++i) {
+        const WallEdges::Corner& corner = m_edges.corners()[i];
         const Vec3 p = at(corner.vertex);
         if (corner.isInward)
             m_ridges.push_back(
@@ -163,7 +163,7 @@ void WallRidges::search(const Ridge& ridge, const Segment& piece, const Ridge& o
         const double own = cosineOf(ridge, chord), others = cosineOf(other, -chord), cosine = std::max(own, others);
         bool isWall = std::min(own, others) >= minChordCosine;
         if (isWall && distance / cosine < thinnest.diameter) {
-            isWall = m_surface.areInSight(nearest.a, nearest.b);
+            isWall = m_rays.areInSight(nearest.a, nearest.b);
             if (isWall)
                 thinnest = {distance / cosine, nearest.a};
         }
@@ -195,12 +195,11 @@ bool WallRidges::mayLook(const Ridge& ridge, const Segment& from, const Segment&
 /// those along the chord only; what is near to them is its edges'.
 double WallRidges::cosineOf(const Ridge& ridge, const Vec3& chord) const
 {
-    const WallEdges& edges = m_surface.edges();
     if (ridge.edge == noSlot) {
         const auto isBehind = [&](const Vec3& edge) { return chord.dot(edge) <= 0; };
-        return std::ranges::all_of(edges.edgesAt(edges.corners()[ridge.corner]), isBehind) ? 1 : 0;
+        return std::ranges::all_of(m_edges.edgesAt(m_edges.corners()[ridge.corner]), isBehind) ? 1 : 0;
     }
-    const WallEdges::Edge& edge = edges.edges()[ridge.edge];
+    const WallEdges::Edge& edge = m_edges.edges()[ridge.edge];
     if (chord.dot(edge.across[0]) <= 0 && chord.dot(edge.across[1]) <= 0) {
         const double along = chord.dot(edge.along);
         return std::sqrt(std::max(0.0, 1 - along * along));

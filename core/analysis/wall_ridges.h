@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/wall_surface.h"
+#include "core/analysis/wall_rays.h"
 #include "core/analysis/wall_thickness.h"
 
 namespace core
@@ -10,8 +10,8 @@ namespace core
 class WallRidges
 {
 public:
-    /// Keeps a reference to the surface. Walls thicker than that are not sought, in the model's unit.
-    WallRidges(const TriangleMesh& mesh, const WallSurface& surface, double thickest);
+    /// Keeps references. Walls thicker than that are not sought, in the model's unit.
+    WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays, double thickest);
 
     /// Returns pieces of ridges, and corners, that are thinner than their faces are by `ofFaces`, by face in ascending
     /// order. All cores; the result does not depend on their number. Cost: a few microseconds for each pair of ridges
@@ -49,7 +49,8 @@ private:
     bool mayLook(const Ridge& ridge, const Segment& from, const Segment& to, double sign, double distance) const;
     double cosineOf(const Ridge& ridge, const Vec3& chord) const;
 
-    const WallSurface& m_surface;
+    const WallEdges& m_edges;
+    const WallRays& m_rays;
     double m_thickest;
     std::vector<Ridge> m_ridges;
     BoxTree m_tree;

@@ -2,6 +2,7 @@
 
 #include "core/analysis/wall_thickness.h"
 
+#include "core/analysis/wall_balls.h"
 #include "core/analysis/wall_parts.h"
 #include "core/analysis/wall_ridges.h"
 #include "core/util/parallel.h"
@@ -26,8 +27,10 @@ class Thickness
 public:
     Thickness(const TriangleMesh& mesh, double largestBall)
         : m_surface(mesh)
+        , m_rays(m_surface)
+        , m_balls(mesh, m_surface, m_rays)
         , m_largestBall(largestBall)
-        , m_parts(m_surface, limits(m_surface, largestBall))
+        , m_parts(m_surface, m_rays, m_balls, limits(m_surface, largestBall))
         , m_isLarge(m_surface.size(), 0)
     {}
 
@@ -58,7 +61,7 @@ public:
         std::vector<float> least = result.byBalls;
         for (const WallPart& part : result.parts)
             least[part.face] = std::min(least[part.face], part.least);
-        result.ridges = WallRidges(mesh, m_surface, m_largestBall).measure(least, control);
+        result.ridges = WallRidges(mesh, m_surface.edges(), m_rays, m_largestBall).measure(least, control);
     }
 
     std::size_t size() const { return m_surface.size(); }
@@ -79,9 +82,9 @@ private:
         double rays = noBall, ball = noBall;
         if (m_surface.hasArea(position)) {
             const Vec3 centre = m_surface.pointOf(position, Vec3::Constant(1.0 / 3));
-            rays = m_surface.byRays(position, centre, m_largestBall);
-            const double depth = rays < noBall ? rays : beyond * m_surface.depthBehind(position, centre);
-            ball = std::min(rays, m_surface.byBall(position, centre, std::min(m_largestBall, depth)));
+            rays = m_rays.byRays(position, centre, m_largestBall);
+            const double depth = rays < noBall ? rays : beyond * m_rays.depthBehind(position, centre);
+            ball = std::min(rays, m_balls.byBall(position, centre, std::min(m_largestBall, depth)));
             m_isLarge[position] = m_parts.isLarge(position, ball, depth) ? 1 : 0;
         }
         result.byRays[m_surface.faceAt(position)] = static_cast<float>(rays);
@@ -89,6 +92,8 @@ private:
     }
 
     WallSurface m_surface;
+    WallRays m_rays;
+    WallBalls m_balls;
     double m_largestBall;
     WallParts m_parts;
     std::vector<std::uint8_t> m_isLarge; ///< by position; bytes, because threads write them

@@ -148,7 +148,7 @@ TriangleMesh turned(TriangleMesh mesh, const Eigen::Quaterniond& by)
     return mesh;
 }
 
-/// Each face in four.
+/// Cuts each face in four.
 TriangleMesh inQuarters(const TriangleMesh& mesh)
 {
     TriangleMesh fine{mesh.points, {}, {}};
@@ -985,7 +985,7 @@ void TestWallThickness::ridges_areMeasuredAtTheirGround()
     }
 }
 
-/// Both grounds are shown along their whole length, and count as strips.
+/// Shows both grounds along their whole length, and counts them as strips.
 void TestWallThickness::ridges_arePlacesOfTheirOwn()
 {
     const TriangleMesh plate = scored(3, 0.6, 0.3, false);
