@@ -72,9 +72,11 @@ std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobC
     const double start = std::max(m_limits.largestBall, centre < noBall ? centre : many * radius);
     const double atPlaces =
         centre < noBall ? std::min(m_limits.largestBall, many * std::max(centre, radius)) : m_limits.largestBall;
-    if (radius <= (m_surface.hasMany() ? compactOfMany : compact) * centre) {
+    const double seen =
+        centre < noBall ? centre : m_rays.depthBehind(position, m_surface.pointOf(position, WallCell().centre()));
+    if (radius <= (m_surface.hasMany() ? compactOfMany : compact) * seen) {
         const ThinnestPlace place =
-            m_balls.thinnestIn(position, {}, std::min(compactThickness * centre, m_limits.largestBall));
+            m_balls.thinnestIn(position, {}, std::min(compactThickness * seen, m_limits.largestBall));
         if (place.diameter == noBall && place.hidden == noBall)
             return {};
     }

@@ -16,10 +16,13 @@ constexpr double endInset = 1e-3;
 WallRays::Hit WallRays::firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const
 {
     Hit hit{noSlot, farthest};
+    const Ray ray{origin, direction};
+    const double length = direction.norm();
     m_surface.tree().forEachNear(WallTree::Ray(m_surface.tree(), origin, direction), farthest, [&](Slot position) {
-        const auto [a, c, b] =
-            m_surface.cornersOf(position); // seen from within; a face that the ray enters by is a miss
-        const double distance = position == from ? -1 : hitTriangle({origin, direction}, {a, b, c});
+        if (position == from || !m_surface.mayLeave(position, ray, length, hit.distance))
+            return hit.distance;
+        const auto [a, c, b] = m_surface.cornersOf(position); // seen from within: to enter by a face is to miss it
+        const double distance = hitTriangle(ray, {a, b, c});
         if (distance >= 0 && distance < hit.distance)
             hit = {position, distance};
         return hit.distance;

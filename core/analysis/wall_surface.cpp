@@ -50,21 +50,6 @@ WallSurface::Wall WallSurface::wallOf(const TriangleMesh& mesh, Slot face)
     return wall;
 }
 
-/// Returns a bound from below of the squared distance, by the face's plane and by how wide it is across its longest
-/// side: boxes of long thin faces are full of other faces.
-double WallSurface::reach(Slot position, const Vec3& p) const
-{
-    constexpr double error = 1e-6;
-    const Wall& wall = m_walls[position];
-    const Vec3 way = p - wall.corners[0].cast<double>();
-    const double off = error * way.lpNorm<1>();
-    const double height = std::abs(way.dot(wall.normal.cast<double>())), aside = way.dot(wall.across.cast<double>());
-    const double up = std::max(0.0, height - off);
-    const double beside =
-        std::max({0.0, static_cast<double>(wall.least) - aside - off, aside - static_cast<double>(wall.most) - off});
-    return up * up + beside * beside;
-}
-
 std::array<Vec3, 3> WallSurface::cornersOf(Slot position) const
 {
     const auto& [a, b, c] = m_walls[position].corners;
@@ -82,15 +67,4 @@ double WallSurface::areaOf(Slot position) const
     const auto [a, b, c] = cornersOf(position);
     return (b - a).cross(c - a).norm() / 2;
 }
-
-bool WallSurface::areOpposite(Slot a, Slot b) const
-{
-    return static_cast<double>(m_walls[a].normal.dot(m_walls[b].normal)) < maxOppositeCosine;
-}
-
-bool WallSurface::mayTouch(Slot position, Slot other) const
-{
-    return areOpposite(position, other) || m_walls[other].isAtEdge;
-}
-
 } // namespace core

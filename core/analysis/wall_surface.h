@@ -5,6 +5,9 @@
 #include "core/geometry/box_tree.h"
 #include "core/geometry/triangle_mesh.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace core
 {
 /// A diameter where no opposite face is found.
@@ -32,6 +35,9 @@ public:
     bool mayTouch(Slot position, Slot other) const;
     /// Returns a bound from below of the squared distance from a point to a face.
     double reach(Slot position, const Vec3& p) const;
+    /// Returns whether a ray, of a direction so long, may leave the matter by a face before it is so far, in the
+    /// direction's length. Boxes of long thin faces are full of other faces.
+    bool mayLeave(Slot position, const Ray& ray, double length, double farthest) const;
 
     const WallTree& tree() const { return m_tree; }
     const WallEdges& edges() const { return m_edges; }
@@ -47,6 +53,7 @@ private:
         Slot face;
         bool isAtEdge = false; ///< see WallEdges
     };
+
     WallSurface(const TriangleMesh& mesh, const BoxTree& tree);
     static Wall wallOf(const TriangleMesh& mesh, Slot face);
 
@@ -54,4 +61,43 @@ private:
     WallTree m_tree;
     std::vector<Wall> m_walls; ///< by position
 };
+
+inline bool WallSurface::areOpposite(Slot a, Slot b) const
+{
+    return static_cast<double>(m_walls[a].normal.dot(m_walls[b].normal)) < maxOppositeCosine;
+}
+
+inline bool WallSurface::mayTouch(Slot position, Slot other) const
+{
+    return areOpposite(position, other) || m_walls[other].isAtEdge;
+}
+
+/// Measures by the face's plane, and by how wide it is across its longest side.
+inline double WallSurface::reach(Slot position, const Vec3& p) const
+{
+    constexpr double error = 1e-6;
+    const Wall& wall = m_walls[position];
+    const Vec3 way = p - wall.corners[0].cast<double>();
+    const double off = error * way.lpNorm<1>();
+    const double height = std::abs(way.dot(wall.normal.cast<double>())), aside = way.dot(wall.across.cast<double>());
+    const double up = std::max(0.0, height - off);
+    const double beside =
+        std::max({0.0, static_cast<double>(wall.least) - aside - off, aside - static_cast<double>(wall.most) - off});
+    return up * up + beside * beside;
+}
+
+inline bool WallSurface::mayLeave(Slot position, const Ray& ray, double length, double farthest) const
+{
+    constexpr double error = 1e-6, grazing = 0.01, errorThen = 4 * error / grazing;
+    const Wall& wall = m_walls[position];
+    const Vec3 normal = wall.normal.cast<double>(), way = ray.origin - wall.corners[0].cast<double>();
+    const double slope = ray.direction.dot(normal);
+    if (slope < grazing * length)
+        return slope >= -error * length;
+    const double distance = -way.dot(normal) / slope, off = errorThen * way.lpNorm<1>();
+    if (distance * length < -off || (distance - farthest) * length > off)
+        return false;
+    const double aside = (way + distance * ray.direction).dot(wall.across.cast<double>());
+    return aside >= static_cast<double>(wall.least) - off && aside <= static_cast<double>(wall.most) + off;
+}
 } // namespace core

@@ -437,10 +437,11 @@ public:
         return least;
     }
 
-    /// The least found, and the share of the surface that is thinner than the limit.
+    /// The least found, and the share of the surface that is thinner than the limit; and of which it cannot be told
+    /// whether it is, because ridges are about as thin as their faces.
     struct Figures
     {
-        double least = infinity, thin = 0, thinShare = 0;
+        double least = infinity, thin = 0, thinShare = 0, doubt = 0;
     };
     Figures figures(double limit, std::size_t samples) const
     {
@@ -479,6 +480,7 @@ public:
         }
         measureRidges(limit, ofFaces, figures);
         figures.thinShare = figures.thin / area;
+        figures.doubt /= area;
         std::ranges::sort(all, {}, &Sample::thickness);
         all.resize(std::min<std::size_t>(all.size(), 6)); // about these it is looked for more closely
         for (Sample& sample : all)
@@ -645,8 +647,11 @@ private:
                     }
             const double faces =
                 a.ridge ? std::min(ofFaces[a.ridge->faces[0]], ofFaces[a.ridge->faces[1]]) : ofFaces[a.corner->face];
+            const double area = thickness * (a.length > 0 ? a.length : thickness);
             if (thickness < limit && thickness < 0.97 * faces)
-                figures.thin += thickness * (a.length > 0 ? a.length : thickness);
+                figures.thin += area;
+            if (thickness < limit && thickness > 0.92 * faces && thickness < 1.02 * faces)
+                figures.doubt += area;
         }
         if (least == infinity)
             return;
@@ -893,7 +898,7 @@ void TestWallThickness::ridges_agreeWithDenseSampling_data()
 void TestWallThickness::ridges_agreeWithDenseSampling()
 {
     QFETCH(const int, kind);
-    const int count = byEffort(6, 60, 600);
+    const int count = byEffort(4, 60, 600);
     for (int number = 1; number <= count; ++number) {
         Random random(static_cast<unsigned>(100 * kind + number));
         const auto inThousandths = [&](double min, double max) {
@@ -941,7 +946,8 @@ void TestWallThickness::ridges_agreeWithDenseSampling()
         const bool isKnife = least < 0.1 && reference.least < 0.1;
         const bool isThick = least > PrintLimits::maxWall && reference.least > PrintLimits::maxWall;
         QVERIFY2(isKnife || isThick || std::abs(least / reference.least - 1) < 0.05, qPrintable(figures));
-        QVERIFY2(std::abs(thinShare(report) - reference.thinShare) < 0.015 + 0.05 * reference.thinShare,
+        QVERIFY2(std::abs(thinShare(report) - reference.thinShare) <
+                     0.015 + 0.05 * reference.thinShare + reference.doubt,
                  qPrintable(figures));
     }
 }
