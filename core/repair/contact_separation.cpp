@@ -236,21 +236,16 @@ public:
         for (Group& group : m_groups)
             for (const Fan& fan : group.fans)
                 group.ways.push_back(wayInto(fan));
-        std::vector<Slot> copies;
-        for (const Group& group : m_groups)
-            copies.insert(copies.end(), group.copies.begin(), group.copies.end());
-        const auto reach = static_cast<float>(*std::ranges::max_element(distances));
-        for (const Slot f : facesNear(surface, boxesAround(surface, copies, reach)))
-            m_neighbourhood.push_back(surface.triangles[f]);
     }
 
     /// Those that nothing would help are back where they were.
     void run(const JobControl& control)
     {
+        std::vector<Slot> moved;
         for (const Group& group : m_groups)
-            move(group);
-        while (!control.isCancelled() && moveOtherwise(unsoundCorners(control.stop)))
-            ;
+            move(group, moved);
+        while (!control.isCancelled() && !moved.empty())
+            moved = moveOtherwise(unsoundCorners(moved, control.stop));
     }
 
     /// The copies that could not be parted.
@@ -285,7 +280,8 @@ private:
         fan.shortestEdge = std::min({fan.shortestEdge, u.norm(), w.norm()});
     }
 
-    void move(const Group& group)
+    /// Appends the copies to `moved`.
+    void move(const Group& group, std::vector<Slot>& moved)
     {
         for (std::size_t i = 0; i < group.copies.size(); ++i) {
             const double wanted = group.choice < distances.size() ? distances[group.choice] : 0;
@@ -293,44 +289,52 @@ private:
             const LatticePoint by = (step * group.ways[i]).array().round().cast<int>();
             m_surface.points[group.copies[i]] = m_start[group.copies[i]] + by;
         }
+        moved.insert(moved.end(), group.copies.begin(), group.copies.end());
     }
 
-    /// Corners of faces without area or that meet others. What lies away from the copies is sound.
-    std::vector<Slot> unsoundCorners(const std::stop_token& stop) const
+    /// Corners of faces without area or that meet others, of those that have copies that moved and those that they can
+    /// meet.
+    std::vector<Slot> unsoundCorners(std::span<const Slot> moved, const std::stop_token& stop) const
     {
         constexpr std::size_t maxPairs = 100'000;
-        std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, m_neighbourhood);
+        constexpr float margin = 1;
+        const std::vector<Slot> near = facesNear(m_surface, boxesAround(m_surface, moved, margin));
+        std::vector<Triangle> triangles;
+        for (const Slot f : near)
+            triangles.push_back(m_surface.triangles[f]);
+        std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, triangles);
         for (const FacePair& pair :
-             selfIntersections<LatticePredicates>(m_surface.points, m_neighbourhood, maxPairs, stop).pairs) {
+             selfIntersections<LatticePredicates>(m_surface.points, triangles, maxPairs, stop).pairs) {
             faces.push_back(pair.first);
             faces.push_back(pair.second);
         }
         std::vector<Slot> corners;
         for (const Slot f : faces)
-            corners.insert(corners.end(), m_neighbourhood[f].begin(), m_neighbourhood[f].end());
+            corners.insert(corners.end(), triangles[f].begin(), triangles[f].end());
         return corners;
     }
 
-    /// The groups at these corners take their next choice. False: none has.
-    bool moveOtherwise(const std::vector<Slot>& corners)
+    /// The groups at these corners take their next choice, if they have one. Returns the copies that moved.
+    std::vector<Slot> moveOtherwise(const std::vector<Slot>& corners)
     {
         std::set<Slot> groups;
         for (const Slot v : corners)
             if (m_groupOf[v] != noSlot && m_groups[m_groupOf[v]].choice < distances.size())
                 groups.insert(m_groupOf[v]);
+        std::vector<Slot> moved;
         for (const Slot g : groups) {
             ++m_groups[g].choice;
-            move(m_groups[g]);
+            move(m_groups[g], moved);
         }
-        return !groups.empty();
+        return moved;
     }
 
     TriangleSoup& m_surface;
     std::vector<LatticePoint> m_start;
     std::vector<Slot> m_groupOf; ///< by vertex; noSlot for most
     std::vector<Group> m_groups;
-    std::vector<Triangle> m_neighbourhood; ///< faces that move, and those that they can come to meet
 };
+
 /// An octahedron, askew: nothing of the model is likely to lie in its planes.
 void addDrop(TriangleSoup& surface, Slot at, int radius)
 {

@@ -36,8 +36,8 @@ namespace
 {
 using repair::TriangleSoup;
 
-/// Shares of the time; most models need neither of the last two.
-constexpr double afterClosing = 0.2, afterFirstAttempt = 0.8, afterSecondAttempt = 0.9;
+/// Shares of the time.
+constexpr double afterClosing = 0.2, afterResolving = 0.9;
 
 TriangleSoup surfaceOf(const TriangleMesh& mesh, const LatticePlacement& placement)
 {
@@ -234,20 +234,25 @@ public:
         }
     }
 
-    void resolve(repair::Inside inside, const Progress& progress)
+    /// Tries to resolve what is wound around outwards, then either way if the other way was lost; and all that again
+    /// with a larger tolerance where it comes to no end.
+    void resolve(const Progress& progress)
     {
-        constexpr double afterResolving = 0.4;
-        progress.begin(RepairStep::Resolve);
-        TriangleSoup surface = m_surface;
-        m_resolution = repair::resolveIntersections(surface, inside, progress.control.part(0, afterResolving));
-        RepairReport report = m_report;
-        report.before.volume += m_resolution.volume * std::pow(m_lattice.unit(), 3);
-        report.intersections = m_resolution.intersections;
-        report.rounds = m_resolution.rounds;
-        report.touchingEdges = m_resolution.touchingEdges;
-        report.touchingVertices = m_resolution.touchingVertices;
-        if (m_resolution.isDone)
-            offer(std::move(surface), report, progress.part(afterResolving, 1));
+        constexpr double tolerances[] = {2, 64, 1024}; // lattice units: the last is 1/4,000 of the size or less
+        constexpr double shareOfAttempt = 0.75;        // of what is left of the time; most models need one
+        std::uint64_t budget = 200'000;                // tens of seconds
+        double reached = 0;
+        for (const double tolerance : tolerances) {
+            for (const repair::Inside inside : {repair::Inside::Positive, repair::Inside::NonZero}) {
+                const double next = reached + shareOfAttempt * (1 - reached);
+                attempt(inside, tolerance, budget, progress.part(reached, next));
+                reached = next;
+                if (progress.control.isCancelled() || !isInsideOut())
+                    break;
+            }
+            if (progress.control.isCancelled() || m_resolution.volume <= 0 || m_best)
+                break;
+        }
     }
 
     void wrap(const Progress& progress)
@@ -264,11 +269,6 @@ public:
               progress.part(afterShrinkWrap, 1));
     }
 
-    /// Returns whether space that is wound around the other way was lost.
-    bool isInsideOut() const
-    {
-        return m_resolution.insideOut > 0 && (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
-    }
     bool isFaithful() const { return m_best && m_best->report.isFaithful(); }
     /// The reason why there is no outcome, or none that is worth it.
     RepairRefusal refusal() const
@@ -292,6 +292,32 @@ public:
     Outcome& best() { return *m_best; }
 
 private:
+    void attempt(repair::Inside inside, double tolerance, std::uint64_t& budget, const Progress& progress)
+    {
+        constexpr double afterCutting = 0.4;
+        progress.begin(RepairStep::Resolve);
+        const double volume = m_resolution.volume; // stays 0 where nothing was cut
+        TriangleSoup surface = m_surface;
+        m_resolution =
+            repair::resolveIntersections(surface, inside, tolerance, budget, progress.control.part(0, afterCutting));
+        m_resolution.volume = std::max(volume, m_resolution.volume);
+        RepairReport report = m_report;
+        report.before.volume += m_resolution.volume * std::pow(m_lattice.unit(), 3);
+        report.intersections = m_resolution.intersections;
+        report.rounds = m_resolution.rounds;
+        report.touchingEdges = m_resolution.touchingEdges;
+        report.touchingVertices = m_resolution.touchingVertices;
+        if (m_resolution.isDone)
+            offer(std::move(surface), report, progress.part(afterCutting, 1));
+    }
+
+    /// Returns whether it was resolved, and space that is wound around the other way was lost.
+    bool isInsideOut() const
+    {
+        return m_resolution.isDone && m_resolution.insideOut > 0 &&
+               (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
+    }
+
     /// Takes it if it is in order and loses less than what there was.
     void offer(TriangleSoup surface, const RepairReport& report, const Progress& progress)
     {
@@ -346,12 +372,10 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         return result;
     TriangleMesh old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
     Solidification solid(surface, closed, placement.lattice, old, report);
-    solid.resolve(repair::Inside::Positive, progress.part(afterClosing, afterFirstAttempt));
-    if (solid.isInsideOut() && !control.isCancelled())
-        solid.resolve(repair::Inside::NonZero, progress.part(afterFirstAttempt, afterSecondAttempt));
-    control.reportProgress(afterSecondAttempt);
+    solid.resolve(progress.part(afterClosing, afterResolving));
+    control.reportProgress(afterResolving);
     if (options.canWrap && !solid.isFaithful() && !control.isCancelled())
-        solid.wrap(progress.part(afterSecondAttempt, 1));
+        solid.wrap(progress.part(afterResolving, 1));
     if (control.isCancelled())
         return result;
     result.refusal = solid.refusal();

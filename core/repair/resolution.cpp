@@ -57,28 +57,32 @@ std::vector<Slot> facesWith(const TriangleSoup& surface, std::span<const Slot> p
 class Cutting
 {
 public:
-    /// `budget`: of pairs of faces that are cut after the first time.
-    Cutting(TriangleSoup& surface, Inside inside, Resolution& resolution, std::uint64_t& budget,
+    /// `tolerance`: of the file's own floats. `budget`: of pairs of faces that are cut after the first time.
+    Cutting(TriangleSoup& surface, Inside inside, double tolerance, Resolution& resolution, std::uint64_t& budget,
             const JobControl& control)
         : m_surface(surface)
         , m_inside(inside)
+        , m_ofFile(tolerance)
         , m_resolution(resolution)
         , m_budget(budget)
         , m_control(control)
     {}
 
-    void run()
+    /// `mostPairs`: of faces that meet at first; with more nothing is cut.
+    void run(std::uint64_t mostPairs)
     {
         constexpr std::size_t maxRounds = 14;
-        constexpr std::uint64_t manyMore = 10, fewEnough = 1000; // a tangle that grows comes to no end
+        constexpr double ofRounding = 8; // tolerance, lattice units
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
         m_resolution.intersections = m_met.count;
         if (canGoOn())
-            removeSlivers(ofFile);
+            removeSlivers(m_ofFile);
+        if (m_met.count > std::min(mostPairs, manyMoreThan(m_resolution.intersections)))
+            return;
         cut(m_control.part(0, 0.5));
         std::uint64_t fewest = m_met.count;
-        double tolerance = firstTolerance, reached = 0.5;
+        double tolerance = std::max(ofRounding, m_ofFile), reached = 0.5;
         for (std::size_t round = 1; round < maxRounds && !m_control.isCancelled(); ++round) {
             m_met = intersectionsAmong(m_surface, facesNear(m_surface, m_changed), maxPairs, m_control.stop);
             if (m_met.count > 0 && canGoOn())
@@ -91,20 +95,25 @@ public:
                 m_resolution.unresolved = m_surface.points[m_surface.triangles[m_met.pairs[0].first][0]];
             if (m_resolution.isDone)
                 return cut(m_control.part(reached, 1)); // what was turned inside out since goes
-            if (m_met.count > std::min(m_budget, manyMore * fewest + fewEnough))
+            if (m_met.count > std::min(m_budget, manyMoreThan(fewest)))
                 return;
             m_budget -= m_met.count;
             fewest = std::min(fewest, m_met.count);
-            tolerance *= growth;
+            tolerance *= 1.5;
             cut(m_control.part(reached, (1 + reached) / 2));
             reached = (1 + reached) / 2;
         }
     }
 
 private:
-    /// Tolerances in lattice units: of the file's own floats; of the first rounding, and by how much they grow.
-    static constexpr double ofFile = 2, firstTolerance = 8, growth = 1.5;
-    static constexpr float ofRounding = 2;
+    static constexpr float reach = 2; ///< of rounding: how far a change may make faces meet, lattice units
+
+    /// A tangle that grows comes to no end.
+    static std::uint64_t manyMoreThan(std::uint64_t pairs)
+    {
+        constexpr std::uint64_t growth = 3, fewEnough = 1000;
+        return growth * pairs + fewEnough;
+    }
 
     bool canGoOn() const { return m_met.count <= maxPairs; }
 
@@ -125,8 +134,8 @@ private:
 
     void searchAround(std::span<const Slot> points)
     {
-        m_met = intersectionsAmong(m_surface, facesNear(m_surface, boxesAround(m_surface, points, ofRounding)),
-                                   maxPairs, m_control.stop);
+        m_met = intersectionsAmong(m_surface, facesNear(m_surface, boxesAround(m_surface, points, reach)), maxPairs,
+                                   m_control.stop);
     }
 
     void cut(const JobControl& control)
@@ -135,7 +144,7 @@ private:
         if (!canGoOn() || m_control.isCancelled())
             return;
         m_resolution.rounds += m_met.count > 0;
-        m_changed = boxesAround(m_surface, cornersOf(m_surface, facesOf(m_met.pairs)), ofRounding);
+        m_changed = boxesAround(m_surface, cornersOf(m_surface, facesOf(m_met.pairs)), reach);
         WindingSolid solid = windingSolidOf(m_surface, arrange(m_surface, m_met.pairs, control.part(0, afterCutting)),
                                             m_inside, control.part(afterCutting, 1));
         m_surface = std::move(solid.surface);
@@ -149,6 +158,7 @@ private:
 
     TriangleSoup& m_surface;
     Inside m_inside;
+    double m_ofFile;
     Resolution& m_resolution;
     std::uint64_t& m_budget;
     const JobControl& m_control;
@@ -187,13 +197,15 @@ void dropCrumbs(TriangleSoup& surface)
 }
 } // namespace
 
-Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobControl& control)
+Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tolerance, std::uint64_t& budget,
+                                const JobControl& control)
 {
     constexpr int maxTimes = 8;
-    constexpr int firstReach = 16;  // lattice units; doubled each time
-    std::uint64_t budget = 200'000; // pairs: tens of seconds
+    constexpr int firstReach = 16; // lattice units; doubled each time
+    constexpr std::size_t fewStuck = 500;
     Resolution resolution;
-    Cutting(surface, inside, resolution, budget, control).run();
+    std::size_t mostStuck = surface.points.size();
+    Cutting(surface, inside, tolerance, resolution, budget, control).run(maxPairs);
     for (int time = 0; time < maxTimes && resolution.isDone && !control.isCancelled(); ++time) {
         const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
         if (topology.nonManifoldEdges.count + topology.nonManifoldVertices.count == 0)
@@ -203,7 +215,9 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobC
         resolution.touchingVertices += separated.vertices;
         if (separated.stuck.empty())
             break;
-        if (time + 1 == maxTimes) {
+        const bool areMore = separated.stuck.size() > mostStuck; // it comes to no end
+        mostStuck = separated.stuck.size() + separated.stuck.size() / 2 + fewStuck;
+        if (time + 1 == maxTimes || areMore) {
             resolution.isDone = false;
             resolution.unresolved = surface.points[separated.stuck[0]];
             break;
@@ -215,7 +229,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobC
             joinAt(surface, separated.stuck, firstReach << time);
         weld(surface);
         Resolution unread;
-        Cutting(surface, Inside::Positive, unread, budget, {control.stop, {}}).run();
+        Cutting(surface, Inside::Positive, tolerance, unread, budget, {control.stop, {}}).run(budget);
         resolution.isDone = unread.isDone;
         resolution.unresolved = unread.unresolved;
     }

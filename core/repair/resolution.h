@@ -25,5 +25,9 @@ struct Resolution
 /// rounding overlap clearly. Parts that touch at edges and vertices are then separated or joined, and crumbs that all
 /// this left, less than 64 units thick and with less than 1/10,000 of the area, are dropped. The surface is closed.
 /// Away from these places no point moves. All cores.
-Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const JobControl& control = {});
+/// `tolerance`: in lattice units, what the surface's own places are good for: points of faces that meet and lie closer
+/// become one. `budget`: of pairs of faces that may be cut after the first time, some 5,000 a second; what was cut is
+/// taken from it, and where it is spent the surface remains unresolved.
+Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tolerance, std::uint64_t& budget,
+                                const JobControl& control = {});
 } // namespace core::repair

@@ -34,6 +34,22 @@ std::uint64_t hashOf(const TriangleMesh& mesh)
     return wholeHash(*buildMesh(mesh).mesh);
 }
 
+/// About the axis of y.
+TriangleMesh prism(Slot sides, double radius, double from, double to)
+{
+    TriangleMesh mesh{{{0, static_cast<float>(from), 0}, {0, static_cast<float>(to), 0}}, {}, {}};
+    for (Slot i = 0; i < sides; ++i)
+        for (const double y : {from, to}) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            mesh.points.push_back(Vec3(radius * std::sin(angle), y, radius * std::cos(angle)).cast<float>());
+        }
+    for (Slot i = 0; i < sides; ++i) {
+        const Slot a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % sides);
+        mesh.triangles.insert(mesh.triangles.end(), {{0, b, a}, {1, a + 1, b + 1}, {a, b, b + 1}, {a, b + 1, a + 1}});
+    }
+    return mesh;
+}
+
 double volumeOf(const TriangleMesh& mesh)
 {
     return checkMesh(mesh).volume.value_or(0);
@@ -114,6 +130,7 @@ private Q_SLOTS:
     void thinStrips_keepTheirVolume();
     void turnedParts_areRepairedAlike();
     void turnedCylinders_areOnePart();
+    void roughEnds_areOnePart();
     void insideOutParts_areNotTakenAway();
     void broadGround_isNotLostSilently();
     void voidsBetweenParts_stay();
@@ -429,21 +446,7 @@ void TestRepair::turnedParts_areRepairedAlike()
 /// Three cylinders that stand on each other, turned by any angle: no crumbs are left where they touch.
 void TestRepair::turnedCylinders_areOnePart()
 {
-    constexpr Slot sides = 48;
-    const auto cylinder = [](double radius, double from, double to) {
-        TriangleMesh mesh{{{0, static_cast<float>(from), 0}, {0, static_cast<float>(to), 0}}, {}, {}};
-        for (Slot i = 0; i < sides; ++i)
-            for (const double y : {from, to}) {
-                const double angle = 2 * std::numbers::pi * i / sides;
-                mesh.points.push_back(Vec3(radius * std::sin(angle), y, radius * std::cos(angle)).cast<float>());
-            }
-        for (Slot i = 0; i < sides; ++i) {
-            const Slot a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % sides);
-            mesh.triangles.insert(mesh.triangles.end(),
-                                  {{0, b, a}, {1, a + 1, b + 1}, {a, b, b + 1}, {a, b + 1, a + 1}});
-        }
-        return mesh;
-    };
+    const auto cylinder = [](double radius, double from, double to) { return prism(48, radius, from, to); };
     const TriangleMesh stack =
         shapes::together(shapes::together(cylinder(20, 0, 5), cylinder(8, 5, 20)), cylinder(4, 20, 30));
     const double volume = volumeOf(cylinder(20, 0, 5)) + volumeOf(cylinder(8, 5, 20)) + volumeOf(cylinder(4, 20, 30));
@@ -459,6 +462,40 @@ void TestRepair::turnedCylinders_areOnePart()
         QVERIFY2(result.mesh && result.report.isFaithful(), qPrintable(QString::number(turn)));
         QCOMPARE(result.report.after.parts, std::size_t(1));
         QVERIFY2(std::abs(volumeOf(*result.mesh) - volume) < 1e-3 * volume, qPrintable(QString::number(turn)));
+    }
+}
+
+/// Two prisms on one axis, of 24 and 32 sides, whose ends lie in the same planes but for noise of several lattice
+/// units, and are fans of slivers about one corner: of some the cuts come to no end with the first tolerance.
+void TestRepair::roughEnds_areOnePart()
+{
+    constexpr double noise = 2e-4; // some 20 units of the lattice
+    const auto fans = [](Slot sides, double phase) {
+        TriangleMesh mesh;
+        for (Slot i = 0; i < sides; ++i) {
+            const double angle = phase + 2 * std::numbers::pi * i / sides;
+            for (const double z : {0.0, 10.0})
+                mesh.points.push_back(Vec3(10 * std::cos(angle), 10 * std::sin(angle), z).cast<float>());
+            const Slot a = 2 * i, b = 2 * ((i + 1) % sides);
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
+            if (i > 0 && i + 1 < sides)
+                mesh.triangles.insert(mesh.triangles.end(), {{0, b, a}, {1, a + 1, b + 1}});
+        }
+        return mesh;
+    };
+    const TriangleMesh outer = fans(32, std::numbers::pi / 24), pair = shapes::together(outer, fans(24, 0));
+    for (unsigned seed = 1; seed <= static_cast<unsigned>(byEffort(12, 400, 400)); ++seed) {
+        std::mt19937 random(seed);
+        const auto unit = [&random] { return 2 * static_cast<double>(random()) / 0xffffffff - 1; };
+        const Eigen::Quaterniond rotation(
+            Eigen::AngleAxisd(std::numbers::pi * unit(), Vec3(unit(), unit(), unit()).normalized()));
+        TriangleMesh rough = pair;
+        for (Vec3f& p : rough.points)
+            p = (rotation * p.cast<double>() + noise * Vec3(unit(), unit(), unit())).cast<float>();
+        const RepairResult result = repairMesh(rough);
+        QVERIFY2(result.mesh && result.report.isFaithful(), qPrintable(QString::number(seed)));
+        QCOMPARE(result.report.after.parts, std::size_t(1));
+        QVERIFY2(volumeOf(*result.mesh) > 0.999 * volumeOf(outer), qPrintable(QString::number(seed)));
     }
 }
 
