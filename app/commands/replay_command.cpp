@@ -208,7 +208,7 @@ void requireDone(const core::ModelChange& change, const core::FileCommand& entry
                              AnswerIsNo};
 }
 
-/// As the Model menu does it, by the file's planes and axes.
+/// Does as the Model menu does, by the file's planes and axes.
 core::MeshDelta play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, const core::FileCommand& entry,
                      std::size_t index)
 {

@@ -18,7 +18,7 @@ namespace
 {
 using Records = std::vector<FbxRecord>;
 
-/// What stands where no record can.
+/// Ends a list of records: no record is so.
 struct NotFbx
 {};
 

@@ -198,7 +198,7 @@ private:
         return (min - m_max).cwiseMax(m_min - max).cwiseMax(0.0).squaredNorm();
     }
 
-    /// For the tests of boxes, with room for what float32 is off by.
+    /// Numbers for the tests of boxes, with room for what float32 is off by.
     struct InFloats
     {
         std::array<float, 3> low, high, min, max, origin;

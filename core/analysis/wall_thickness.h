@@ -32,7 +32,7 @@ struct WallRidge
     float least = 0; ///< the thinnest place, at most 1 % too large
     Vec3f thinnest = Vec3f::Zero();
 
-    /// It counts as a strip as wide as the wall is thick: what balls of that size touch around it.
+    /// Returns the area of a strip as wide as the wall is thick: what balls of that size touch around it.
     double area() const;
 };
 

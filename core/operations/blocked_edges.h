@@ -16,7 +16,7 @@ public:
     BlockedEdges(const Mesh& mesh, const std::vector<std::uint32_t>& stamps) : m_mesh(mesh), m_stamps(stamps) {}
 
     void clear() { m_edges.clear(); }
-    /// Whether the edge from v0 to v1 was blocked, and nothing has changed there.
+    /// Returns whether the edge from v0 to v1 was blocked, and nothing has changed there.
     bool isBlocked(Slot v0, Slot v1) const;
 
     /// Begins an attempt at an edge, with one place or several.

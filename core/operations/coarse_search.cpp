@@ -10,7 +10,7 @@ namespace
 constexpr std::size_t vainVisits = 400;
 /// Faces that all checks together may look at, and what else a check costs, in faces.
 constexpr std::size_t mostFacesVisited = 25'000'000, facesPerCheck = 10;
-/// How far a vertex may go: the first tolerance, and a larger one after so many vain visits for each vertex.
+/// Limits of a vertex's way: the first tolerance, and a larger one after so many vain visits for each vertex.
 constexpr double firstTolerance = 0.02, mostTolerance = 1, growth = 1.5;
 constexpr std::size_t vainVisitsAtTolerance = 20;
 } // namespace

@@ -7,7 +7,7 @@ namespace core
 namespace
 {
 constexpr std::size_t fewestFaces = 4;
-/// How far a shell shrinks at most, and the rate at which less is tried where that is not sound.
+/// Rates at which a shell shrinks: at most, and by which less is tried where that is not sound.
 constexpr double leastScale = 0.25;
 constexpr int shrinkings = 4;
 } // namespace

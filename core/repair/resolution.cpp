@@ -108,7 +108,7 @@ public:
 private:
     static constexpr float reach = 2; ///< of rounding: how far a change may make faces meet, lattice units
 
-    /// A tangle that grows comes to no end.
+    /// Returns the number of pairs from which on a tangle is given up.
     static std::uint64_t manyMoreThan(std::uint64_t pairs)
     {
         constexpr std::uint64_t growth = 3, fewEnough = 1000;

@@ -40,7 +40,8 @@ for file in usr/bin/fettle usr/lib/fettle/libfettle_simulator.so usr/lib/fettle/
     expect "the package brings $file" grep -qx "\./$file" <<<"$files"
 done
 depends=$(dpkg-deb --field "$deb" Depends)
-for library in libqt6widgets6 libqt63drender6 libopenmesh1 'libdraco[0-9]*' libqt6svg6 qt6-translations-l10n libgl1-mesa-dri; do
+for library in libqt6widgets6 libqt63drender6 libopenmesh1 'libdraco[0-9]*' libqt6svg6 \
+    qt6-translations-l10n libgl1-mesa-dri; do
     expect "the package depends on $library (Depends: $depends)" grep -q "\b$library\b" <<<"$depends"
 done
 exit $failed

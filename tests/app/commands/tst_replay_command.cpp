@@ -382,7 +382,7 @@ void TestReplayCommand::farModel_isTheNearOneShifted()
     QFETCH(Turned, map);
     const Vec3 far(1000, 300, -500);
     const Vec3 shift = map ? Vec3(map(far) - map(Vec3::Zero())) : Vec3::Zero();
-    // Where the stroke is done: on the model as the command leaves the near one.
+    // Places of the stroke: on the model as the command leaves the near one.
     Replay replay;
     QVERIFY2(replay.on(potato({0.125, 0.0625, 0}), {Json::parse(command.toStdString())}) == 0,
              replay.complaint.constData());

@@ -35,7 +35,7 @@ using Kind = core::FileErrorKind;
 
 constexpr unsigned streamSeed = 20261127;
 
-/// What is asked of Draco's encoder.
+/// Settings of Draco's encoder.
 struct Packing
 {
     int method = draco::MESH_EDGEBREAKER_ENCODING;

@@ -347,7 +347,7 @@ void TestX3dExpansion::cutFiles_areRefused()
     }
 }
 
-/// What other programs write that is not quite by the book.
+/// Files of other programs that are not quite by the book.
 void TestX3dExpansion::wordsAndNames_areTakenGenerously()
 {
     const auto set = [](const QByteArray& ccw, const QByteArray& coordinates) {
