@@ -4,6 +4,8 @@
 
 #include "core/analysis/wall_ridges.h"
 
+#include "core/geometry/triangle_distance.h"
+
 #include "core/util/parallel.h"
 
 #include <algorithm>
