@@ -76,6 +76,24 @@ struct Progress
     Progress part(double from, double to) const { return {control.part(from, to), onStep}; }
 };
 
+/// Returns whether the faces stand around some space, be they joined or not: seen from their middle they span a volume
+/// of more than 0.01 area^1.5. A cube has 0.07.
+bool standAroundSpace(const TriangleSoup& surface)
+{
+    constexpr double least = 0.01;
+    const auto at = [&](Slot v) { return Vec3(surface.points[v].cast<double>()); };
+    Vec3 middle = Vec3::Zero();
+    for (const Triangle& t : surface.triangles)
+        middle += (at(t[0]) + at(t[1]) + at(t[2])) / (3 * static_cast<double>(surface.triangles.size()));
+    double volume = 0, area = 0;
+    for (const Triangle& t : surface.triangles) {
+        const Vec3 doubleArea = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
+        volume += (at(t[0]) - middle).dot(doubleArea) / 6;
+        area += doubleArea.norm() / 2;
+    }
+    return std::abs(volume) > least * std::pow(area, 1.5);
+}
+
 /// What steps 1 to 5 come to.
 struct ClosedSurface
 {
@@ -275,7 +293,8 @@ public:
     {
         constexpr double half = 0.5, mostDistance = 0.05;
         if (!m_best && m_resolution.volume <= 0)
-            return m_closed.isLoose ? RepairRefusal::TooMuchLost : RepairRefusal::EnclosesNothing;
+            return m_closed.isLoose && standAroundSpace(m_closed.unfilled) ? RepairRefusal::TooMuchLost
+                                                                           : RepairRefusal::EnclosesNothing;
         if (!m_best)
             return RepairRefusal::Unresolved;
         const RepairReport& report = m_best->report;

@@ -346,7 +346,12 @@ void TestRepair::nothingEnclosed_isRefused()
 {
     const TriangleMesh point{{{1, 1, 1}}, {}, {{0, 0, 0}}};
     const TriangleMesh sheet{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}};
-    for (const TriangleMesh& mesh : {point, sheet, badModel(QStringLiteral("three faces at an edge")).mesh}) {
+    const TriangleMesh bent{{{0, 0, 0}, {9, 0, 0}, {9, 3, 0.01f}, {3, 3, 0}, {3, 9, 0}, {0, 9, 0.01f}},
+                            {},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
+    const TriangleMesh cards = shapes::together(bent, shapes::moved(bent, {20, 1, 3}));
+    for (const TriangleMesh& mesh :
+         {point, sheet, bent, cards, badModel(QStringLiteral("three faces at an edge")).mesh}) {
         const RepairResult result = repairMesh(mesh);
         QVERIFY(!result.mesh);
         QVERIFY(result.refusal == RepairRefusal::EnclosesNothing);
