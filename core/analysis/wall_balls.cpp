@@ -6,6 +6,8 @@
 //               inside (after Ma, Bae and Choi 2012, with the faces themselves in the place of sampled points)
 //   3. cell     the same for all points p of a flat triangle at once. The diameter is convex in p and q together, so
 //               that for each opposite face the shrinking ends at the least ball of all.
+// A q aside, more than 30 degrees from the normal at p, does not count: where the ground of a groove bends, its walls
+// reach behind each other's planes without matter between them.
 
 #include "core/analysis/wall_balls.h"
 
@@ -70,6 +72,28 @@ std::optional<Vec3> steepPoint(const Vec3& p, const Vec3& inward, const Vec3& fr
     const double root = std::sqrt(std::max(0.0, c * c - d * (2 * b * c - d * a)));
     const double best = std::abs(d) < 1e-9 ? -b : (root - c) / d;
     return Vec3(from + std::clamp(best, low, high) * e);
+}
+
+double ballOf(const Vec3& way, const Vec3& inward)
+{
+    return way.squaredNorm() / way.dot(inward);
+}
+
+/// Returns the point of an opposite face that the least ball reaches which touches the surface at p, steeply: where the
+/// ball touches the face's plane, as far from it as from p, or on a side of the face.
+std::optional<Vec3> steepPoint(const Vec3& p, const Vec3& inward, const std::array<Vec3, 3>& face)
+{
+    constexpr double inside = 1e-12;
+    const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]).normalized(), chord = inward + normal;
+    const Vec3 q = p + (face[0] - p).dot(normal) / chord.dot(normal) * chord;
+    if (isSteep(q - p, inward) && (nearestInTriangle(q, face) - q).squaredNorm() <= inside * (q - p).squaredNorm())
+        return q;
+    std::optional<Vec3> least;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (const auto onSide = steepPoint(p, inward, face[i], face[(i + 1) % 3]))
+            if (!least || ballOf(*onSide - p, inward) < ballOf(*least - p, inward))
+                least = onSide;
+    return least;
 }
 
 /// The faces that were found to be out of sight, of one ball.
@@ -139,7 +163,6 @@ public:
                 m_float.axes[i][j] = static_cast<float>(m_axes(k, static_cast<Eigen::Index>(j)));
         }
     }
-    const std::array<Vec3, 3>& corners() const { return m_cell; }
     Vec3 toFrame(const Vec3& p) const { return m_axes * (p - m_origin); }
     Vec3 toSpace(const Vec3& p) const { return m_axes.transpose() * p + m_origin; }
 
@@ -173,18 +196,23 @@ public:
     /// the segment steeply; otherwise about the nearest pair that does, or none.
     NearestPair nearestSteepPair(const Vec3& from, const Vec3& to) const
     {
-        NearestPair pair = nearestOfTriangleAndSegment(m_cell, from, to);
-        const double height = m_min.z();
-        const Vec3 up = Vec3::UnitZ();
-        if (isSteep(pair.b - pair.a + height * up, up))
+        const NearestPair pair = nearestOfTriangleAndSegment(m_cell, from, to);
+        if (isSteepFromBelow(pair))
             return pair;
-        std::array<Vec3, 3> face = m_cell;
-        for (Vec3& p : face)
-            p.z() = 0;
-        pair = nearestOfTriangleAndSegment(face, from, to);
-        const auto q = steepPoint(pair.a, up, from, to);
-        const Vec3 centre = pair.a + height * up;
-        return q ? NearestPair{centre, *q, (*q - centre).squaredNorm()} : NearestPair();
+        const Vec3 p = nearestOfTriangleAndSegment(below(), from, to).a;
+        return toPoint(p, steepPoint(p, Vec3::UnitZ(), from, to));
+    }
+    /// Returns the same for a triangle that is opposite.
+    NearestPair nearestSteepPair(const std::array<Vec3, 3>& triangle) const
+    {
+        const NearestPair pair = nearestOfTriangles(m_cell, triangle);
+        if (isSteepFromBelow(pair))
+            return pair;
+        const Vec3 p = pair.a - Vec3(0, 0, pair.a.z());
+        if (const auto q = steepPoint(p, Vec3::UnitZ(), triangle))
+            return toPoint(p, q);
+        const Vec3 nearest = nearestOfTriangles(below(), triangle).a;
+        return toPoint(nearest, steepPoint(nearest, Vec3::UnitZ(), triangle));
     }
     double gapTo(const std::array<Vec3, 3>& triangle) const
     {
@@ -193,6 +221,24 @@ public:
     }
 
 private:
+    /// Returns the cell on its face.
+    std::array<Vec3, 3> below() const
+    {
+        std::array<Vec3, 3> cell = m_cell;
+        for (Vec3& p : cell)
+            p.z() = 0;
+        return cell;
+    }
+    bool isSteepFromBelow(const NearestPair& pair) const
+    {
+        return isSteep(pair.b - pair.a + pair.a.z() * Vec3::UnitZ(), Vec3::UnitZ());
+    }
+    /// Returns the pair of the centre above a point of the face and another point.
+    NearestPair toPoint(const Vec3& p, const std::optional<Vec3>& q) const
+    {
+        const Vec3 centre = p + m_min.z() * Vec3::UnitZ();
+        return q ? NearestPair{centre, *q, (*q - centre).squaredNorm()} : NearestPair();
+    }
     double gapTo(const Vec3& min, const Vec3& max) const
     {
         return (min - m_max).cwiseMax(m_min - max).cwiseMax(0.0).squaredNorm();
@@ -233,8 +279,8 @@ bool WallBalls::doTouch(Slot position, const WallCell& cell, Slot other) const
     return false;
 }
 
-/// A large ball all but touches what is near to the point at which it touches the surface itself: that lies less deep
-/// in the ball than is looked for. A small ball holds it; 0 if it is too small to matter.
+/// Returns the diameter of a small ball to begin a second search with, 0 if it is too small to matter. A large ball all
+/// but touches what is near to its own point of the surface: that lies less deep in the ball than is looked for.
 double WallBalls::secondStart(double diameter) const
 {
     const double second = m_shallow / (2 - m_shallow) * diameter;
@@ -259,7 +305,7 @@ double WallBalls::shrunk(Slot position, const Vec3& p, double start) const
         if (!touch)
             break;
         last = touch;
-        diameter = (touch->q - p).squaredNorm() / (touch->q - p).dot(inward);
+        diameter = ballOf(touch->q - p, inward);
     }
     if (!last)
         return noBall;
@@ -276,7 +322,7 @@ double WallBalls::shrunkInSight(Slot position, const Vec3& p, double start) cons
         if (!touch)
             break;
         if (m_rays.isInSight(position, p, touch->q))
-            found = diameter = (touch->q - p).squaredNorm() / (touch->q - p).dot(inward);
+            found = diameter = ballOf(touch->q - p, inward);
         else if (hidden.isFull())
             break;
         else
@@ -316,7 +362,7 @@ ThinnestPlace WallBalls::shrunk(Slot position, const WallCell& cell, double star
         const Vec3 way = touch->q - touch->p;
         const Vec3 p = towards(touch->p, centre, inset * way.norm());
         const auto [a, b, c] = m_surface.cornersOf(touch->position);
-        const double found = way.squaredNorm() / way.dot(inward);
+        const double found = ballOf(way, inward);
         if (m_rays.isInSight(position, p, towards(touch->q, (a + b + c) / 3, inset * way.norm()))) {
             thinnest.diameter = diameter = found;
             thinnest.point = p;
@@ -356,7 +402,9 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
                                                            std::span<const Slot> hidden) const
 {
     const Vec3 inward = m_surface.inwardOf(position), centre = p + radius * inward;
-    const auto pairWith = [&](const Vec3& q) { return NearestPair{p, q, (q - centre).squaredNorm()}; };
+    const auto pairWith = [&](const std::optional<Vec3>& q) {
+        return q ? NearestPair{p, *q, (*q - centre).squaredNorm()} : NearestPair();
+    };
     std::optional<Touch> nearest;
     double min = (1 - m_shallow) * radius * (1 - m_shallow) * radius;
     m_surface.tree().forEachNear(WallTree::Point(m_surface.tree(), centre), min, [&](Slot other) {
@@ -365,10 +413,13 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
             return min;
         const std::array<Vec3, 3> corners = m_surface.cornersOf(other);
         const NearestPair pair = nearestOf(
-            position, inward, other, [&] { return pairWith(nearestInTriangle(centre, corners)); },
+            position, inward, other,
+            [&] {
+                const Vec3 q = nearestInTriangle(centre, corners);
+                return isSteep(q - p, inward) ? pairWith(q) : pairWith(steepPoint(p, inward, corners));
+            },
             [&](std::size_t from, std::size_t to) {
-                const auto q = steepPoint(p, inward, corners[from], corners[to]);
-                return q ? pairWith(*q) : NearestPair();
+                return pairWith(steepPoint(p, inward, corners[from], corners[to]));
             });
         if (pair.squaredDistance < min) {
             min = pair.squaredDistance;
@@ -385,6 +436,8 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
 {
     const Vec3 inward = m_surface.inwardOf(position);
     const auto inSpace = [&](NearestPair pair) {
+        if (!std::isfinite(pair.squaredDistance))
+            return pair;
         pair.a.z() = 0;
         return NearestPair{lifted.toSpace(pair.a), lifted.toSpace(pair.b), pair.squaredDistance};
     };
@@ -399,10 +452,9 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
         if (lifted.gapTo(corners) >= min || doTouch(position, cell, other))
             return min;
         const NearestPair pair = nearestOf(
-            position, inward, other, [&] { return inSpace(nearestOfTriangles(lifted.corners(), corners)); },
+            position, inward, other, [&] { return inSpace(lifted.nearestSteepPair(corners)); },
             [&](std::size_t from, std::size_t to) {
-                const NearestPair steep = lifted.nearestSteepPair(corners[from], corners[to]);
-                return std::isfinite(steep.squaredDistance) ? inSpace(steep) : steep;
+                return inSpace(lifted.nearestSteepPair(corners[from], corners[to]));
             });
         if (pair.squaredDistance < min) {
             min = pair.squaredDistance;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace core
 {
@@ -50,18 +51,28 @@ Sides sidesOf(const TriangleMesh& mesh)
     return all;
 }
 
-Vec3 normalOf(const TriangleMesh& mesh, Slot face)
+Vec3 edgeFrom(const TriangleMesh& mesh, const Triangle& triangle, Slot corner)
 {
-    const auto [a, b, c] = cornersOf(mesh, face);
-    return (b - a).cross(c - a).normalized();
+    return mesh.points[triangle[(corner + 1) % 3]].cast<double>() - mesh.points[triangle[corner]].cast<double>();
 }
 
-double angleAt(const TriangleMesh& mesh, const Triangle& triangle, Slot corner)
+/// Returns the mean of the normals around each vertex, by angles, turned into the matter; zero where there is none.
+std::vector<Vec3> meanNormals(const TriangleMesh& mesh)
 {
-    const Vec3 p = mesh.points[triangle[corner]].cast<double>();
-    const Vec3 a = mesh.points[triangle[(corner + 1) % 3]].cast<double>() - p;
-    const Vec3 b = mesh.points[triangle[(corner + 2) % 3]].cast<double>() - p;
-    return std::atan2(a.cross(b).norm(), a.dot(b));
+    std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
+    for (const Triangle& triangle : mesh.triangles) {
+        const std::array<Vec3, 3> edges = {edgeFrom(mesh, triangle, 0), edgeFrom(mesh, triangle, 1),
+                                           edgeFrom(mesh, triangle, 2)};
+        const Vec3 normal = edges[0].cross(edges[1]);
+        const double twiceArea = normal.norm();
+        for (std::size_t i = 0; i < 3 && twiceArea > 0; ++i) {
+            const double angle = std::atan2(twiceArea, -edges[i].dot(edges[(i + 2) % 3]));
+            normals[triangle[i]] -= angle / twiceArea * normal;
+        }
+    }
+    for (Vec3& normal : normals)
+        normal.normalize();
+    return normals;
 }
 } // namespace
 
@@ -70,8 +81,7 @@ WallEdges::WallEdges(const TriangleMesh& mesh)
     , m_isAt(mesh.triangles.size(), 0)
 {
     findEdges(mesh);
-    if (!m_edges.empty())
-        findCorners(mesh);
+    findCorners(mesh);
 }
 
 void WallEdges::findEdges(const TriangleMesh& mesh)
@@ -118,54 +128,53 @@ void WallEdges::addEdge(const TriangleMesh& mesh, const std::array<Slot, 2>& fac
     m_edges.push_back(edge);
 }
 
-/// Corners of bent edges, of which all edges of the mesh are looked at.
+/// Looks at all vertices: the edges at a tip with many sides are hardly bent. A corner that juts outwards counts only
+/// at an edge that does: around a round tip the faces are opposite to each other.
 void WallEdges::findCorners(const TriangleMesh& mesh)
 {
-    std::vector<Slot> number(mesh.points.size(), noSlot);
+    const std::vector<Vec3> inward = meanNormals(mesh);
+    std::vector<std::uint8_t> isInward(mesh.points.size(), 1), isOutward(mesh.points.size(), 0);
     for (const Edge& edge : m_edges)
         for (const Slot vertex : edge.vertices)
-            if (number[vertex] == noSlot) {
-                number[vertex] = static_cast<Slot>(m_corners.size());
-                m_corners.push_back({vertex, noSlot, 0, 0, Vec3::Zero(), false});
-            }
-    std::vector<std::vector<Vec3>> stars(m_corners.size());
-    for (Slot f = 0; f < mesh.triangles.size(); ++f) {
-        const Triangle& triangle = mesh.triangles[f];
+            isOutward[vertex] = 1;
+    for (const Triangle& triangle : mesh.triangles)
         for (Slot i = 0; i < 3; ++i) {
-            if (number[triangle[i]] == noSlot)
-                continue;
-            Corner& corner = m_corners[number[triangle[i]]];
-            corner.face = f;
-            corner.inward -= angleAt(mesh, triangle, i) * normalOf(mesh, f);
-            stars[number[triangle[i]]].push_back(
-                (mesh.points[triangle[(i + 1) % 3]] - mesh.points[triangle[i]]).cast<double>().normalized());
+            const Slot vertex = triangle[i];
+            const Vec3 edge = edgeFrom(mesh, triangle, i);
+            const double along = inward[vertex].dot(edge), least = pointed * edge.norm();
+            isInward[vertex] &= along < -least ? 1 : 0;
+            isOutward[vertex] &= along > least ? 1 : 0;
         }
-    }
-    const auto isPointed = [&](const Vec3& inward, const std::vector<Vec3>& star, double sign) {
-        return std::ranges::all_of(star, [&](const Vec3& e) { return sign * inward.dot(e) > pointed; });
-    };
     m_cornerOf.assign(mesh.points.size(), noSlot);
-    std::vector<Corner> kept;
-    for (std::size_t i = 0; i < m_corners.size(); ++i) {
-        Corner corner = m_corners[i];
-        corner.inward.normalize();
-        corner.isInward = isPointed(corner.inward, stars[i], -1);
-        if (!corner.isInward && !isPointed(corner.inward, stars[i], 1))
-            continue;
-        corner.first = m_star.size();
-        corner.count = stars[i].size();
-        for (const Vec3& e : stars[i])
-            m_star.push_back(corner.isInward ? e : Vec3(-e));
-        m_cornerOf[corner.vertex] = static_cast<Slot>(kept.size());
-        kept.push_back(corner);
+    for (Slot f = 0; f < mesh.triangles.size(); ++f)
+        for (const Slot vertex : mesh.triangles[f]) {
+            if (isInward[vertex] == 0 && isOutward[vertex] == 0)
+                continue;
+            m_isAt[f] = 1;
+            if (m_cornerOf[vertex] == noSlot) {
+                m_cornerOf[vertex] = static_cast<Slot>(m_corners.size());
+                m_corners.push_back({vertex, f, 0, 0, inward[vertex], isInward[vertex] != 0});
+            }
+            ++m_corners[m_cornerOf[vertex]].count;
+        }
+    addStars(mesh);
+}
+
+void WallEdges::addStars(const TriangleMesh& mesh)
+{
+    std::size_t size = 0;
+    for (Corner& corner : m_corners) {
+        corner.first = size;
+        size += std::exchange(corner.count, 0);
     }
-    m_corners = std::move(kept);
-    if (m_corners.empty())
-        m_cornerOf.clear();
-    for (Slot f = 0; f < mesh.triangles.size() && !m_corners.empty(); ++f)
-        for (const Slot vertex : mesh.triangles[f])
-            if (m_cornerOf[vertex] != noSlot)
-                m_isAt[f] = 1;
+    m_star.resize(size);
+    for (Slot f = 0; f < mesh.triangles.size(); ++f)
+        for (Slot i = 0; i < 3 && m_isAt[f] != 0; ++i)
+            if (const Slot number = m_cornerOf[mesh.triangles[f][i]]; number != noSlot) {
+                Corner& corner = m_corners[number];
+                const Vec3 edge = edgeFrom(mesh, mesh.triangles[f], i).normalized();
+                m_star[corner.first + corner.count++] = corner.isInward ? edge : Vec3(-edge);
+            }
 }
 
 bool WallEdges::isOpposite(const Corner& corner, const Vec3& inward) const

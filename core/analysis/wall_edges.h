@@ -37,7 +37,7 @@ public:
         bool isInward = false;
     };
 
-    /// Costs: a pass over the faces. One that is not closed has edges only where two faces meet.
+    /// Costs: a few passes over the faces. A mesh that is not closed has edges only where two faces meet.
     explicit WallEdges(const TriangleMesh& mesh);
 
     /// Returns whether a face has an edge or corner that may be opposite to faces which it is not opposite to itself.
@@ -49,10 +49,10 @@ public:
         const Slot edge = m_edgeOf[face][side];
         return edge != noSlot && isOpposite(m_edges[edge], inward);
     }
-    /// The same of a corner, for the direction `inward` itself; what is near to it is an edge's or a face's.
+    /// Returns whether one of the normals at a vertex is `inward` itself; what is near to it is an edge's or a face's.
     bool isOppositeCorner(Slot vertex, const Vec3& inward) const
     {
-        const Slot corner = m_cornerOf.empty() ? noSlot : m_cornerOf[vertex];
+        const Slot corner = m_cornerOf[vertex];
         return corner != noSlot && isOpposite(m_corners[corner], inward);
     }
 
@@ -72,12 +72,13 @@ private:
     void findEdges(const TriangleMesh& mesh);
     void addEdge(const TriangleMesh& mesh, const std::array<Slot, 2>& faces, const std::array<Slot, 2>& sides);
     void findCorners(const TriangleMesh& mesh);
+    void addStars(const TriangleMesh& mesh);
 
     std::vector<Edge> m_edges;
     std::vector<Corner> m_corners;
     std::vector<Vec3> m_star;                  ///< by corner
     std::vector<std::array<Slot, 3>> m_edgeOf; ///< by face and side
-    std::vector<Slot> m_cornerOf;              ///< by vertex; empty if there is none
+    std::vector<Slot> m_cornerOf;              ///< by vertex
     std::vector<std::uint8_t> m_isAt;          ///< by face
 };
 } // namespace core

@@ -14,8 +14,8 @@ public:
     WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays, double thickest);
 
     /// Returns pieces of ridges, and corners, that are thinner than their faces are by `ofFaces`, by face in ascending
-    /// order. All cores; the result does not depend on their number. Cost: a few microseconds for each pair of ridges
-    /// that look at each other within the thickest wall.
+    /// order. Runs on all cores; the result does not depend on their number. Cost: a few microseconds for each pair of
+    /// ridges that look at each other within the thickest wall.
     std::vector<WallRidge> measure(const std::vector<float>& ofFaces, const JobControl& control) const;
 
 private:

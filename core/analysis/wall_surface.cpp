@@ -10,7 +10,6 @@ namespace core
 namespace
 {
 constexpr std::size_t facesAtOnce = 256;
-
 } // namespace
 
 WallSurface::WallSurface(const TriangleMesh& mesh) : WallSurface(mesh, BoxTree(faceBoxes(mesh.points, mesh.triangles)))

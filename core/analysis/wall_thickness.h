@@ -37,13 +37,14 @@ struct WallRidge
 };
 
 /// Thickness of the matter in the model's unit: the diameter of a ball that touches a point of the surface from within,
-/// along a normal there, and on the other side reaches a point in sight with a normal more than 120 degrees away.
+/// along a normal there, and on the other side reaches a point in sight with a normal more than 120 degrees away. The
+/// chord between the two points leaves the first one within 30 degrees of its normal.
 ///   - A face has one normal. An edge, and a corner all of whose edges lie to one side of it, has all normals between
-///     those of its faces; it counts if it juts into the matter, as the ground of a groove or the tip of a pit does
-///     (bent by more than 20 degrees), or far out of it, as the edges of a thin three-sided spike (matter of less than
-///     80 degrees at it).
+///     those of its faces. It counts if it juts into the matter, as the ground of a groove does (bent by more than 20
+///     degrees) or the tip of a pit (its edges rise by more than 6 degrees), or if it juts far out of it, as the edges
+///     of a thin three-sided spike do (matter of less than 80 degrees at it).
 ///   - Faces are measured against faces, edges and corners. Edges and corners that jut into the matter are measured
-///     against each other, too: there the chord leaves both within 30 degrees of a normal.
+///     against each other, too: there the chord leaves the second point so, too.
 ///   - An edge sharper than 60 degrees is a thin place, and so is the tip of a sharp spike, the thinner the nearer to
 ///     it; it is followed down to about 0.1.
 /// Infinity where nothing is opposite, and behind a face without area.
@@ -63,7 +64,7 @@ struct WallThickness
 };
 
 /// The model bounds a solid. Balls are sought among those not larger than `largestBall` (those of parts among all);
-/// where none is found, what the rays found stands for it. All cores; the result does not depend on their number. Time
-/// and space: see fettle_bench; 150 bytes a face. If it is cancelled, the result is not usable.
+/// where none is found, what the rays found stands for it. Runs on all cores; the result does not depend on their
+/// number. Time and space: see fettle_bench; 150 bytes a face. If it is cancelled, the result is not usable.
 WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobControl& control = {});
 } // namespace core

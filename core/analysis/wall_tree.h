@@ -40,9 +40,9 @@ public:
         std::array<float, 3> m_after, m_before;
     };
 
-    /// Nearest first, about: reach(node) says how far away each of its boxes begins, infinity if it is not wanted;
-    /// visit(position) returns the distance from which on nothing is wanted any more, never more than `bound` or what
-    /// it returned before.
+    /// Visits faces, about the nearest first. reach(node) says how far away each of its boxes begins, infinity if it is
+    /// not wanted; visit(position) returns the distance from which on nothing is wanted any more, never more than
+    /// `bound` or what it returned before.
     template <typename Reach, typename Visit> void forEachNear(const Reach& reach, double bound, Visit visit) const;
 
     /// Returns what float32 may be off by, of a point's coordinates.

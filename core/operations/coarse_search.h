@@ -23,7 +23,7 @@ public:
     {}
 
     /// Ends at `triangles`, or when so many steps have found nothing (a few hundred for each vertex), or after a
-    /// bounded number of steps: 10 to 30 s. The same on any machine.
+    /// bounded number of steps, which take 10 to 30 s. The outcome is the same on any machine.
     void run();
 
 private:

@@ -112,7 +112,8 @@ void NestedShells::reduce(Shell& shell, std::size_t faces)
     std::erase_if(shell.vertices, [&](Slot v) { return !m_mesh.isVertex(v); });
 }
 
-/// Towards the mean of its vertices, so far that the shell around it may have faces as large; or less far.
+/// Moves the shell towards the mean of its vertices, so far that the one around it may have faces as large; or less
+/// far.
 void NestedShells::shrink(const Shell& shell)
 {
     Vec3 middle = Vec3::Zero();

@@ -23,8 +23,8 @@ public:
     /// passes the model by: nothing lies on their other side (see aligned()).
     Stroke inDocument(const Stroke& stroke, const Mesh& mesh) const;
 
-    /// Does as applyToCopy() of a copy of the mesh, by planes, axes and places of these coordinates. A Symmetrize by a
-    /// plane that passes the model by is refused: EmptyHalf, or TooFar.
+    /// Applies the command to a copy of the mesh, as applyToCopy() does, by planes, axes and places of these
+    /// coordinates. A Symmetrize by a plane that passes the model by is refused: EmptyHalf, or TooFar.
     ModelChange apply(const Mesh& mesh, ModelCommand command);
 
     /// Returns the change that lays coordinate planes that cut the model, or lie within its longest side of it, onto

@@ -19,6 +19,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 
 using core::FlatPoint;
 using core::PrintLimits;
@@ -282,6 +283,41 @@ TriangleMesh spike(int sides, double radius, double height)
     return body.take();
 }
 
+/// A round block, 20 across and 10 high, with a groove around its middle that leaves so much; all of so many pieces.
+TriangleMesh ringGrooved(int pieces, double left, double halfWidth)
+{
+    constexpr double radius = 10, middle = 5, height = 10;
+    const std::array<std::array<double, 2>, 7> profile = {{{0, 0},
+                                                           {radius, 0},
+                                                           {radius, height},
+                                                           {middle + halfWidth, height},
+                                                           {middle, left},
+                                                           {middle - halfWidth, height},
+                                                           {0, height}}};
+    TriangleMesh mesh;
+    std::vector<std::vector<Slot>> rings;
+    for (const auto& [r, z] : profile) {
+        std::vector<Slot>& ring = rings.emplace_back();
+        for (int i = 0; i < pieces; ++i) {
+            if (i == 0 || r > 0) {
+                const double angle = 2 * std::numbers::pi * i / pieces;
+                mesh.points.push_back(Vec3(r * std::cos(angle), r * std::sin(angle), z).cast<float>());
+            }
+            ring.push_back(static_cast<Slot>(mesh.points.size() - 1));
+        }
+    }
+    for (std::size_t k = 0; k + 1 < rings.size(); ++k)
+        for (std::size_t i = 0; i < rings[k].size(); ++i) {
+            const std::size_t next = (i + 1) % rings[k].size();
+            const Slot a = rings[k][i], b = rings[k][next], c = rings[k + 1][next], d = rings[k + 1][i];
+            if (a != b)
+                mesh.triangles.push_back({a, b, c});
+            if (c != d)
+                mesh.triangles.push_back({a, c, d});
+        }
+    return mesh;
+}
+
 TriangleMesh movedTo(TriangleMesh mesh, const Vec3& place)
 {
     return shapes::moved(std::move(mesh), place.cast<float>());
@@ -533,15 +569,14 @@ private:
 
     void findCorners()
     {
-        std::map<Slot, std::pair<Vec3, Corner>> corners;
+        std::set<Slot> endsOfRidges;
         for (const Ridge& ridge : m_ridges)
-            for (const Slot end : ridge.ends)
-                corners.try_emplace(end, Vec3::Zero(), Corner{at(end), end, 0, {}, false});
+            endsOfRidges.insert(ridge.ends.begin(), ridge.ends.end());
+        std::map<Slot, std::pair<Vec3, Corner>> corners;
         for (std::size_t f = 0; f < m_faces.size(); ++f)
             for (std::size_t i = 0; i < 3; ++i) {
-                const auto found = corners.find(m_mesh.triangles[f][i]);
-                if (found == corners.end())
-                    continue;
+                const Slot v = m_mesh.triangles[f][i];
+                const auto found = corners.try_emplace(v, Vec3::Zero(), Corner{at(v), v, 0, {}, false}).first;
                 const Vec3 a = (m_faces[f][(i + 1) % 3] - m_faces[f][i]).normalized(),
                            b = (m_faces[f][(i + 2) % 3] - m_faces[f][i]).normalized();
                 found->second.first += std::acos(std::clamp(a.dot(b), -1.0, 1.0)) * m_normals[f];
@@ -557,7 +592,7 @@ private:
                 most = std::max(most, normal.dot(edge));
             }
             corner.isInward = least > 0.1;
-            if (least > 0.1 || most < -0.1)
+            if (least > 0.1 || (most < -0.1 && endsOfRidges.contains(vertex)))
                 m_corners.push_back(corner);
         }
     }
@@ -720,7 +755,29 @@ private:
         return true;
     }
 
-    /// Bisects: the ball of a diameter reaches into the face, or it does not.
+    /// Returns the point of a face that the least ball reaches from within 30 degrees, of its sides and of a grid.
+    static Vec3 steepPoint(const Vec3& p, const Vec3& inward, const std::array<Vec3, 3>& face)
+    {
+        constexpr int steps = 300, rows = 20;
+        double least = infinity;
+        Vec3 best = p;
+        const auto look = [&](const Vec3& q) {
+            const Vec3 way = q - p;
+            if (way.dot(inward) < std::sqrt(0.75) * way.norm() || ballOf(way, inward) >= least)
+                return;
+            least = ballOf(way, inward);
+            best = q;
+        };
+        for (std::size_t i = 0; i < 3; ++i)
+            for (int k = 0; k < steps; ++k)
+                look(face[i] + (face[(i + 1) % 3] - face[i]) * k / steps);
+        for (int i = 1; i < rows; ++i)
+            for (int k = 1; i + k < rows; ++k)
+                look(face[0] + (face[1] - face[0]) * i / rows + (face[2] - face[0]) * k / rows);
+        return best;
+    }
+
+    /// Bisects: the ball of a diameter reaches into the face, or it does not. What it reaches aside does not count.
     double ofFace(std::size_t face, const Vec3& p, const Vec3& inward, std::size_t g, double below) const
     {
         const auto reaches = [&](double diameter) {
@@ -732,7 +789,13 @@ private:
             return infinity;
         for (int i = 0; i < 40; ++i)
             (reaches((low + high) / 2) ? high : low) = (low + high) / 2;
-        const Vec3 q = core::nearestInTriangle(p + high / 2 * inward, m_faces[g]);
+        Vec3 q = core::nearestInTriangle(p + high / 2 * inward, m_faces[g]);
+        if ((q - p).dot(inward) < std::sqrt(0.75) * (q - p).norm()) {
+            q = steepPoint(p, inward, m_faces[g]);
+            high = q == p ? infinity : ballOf(q - p, inward);
+            if (high >= below)
+                return infinity;
+        }
         return isInSight(face, p, q + 1e-3 * (middle(m_faces[g]) - q)) || isInSight(face, p, q) ? high : infinity;
     }
 
@@ -890,7 +953,8 @@ void TestWallThickness::ridges_agreeWithDenseSampling_data()
                                      {"tip above a floor", 2},
                                      {"two tips", 3},
                                      {"spike", 4},
-                                     {"tip above a facet", 5}})
+                                     {"tip above a facet", 5},
+                                     {"groove around", 6}})
         QTest::addRow("%s", name) << kind;
 }
 
@@ -906,7 +970,7 @@ void TestWallThickness::ridges_agreeWithDenseSampling()
         };
         const double left = 2 * inThousandths(0.15, 1), height = left + 2 * inThousandths(0.5, 4);
         const double halfWidth = inThousandths(0.1, 8), radius = inThousandths(0.5, 6), length = inThousandths(3, 10);
-        const int sides = 3 + random.below(5);
+        const int sides = 3 + random.below(number % 2 == 0 ? 5 : 40);
         TriangleMesh mesh;
         switch (kind) {
         case 0:
@@ -921,6 +985,9 @@ void TestWallThickness::ridges_agreeWithDenseSampling()
             break;
         case 4:
             mesh = spike(sides, radius, length);
+            break;
+        case 6:
+            mesh = ringGrooved(std::max(4, sides), left, std::min(halfWidth, 4.0)); // 3 have edges of 60 degrees
             break;
         default:
             mesh = hollowed(turned(spike(sides, radius, length),
@@ -965,6 +1032,12 @@ void TestWallThickness::ridges_areMeasuredAtTheirGround_data()
         QTest::addRow("tip, %g wide", radius) << hollowed(spike(4, radius, 10), 0.5, false) << 0.5;
         QTest::addRow("two tips, %g wide", radius) << hollowed(spike(4, radius, 10), 0.4, true) << 0.4;
     }
+    for (const int sides : {6, 17, 20, 33, 64, 128}) { // the more sides, the less their edges are bent
+        QTest::addRow("tip of %d sides", sides) << hollowed(spike(sides, 3, 10), 0.5, false) << 0.5;
+        QTest::addRow("two tips of %d sides", sides) << hollowed(spike(sides, 3, 10), 0.4, true) << 0.4;
+    }
+    for (const int pieces : {5, 6, 8, 10, 13, 16, 20, 24, 32}) // sides around a bend of the ground look at each other
+        QTest::addRow("groove around, of %d pieces", pieces) << ringGrooved(pieces, 0.5, 2) << 0.5;
     // Two slots side by side, on both sides of a block, whose edges are 0.3 mm apart both ways.
     QTest::addRow("edges of two slots") << Plate({flat(0, 0), flat(19, 0), flat(19, 4), flat(19.4, 4), flat(19.4, 0),
                                                   flat(40, 0), flat(40, 8), flat(20.2, 8), flat(20.2, 4.3),
