@@ -15,12 +15,41 @@ constexpr std::size_t nodesPerChunk = 1 << 8;
 /// A node's faces are one dipole for points farther away than so many of its radii.
 constexpr double farAway = 3;
 
-/// Of the triangle as seen from p (Van Oosterom and Strackee 1983); outwards is positive.
-double solidAngle(const std::array<Vec3, 3>& triangle, const Vec3& p)
+/// Sums the angles of vectors in the plane, each in (-pi, pi], as complex numbers are multiplied: with one arc tangent
+/// for all of them. Whole turns are counted.
+class AngleSum
+{
+public:
+    void add(double x, double y)
+    {
+        const double re = m_x * x - m_y * y, im = m_x * y + m_y * x, size = std::abs(re) + std::abs(im);
+        if (!(size > 0))
+            return;
+        const bool wasUpper = isUpper(m_x, m_y), isOtherUpper = isUpper(x, y);
+        const bool wasLower = m_y < 0, isOtherLower = y < 0;
+        m_x = re / size;
+        m_y = im / size;
+        if (wasUpper && isOtherUpper && !isUpper(m_x, m_y))
+            ++m_turns;
+        else if (wasLower && isOtherLower && m_y >= 0)
+            --m_turns;
+    }
+    double value() const { return std::atan2(m_y, m_x) + 2 * std::numbers::pi * m_turns; }
+
+private:
+    /// Returns whether the angle is more than 0, which half a turn is.
+    static bool isUpper(double x, double y) { return y > 0 || (y == 0 && x < 0); }
+
+    double m_x = 1, m_y = 0;
+    int m_turns = 0;
+};
+
+/// Adds half of the solid angle of the triangle as seen from p (Van Oosterom and Strackee 1983); outwards is positive.
+void addHalfSolidAngle(const std::array<Vec3, 3>& triangle, const Vec3& p, AngleSum& sum)
 {
     const Vec3 a = triangle[0] - p, b = triangle[1] - p, c = triangle[2] - p;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    sum.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
 }
 } // namespace
 
@@ -77,7 +106,8 @@ double WindingNumber::at(const Vec3& p, std::span<const Slot> without) const
         std::size_t level, index;
     };
     std::vector<Node> open{{m_levels.size() - 1, 0}};
-    double angle = 0;
+    double ofDipoles = 0;
+    AngleSum half;
     while (!open.empty()) {
         const auto [level, index] = open.back();
         open.pop_back();
@@ -85,7 +115,7 @@ double WindingNumber::at(const Vec3& p, std::span<const Slot> without) const
         const Vec3 way = dipole.centre - p;
         const double distance = way.norm();
         if (distance > farAway * dipole.radius) {
-            angle += dipole.moment.dot(way) / (distance * distance * distance);
+            ofDipoles += dipole.moment.dot(way) / (distance * distance * distance);
             continue;
         }
         const std::size_t first = index * nodeSize;
@@ -96,8 +126,8 @@ double WindingNumber::at(const Vec3& p, std::span<const Slot> without) const
         }
         for (std::size_t i = first; i < std::min(first + nodeSize, m_triangles.size()); ++i)
             if (!std::ranges::binary_search(without, m_faces[i]))
-                angle += solidAngle(m_triangles[i], p);
+                addHalfSolidAngle(m_triangles[i], p, half);
     }
-    return angle / (4 * std::numbers::pi);
+    return (ofDipoles + 2 * half.value()) / (4 * std::numbers::pi);
 }
 } // namespace core

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace core::repair
 {
@@ -21,6 +22,35 @@ bool repeatsCorner(const Triangle& t)
 std::size_t dropRepeatedCorners(TriangleSoup& surface)
 {
     return std::erase_if(surface.triangles, repeatsCorner);
+}
+
+/// Makes one of a face's corners that are at the same place: it could never give one of them away. Other points at that
+/// place stay apart.
+void joinEqualCorners(TriangleSoup& surface)
+{
+    std::vector<Slot> to;
+    const auto rootOf = [&](Slot v) {
+        while (to[v] != v)
+            v = to[v] = to[to[v]];
+        return v;
+    };
+    for (const Triangle& t : surface.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Slot v = t[i], next = t[(i + 1) % 3];
+            if (v == next || surface.points[v] != surface.points[next])
+                continue;
+            if (to.empty()) {
+                to.resize(surface.points.size());
+                std::iota(to.begin(), to.end(), Slot(0));
+            }
+            const auto [low, high] = std::minmax({rootOf(v), rootOf(next)});
+            to[high] = low;
+        }
+    if (to.empty())
+        return;
+    for (Triangle& t : surface.triangles)
+        for (Slot& v : t)
+            v = rootOf(v);
 }
 
 Triangle sortedCorners(Triangle t)
@@ -135,6 +165,20 @@ bool mergeNearPoints(TriangleSoup& surface, std::span<const Slot> faces, double 
     return true;
 }
 
+/// Returns the faces at edges between points that are meant, as edgeFacesOf() does of all edges.
+std::vector<EdgeFace> edgeFacesBetween(const std::vector<bool>& isMeant, std::span<const Triangle> triangles)
+{
+    std::vector<EdgeFace> edges;
+    for (Slot f = 0; f < triangles.size(); ++f)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Slot from = triangles[f][i], to = triangles[f][(i + 1) % 3];
+            if (isMeant[from] && isMeant[to])
+                edges.push_back({std::min(from, to), std::max(from, to), f, from < to});
+        }
+    std::ranges::sort(edges, {}, [](const EdgeFace& e) { return std::tuple(e.low, e.high, e.face); });
+    return edges;
+}
+
 /// Exchanges each face at most once. Returns how many of the flat faces were dealt with.
 std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot face)>& isFlat)
 {
@@ -145,7 +189,11 @@ std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot
             flat.push_back(f);
     if (flat.empty())
         return 0;
-    const std::vector<EdgeFace> edges = edgeFacesOf(triangles);
+    std::vector<bool> isCorner(surface.points.size(), false);
+    for (const Slot f : flat)
+        for (const Slot v : triangles[f])
+            isCorner[v] = true;
+    const std::vector<EdgeFace> edges = edgeFacesBetween(isCorner, triangles);
     std::vector<bool> isTouched(triangles.size(), false);
     for (const Slot f : flat) {
         const Triangle t = triangles[f];
@@ -223,16 +271,17 @@ CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates)
 {
     constexpr int maxRounds = 1000; // each ends nearer: middles travel to faces with area
     CleanupResult cleaned;
-    cleaned.degenerate = dropRepeatedCorners(surface);
     bool isFirst = true;
     for (int round = 0; round < maxRounds; ++round) {
+        joinEqualCorners(surface);
+        const std::size_t dropped = dropRepeatedCorners(surface);
+        cleaned.degenerate += isFirst ? dropped : 0;
         cleaned.duplicates += dropDuplicates(surface, duplicates);
         const std::size_t flat = giveMiddlesAway(surface, [&](Slot f) { return isCollinear(surface, f); });
         cleaned.degenerate += isFirst ? flat : 0;
         isFirst = false;
         if (flat == 0)
             return cleaned;
-        dropRepeatedCorners(surface);
     }
     std::erase_if(surface.triangles, [&](const Triangle& t) {
         return LatticePredicates::collinear(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);

@@ -23,8 +23,8 @@ struct CleanupResult
 };
 
 /// Afterwards no face is degenerate and there are no duplicates (with Cancel: none that run opposite ways). The surface
-/// stays where it is: a face whose corners lie on a line gives the middle one to the face across its long side. Points
-/// are welded.
+/// stays where it is: a face whose corners lie on a line gives the middle one to the face across its long side, and two
+/// corners of a face that are equal become one.
 CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates);
 
 /// Returns whether two faces have the same corners.

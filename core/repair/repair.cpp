@@ -268,8 +268,10 @@ public:
                 if (progress.control.isCancelled() || !isInsideOut())
                     break;
             }
-            if (progress.control.isCancelled() || m_resolution.volume <= 0 || m_best)
+            if (progress.control.isCancelled() || m_resolution.volume <= 0 || m_best ||
+                m_resolution.intersections > budget)
                 break;
+            budget -= m_resolution.intersections; // which are cut again
         }
     }
 
