@@ -456,7 +456,7 @@ public:
         const Vec3 inward = -m_normals[face];
         double least = infinity;
         for (std::size_t g = 0; g < m_faces.size(); ++g)
-            if (m_normals[face].dot(m_normals[g]) < -0.5)
+            if (m_normals[face].dot(m_normals[g]) < -0.5001) // walls of a hexagonal hole are not opposite
                 least = std::min(least, ofFace(face, p, inward, g, least));
         for (const Ridge& ridge : m_ridges) {
             const Vec3 edge = (ridge.to - ridge.from).normalized(), way = inward - inward.dot(edge) * edge;
