@@ -65,8 +65,10 @@ const std::string* ImportFolder::replacement(const fs::path& path)
     if (isNew) {
         const std::string bytes = bytesOf(path);
         if (isX3d) {
-            core::io::X3dExpansion expansion = core::io::expandX3d(
-                {path, bytes}, [&path](std::string_view url) { return canInline(path.parent_path() / url); });
+            const core::io::X3dSurroundings around{
+                .hasFile = [&path](std::string_view url) { return canInline(path.parent_path() / url); },
+                .fileNumber = m_replacements.size()};
+            core::io::X3dExpansion expansion = core::io::expandX3d({path, bytes}, around);
             m_notes.unread += expansion.unread;
             found->second = std::move(expansion.text);
         } else if (ending == ".fbx") {
@@ -78,7 +80,7 @@ const std::string* ImportFolder::replacement(const fs::path& path)
     return found->second ? &*found->second : nullptr;
 }
 
-/// Returns whether the file is for Assimp to have: it is there, or it is outside of the folder, which is to be told.
+/// Returns whether Assimp is to ask for the file. Files outside of the folder count, so that Open() can report them.
 bool ImportFolder::canInline(const fs::path& file)
 {
     std::error_code problem;

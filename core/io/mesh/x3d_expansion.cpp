@@ -1,7 +1,8 @@
 // Source: Web3D Consortium, ISO/IEC 19775-1: 10 (grouping), 23 (navigation: Billboard, Collision, LOD), 9 (networking:
 // Anchor), 32 (CAD), 35 (layering). Assimp (5.2 to 6.0) loses its place in the scene at a group that is used again, or
 // has nothing in it, takes no notice of ccw, and passes over Collision, LOD, Anchor and others with all that they hold;
-// its cones and cylinders are not closed, and the caps of its extrusions not wound alike.
+// its cones and cylinders are not closed, and the caps of its extrusions not wound alike. The names of an inlined file
+// are in one scope with those of the file around it.
 #include "core/io/mesh/x3d_expansion.h"
 
 #include "core/io/mesh/number_parsing.h"
@@ -76,7 +77,10 @@ bool holdsShape(const X3dNode& node)
 class X3dText
 {
 public:
-    explicit X3dText(const FileBytes& file) : m_file(file) {}
+    X3dText(const FileBytes& file, std::size_t fileNumber)
+        : m_file(file)
+        , m_names("n" + std::to_string(fileNumber) + "_")
+    {}
 
     void add(std::string_view text) { m_text += text; }
     std::size_t size() const { return m_text.size(); }
@@ -86,7 +90,7 @@ public:
     void shrink(std::size_t size, const X3dNode& named)
     {
         m_text.resize(size);
-        m_names.erase(&named);
+        m_named.erase(&named);
         --m_nextName;
     }
     std::string take() { return std::move(m_text); }
@@ -107,18 +111,18 @@ public:
     /// Names a node that was written already, as a node of that name. Returns false if it was not.
     bool addUse(const X3dNode& node, std::string_view name)
     {
-        const auto found = m_names.find(&node);
-        if (found == m_names.end() || found->second.second != name)
+        const auto found = m_named.find(&node);
+        if (found == m_named.end() || found->second.second != name)
             return false;
         begin(node, name);
-        m_text += " USE=\"n" + std::to_string(found->second.first) + "\"/>";
+        m_text += " USE=\"" + m_names + std::to_string(found->second.first) + "\"/>";
         return true;
     }
 
-    /// `name`: a literal.
+    /// Names a node, so that addUse() finds it. `name`: of the node as it is written; kept as a view.
     void addDefinition(const X3dNode& node, std::string_view name)
     {
-        m_names.insert_or_assign(&node, std::pair(m_nextName, name));
+        m_named.insert_or_assign(&node, std::pair(m_nextName, name));
         addName();
     }
 
@@ -140,7 +144,7 @@ public:
     }
 
     /// Gives a node without one of the file's own a name.
-    void addName() { m_text += " DEF=\"n" + std::to_string(m_nextName++) + "\""; }
+    void addName() { m_text += " DEF=\"" + m_names + std::to_string(m_nextName++) + "\""; }
 
     static std::string escaped(std::string_view text)
     {
@@ -169,15 +173,20 @@ public:
 
 private:
     const FileBytes& m_file;
+    std::string m_names; ///< how the names of this file's nodes begin
     std::string m_text;
     std::size_t m_nodes = 0, m_nextName = 0;
-    std::unordered_map<const X3dNode*, std::pair<std::size_t, std::string_view>> m_names; ///< of what was written
+    std::unordered_map<const X3dNode*, std::pair<std::size_t, std::string_view>> m_named; ///< of what was written
 };
 
 class X3dWriter
 {
 public:
-    X3dWriter(const FileBytes& file, const X3dHasFile& hasFile) : m_file(file), m_hasFile(hasFile), m_to(file) {}
+    X3dWriter(const FileBytes& file, const X3dSurroundings& around)
+        : m_file(file)
+        , m_around(around)
+        , m_to(file, around.fileNumber)
+    {}
 
     X3dExpansion write(const X3dDocument& document)
     {
@@ -384,8 +393,9 @@ private:
         const std::vector<std::string_view> urls = textsOf(node.text("url"));
         if (node.isFalse("load") || urls.empty())
             return;
-        const auto url = std::find_if(urls.begin(), urls.end(),
-                                      [this](std::string_view name) { return !m_hasFile || m_hasFile(name); });
+        const auto url = std::find_if(urls.begin(), urls.end(), [this](std::string_view name) {
+            return !m_around.hasFile || m_around.hasFile(name);
+        });
         if (url == urls.end()) {
             ++m_unread;
             return;
@@ -395,16 +405,16 @@ private:
     }
 
     const FileBytes& m_file;
-    const X3dHasFile& m_hasFile;
+    const X3dSurroundings& m_around;
     X3dText m_to;
     std::size_t m_unread = 0;
     std::unordered_set<const X3dNode*> m_open; ///< groups that are being written
 };
 } // namespace
 
-X3dExpansion expandX3d(const FileBytes& file, const X3dHasFile& hasFile)
+X3dExpansion expandX3d(const FileBytes& file, const X3dSurroundings& around)
 {
     const X3dDocument document(file);
-    return X3dWriter(file, hasFile).write(document);
+    return X3dWriter(file, around).write(document);
 }
 } // namespace core::io

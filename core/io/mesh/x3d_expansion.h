@@ -7,20 +7,27 @@
 
 namespace core::io
 {
-/// An X3D scene of the simplest nodes.
+/// An X3D file expanded: only the nodes that simple readers get right.
 struct X3dExpansion
 {
     std::string text;       ///< a whole X3D file, UTF-8
-    std::size_t unread = 0; ///< the nodes left out that stand for surfaces, files that are not there among them
+    std::size_t unread = 0; ///< the nodes left out that stand for surfaces, and the Inlines whose files are missing
 };
 
-/// Returns whether a file can be had that an Inline names.
-using X3dHasFile = std::function<bool(std::string_view url)>;
+/// The files around an X3D file that make one scene with it.
+struct X3dSurroundings
+{
+    /// Returns whether a file can be had that an Inline names. Without this function every file can.
+    std::function<bool(std::string_view url)> hasFile;
+    /// Number of the file, different for each file of the scene: the names of its nodes begin with it, because Assimp
+    /// looks for them in the whole scene.
+    std::size_t fileNumber = 0;
+};
 
-/// Writes an X3D file anew, with no more than simple readers get right: groups and transforms with what is in them, as
-/// often as the scene uses them (USE), of a Switch what it shows, of a LOD the finest; shapes with their materials, and
-/// their faces as IndexedFaceSet, wound as ccw says; lengths in metres. Shapes that come again are named, not copied.
-/// An Inline names the first of its files that can be had; without `hasFile` the first. Throws FileError, also where
-/// nodes hold themselves, or are more than 2^18.
-X3dExpansion expandX3d(const FileBytes& file, const X3dHasFile& hasFile = {});
+/// Expands an X3D file into the nodes that simple readers get right. Groups and transforms are written with their
+/// content as often as the scene uses them (USE). A Switch becomes the child that it shows, a LOD its finest level.
+/// Shapes keep their materials; their faces become an IndexedFaceSet, wound as ccw says. Lengths are in metres. Shapes
+/// that are used again are named, not copied. An Inline names the first of its files that can be had. Throws FileError,
+/// also where nodes hold themselves, or where there are more than 2^18.
+X3dExpansion expandX3d(const FileBytes& file, const X3dSurroundings& around = {});
 } // namespace core::io

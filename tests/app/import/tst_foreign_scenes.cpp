@@ -145,6 +145,8 @@ private Q_SLOTS:
     void x3d_solidsAreClosed_data();
     void x3d_solidsAreClosed();
     void x3d_inlinedFilesAreExpandedToo();
+    void x3d_inlinedFilesKeepTheirNames_data();
+    void x3d_inlinedFilesKeepTheirNames();
     void x3d_badFilesAreRefused();
     void x3d_otherEncodingsAreRefused();
 
@@ -466,6 +468,53 @@ void TestForeignScenes::x3d_inlinedFilesAreExpandedToo()
     QVERIFY(outside && outside->kind == core::FileErrorKind::OutsideFolder && outside->token == "part.x3d");
     const auto endless = errorOf(QStringLiteral("self.x3d"), "<X3D><Scene><Inline url='\"self.x3d\"'/></Scene></X3D>");
     QVERIFY(endless && endless->fault == core::FileFault::TooDeep && endless->token == "Inline nodes");
+}
+
+void TestForeignScenes::x3d_inlinedFilesKeepTheirNames_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    const QByteArray part = "<Transform translation='10 0 0'><Inline url='part.x3d'/></Transform>",
+                     nested = "<Transform translation='10 0 0'><Inline url='around.x3d'/></Transform>",
+                     own = "<Shape DEF='A'>%</Shape><Transform translation='20 0 0'><Shape USE='A'/></Transform>";
+    for (const auto& [name, inlined] : {std::pair("", part), std::pair("nested, ", nested)}) {
+        QTest::addRow("%sbefore", name) << inlined + own;
+        QTest::addRow("%sbehind", name) << own + inlined;
+        QTest::addRow("%sbetween", name) << QByteArray(own).replace("</Shape>", "</Shape>" + inlined);
+    }
+}
+
+/// Two boxes of 1 in the inlined file, two of 2 in the file itself: each USE means its own file's.
+void TestForeignScenes::x3d_inlinedFilesKeepTheirNames()
+{
+    QFETCH(QByteArray, scene);
+    const QByteArray partScene =
+        "<X3D><Scene><Shape DEF='A'>%</Shape><Transform translation='0 5 0'><Shape USE='A'/></Transform></Scene></X3D>";
+    const auto tetrahedron = [](double size) {
+        const QByteArray s = " " + QByteArray::number(size) + " ";
+        return "<IndexedFaceSet coordIndex='0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1'><Coordinate point='0 0 0" + s +
+               "0 0 0" + s + "0 0 0" + s + "'/></IndexedFaceSet>";
+    };
+    const QByteArray box[] = {"<Box size='1 1 1'/>", "<Box size='2 2 2'/>"};
+    const QByteArray solid[] = {tetrahedron(1), tetrahedron(2)};
+    for (const auto& [shapes, cube] : {std::pair(box, 1.0), std::pair(solid, 1 / 6.0)}) {
+        write(QStringLiteral("part.x3d"), QByteArray(partScene).replace("%", shapes[0]));
+        write(QStringLiteral("around.x3d"), "<X3D><Scene><Inline url='part.x3d'/></Scene></X3D>");
+        const ReadResult whole = read(QStringLiteral("whole.x3d"),
+                                      "<X3D><Scene>" + QByteArray(scene).replace("%", shapes[1]) + "</Scene></X3D>");
+        QVERIFY(std::abs(volumeOf(whole.mesh) / (18e9 * cube) - 1) < 1e-5);
+        QCOMPARE(whole.remarks.objects, std::size_t(4));
+        const double end = shapes == box ? 21000 : 22000;
+        QVERIFY(std::abs(boxOf(whole.mesh).max.x() - end) < tolerance);
+    }
+    // points that are shared by name
+    write(QStringLiteral("part.x3d"), QByteArray(partScene).replace("%", tetrahedron(1)));
+    const QByteArray faces = "<Shape><IndexedFaceSet coordIndex='0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1'>";
+    const ReadResult shared =
+        read(QStringLiteral("whole.x3d"),
+             "<X3D><Scene><Inline url='part.x3d'/>" + faces +
+                 "<Coordinate DEF='C' point='0 0 0 2 0 0 0 2 0 0 0 2'/></IndexedFaceSet></Shape>" + faces +
+                 "<Coordinate USE='C'/></IndexedFaceSet></Shape></Scene></X3D>");
+    QVERIFY(std::abs(volumeOf(shared.mesh) * 6 / 18e9 - 1) < 1e-5);
 }
 
 void TestForeignScenes::x3d_badFilesAreRefused()

@@ -7,6 +7,7 @@
 #include "tests/support/test_main.h"
 
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 
 #include <cmath>
@@ -65,6 +66,7 @@ class TestX3dExpansion : public QObject
 
 private Q_SLOTS:
     void uses_areThereAgain();
+    void names_areThoseOfOneFile();
     void groups_areHeldToWhatTheyShow_data();
     void groups_areHeldToWhatTheyShow();
     void emptyGroups_areLeftOut();
@@ -99,6 +101,29 @@ void TestX3dExpansion::uses_areThereAgain()
     QCOMPARE(scene.count("<Shape USE=\"" + valueOf(scene, "DEF") + "\""), 1);
     QCOMPARE(sceneOf("<Switch whichChoice='-1'><Shape DEF='S'><Box/></Shape></Switch><Shape USE='S'/>").count("<Box"),
              1);
+}
+
+/// Files of one scene, in which names are sought everywhere, share none.
+void TestX3dExpansion::names_areThoseOfOneFile()
+{
+    const std::string text = ("<X3D><Scene><Shape DEF='A'><IndexedFaceSet coordIndex='0 1 2'>" + points +
+                              "</IndexedFaceSet></Shape><Shape><Cone/></Shape><Shape USE='A'/></Scene></X3D>")
+                                 .toStdString();
+    QSet<QString> all;
+    qsizetype count = 0;
+    for (const std::size_t number : {0, 1, 11, 110}) {
+        const QString scene = sceneOf(core::io::expandX3d({path, text}, {.fileNumber = number}));
+        QSet<QString> own;
+        static const QRegularExpression definition(QStringLiteral(" DEF=\"([^\"]*)\""));
+        for (auto match = definition.globalMatch(scene); match.hasNext();)
+            own.insert(match.next().captured(1));
+        QCOMPARE(own.size(), scene.count(QStringLiteral(" DEF=")));
+        QVERIFY(own.contains(valueOf(scene, "USE")));
+        count += own.size();
+        all += own;
+    }
+    QVERIFY(count > 0);
+    QCOMPARE(all.size(), count);
 }
 
 void TestX3dExpansion::groups_areHeldToWhatTheyShow_data()
@@ -382,11 +407,12 @@ void TestX3dExpansion::usesOfOtherKinds_areUnread()
 
 void TestX3dExpansion::inlines_haveAlternatives()
 {
-    const auto inlineOf = [](const QByteArray& urls, const core::io::X3dHasFile& hasFile) {
+    using HasFile = std::function<bool(std::string_view)>;
+    const auto inlineOf = [](const QByteArray& urls, const HasFile& hasFile) {
         const std::string text = "<X3D><Scene><Inline url='" + urls.toStdString() + "'/></Scene></X3D>";
-        return core::io::expandX3d({path, text}, hasFile);
+        return core::io::expandX3d({path, text}, {.hasFile = hasFile});
     };
-    const core::io::X3dHasFile hasB = [](std::string_view url) { return url == "b c.x3d"; };
+    const HasFile hasB = [](std::string_view url) { return url == "b c.x3d"; };
     const QByteArray urls = R"("http://a/b.x3d" "a.wrl", "b c.x3d" "d.x3d")";
     QCOMPARE(valueOf(sceneOf(inlineOf(urls, hasB)), "url"), QStringLiteral("b c.x3d"));
     QCOMPARE(inlineOf(urls, hasB).unread, std::size_t(0));
