@@ -141,7 +141,9 @@ struct X3dDocument::Parser
         if (node.name == "Scene" && !document.m_scene)
             document.m_scene = &node;
         if (node.name == "unit" && node.text("category") == "length")
-            document.m_metres = metresOf(node);
+            document.m_metres = factorOf(node);
+        if (node.name == "unit" && node.text("category") == "angle")
+            document.m_radians = factorOf(node);
     }
 
     /// Returns the name of an element; the first one's prefix is the whole file's.
@@ -161,13 +163,14 @@ struct X3dDocument::Parser
         open.pop_back();
     }
 
-    double metresOf(const X3dNode& unit) const
+    /// Returns how many of the format's own units a unit stands for.
+    double factorOf(const X3dNode& unit) const
     {
-        const std::string_view factor = unit.text("conversionFactor");
-        const auto metres = parseDouble(factor);
-        if (!metres || !std::isfinite(*metres) || *metres <= 0)
-            refuse(FileFault::Number, factor);
-        return *metres;
+        const std::string_view text = unit.text("conversionFactor");
+        const auto factor = parseDouble(text);
+        if (!factor || !std::isfinite(*factor) || *factor <= 0)
+            refuse(FileFault::Number, text);
+        return *factor;
     }
 
     const FileBytes& file;

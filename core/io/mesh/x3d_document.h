@@ -36,13 +36,15 @@ public:
     const X3dNode& scene() const { return *m_scene; }
     /// Returns the metres in the unit of its lengths.
     double metres() const { return m_metres; }
+    /// Returns the radians in the unit of its angles.
+    double radians() const { return m_radians; }
 
 private:
     struct Parser;
 
     std::deque<X3dNode> m_nodes;
     const X3dNode* m_scene = nullptr;
-    double m_metres = 1;
+    double m_metres = 1, m_radians = 1;
 };
 
 /// Throws a FileError that tells of the node's line.

@@ -108,6 +108,13 @@ public:
         m_text.append("<").append(name);
     }
 
+    void beginScale(double factor)
+    {
+        add("<Transform");
+        addNumbers("scale", {factor, factor, factor});
+        add(">");
+    }
+
     /// Names a node that was written already, as a node of that name. Returns false if it was not.
     bool addUse(const X3dNode& node, std::string_view name)
     {
@@ -182,25 +189,23 @@ private:
 class X3dWriter
 {
 public:
-    X3dWriter(const FileBytes& file, const X3dSurroundings& around)
+    /// `file`, `document`, `around`: not owned.
+    X3dWriter(const FileBytes& file, const X3dDocument& document, const X3dSurroundings& around)
         : m_file(file)
+        , m_document(document)
         , m_around(around)
         , m_to(file, around.fileNumber)
     {}
 
-    X3dExpansion write(const X3dDocument& document)
+    X3dExpansion write()
     {
         m_to.add("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D version=\"3.3\"><Scene>");
         const std::size_t scene = m_to.size();
-        const bool isInMetres = document.metres() == 1;
-        if (!isInMetres) {
-            std::array<char, 32> digits;
-            const std::string factor(
-                digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), document.metres()).ptr);
-            m_to.add("<Transform scale=\"" + factor + " " + factor + " " + factor + "\">");
-        }
+        const bool isInMetres = m_document.metres() == 1;
+        if (!isInMetres)
+            m_to.beginScale(m_document.metres());
         const std::size_t before = m_to.size();
-        addChildren(document.scene());
+        addChildren(m_document.scene());
         if (!isInMetres && m_to.size() == before)
             m_to.shrink(scene); // readers may not expect a transform of nothing
         else if (!isInMetres)
@@ -220,6 +225,8 @@ private:
     {
         const X3dNode& meant = node.meant();
         if (node.text("containerField") == "proxy") // of a Collision: what is met, not what is seen
+            return;
+        if (meant.isFalse("visible"))
             return;
         if (meant.name == "Shape")
             addShape(meant);
@@ -271,6 +278,7 @@ private:
                 return;
             for (std::size_t i = 0; i < 3 && std::abs(length - 1) > tolerance; ++i)
                 numbers[i] /= length;
+            numbers[3] *= m_document.radians();
         }
         m_to.addNumbers(name, numbers);
     }
@@ -344,7 +352,7 @@ private:
             return true;
         auto faces = facesOfX3d(m_file, node);
         if (!faces)
-            faces = facesOfX3dSolid(m_file, node);
+            faces = facesOfX3dSolid(m_file, node, m_document.radians());
         if (!faces)
             ++m_unread;
         if (!faces || faces->coordIndex.empty())
@@ -373,9 +381,20 @@ private:
     {
         m_to.begin(node, node.name);
         for (const auto& [name, value] : node.attributes)
-            if (name != "DEF" && name != "USE" && name != "containerField")
+            if (name == "startAngle" || name == "endAngle")
+                addAngle(node, name);
+            else if (name != "DEF" && name != "USE" && name != "containerField")
                 m_to.addAttribute(node, name);
         m_to.add("/>");
+    }
+
+    void addAngle(const X3dNode& node, std::string_view name)
+    {
+        std::vector<double> numbers = x3dNumbers(m_file, node, name);
+        for (double& number : numbers)
+            number *= m_document.radians();
+        if (!numbers.empty())
+            m_to.addNumbers(name, numbers);
     }
 
     void addPoints(const X3dNode& node)
@@ -400,11 +419,17 @@ private:
             ++m_unread;
             return;
         }
+        const bool isInMetres = m_document.metres() == 1;
+        if (!isInMetres)
+            m_to.beginScale(1 / m_document.metres()); // the file has a unit of its own
         m_to.begin(node, "Inline");
         m_to.add(" url=\"" + X3dText::escaped(*url) + "\"/>");
+        if (!isInMetres)
+            m_to.add("</Transform>");
     }
 
     const FileBytes& m_file;
+    const X3dDocument& m_document;
     const X3dSurroundings& m_around;
     X3dText m_to;
     std::size_t m_unread = 0;
@@ -415,6 +440,6 @@ private:
 X3dExpansion expandX3d(const FileBytes& file, const X3dSurroundings& around)
 {
     const X3dDocument document(file);
-    return X3dWriter(file, around).write(document);
+    return X3dWriter(file, document, around).write();
 }
 } // namespace core::io

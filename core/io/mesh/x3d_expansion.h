@@ -18,7 +18,7 @@ struct X3dExpansion
 struct X3dSurroundings
 {
     /// Returns whether a file can be had that an Inline names. Without this function every file can.
-    std::function<bool(std::string_view url)> hasFile;
+    std::function<bool(std::string_view url)> hasFile = {};
     /// Number of the file, different for each file of the scene: the names of its nodes begin with it, because Assimp
     /// looks for them in the whole scene.
     std::size_t fileNumber = 0;
@@ -26,8 +26,9 @@ struct X3dSurroundings
 
 /// Expands an X3D file into the nodes that simple readers get right. Groups and transforms are written with their
 /// content as often as the scene uses them (USE). A Switch becomes the child that it shows, a LOD its finest level.
-/// Shapes keep their materials; their faces become an IndexedFaceSet, wound as ccw says. Lengths are in metres. Shapes
-/// that are used again are named, not copied. An Inline names the first of its files that can be had. Throws FileError,
-/// also where nodes hold themselves, or where there are more than 2^18.
+/// Shapes keep their materials; their faces become an IndexedFaceSet, wound as ccw says. Lengths are in metres, angles
+/// in radians; what an Inline names is of its own file's units. Shapes that are used again are named, not copied. An
+/// Inline names the first of its files that can be had. Throws FileError, also where nodes hold themselves, or where
+/// there are more than 2^18.
 X3dExpansion expandX3d(const FileBytes& file, const X3dSurroundings& around = {});
 } // namespace core::io

@@ -121,7 +121,7 @@ bool endsAsItBegins(const std::vector<double>& values, std::size_t each)
     return std::equal(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(each), last);
 }
 
-Extrusion extrusionOf(const FileBytes& file, const X3dNode& node)
+Extrusion extrusionOf(const FileBytes& file, const X3dNode& node, double radians)
 {
     Extrusion result;
     const auto spine = x3dNumbers(file, node, "spine", "0 0 0 0 1 0"),
@@ -134,6 +134,8 @@ Extrusion extrusionOf(const FileBytes& file, const X3dNode& node)
     result.orientation = x3dNumbers(file, node, "orientation", "0 0 1 0");
     if (result.scale.size() < 2 || result.orientation.size() < 4)
         refuseX3d(file, node, FileFault::Number, {});
+    for (std::size_t i = 3; i < result.orientation.size(); i += 4)
+        result.orientation[i] *= radians;
     result.isSectionClosed = result.section.size() > 2 && result.section.front() == result.section.back();
     if (result.isSectionClosed)
         result.section.pop_back();
@@ -213,9 +215,9 @@ std::vector<std::vector<int>> addRings(const Extrusion& extrusion, FaceText& to)
     return rings;
 }
 
-X3dFaces facesOfExtrusion(const FileBytes& file, const X3dNode& node)
+X3dFaces facesOfExtrusion(const FileBytes& file, const X3dNode& node, double radians)
 {
-    const Extrusion extrusion = extrusionOf(file, node);
+    const Extrusion extrusion = extrusionOf(file, node, radians);
     if (extrusion.spine.size() < 2 || extrusion.section.size() < 2)
         return {};
     FaceText faces(node.isFalse("ccw"));
@@ -237,14 +239,14 @@ X3dFaces facesOfExtrusion(const FileBytes& file, const X3dNode& node)
 }
 } // namespace
 
-std::optional<X3dFaces> facesOfX3dSolid(const FileBytes& file, const X3dNode& node)
+std::optional<X3dFaces> facesOfX3dSolid(const FileBytes& file, const X3dNode& node, double radians)
 {
     if (node.name == "Cone")
         return coneOf(file, node);
     if (node.name == "Cylinder")
         return cylinderOf(file, node);
     if (node.name == "Extrusion")
-        return facesOfExtrusion(file, node);
+        return facesOfExtrusion(file, node, radians);
     return std::nullopt;
 }
 } // namespace core::io

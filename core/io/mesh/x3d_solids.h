@@ -5,6 +5,7 @@
 namespace core::io
 {
 /// Returns the faces of a Cone, a Cylinder (both with 32 sides) or an Extrusion, closed and wound anticlockwise as far
-/// as its caps are wanted. Empty if it is none of these. Throws FileError with its line.
-std::optional<X3dFaces> facesOfX3dSolid(const FileBytes& file, const X3dNode& node);
+/// as its caps are wanted. Empty if it is none of these. `radians`: in the unit of the file's angles. Throws FileError
+/// with the node's line.
+std::optional<X3dFaces> facesOfX3dSolid(const FileBytes& file, const X3dNode& node, double radians);
 } // namespace core::io

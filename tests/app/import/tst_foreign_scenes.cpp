@@ -145,6 +145,7 @@ private Q_SLOTS:
     void x3d_solidsAreClosed_data();
     void x3d_solidsAreClosed();
     void x3d_inlinedFilesAreExpandedToo();
+    void x3d_unitsAreEachFilesOwn();
     void x3d_inlinedFilesKeepTheirNames_data();
     void x3d_inlinedFilesKeepTheirNames();
     void x3d_badFilesAreRefused();
@@ -468,6 +469,24 @@ void TestForeignScenes::x3d_inlinedFilesAreExpandedToo()
     QVERIFY(outside && outside->kind == core::FileErrorKind::OutsideFolder && outside->token == "part.x3d");
     const auto endless = errorOf(QStringLiteral("self.x3d"), "<X3D><Scene><Inline url='\"self.x3d\"'/></Scene></X3D>");
     QVERIFY(endless && endless->fault == core::FileFault::TooDeep && endless->token == "Inline nodes");
+}
+
+/// A box of 10 mm at 2 inches from the origin, turned by 90 degrees, and one of an inch that another turns by radians.
+void TestForeignScenes::x3d_unitsAreEachFilesOwn()
+{
+    write(QStringLiteral("mm.x3d"),
+          "<X3D><head><unit category='length' name='mm' conversionFactor='0.001'/></head>"
+          "<Scene><Transform rotation='0 0 1 1.5707963267948966'><Shape><Box size='10 20 30'/>"
+          "</Shape></Transform></Scene></X3D>");
+    const ReadResult whole =
+        read(QStringLiteral("whole.x3d"),
+             "<X3D><head><unit category='length' name='inch' conversionFactor='0.0254'/>"
+             "<unit category='angle' name='degree' conversionFactor='0.017453292519943295'/></head><Scene>"
+             "<Transform rotation='0 0 2 90'><Transform translation='2 0 0'><Inline url='mm.x3d'/></Transform>"
+             "<Shape><Box size='1 2 3'/></Shape></Transform></Scene></X3D>");
+    COMPARE_VECTORS(boxOf(whole.mesh).min, -25.4, -12.7, -38.1);
+    COMPARE_VECTORS(boxOf(whole.mesh).max, 25.4, 50.8 + 10, 38.1);
+    QVERIFY(std::abs(volumeOf(whole.mesh) - 6000 - 6 * std::pow(25.4, 3)) < 0.1);
 }
 
 void TestForeignScenes::x3d_inlinedFilesKeepTheirNames_data()

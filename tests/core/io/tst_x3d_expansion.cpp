@@ -75,6 +75,8 @@ private Q_SLOTS:
     void colors_areThoseOfPoints_data();
     void colors_areThoseOfPoints();
     void units_areScaled();
+    void angles_areInRadians();
+    void invisibleNodes_areLeftOut();
     void expandedFiles_stayAsTheyAre();
     void axes_areOfUnitLength();
     void namesOfPrototypes_holdInsideOnly();
@@ -218,6 +220,50 @@ void TestX3dExpansion::units_areScaled()
     QVERIFY(sceneOf(expanded(box, inch)).startsWith("<Transform scale=\"0.0254 0.0254 0.0254\"><Shape"));
     QCOMPARE(sceneOf(expanded("<Group/>", inch)), QString());
     QVERIFY(!sceneOf(expanded(box, "<head><unit category='angle' conversionFactor='0.1'/></head>")).contains("scale"));
+    // an inlined file is of a unit of its own, which is made metres there
+    const QByteArray quarter = "<head><unit category='length' conversionFactor='0.25'/></head>";
+    QVERIFY(sceneOf(expanded("<Inline url='a.x3d'/>", quarter))
+                .contains("<Transform scale=\"0.25 0.25 0.25\"><Transform scale=\"4 4 4\"><Inline url="));
+}
+
+/// Turns by angles in a unit of the file's own are as those in radians, which is the format's.
+void TestX3dExpansion::angles_areInRadians()
+{
+    const QByteArray half = "<head><unit category='angle' name='half radian' conversionFactor='0.5'/></head>";
+    for (const QByteArray& node :
+         {"<Transform rotation='0 0 1 %1' scaleOrientation='0 1 0 -%2'>" + box + "</Transform>",
+          QByteArray("<Shape><Extrusion spine='0 0 0 0 1 0 0 2 0' orientation='0 1 0 %1 0 0 1 %2 1 0 0 -%1'/></Shape>"),
+          QByteArray("<Shape><ArcClose2D startAngle='-%1' endAngle='%2'/></Shape>")}) {
+        const auto with = [&node](const char* first, const char* second) {
+            return QByteArray(node).replace("%1", first).replace("%2", second);
+        };
+        QCOMPARE(sceneOf(expanded(with("3", "0.25"), half)), sceneOf(with("1.5", "0.125")));
+    }
+    QVERIFY(errorOf({}, "<head><unit category='angle' conversionFactor='-1'/></head>"));
+    QVERIFY(!errorOf({}, "<head><unit category='mass' conversionFactor='x'/></head>"));
+}
+
+/// X3D 4: groups and shapes that are there to be hidden.
+void TestX3dExpansion::invisibleNodes_areLeftOut()
+{
+    for (const char* name : {"Group", "Transform", "Anchor", "Switch whichChoice='0'", "LOD", "Collision"}) {
+        const QByteArray begin = "<" + QByteArray(name) + " DEF='A' visible='%'>",
+                         end = "</" + QByteArray(name).split(' ').front() + ">";
+        const QByteArray group = begin + "<Group>" + box + "</Group>" + end + box + "<Group><Group USE='A'/></Group>";
+        const auto boxes = [&group](const char* visible) {
+            const X3dExpansion expansion = expanded(QByteArray(group).replace("%", visible));
+            return expansion.unread == 0 ? sceneOf(expansion).count(QRegularExpression("<Box|Shape USE")) : -1;
+        };
+        QCOMPARE(boxes("true"), 3);
+        QCOMPARE(boxes(""), 3);
+        QCOMPARE(boxes("false"), 1);
+        QCOMPARE(boxes(" FALSE "), 1);
+    }
+    QCOMPARE(sceneOf("<Shape visible='false'><Sphere/></Shape>" + box).count("Sphere"), 0);
+    QCOMPARE(sceneOf("<Inline visible='false' url='a.x3d'/>"), QString());
+    QCOMPARE(expanded("<Group visible='false'><ProtoInstance name='x'/></Group>").unread, std::size_t(0));
+    // a hidden level of detail is no level
+    QCOMPARE(sceneOf("<LOD><Group visible='false'>" + box + "</Group>" + box + box + "</LOD>").count("<Box"), 1);
 }
 
 void TestX3dExpansion::expandedFiles_stayAsTheyAre()
