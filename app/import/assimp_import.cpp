@@ -163,6 +163,8 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
     if (!scene || !scene->mRootNode)
         return notes.outside.empty() ? refuse(ImportHeader::Outcome::Refused, wordsOf(importer, path))
                                      : refuse(ImportHeader::Outcome::Outside, notes.outside);
+    if (!notes.isFollowed) // as it is it may be turned wrongly
+        return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits);
     if (isFbx)
         addFbxScene(*scene, mesh);

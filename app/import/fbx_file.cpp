@@ -10,7 +10,7 @@ namespace app
 {
 namespace
 {
-constexpr std::string_view binaryStart = "Kaydara FBX Binary  ";
+constexpr std::string_view binaryStart = "Kaydara FBX Binary"; // two blanks follow, but not for Assimp
 
 std::uint32_t wordAt(std::string_view bytes, std::size_t at)
 {

@@ -305,12 +305,14 @@ private:
 };
 } // namespace
 
-std::optional<std::string> fbxAsAssimpReadsIt(const std::filesystem::path& path, std::string_view bytes)
+FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes)
 {
     const std::optional<Records> records = fbxModelRecords(bytes);
-    const FbxRecord* const objects = records ? recordIn(*records, "Objects") : nullptr;
+    if (!records)
+        return {.isFollowed = false, .changed = {}};
+    const FbxRecord* const objects = recordIn(*records, "Objects");
     if (!objects)
-        return std::nullopt;
+        return {};
     if (const FbxRecord* const connections = recordIn(*records, "Connections"))
         if (const FbxRecord* const model = ModelTree(objects->records, connections->records).endless())
             throw core::io::malformed(core::FileFault::TooDeep,
@@ -319,6 +321,6 @@ std::optional<std::string> fbxAsAssimpReadsIt(const std::filesystem::path& path,
     RotationFixer fixer(path, modelTemplateIn(*records), changes);
     for (const FbxRecord& model : objects->records)
         fixer.fix(model);
-    return changes.result();
+    return {.isFollowed = true, .changed = changes.result()};
 }
 } // namespace app

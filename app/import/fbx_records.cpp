@@ -1,7 +1,7 @@
 // Source: the FBX files of many programs; Blender Foundation, "FBX binary file format specification" (code.blender.org,
 // 2013). Binary: records of end, number of values, their size (8 bytes each from version 7.5 on, before 4), length of
 // the name, name, values, further records up to the end. Text: "Name: value, value {", lines, "}", comments from ";"
-// on.
+// to a line's end. Where programs write otherwise, what Assimp (5.2 to 6.0) makes of it counts.
 #include "app/import/fbx_records.h"
 
 #include "app/import/fbx_file.h"
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace app
 {
@@ -18,7 +19,7 @@ namespace
 {
 using Records = std::vector<FbxRecord>;
 
-/// Ends a list of records: no record is so.
+/// Thrown where the bytes are no records. Assimp does not read such a file either.
 struct NotFbx
 {};
 
@@ -74,14 +75,17 @@ private:
         return part;
     }
 
-    /// Reads records up to a null record or to the byte. Behind the last one of the file there is a footer.
+    /// Reads records up to the byte, and those of the file up to a null record, behind which there is a footer. Passes
+    /// over null records elsewhere, by the field of their end, as Assimp does.
     Records recordsTo(std::size_t end)
     {
         Records records;
         while (m_at < end) {
             const std::size_t begin = m_at, recordEnd = sizeAt();
-            if (recordEnd == 0)
+            if (recordEnd == 0 && m_path.empty())
                 break;
+            if (recordEnd == 0)
+                continue;
             const std::size_t count = sizeAt(), size = sizeAt();
             const std::string_view name = take(static_cast<unsigned char>(take(1).front()));
             if (recordEnd <= begin || recordEnd > end || size > recordEnd - m_at)
@@ -90,9 +94,12 @@ private:
             if (isKept(m_path, name)) {
                 records.push_back({name, valuesTo(inner, count), {}});
                 m_at = inner;
-                if (isWanted(m_path, name)) {
+                if (isWanted(m_path, name) && inner < recordEnd) {
+                    const std::size_t nullSize = m_isWide ? 25 : 13; // of the record that ends those within
+                    if (recordEnd - inner < nullSize)
+                        throw NotFbx();
                     m_path.push_back(name);
-                    records.back().records = recordsTo(recordEnd);
+                    records.back().records = recordsTo(recordEnd - nullSize);
                     m_path.pop_back();
                 }
             }
@@ -106,20 +113,17 @@ private:
         std::vector<FbxValue> values;
         while (values.size() < count && m_at < end) {
             const char type = take(1).front();
-            std::size_t size = sizeOf(type);
-            if (type == 'S' || type == 'R')
-                size = core::io::load<std::uint32_t>(take(4).data(), std::endian::little);
-            if (size == 0 && type != 'S' && type != 'R')
-                break; // an array: no record that is wanted has one
-            const std::size_t at = m_at;
+            const std::size_t size = type == 'b' ? end - m_at : sizeOf(type), at = m_at;
             values.push_back({type, at, take(size)});
         }
         if (m_at > end)
             throw NotFbx();
         return values;
     }
-    static std::size_t sizeOf(char type)
+    /// Returns the size of a value of the type; of texts and arrays the size without its field, which is read.
+    std::size_t sizeOf(char type)
     {
+        constexpr std::size_t arrayHead = 8; // count and packing, before the size
         switch (type) {
         case 'C':
         case 'B':
@@ -132,8 +136,18 @@ private:
         case 'L':
         case 'D':
             return 8;
+        case 'S':
+        case 'R':
+            return core::io::load<std::uint32_t>(take(4).data(), std::endian::little);
+        case 'f':
+        case 'd':
+        case 'l':
+        case 'i':
+        case 'c':
+            take(arrayHead);
+            return core::io::load<std::uint32_t>(take(4).data(), std::endian::little);
         default:
-            return 0;
+            throw NotFbx();
         }
     }
 
@@ -143,127 +157,210 @@ private:
     std::vector<std::string_view> m_path;
 };
 
-class TextReader
+/// A token of FBX as text, by Assimp's rules.
+struct Token
+{
+    enum class Type { Key, Data, Comma, Open, Close };
+    Type type;
+    std::string_view text; ///< of data with its quotes; of a key without its colon
+    std::size_t line = 0;  ///< at which the token is known to end: LF and CR count one each
+};
+
+/// Cuts FBX text into tokens up to its end, or to a NUL. Data without an end are dropped. Throws NotFbx.
+class TextTokens
 {
 public:
-    explicit TextReader(std::string_view bytes) : m_bytes(bytes) {}
+    explicit TextTokens(std::string_view bytes) : m_bytes(bytes.substr(0, bytes.find('\0'))) {}
 
-    Records read()
+    std::optional<Token> next()
     {
-        Records records = recordsIn();
-        if (m_at < m_bytes.size())
-            throw NotFbx(); // a brace too many
-        return records;
-    }
-
-private:
-    bool atEnd() const { return m_at >= m_bytes.size(); }
-    char here() const { return m_bytes[m_at]; }
-    bool isHere(std::string_view signs) const { return !atEnd() && signs.find(here()) != std::string_view::npos; }
-
-    /// Passes over blanks and comments, and over line ends where those mean nothing.
-    void skip(bool overLines)
-    {
-        while (!atEnd()) {
-            if (here() == ';' && overLines)
-                m_at = std::min(m_bytes.find('\n', m_at), m_bytes.size());
-            else if (here() == ' ' || here() == '\t' || here() == '\r' || (overLines && here() == '\n'))
-                ++m_at;
-            else
-                return;
+        while (!m_waiting && m_at < m_bytes.size()) {
+            const std::optional<Token> token = take(m_bytes[m_at]);
+            ++m_at;
+            if (token)
+                return token;
         }
+        return std::exchange(m_waiting, std::nullopt);
     }
 
-    /// Reads records up to a closing brace, which is left, or to the file's end.
-    Records recordsIn()
-    {
-        Records records;
-        for (skip(true); !atEnd() && here() != '}'; skip(true)) {
-            const std::size_t colon = m_bytes.find_first_of(":\n{}\"", m_at);
-            if (colon == std::string_view::npos || m_bytes[colon] != ':')
-                throw NotFbx();
-            const std::string_view name = m_bytes.substr(m_at, colon - m_at);
-            m_at = colon + 1;
-            const bool keeps = isKept(m_path, name);
-            FbxRecord record{name, valuesHere(keeps), {}};
-            skip(true);
-            if (isHere("{")) {
-                ++m_at;
-                recordsOf(record);
-            }
-            if (keeps)
-                records.push_back(std::move(record));
-        }
-        return records;
-    }
-
-    /// Reads what is in a record's braces, the first of which has been read.
-    void recordsOf(FbxRecord& record)
-    {
-        if (!isWanted(m_path, record.name))
-            return passOver();
-        m_path.push_back(record.name);
-        record.records = recordsIn();
-        m_path.pop_back();
-        if (atEnd())
-            throw NotFbx();
-        ++m_at;
-    }
-
-    void passOver()
+    /// Passes over what is in braces, the first of which has been read, and its closing brace.
+    void passBraces()
     {
         for (int depth = 1; depth > 0;) {
-            m_at = m_bytes.find_first_of("{}\";", m_at);
-            if (m_at >= m_bytes.size())
-                throw NotFbx();
-            const char sign = m_bytes[m_at++];
+            const char sign = passTo("{}\";");
             if (sign == '"')
-                passTo('"');
+                passTo("\"");
             else if (sign == ';')
-                passTo('\n');
+                passTo(lineEnds);
             else
                 depth += sign == '{' ? 1 : -1;
         }
     }
-    void passTo(char sign)
+
+    /// Returns where a view of the text begins in it.
+    std::size_t placeOf(std::string_view text) const { return static_cast<std::size_t>(text.data() - m_bytes.data()); }
+
+private:
+    static constexpr std::string_view lineEnds = "\n\r\f";
+
+    /// Passes over the next of the signs, and returns it.
+    char passTo(std::string_view signs)
     {
-        const std::size_t end = m_bytes.find(sign, m_at);
-        if (end == std::string_view::npos)
+        m_at = m_bytes.find_first_of(signs, m_at);
+        if (m_at == std::string_view::npos)
             throw NotFbx();
-        m_at = end + 1;
+        return m_bytes[m_at++];
     }
 
-    std::vector<FbxValue> valuesHere(bool keeps)
+    /// Takes one sign. Returns the token that ends with it; a second one waits.
+    std::optional<Token> take(char sign)
     {
-        std::vector<FbxValue> values;
-        for (skip(false); !atEnd() && !isHere("\n{};"); skip(false)) {
-            const FbxValue value = valueHere();
-            if (keeps)
-                values.push_back(value);
-            skip(false);
-            if (!isHere(","))
-                break;
-            ++m_at;
-            skip(true);
+        const bool isLineEnd = lineEnds.find(sign) != std::string_view::npos;
+        m_line += isLineEnd ? 1 : 0;
+        m_isComment = m_isComment && !isLineEnd;
+        if (m_isComment)
+            return std::nullopt;
+        if (m_isQuoted) {
+            m_isQuoted = sign != '"';
+            return m_isQuoted ? std::nullopt : endData(m_at + 1);
         }
-        return values;
+        switch (sign) {
+        case '"':
+            if (m_begin)
+                throw NotFbx();
+            m_begin = m_at;
+            m_isQuoted = true;
+            return std::nullopt;
+        case ';':
+            m_isComment = true;
+            return endData(m_at);
+        case '{':
+            return endDataBefore(Token::Type::Open);
+        case '}':
+            return endDataBefore(Token::Type::Close);
+        case ',':
+            return endDataBefore(Token::Type::Comma);
+        case ':':
+            if (!m_begin)
+                throw NotFbx();
+            return endData(m_at, Token::Type::Key);
+        case ' ':
+        case '\t':
+            return endData(m_at);
+        default:
+            if (isLineEnd)
+                return endData(m_at);
+            m_begin = m_begin.value_or(m_at);
+            return std::nullopt;
+        }
     }
-    FbxValue valueHere()
+
+    /// Returns the token that has begun, if one has.
+    std::optional<Token> endData(std::size_t end, Token::Type type = Token::Type::Data)
     {
-        if (here() == '"') {
-            const std::size_t begin = ++m_at;
-            passTo('"');
-            return {'S', begin, m_bytes.substr(begin, m_at - 1 - begin)};
-        }
-        const std::size_t begin = m_at;
-        m_at = std::min(m_bytes.find_first_of(" \t\r\n,{};\"", m_at), m_bytes.size());
-        if (m_at == begin)
-            throw NotFbx();
-        return {'T', begin, m_bytes.substr(begin, m_at - begin)};
+        if (!m_begin)
+            return std::nullopt;
+        const std::size_t begin = *std::exchange(m_begin, std::nullopt);
+        return Token{type, m_bytes.substr(begin, end - begin), m_line};
+    }
+    std::optional<Token> endDataBefore(Token::Type type)
+    {
+        const Token sign{type, m_bytes.substr(m_at, 1), m_line};
+        std::optional<Token> data = endData(m_at);
+        if (!data)
+            return sign;
+        m_waiting = sign;
+        return data;
     }
 
     std::string_view m_bytes;
-    std::size_t m_at = 0;
+    std::size_t m_at = 0, m_line = 0;
+    std::optional<std::size_t> m_begin; ///< of the token that is being read
+    std::optional<Token> m_waiting;
+    bool m_isComment = false, m_isQuoted = false;
+};
+
+/// Reads text as Assimp does, which ends the file at a brace too many, and takes values without a comma between them
+/// from line to line.
+class TextReader
+{
+public:
+    explicit TextReader(std::string_view bytes) : m_tokens(bytes) {}
+
+    Records read() { return recordsHere(); }
+
+private:
+    using Type = Token::Type;
+
+    void advance() { m_token = m_tokens.next(); }
+    Token present() const
+    {
+        if (!m_token)
+            throw NotFbx();
+        return *m_token;
+    }
+
+    /// Reads records up to a closing brace, or, of the file, up to its end.
+    Records recordsHere()
+    {
+        Records records;
+        advance();
+        while (present().type != Type::Close) {
+            const Token key = present();
+            if (key.type != Type::Key)
+                throw NotFbx();
+            FbxRecord record{key.text, {}, {}};
+            const bool keeps = isKept(m_path, record.name);
+            readRecord(record, keeps);
+            if (keeps)
+                records.push_back(std::move(record));
+            if (!m_token && m_path.empty())
+                break;
+        }
+        return records;
+    }
+
+    /// Reads a record, whose key is present, up to the token behind it.
+    void readRecord(FbxRecord& record, bool keeps)
+    {
+        do {
+            advance();
+            if (const Token data = present(); data.type == Type::Data) {
+                addValue(record, data, keeps);
+                advance();
+                const Token behind = present();
+                if (behind.type == Type::Data && behind.line != data.line + 1)
+                    throw NotFbx();
+                if (behind.type == Type::Data)
+                    addValue(record, behind, keeps);
+            }
+            if (present().type == Type::Open) {
+                readBraces(record);
+                return advance();
+            }
+        } while (present().type != Type::Key && present().type != Type::Close);
+    }
+
+    void readBraces(FbxRecord& record)
+    {
+        if (!isWanted(m_path, record.name))
+            return m_tokens.passBraces();
+        m_path.push_back(record.name);
+        record.records = recordsHere();
+        m_path.pop_back();
+    }
+
+    void addValue(FbxRecord& record, const Token& token, bool keeps) const
+    {
+        if (!keeps)
+            return;
+        const bool isQuoted = token.text.front() == '"';
+        const std::string_view text = isQuoted ? token.text.substr(1, token.text.size() - 2) : token.text;
+        record.values.push_back({isQuoted ? 'S' : 'T', m_tokens.placeOf(text), text});
+    }
+
+    TextTokens m_tokens;
+    std::optional<Token> m_token; ///< the present one; empty: the text is at its end
     std::vector<std::string_view> m_path;
 };
 } // namespace

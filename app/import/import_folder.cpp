@@ -72,7 +72,9 @@ const std::string* ImportFolder::replacement(const fs::path& path)
             m_notes.unread += expansion.unread;
             found->second = std::move(expansion.text);
         } else if (ending == ".fbx") {
-            found->second = fbxAsAssimpReadsIt(path, bytes);
+            FbxForAssimp fbx = fbxForAssimp(path, bytes);
+            m_notes.isFollowed = m_notes.isFollowed && fbx.isFollowed;
+            found->second = std::move(fbx.changed);
         } else {
             found->second = colladaText(bytes);
         }

@@ -23,6 +23,7 @@ public:
         std::string outside;        ///< the name of a file that was asked for elsewhere
         std::exception_ptr problem; ///< the core::FileError of a file that could not be given
         std::size_t unread = 0;     ///< nodes left out that stand for surfaces
+        bool isFollowed = true;     ///< false: an FBX file was given as it is, because it could not be followed
     };
 
     ImportFolder(std::filesystem::path folder, Notes& notes) : m_folder(std::move(folder)), m_notes(notes) {}

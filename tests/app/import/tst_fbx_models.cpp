@@ -146,7 +146,7 @@ Record connection(std::int64_t child, std::int64_t parent)
 
 std::string righted(const std::string& bytes)
 {
-    return app::fbxAsAssimpReadsIt("a.fbx", bytes).value_or(bytes);
+    return app::fbxForAssimp("a.fbx", bytes).changed.value_or(bytes);
 }
 
 /// Returns a property of the file's first model.
@@ -189,6 +189,10 @@ private Q_SLOTS:
     void rotations_areRighted_data();
     void rotations_areRighted();
     void rightFiles_areLeft();
+    void carelessText_isFollowed_data();
+    void carelessText_isFollowed();
+    void valuesWithoutComma_areFollowed();
+    void nullRecords_arePassedOver();
     void spheric_isRefusedWhereItTurns();
     void cycles_areRefused_data();
     void cycles_areRefused();
@@ -248,16 +252,87 @@ void TestFbxModels::rightFiles_areLeft()
                                              vectorProperty("GeometricRotation", {4, 5, 6}),
                                              vectorProperty("PreRotation", {7, 8, 9})};
         std::vector<Record> ordered{vectorProperty("Lcl Rotation", {1, 2, 3}), numberProperty("RotationOrder", 4)};
-        QVERIFY(
-            !app::fbxAsAssimpReadsIt("a.fbx", fileOf(sceneOf({modelRecord(500, properties), modelRecord(501, ordered)},
-                                                             {connection(500, 0), connection(501, 500)}),
-                                                     form)));
+        const auto isRight = [form](const std::vector<Record>& records) {
+            const app::FbxForAssimp fbx = app::fbxForAssimp("a.fbx", fileOf(records, form));
+            return fbx.isFollowed && !fbx.changed;
+        };
+        QVERIFY(isRight(sceneOf({modelRecord(500, properties), modelRecord(501, ordered)},
+                                {connection(500, 0), connection(501, 500)})));
         ordered.push_back(numberProperty("RotationOrder", 3)); // a second one counts for nothing
-        QVERIFY(!app::fbxAsAssimpReadsIt("a.fbx", fileOf(sceneOf({modelRecord(500, ordered)}, {}), form)));
+        QVERIFY(isRight(sceneOf({modelRecord(500, ordered)}, {connection(500, 0)})));
     }
     for (const char* text :
          {"", ";", "x", "Objects: {\n}\n", "Objects: {\n", "}", "a: \"", "Objects: 1, {\nModel: {\n}\n}\n"})
-        QVERIFY(!app::fbxAsAssimpReadsIt("a.fbx", text));
+        QVERIFY(!app::fbxForAssimp("a.fbx", text).changed);
+}
+
+/// Text as few programs write it, but as Assimp reads it.
+void TestFbxModels::carelessText_isFollowed_data()
+{
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::newRow("as it is") << QByteArray("\n") << QByteArray("\n");
+    QTest::newRow("CR") << QByteArray("\n") << QByteArray("\r");
+    QTest::newRow("CRLF") << QByteArray("\n") << QByteArray("\r\n");
+    QTest::newRow("form feed") << QByteArray("\n") << QByteArray("\f");
+    QTest::newRow("comments") << QByteArray(",") << QByteArray(",;{\"}:\n");
+    QTest::newRow("a comma too many") << QByteArray(",") << QByteArray(" ,,");
+    QTest::newRow("lines within") << QByteArray(",") << QByteArray("\n,\n");
+    QTest::newRow("a brace too many") << QByteArray("Connections: ") << QByteArray("Connections: 1, ");
+}
+
+void TestFbxModels::carelessText_isFollowed()
+{
+    QFETCH(QByteArray, from);
+    QFETCH(QByteArray, to);
+    const std::vector<Record> properties{numberProperty("RotationOrder", 5),
+                                         vectorProperty("GeometricRotation", {10, 20, 30})};
+    const QByteArray text =
+        QByteArray::fromStdString(fileOf(sceneOf({modelRecord(500, properties)}, {connection(500, 0)}), Form::Text));
+    const QByteArray careless = QByteArray(text).replace(from, to) + "}\nObjects: {";
+    const app::FbxForAssimp fbx = app::fbxForAssimp("a.fbx", careless.toStdString());
+    QVERIFY(fbx.isFollowed && fbx.changed);
+    const auto turn = propertyOf(*fbx.changed, "GeometricRotation");
+    QVERIFY(turn && turnBy(*turn, "zyx").isApprox(turnBy({10, 20, 30}, "xyz"), 1e-9));
+    // the same models hold themselves
+    const QByteArray cycle = QByteArray(text).replace(
+        R"(C: "OO", 500, 0)", "C: \"OO\", 500, 0\n\tC: \"OO\", 501, 500\n\tC: \"OO\", 500, 500");
+    QVERIFY_THROWS_EXCEPTION(FileError,
+                             app::fbxForAssimp("a.fbx", (QByteArray(cycle).replace(from, to) + "}").toStdString()));
+}
+
+/// Values without a comma between them, from line to line, and what Assimp refuses.
+void TestFbxModels::valuesWithoutComma_areFollowed()
+{
+    const auto isFollowed = [](const char* text) { return app::fbxModelRecords(text).has_value(); };
+    QVERIFY(isFollowed("Objects: {\nModel: 1,\n2\n3\n {\n}\n}\n"));
+    QVERIFY(isFollowed("Objects: {\nModel: 1\n2\n {\n}\n}\n"));
+    QVERIFY(isFollowed("Objects: {\n}\n\0Model \"{"));
+    for (const char* text :
+         {"Objects: {\nModel: 1,\n2\n3 {\n}\n}\n", "Objects: {\nModel: 1 2 {\n}\n}\n",
+          "Objects: {\nModel : 1, {\n}\n}\n", "Objects: 1", "Objects: {\n", "Objects: {\nModel: a\"b\" {\n}\n}\n",
+          "Objects: {} {}", "1: {} 2\n", "{", "Objects: {\nModel: {\n}\n", "Objects: \"{\n"})
+        QVERIFY2(!isFollowed(text), text);
+}
+
+/// Binary records that only Assimp's reader would find.
+void TestFbxModels::nullRecords_arePassedOver()
+{
+    const std::vector<Record> properties{numberProperty("RotationOrder", 5),
+                                         vectorProperty("GeometricRotation", {10, 20, 30})};
+    for (const Form form : {Form::Binary, Form::WideBinary}) {
+        const bool isWide = form == Form::WideBinary;
+        const std::size_t width = isWide ? 8 : 4;
+        const std::vector<Record> below{modelRecord(500, properties)};
+        const std::string head = std::string("Kaydara FBX Binary..\0\x1a\0", 23) + rawBytes(isWide ? 7500 : 7400);
+        const std::size_t inner = head.size() + 3 * width + 1 + 7;
+        const std::string within =
+            std::string(width, '\0') + binaryOf(below, inner + width, isWide) + std::string(3 * width + 1, '\0');
+        const std::string bytes = head + sizeField(inner + within.size(), isWide) + sizeField(0, isWide) +
+                                  sizeField(0, isWide) + "\7Objects" + within + std::string(width, '\0');
+        const app::FbxForAssimp fbx = app::fbxForAssimp("a.fbx", bytes);
+        QVERIFY(fbx.isFollowed && fbx.changed);
+    }
 }
 
 void TestFbxModels::spheric_isRefusedWhereItTurns()
@@ -316,7 +391,7 @@ void TestFbxModels::cycles_areRefused()
     for (const Form form : {Form::Text, Form::Binary, Form::WideBinary}) {
         std::string problem;
         try {
-            app::fbxAsAssimpReadsIt("a.fbx", fileOf(sceneOf(models, lines), form));
+            app::fbxForAssimp("a.fbx", fileOf(sceneOf(models, lines), form));
         } catch (const FileError& error) {
             QVERIFY(error.kind == core::FileErrorKind::Malformed && error.fault == core::FileFault::TooDeep);
             problem = error.token;
@@ -343,7 +418,7 @@ void TestFbxModels::brokenFiles_areLeft()
             for (auto edits = 1 + engine() % 4; edits != 0; --edits)
                 bytes[engine() % bytes.size()] = static_cast<char>(engine() % 3 == 0 ? 0 : engine());
             try {
-                app::fbxAsAssimpReadsIt("a.fbx", bytes);
+                app::fbxForAssimp("a.fbx", bytes);
             } catch (const FileError&) {
             }
         }

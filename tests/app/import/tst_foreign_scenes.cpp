@@ -132,6 +132,7 @@ private Q_SLOTS:
     void fbx_inactiveRotationsAreNot();
     void fbx_ordersAreOfOwnRotationsAlone_data();
     void fbx_ordersAreOfOwnRotationsAlone();
+    void fbx_carelessTextIsTurnedRight();
     void fbx_cyclesAndSphericOrdersAreRefused();
     void fbx_scalesAreInherited_data();
     void fbx_scalesAreInherited();
@@ -280,6 +281,22 @@ void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone()
         QVERIFY(areAlike(pointsOf(own + ordered + off), turned));
         QVERIFY(areAlike(pointsOf(own + ordered, usual), turned));
         QVERIFY(areAlike(pointsOf(own + ordered), turned) == (order == 0));
+    }
+}
+
+/// CR alone ends lines, and a brace too many the file, as for Assimp: the rotations are righted there, too.
+void TestForeignScenes::fbx_carelessTextIsTurnedRight()
+{
+    const QByteArray plain = fbx(
+        {{number("RotationOrder", 5) + vector("GeometricRotation", {30, 40, 50})},
+         {vector("Lcl Rotation", {10, 20, 30}) + vector("PreRotation", {5, 6, 7}) + number("RotationActive", 0), 0}});
+    const core::TriangleMesh wanted = read(QStringLiteral("plain.fbx"), plain).mesh;
+    QVERIFY(std::abs(volumeOf(wanted) - 2000) < 1e-2);
+    for (const QByteArray& careless : {QByteArray(plain).replace('\n', '\r'), plain + "}\n", plain + "} x \" {"}) {
+        const core::TriangleMesh mesh = read(QStringLiteral("careless.fbx"), careless).mesh;
+        QCOMPARE(mesh.points.size(), wanted.points.size());
+        for (std::size_t i = 0; i < mesh.points.size(); ++i)
+            QVERIFY((mesh.points[i] - wanted.points[i]).norm() < static_cast<float>(tolerance));
     }
 }
 
