@@ -113,6 +113,15 @@ bool isChunkAt(std::string_view bytes, std::size_t at)
 }
 } // namespace
 
+const nlohmann::json* gltfExtension(const nlohmann::json& object, std::string_view name)
+{
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end() || !extensions->is_object())
+        return nullptr;
+    const auto extension = extensions->find(name);
+    return extension == extensions->end() ? nullptr : &*extension;
+}
+
 GltfDocument::GltfDocument(const FileBytes& file, bool isBinary) : m_file(file), m_bytes(file.bytes.size())
 {
     if (isBinary)

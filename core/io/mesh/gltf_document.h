@@ -28,6 +28,9 @@ struct GltfLayout
     bool normalized = false;
 };
 
+/// Returns an extension of an object of glTF, whatever its type; null if there is none.
+const nlohmann::json* gltfExtension(const nlohmann::json& object, std::string_view name);
+
 /// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked
 /// for is looked at before anything is read by it: wrong types, indices and sizes throw FileError with the JSON's word
 /// for what is wrong. Extensions that it requires are passed over where they say nothing of the shape. Buffer views

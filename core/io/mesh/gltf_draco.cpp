@@ -11,17 +11,8 @@ namespace
 {
 using Json = GltfDocument::Json;
 
-/// Names the attributes that are read, of those that a stream may hold.
+/// Lists the attributes that are decoded; streams may hold others.
 constexpr std::array<const char*, 3> readAttributes{"POSITION", "COLOR_0", "_MASK"};
-
-const Json* extensionOf(const Json& primitive)
-{
-    const auto extensions = primitive.find("extensions");
-    if (extensions == primitive.end() || !extensions->is_object())
-        return nullptr;
-    const auto extension = extensions->find(dracoExtension);
-    return extension == extensions->end() ? nullptr : &*extension;
-}
 
 std::size_t sizeOf(const DracoMesh& mesh)
 {
@@ -57,7 +48,7 @@ std::optional<std::uint32_t> GltfDraco::idOf(const Json& extension, const char* 
 
 const DracoMesh* GltfDraco::meshOf(const Json& primitive)
 {
-    const Json* const extension = extensionOf(primitive);
+    const Json* const extension = gltfExtension(primitive, dracoExtension);
     if (!extension || !isNeeded(primitive))
         return nullptr;
     if (!extension->is_object())
@@ -90,7 +81,7 @@ DracoMesh GltfDraco::decoded(const Key& key) const
 
 const DracoMesh::Attribute* GltfDraco::attributeOf(const Json& primitive, const DracoMesh& mesh, const char* name) const
 {
-    const auto id = idOf(*extensionOf(primitive), name);
+    const auto id = idOf(*gltfExtension(primitive, dracoExtension), name);
     if (!id)
         return nullptr;
     const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(),

@@ -19,8 +19,8 @@ public:
     explicit GltfDraco(const GltfDocument& gltf) : m_gltf(gltf) {}
 
     /// Returns the mesh that stands for the primitive; null if its accessors have all that it needs. Throws FileError:
-    /// Malformed for a stream that is broken or that the JSON describes otherwise; as needsDraco() without a decoder;
-    /// UnpacksTooLarge.
+    /// Malformed for a stream that is broken or that the JSON describes otherwise; Malformed with NeedsExtension where
+    /// there is no decoder; UnpacksTooLarge.
     const DracoMesh* meshOf(const GltfDocument::Json& primitive);
     /// Returns the primitive's attribute in its mesh; null if the stream does not hold it.
     const DracoMesh::Attribute* attributeOf(const GltfDocument::Json& primitive, const DracoMesh& mesh,

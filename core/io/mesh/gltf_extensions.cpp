@@ -8,10 +8,12 @@ namespace core::io
 {
 bool isWithoutShape(std::string_view extension)
 {
-    constexpr std::array<std::string_view, 19> names{"KHR_mesh_quantization",
+    constexpr std::array<std::string_view, 21> names{"KHR_mesh_quantization",
                                                      "KHR_draco_mesh_compression",
                                                      "EXT_meshopt_compression",
                                                      "KHR_meshopt_compression",
+                                                     "EXT_mesh_gpu_instancing",
+                                                     "KHR_node_visibility",
                                                      "KHR_animation_pointer",
                                                      "KHR_xmp",
                                                      "KHR_xmp_json_ld",

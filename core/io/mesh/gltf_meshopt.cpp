@@ -12,13 +12,8 @@ using Json = GltfDocument::Json;
 /// Returns the extension's object; null if there is none.
 const Json* extensionIn(const Json& object)
 {
-    const auto extensions = object.find("extensions");
-    if (extensions == object.end() || !extensions->is_object())
-        return nullptr;
-    for (const char* name : {"KHR_meshopt_compression", "EXT_meshopt_compression"})
-        if (const auto found = extensions->find(name); found != extensions->end())
-            return &*found;
-    return nullptr;
+    const Json* const ofKhronos = gltfExtension(object, "KHR_meshopt_compression");
+    return ofKhronos ? ofKhronos : gltfExtension(object, "EXT_meshopt_compression");
 }
 
 /// Returns the place of the word that the object has at the key; nothing if it has another one.

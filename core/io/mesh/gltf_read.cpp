@@ -32,7 +32,7 @@ public:
     {
         const auto add = [&](std::size_t mesh, const Eigen::Matrix4d& transform) { addMesh(mesh, transform); };
         const Eigen::Matrix4d root = Eigen::Vector4d(millimetres, millimetres, millimetres, 1).asDiagonal();
-        GltfScene(m_gltf, m_stopCheck).forEachMesh(root, add);
+        GltfScene(m_file, m_gltf, m_stopCheck).forEachMesh(root, add);
         if (m_hasColors)
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
         if (m_hasMasks)

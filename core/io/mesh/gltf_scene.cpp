@@ -1,5 +1,7 @@
 #include "core/io/mesh/gltf_scene.h"
 
+#include "core/io/mesh/gltf_instances.h"
+
 #include <Eigen/Geometry>
 
 namespace core::io
@@ -52,11 +54,25 @@ void GltfScene::visitNode(std::size_t index, const Eigen::Matrix4d& above, int d
     if (depth > maxDepth || ++m_nodes > maxNodes)
         m_gltf.refuse(FileFault::TooDeep, "nodes");
     const Json& node = m_gltf.element("nodes", index);
+    if (!isGltfVisible(m_gltf, node))
+        return;
     const Eigen::Matrix4d transform = above * transformOf(node);
-    if (const auto mesh = m_gltf.indexIn(node, "mesh"))
-        visit(*mesh, transform);
+    visitInstances(node, transform, visit);
     for (const Json& child : m_gltf.arrayIn(node, "children"))
         visitNode(m_gltf.toIndex(child, "children"), transform, depth + 1, visit);
+}
+
+void GltfScene::visitInstances(const Json& node, const Eigen::Matrix4d& transform, const Visit& visit)
+{
+    const auto mesh = m_gltf.indexIn(node, "mesh");
+    if (!mesh)
+        return;
+    for (const Eigen::Matrix4d& instance : gltfInstances(m_file, m_gltf, node)) {
+        m_stopCheck();
+        if (++m_instances > maxGltfInstances)
+            throw tooMany("instances", maxGltfInstances, errorAtByte({}, m_file, m_file.bytes.data()));
+        visit(*mesh, transform * instance);
+    }
 }
 
 template <int count>

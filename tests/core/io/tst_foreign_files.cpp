@@ -1188,9 +1188,8 @@ void TestForeignFiles::faults_areTold_data()
         "line 19");
     row("ply strips below none", "a.ply", replaced(strips("ascii"), "\n30 ", "\n-30 "), Kind::Malformed,
         FileFault::Count, "line 18", "-30");
-    row("glb of an extension with shape", "a.glb",
-        glbBox("", "", R"("extensionsRequired":["EXT_mesh_gpu_instancing"],)"), Kind::Malformed,
-        FileFault::NeedsExtension, "", "EXT_mesh_gpu_instancing");
+    row("glb of an extension with shape", "a.glb", glbBox("", "", R"("extensionsRequired":["MPEG_mesh_linking"],)"),
+        Kind::Malformed, FileFault::NeedsExtension, "", "MPEG_mesh_linking");
     row("glb of an extension unknown", "a.glb", glbBox("", "", R"("extensionsRequired":["ACME_shapes"],)"),
         Kind::Malformed, FileFault::NeedsExtension, "", "ACME_shapes");
     row("glb of a scene that is not there", "a.glb", glbBox(R"("scene":3,"scenes":[{}],)"), Kind::Malformed,

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -62,6 +63,46 @@ QByteArray packedGltf(const QByteArray& nodes)
            QByteArray(200, ' ') + R"("})";
 }
 
+QByteArray bytesOf(const std::vector<float>& numbers)
+{
+    return {reinterpret_cast<const char*>(numbers.data()), static_cast<qsizetype>(numbers.size() * sizeof(float))};
+}
+
+QByteArray inside()
+{
+    return "data:application/octet-stream;base64," + binary().toBase64();
+}
+
+/// A tetrahedron in metres at (1, 2, 3), once for each element of the lists that are not empty.
+QByteArray instanced(const std::vector<float>& places, const std::vector<float>& turns,
+                     const std::vector<float>& scales, const QByteArray& more = {})
+{
+    QByteArray attributes, accessors, views, bytes;
+    const auto add = [&](const char* name, const std::vector<float>& numbers, std::size_t each) {
+        if (numbers.empty())
+            return;
+        const QByteArray index = QByteArray::number(2 + accessors.count('{'));
+        attributes += QByteArray(attributes.isEmpty() ? "" : ",") + '"' + name + "\":" + index;
+        accessors += ",{\"bufferView\":" + index + R"(,"componentType":5126,"count":)" +
+                     QByteArray::number(quint64(numbers.size() / each)) + R"(,"type":"VEC)" +
+                     QByteArray::number(quint64(each)) + "\"}";
+        views += R"(,{"buffer":1,"byteOffset":)" + QByteArray::number(bytes.size()) + R"(,"byteLength":)" +
+                 QByteArray::number(bytesOf(numbers).size()) + "}";
+        bytes += bytesOf(numbers);
+    };
+    add("TRANSLATION", places, 3);
+    add("ROTATION", turns, 4);
+    add("SCALE", scales, 3);
+    return gltf(inside(), 72, more)
+        .replace(R"("scale":[0.001,0.001,0.001])",
+                 R"("translation":[1,2,3],"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)" + attributes +
+                     "}}}")
+        .replace(R"("type":"SCALAR"})", R"("type":"SCALAR"})" + accessors)
+        .replace(R"("byteLength":24})", R"("byteLength":24})" + views)
+        .replace(R"("byteLength":72})", R"("byteLength":72},{"uri":"data:;base64,)" + bytes.toBase64() +
+                                            R"(","byteLength":)" + QByteArray::number(bytes.size()) + "}");
+}
+
 core::DracoMesh tetrahedronStream()
 {
     const TriangleMesh mesh = shapes::tetrahedron();
@@ -73,11 +114,6 @@ core::DracoMesh tetrahedronStream()
     for (const core::Triangle& t : mesh.triangles)
         decoded.corners.insert(decoded.corners.end(), t.begin(), t.end());
     return decoded;
-}
-
-QByteArray inside()
-{
-    return "data:application/octet-stream;base64," + binary().toBase64();
 }
 } // namespace
 
@@ -119,6 +155,12 @@ private Q_SLOTS:
     void badBuffers_areRefused();
     void mutatedFiles_neverGetThrough();
     void gltf_isNotWritten();
+
+    void instances_standWhereListsSay();
+    void badInstances_areRefused_data();
+    void badInstances_areRefused();
+    void manyInstances_areBounded();
+    void hiddenNodes_areLeftOut();
 
     void decodedStreams_areReadOnce();
     void decodersResults_areChecked_data();
@@ -266,6 +308,118 @@ void TestGltfDocument::gltf_isNotWritten()
     } catch (const FileError& error) {
         QCOMPARE(static_cast<int>(error.kind), static_cast<int>(Kind::NotWritten));
     }
+}
+
+/// A node that is moved by (1, 2, 3), with three instances of the mesh: to be moved, turned and scaled in each.
+void TestGltfDocument::instances_standWhereListsSay()
+{
+    const float s = std::sqrt(0.5F);
+    const std::vector<float> places{0, 0, 0, 10, 0, 0, 0, 20, 0}, turns{0, 0, 0, 1, 0, 0, s, s, 0, 0, 0, 2},
+        scales{1, 1, 1, 1, 2, 3, -1, 1, 1};
+    const TriangleMesh alone = shapes::tetrahedron();
+    for (const QByteArray& required :
+         {QByteArray(), QByteArray(R"(,"extensionsRequired":["EXT_mesh_gpu_instancing"])")})
+        for (int parts = 1; parts < 8; ++parts) {
+            const core::ReadResult result =
+                readAll(instanced(parts & 1 ? places : std::vector<float>(), parts & 2 ? turns : std::vector<float>(),
+                                  parts & 4 ? scales : std::vector<float>(), required));
+            QCOMPARE(result.remarks.objects, std::size_t(3));
+            const TriangleMesh& mesh = result.mesh;
+            QCOMPARE(mesh.triangles.size(), 3 * alone.triangles.size());
+            for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+                const std::size_t instance = t / alone.triangles.size();
+                core::Triangle corners = alone.triangles[t % alone.triangles.size()];
+                if (parts & 4 && instance == 2)
+                    std::swap(corners[1], corners[2]); // the mirrored one stays outward
+                for (std::size_t k = 0; k < 3; ++k) {
+                    Vec3f p = alone.points[corners[k]];
+                    if (parts & 4)
+                        p = p.cwiseProduct(Vec3f(&scales[3 * instance]));
+                    if (parts & 2 && instance == 1)
+                        p = Vec3f(-p.y(), p.x(), p.z());
+                    if (parts & 1)
+                        p += Vec3f(&places[3 * instance]);
+                    QVERIFY((mesh.points[mesh.triangles[t][k]] - 1000 * (p + Vec3f(1, 2, 3))).norm() < 0.02F);
+                }
+            }
+        }
+    QVERIFY(isTetrahedron(read(gltf(inside()).replace(
+        "\"mesh\":0,", R"("mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"_ID":1}}},)"))));
+}
+
+void TestGltfDocument::badInstances_areRefused_data()
+{
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::newRow("no such list") << QByteArray(R"("TRANSLATION":2)") << QByteArray(R"("TRANSLATION":9)");
+    QTest::newRow("a list of others") << QByteArray(R"("TRANSLATION":2)") << QByteArray(R"("TRANSLATION":3)");
+    QTest::newRow("no number") << QByteArray(R"("TRANSLATION":2)") << QByteArray(R"("TRANSLATION":-2)");
+    QTest::newRow("no lists") << QByteArray(R"("attributes":{"TRANSLATION")")
+                              << QByteArray(R"("lists":{"TRANSLATION")");
+    QTest::newRow("no object") << QByteArray(R"({"attributes":{"TRANSLATION":2,"ROTATION":3}})") << QByteArray("[]");
+    QTest::newRow("fewer turns") << QByteArray(R"("count":2,"type":"VEC4")")
+                                 << QByteArray(R"("count":1,"type":"VEC4")");
+    QTest::newRow("more turns") << QByteArray(R"("count":2,"type":"VEC4")") << QByteArray(R"("count":3,"type":"VEC4")");
+    QTest::newRow("beyond") << QByteArray(R"("count":2,"type":"VEC3")") << QByteArray(R"("count":9999,"type":"VEC3")");
+}
+
+void TestGltfDocument::badInstances_areRefused()
+{
+    QFETCH(QByteArray, from);
+    QFETCH(QByteArray, to);
+    const QByteArray good = instanced({0, 0, 0, 5, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1}, {});
+    QCOMPARE(read(good).triangles.size(), std::size_t(8));
+    QVERIFY(good.contains(from));
+    const auto error = errorOf(QByteArray(good).replace(from, to));
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::Malformed));
+    const auto infinite = errorOf(instanced({0, 0, 0, std::numeric_limits<float>::infinity(), 0, 0}, {}, {}));
+    QVERIFY(infinite && infinite->kind == Kind::NotANumber);
+}
+
+/// Lists without data are of nothing but zeros, and cost a file nothing.
+void TestGltfDocument::manyInstances_areBounded()
+{
+    const auto many = [](int count, int nodes) {
+        QByteArray list;
+        for (int i = 0; i < nodes; ++i)
+            list += QByteArray(i > 0 ? "," : "") +
+                    R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}}})";
+        return R"({"asset":{"version":"2.0"},"nodes":[)" + list +
+               R"(],"meshes":[{"primitives":[]}],"accessors":[{"componentType":5126,"type":"VEC3","count":)" +
+               QByteArray::number(count) + R"(}],"extras":")" + QByteArray(300'000, 'x') + "\"}";
+    };
+    for (const auto& [count, nodes] : {std::pair(300'000, 1), std::pair(200'000, 2)}) {
+        const auto error = errorOf(many(count, nodes));
+        QVERIFY(error);
+        QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::TooManyElements));
+        QCOMPARE(error->token, std::string("instances"));
+    }
+    const auto few = errorOf(many(1000, 2));
+    QVERIFY(few && few->kind == Kind::NoFaces);
+}
+
+void TestGltfDocument::hiddenNodes_areLeftOut()
+{
+    const auto withNodes = [](const QByteArray& nodes) {
+        return gltf(inside())
+            .replace(R"([{"mesh":0,"scale":[0.001,0.001,0.001]}])", "[" + nodes + "]")
+            .replace(R"([{"nodes":[0]}])", R"([{"nodes":[0,1]}])");
+    };
+    const auto facesWith = [&](const QByteArray& visibility) {
+        return read(withNodes(R"({"children":[2],"extensions":{"KHR_node_visibility":)" + visibility +
+                              R"(}},{"mesh":0},{"mesh":0})"))
+            .triangles.size();
+    };
+    QCOMPARE(facesWith(R"({"visible":false})"), std::size_t(4));
+    QCOMPARE(facesWith(R"({"visible":true})"), std::size_t(8));
+    QCOMPARE(facesWith("{}"), std::size_t(8));
+    const auto hidden = errorOf(
+        gltf(inside()).replace("\"mesh\":0,", R"("mesh":0,"extensions":{"KHR_node_visibility":{"visible":false}},)"));
+    QVERIFY(hidden && hidden->kind == Kind::NoFaces);
+    const auto bad =
+        errorOf(gltf(inside()).replace("\"mesh\":0,", R"("mesh":0,"extensions":{"KHR_node_visibility":1},)"));
+    QVERIFY(bad && bad->fault == core::FileFault::NotAnObject);
 }
 
 /// A decoder is asked once for each stream, and only for the attributes that are read.
