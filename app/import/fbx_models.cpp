@@ -254,7 +254,8 @@ public:
                 m_models[*parent].below.push_back(*child);
     }
 
-    /// Returns the model at which the models below the root come to no end; null: they do.
+    /// Returns the first model found that holds itself, or that is too deep with what is below it; null if there is
+    /// none. Only models of the scene count. Cost: linear in models and connections.
     const FbxRecord* endless()
     {
         struct Step
@@ -262,21 +263,26 @@ public:
             Model* model;
             std::size_t next = 0;
         };
-        std::vector<Step> way{{&m_models[0]}};
+        std::vector<Step> way{{&m_models[0]}}; // from the root; its length is the depth of what comes next
         while (!way.empty()) {
             Step& step = way.back();
             step.model->isOnWay = true;
             if (step.next == step.model->below.size()) {
+                const std::size_t above = step.model->height + 1;
                 step.model->isOnWay = false;
                 step.model->isDone = true;
                 way.pop_back();
+                if (!way.empty())
+                    way.back().model->height = std::max(way.back().model->height, above);
                 continue;
             }
             Model& child = m_models[step.model->below[step.next++]];
-            if (child.isOnWay || way.size() > maxDepth)
+            if (child.isOnWay || way.size() + child.height > maxDepth)
                 return child.record;
             if (!child.isDone)
                 way.push_back({&child});
+            else
+                step.model->height = std::max(step.model->height, child.height + 1);
         }
         return nullptr;
     }
@@ -289,6 +295,7 @@ private:
         const FbxRecord* record = nullptr;
         std::vector<std::int64_t> below;
         bool isOnWay = false, isDone = false;
+        std::size_t height = 0; ///< the generations below it; complete once it is done
     };
 
     static std::optional<std::int64_t> idOf(const FbxRecord& record, std::size_t value)

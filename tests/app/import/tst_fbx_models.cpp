@@ -372,6 +372,15 @@ void TestFbxModels::cycles_areRefused_data()
         (i < 4000 ? deep : tooDeep).append({500 + i, 500 + i - 1});
     QTest::newRow("deep") << deep << QByteArray();
     QTest::newRow("too deep") << deep + tooDeep << QByteArray("models below m4596");
+    // the end of a long chain is met first by a short way, and then by a long one
+    Pairs shortcut{{500, 0}}, allowed{{500, 0}};
+    for (const auto& [pairs, length] : {std::pair(&shortcut, 4100), std::pair(&allowed, 4095)}) {
+        pairs->append({500 + length / 2, 500});
+        for (int i = 1; i < length; ++i)
+            pairs->append({500 + i, 500 + i - 1});
+    }
+    QTest::newRow("too deep by the longer way") << shortcut << QByteArray("models below m2550");
+    QTest::newRow("deep by the longer way") << allowed << QByteArray();
     Pairs many;
     for (int i = 0; i < 40; ++i)
         many << qMakePair(500 + i, i == 0 ? 0 : 499 + i) << qMakePair(500 + i, i == 0 ? 0 : 499 + i);
