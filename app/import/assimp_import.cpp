@@ -15,7 +15,9 @@
 #include "core/util/file_error.h"
 #include "core/util/worker_pool.h"
 
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
@@ -84,6 +86,51 @@ std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
         words.replace(at, path.string().size(), path.filename().string());
     return words;
 }
+
+/// Keeps what Assimp logs of an FBX file's meshes that it leaves out because they are broken.
+class ErrorLog : public Assimp::LogStream
+{
+public:
+    /// Takes part in all that Assimp logs from now on in this process.
+    static ErrorLog& attached()
+    {
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0); // 0: to no file and no console
+        auto* const log = new ErrorLog;                               // the logger's from now on
+        Assimp::DefaultLogger::get()->attachStream(log, Assimp::Logger::Err);
+        return *log;
+    }
+
+    /// `message`: "Error, T0: FBX-DOM (TOK_KEY, line 27, col 23) what it is", and a line end.
+    void write(const char* message) override
+    {
+        const std::string_view words(message);
+        for (const std::string_view begin : {"FBX-DOM", "FBX-Parser", "std::bad_alloc"}) {
+            const std::size_t at = words.find(begin);
+            if (at == std::string_view::npos || isOfAnimation(words))
+                continue;
+            if (m_first.empty())
+                m_first = words.substr(at, words.find_last_not_of(" \r\n") + 1 - at);
+            ++m_count;
+            return;
+        }
+    }
+
+    /// Returns the words of the first one; empty if there was none.
+    const std::string& first() const { return m_first; }
+    std::size_t count() const { return m_count; }
+
+private:
+    static bool isOfAnimation(std::string_view words)
+    {
+        for (const std::string_view part : {"key times", "keyframes", "Cluster", "weight"})
+            if (words.find(part) != std::string_view::npos)
+                return true;
+        return false;
+    }
+
+    std::string m_first;
+    std::size_t m_count = 0;
+};
 
 std::string startOf(const fs::path& path, std::size_t size)
 {
@@ -154,6 +201,7 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
     if (isFbx)
         requireFbxVersion(path, start);
     ImportFolder::Notes notes;
+    const ErrorLog& log = ErrorLog::attached();
     Assimp::Importer importer;
     importer.SetIOHandler(new ImportFolder(fs::canonical(path.parent_path()), notes)); // the importer's from now on
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
@@ -172,10 +220,13 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
         mesh.addTree(*scene->mRootNode, placeOf(path, start));
     if (mesh.isEmpty() && !notes.outside.empty())
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
+    if (mesh.isEmpty() && !log.first().empty())
+        return refuse(ImportHeader::Outcome::Refused, log.first());
     ImportHeader header;
     header.outcome = ImportHeader::Outcome::Read;
     const core::TriangleMesh result = mesh.take(header);
     addNotes(*scene, notes, path, header);
+    header.unreadNodes += log.count();
     return sendResult(header, result);
 }
 } // namespace

@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -77,6 +78,32 @@ std::optional<Vector3d> vectorOf(const FbxRecord* property)
     if (!x || !y || !z || !std::isfinite(*x) || !std::isfinite(*y) || !std::isfinite(*z))
         return std::nullopt;
     return Vector3d(*x, *y, *z);
+}
+
+/// Throws FileError where a property that places a model is no finite number: Assimp passes over such properties.
+void requireNumbers(const core::io::FileBytes& file, const FbxRecord* properties)
+{
+    constexpr std::array<std::string_view, 12> vectors{"Lcl Translation",   "Lcl Rotation",     "Lcl Scaling",
+                                                       "PreRotation",       "PostRotation",     "RotationOffset",
+                                                       "RotationPivot",     "ScalingOffset",    "ScalingPivot",
+                                                       "GeometricRotation", "GeometricScaling", "GeometricTranslation"};
+    constexpr std::array<std::string_view, 4> numbers{"RotationOrder", "RotationActive", "RotationSpaceForLimitOnly",
+                                                      "InheritType"};
+    const auto require = [&](std::string_view name, std::size_t count) {
+        const FbxRecord* const property = propertyIn(properties, name);
+        for (std::size_t i = 0; property && i < count && valuesBefore + i < property->values.size(); ++i) {
+            const FbxValue& value = property->values[valuesBefore + i];
+            if (std::isfinite(value.number().value_or(std::numeric_limits<double>::infinity())))
+                continue;
+            if (value.type == 'T' || value.type == 'S')
+                throw errorAtLine(core::FileErrorKind::NotANumber, file, value.bytes.data(), value.bytes);
+            throw errorWithToken(core::FileErrorKind::NotANumber, file, name);
+        }
+    };
+    for (const std::string_view name : vectors)
+        require(name, 3);
+    for (const std::string_view name : numbers)
+        require(name, 1);
 }
 
 /// Returns the name of a model: "Model::name" in text, "name", NUL, SOH, "Model" in binary files.
@@ -326,8 +353,10 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
                                       core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(*model)));
     Changes changes(bytes);
     RotationFixer fixer(path, modelTemplateIn(*records), changes);
-    for (const FbxRecord& model : objects->records)
+    for (const FbxRecord& model : objects->records) {
+        requireNumbers({path, bytes}, recordIn(model.records, "Properties70"));
         fixer.fix(model);
+    }
     return {.isFollowed = true, .changed = changes.result()};
 }
 } // namespace app

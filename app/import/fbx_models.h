@@ -18,6 +18,6 @@ struct FbxForAssimp
 /// rotations go about x, then y, then z, whatever the order of the model's own; a model whose rotations are not active
 /// (by itself, or by the template of its kind) has neither an order nor rotations before and behind. Throws
 /// core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096 deep; ReaderRefused for
-/// a rotation of the order SphericXYZ.
+/// a rotation of the order SphericXYZ; NotANumber for a model's place, rotation or scale that is no finite number.
 FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes);
 } // namespace app

@@ -10,7 +10,9 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 namespace app
@@ -145,8 +147,10 @@ Eigen::Matrix3d axesOf(const aiMetadata* data)
 void addFbxScene(const aiScene& scene, SceneMesh& mesh)
 {
     constexpr double millimetresInCentimetre = 10;
-    const double unit =
-        millimetresInCentimetre * static_cast<double>(valueOf<float>(scene.mMetaData, "UnitScaleFactor").value_or(1));
+    const auto factor = static_cast<double>(valueOf<float>(scene.mMetaData, "UnitScaleFactor").value_or(1));
+    if (!std::isfinite(factor) || factor <= 0)
+        throw std::runtime_error("UnitScaleFactor is no positive number");
+    const double unit = millimetresInCentimetre * factor;
     ModelPlace root{.world = Eigen::Matrix4d::Identity(), .withoutScale = Eigen::Matrix4d::Identity()};
     root.world.topLeftCorner<3, 3>() = unit * axesOf(scene.mMetaData);
     root.withoutScale = root.world;

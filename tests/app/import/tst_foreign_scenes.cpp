@@ -139,6 +139,9 @@ private Q_SLOTS:
     void fbx_axesAndUnitAreItsOwn_data();
     void fbx_axesAndUnitAreItsOwn();
     void fbx_polygonsAreFilledExactly();
+    void fbx_brokenMeshesAreTold();
+    void fbx_numbersAreFinite_data();
+    void fbx_numbersAreFinite();
     void fbx_oldVersionsAreRefusedByName();
     void fbx_subdivisionsAndNurbsAreTold();
 
@@ -387,6 +390,55 @@ void TestForeignScenes::fbx_polygonsAreFilledExactly()
     const ReadResult comb = readFbx(fbx({{}}, {}, meshOf(points.join(','), 3 * count, corners.join(','), count)));
     QCOMPARE(comb.mesh.triangles.size(), std::size_t(count - 2));
     QVERIFY(std::abs(areaOf(comb.mesh) - twice / 2) < tolerance);
+}
+
+/// A mesh whose corners are beyond its points is left out: alone, it is the reason; beside another, it is counted.
+void TestForeignScenes::fbx_brokenMeshesAreTold()
+{
+    const QByteArray broken = fbx({{}}, {}, cube().replace("3,2,1,-1,4", "3,2,99,-1,4"));
+    const auto alone = errorOf(QStringLiteral("a.fbx"), broken);
+    QVERIFY(alone && alone->kind == core::FileErrorKind::ReaderRefused);
+    QVERIFY(QByteArray::fromStdString(alone->token).contains("polygon vertex index out of range"));
+    QByteArray two = fbx({{}, {}});
+    two.replace(two.indexOf("3,2,1,-1,4"), 10, "3,2,99,-1,4");
+    const ReadResult rest = read(QStringLiteral("a.fbx"), two);
+    QCOMPARE(rest.mesh.triangles.size(), std::size_t(12));
+    QCOMPARE(rest.remarks.unreadNodes, std::size_t(1));
+    QCOMPARE(read(QStringLiteral("a.fbx"), fbx({{}, {}})).remarks.unreadNodes, std::size_t(0));
+    const auto huge = errorOf(QStringLiteral("a.fbx"), fbx({{}}, {}, cube().replace("*24", "*4000000000")));
+    QVERIFY(huge && huge->kind == core::FileErrorKind::ReaderOutOfMemory);
+}
+
+void TestForeignScenes::fbx_numbersAreFinite_data()
+{
+    QTest::addColumn<QByteArray>("properties");
+    QTest::addColumn<QByteArray>("word");
+    const auto row = [](const QByteArray& property, const char* word) {
+        QTest::newRow(property.trimmed().constData()) << property << QByteArray(word);
+    };
+    for (const char* word : {"nan", "-inf", "1.#QNAN", "abc", "\"1\""}) {
+        row(QByteArray(R"(P: "Lcl Translation", "Lcl Translation", "", "A",1,%,0)").replace('%', word) + "\n", word);
+        row(QByteArray(R"(P: "GeometricRotation", "Vector3D", "", "A",0,0,%)").replace('%', word) + "\n", word);
+        row(QByteArray(R"(P: "RotationOrder", "enum", "", "A",%)").replace('%', word) + "\n", word);
+    }
+}
+
+void TestForeignScenes::fbx_numbersAreFinite()
+{
+    QFETCH(QByteArray, properties);
+    QFETCH(QByteArray, word);
+    const QByteArray bytes = fbx({{properties}});
+    const auto error = errorOf(QStringLiteral("a.fbx"), bytes);
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(core::FileErrorKind::NotANumber));
+    QCOMPARE(error->token, word.replace("\"", "").toStdString());
+    QCOMPARE(error->place.number, std::uint64_t(1 + bytes.first(bytes.indexOf(properties)).count('\n')));
+    for (const char* unit : {"-1", "nan", "-0.5"}) {
+        const auto none = errorOf(QStringLiteral("a.fbx"),
+                                  fbx({{}}, R"(P: "UnitScaleFactor", "double", "Number", "",)" + QByteArray(unit)));
+        QVERIFY(none && none->kind == core::FileErrorKind::ReaderRefused);
+        QCOMPARE(none->token, std::string("UnitScaleFactor is no positive number"));
+    }
 }
 
 void TestForeignScenes::fbx_oldVersionsAreRefusedByName()
