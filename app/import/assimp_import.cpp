@@ -64,9 +64,20 @@ int refuse(ImportHeader::Outcome outcome, std::string_view message)
     return sendResult(header, {});
 }
 
-int refuse(const core::FileError& error)
+/// Puts the file that an error is of into the header, unless it is the one that was to be read.
+void setFile(ImportHeader& header, const fs::path& file, const fs::path& read)
+{
+    std::error_code problem;
+    const fs::path whole = fs::weakly_canonical(file, problem), asked = fs::weakly_canonical(read, problem);
+    const std::string name = whole == asked ? std::string() : whole.lexically_relative(asked.parent_path()).string();
+    if (name.size() < sizeof header.file)
+        std::ranges::copy(name, header.file);
+}
+
+int refuse(const core::FileError& error, const fs::path& read)
 {
     ImportHeader header;
+    setFile(header, error.path, read);
     header.outcome = ImportHeader::Outcome::Faulty;
     header.kind = static_cast<std::uint32_t>(error.kind);
     header.fault = static_cast<std::uint32_t>(error.fault);
@@ -104,15 +115,12 @@ public:
     void write(const char* message) override
     {
         const std::string_view words(message);
-        for (const std::string_view begin : {"FBX-DOM", "FBX-Parser", "std::bad_alloc"}) {
-            const std::size_t at = words.find(begin);
-            if (at == std::string_view::npos || isOfAnimation(words))
-                continue;
-            if (m_first.empty())
-                m_first = words.substr(at, words.find_last_not_of(" \r\n") + 1 - at);
-            ++m_count;
+        const std::size_t at = std::min(words.find("FBX-"), words.find("std::bad_alloc"));
+        if (at == std::string_view::npos || !isOfMesh(words))
             return;
-        }
+        if (m_first.empty())
+            m_first.assign(words, at, words.find_last_not_of(" \r\n") + 1 - at);
+        ++m_count;
     }
 
     /// Returns the words of the first one; empty if there was none.
@@ -120,9 +128,12 @@ public:
     std::size_t count() const { return m_count; }
 
 private:
-    static bool isOfAnimation(std::string_view words)
+    /// Returns whether it is an error that only meshes have, or that ends any object. Those of materials, animations
+    /// and shapes to blend are not; nor those of a mesh that has no faces.
+    static bool isOfMesh(std::string_view words)
     {
-        for (const std::string_view part : {"key times", "keyframes", "Cluster", "weight"})
+        for (const std::string_view part : {"index out of range", "is not a multiple of three", "binary data array",
+                                            "MappingInformationType", "bad_alloc"})
             if (words.find(part) != std::string_view::npos)
                 return true;
         return false;
@@ -238,8 +249,8 @@ bool assimpHoldsUnit(const fs::path& file)
 
 int runImport(const char* file, const char* bytes)
 {
+    const fs::path path = fs::absolute(file);
     try {
-        const fs::path path = fs::absolute(file);
         const ImportLimits limits(
             static_cast<std::uint64_t>(std::max<std::int64_t>(core::io::parseInteger(bytes).value_or(0), 0)));
         limitOwnProcess(limits.memory, limits.seconds);
@@ -247,7 +258,7 @@ int runImport(const char* file, const char* bytes)
     } catch (const std::bad_alloc&) {
         return refuse(ImportHeader::Outcome::OutOfMemory, {});
     } catch (const core::FileError& error) {
-        return refuse(error);
+        return refuse(error, path);
     } catch (const std::exception& problem) {
         return refuse(ImportHeader::Outcome::Refused, problem.what());
     }

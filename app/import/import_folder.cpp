@@ -7,10 +7,13 @@
 
 #include <assimp/MemoryIOWrapper.h>
 
+#include <QByteArray>
+
 #include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 namespace app
 {
@@ -20,6 +23,31 @@ namespace fs = std::filesystem;
 
 /// The times that X3D files are opened for one scene: an Inline may name its own file.
 constexpr int maxOpened = 256;
+
+/// Returns the names of files that a url may stand for: itself, without what is behind "#", and without percent signs.
+std::vector<std::string> namesOf(std::string_view url)
+{
+    std::vector<std::string> names{std::string(url), std::string(url.substr(0, url.find('#')))};
+    const QByteArray decoded =
+        QByteArray::fromPercentEncoding({names[1].data(), static_cast<qsizetype>(names[1].size())});
+    names.push_back(decoded.toStdString());
+    return names;
+}
+
+/// Returns the X3D file that a url stands for, links followed; empty if there is none. Files outside of the import's
+/// folder count, so that Open() can report them.
+std::optional<fs::path> inlinedFile(const fs::path& folder, std::string_view url)
+{
+    for (const std::string& name : namesOf(url)) {
+        std::error_code problem;
+        const fs::path file = folder / name;
+        if (name.find('\0') != std::string::npos || lowerEnding(file) != ".x3d" || !fs::is_regular_file(file, problem))
+            continue;
+        if (fs::path path = fs::canonical(file, problem); !problem)
+            return path;
+    }
+    return std::nullopt;
+}
 
 std::string bytesOf(const fs::path& path)
 {
@@ -36,13 +64,20 @@ std::string lowerEnding(const fs::path& path)
     return ending;
 }
 
+bool ImportFolder::Exists(const char* file) const
+{
+    const fs::path path = pathOf(file);
+    return isWithin(path) && DefaultIOSystem::Exists(path.c_str());
+}
+
 Assimp::IOStream* ImportFolder::Open(const char* file, const char* mode)
 {
     const bool reads = std::strchr(mode, 'r') && !std::strchr(mode, '+');
-    if (!reads || m_notes.problem || !isWithin(file))
+    const fs::path path = pathOf(file);
+    if (!reads || m_notes.problem || !isWithin(path))
         return nullptr;
     try {
-        if (const std::string* const text = replacement(fs::canonical(file)))
+        if (const std::string* const text = replacement(fs::canonical(path)))
             return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
     } catch (const core::FileError&) {
         m_notes.problem = std::current_exception(); // Assimp would make another one of it
@@ -57,39 +92,80 @@ const std::string* ImportFolder::replacement(const fs::path& path)
     const bool isX3d = ending == ".x3d";
     if (!isX3d && ending != ".dae" && ending != ".fbx")
         return nullptr;
-    if (isX3d && ++m_opened > maxOpened) {
-        core::FileError error = core::io::errorWithToken({}, {path, {}}, "Inline nodes");
-        throw core::io::malformed(core::FileFault::TooDeep, std::move(error));
-    }
+    if (isX3d && m_opened == 0)
+        m_outermost = path;
+    if (isX3d && ++m_opened > maxOpened)
+        throw core::io::tooMany("Inline nodes", maxOpened, core::FileError({}, m_outermost));
     const auto [found, isNew] = m_replacements.try_emplace(path);
     if (isNew) {
-        const std::string bytes = bytesOf(path);
         if (isX3d) {
-            const core::io::X3dSurroundings around{
-                .hasFile = [&path](std::string_view url) { return canInline(path.parent_path() / url); },
-                .fileNumber = m_replacements.size()};
-            core::io::X3dExpansion expansion = core::io::expandX3d({path, bytes}, around);
-            m_notes.unread += expansion.unread;
-            found->second = std::move(expansion.text);
+            found->second = expanded(path);
         } else if (ending == ".fbx") {
+            const std::string bytes = bytesOf(path);
             FbxForAssimp fbx = fbxForAssimp(path, bytes);
             m_notes.isFollowed = m_notes.isFollowed && fbx.isFollowed;
             found->second = std::move(fbx.changed);
         } else {
-            found->second = colladaText(bytes);
+            found->second = colladaText(bytesOf(path));
         }
     }
     return found->second ? &*found->second : nullptr;
 }
 
-/// Returns whether Assimp is to ask for the file. Files outside of the folder count, so that Open() can report them.
-bool ImportFolder::canInline(const fs::path& file)
+std::string ImportFolder::expanded(const fs::path& path)
 {
-    std::error_code problem;
-    return lowerEnding(file) == ".x3d" && fs::is_regular_file(file, problem);
+    std::set<fs::path>& inlined = m_inlined[path];
+    const auto find = [&](std::string_view url) -> std::optional<std::string> {
+        const std::optional<fs::path> file = inlinedFile(path.parent_path(), url);
+        if (!file)
+            return std::nullopt;
+        inlined.insert(*file);
+        return aliasOf(*file);
+    };
+    const std::string bytes = bytesOf(path);
+    core::io::X3dExpansion expansion =
+        core::io::expandX3d({path, bytes}, {.find = find, .fileNumber = m_replacements.size()});
+    m_notes.unread += expansion.unread;
+    refuseCycleOf(path);
+    return std::move(expansion.text);
 }
 
-bool ImportFolder::isWithin(const char* file) const
+/// Throws core::FileError if an X3D file inlines itself, as far as the files are known that it names.
+void ImportFolder::refuseCycleOf(const fs::path& path) const
+{
+    std::set<fs::path> seen;
+    std::vector<fs::path> next{path};
+    while (!next.empty()) {
+        const auto known = m_inlined.find(next.back());
+        next.pop_back();
+        if (known == m_inlined.end())
+            continue;
+        if (known->second.contains(path))
+            throw core::io::malformed(core::FileFault::TooDeep,
+                                      core::io::errorWithToken({}, {path, {}}, "Inline nodes"));
+        for (const fs::path& file : known->second)
+            if (seen.insert(file).second)
+                next.push_back(file);
+    }
+}
+
+std::string ImportFolder::aliasOf(const fs::path& path)
+{
+    const auto known = std::ranges::find(m_aliases, path, [](const auto& alias) { return alias.second; });
+    if (known != m_aliases.end())
+        return known->first;
+    std::string alias = "fettle-inlined-" + std::to_string(m_aliases.size()) + ".x3d";
+    m_aliases.emplace(alias, path);
+    return alias;
+}
+
+fs::path ImportFolder::pathOf(const char* file) const
+{
+    const auto alias = m_aliases.find(fs::path(file).filename().string());
+    return alias == m_aliases.end() ? fs::path(file) : alias->second;
+}
+
+bool ImportFolder::isWithin(const fs::path& file) const
 {
     std::error_code problem;
     const fs::path path = fs::canonical(file, problem);
@@ -98,7 +174,7 @@ bool ImportFolder::isWithin(const char* file) const
     const bool isWithin =
         std::mismatch(m_folder.begin(), m_folder.end(), path.begin(), path.end()).first == m_folder.end();
     if (!isWithin)
-        m_notes.outside = fs::path(file).filename().string();
+        m_notes.outside = file.filename().string();
     return isWithin;
 }
 } // namespace app

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace app
@@ -28,19 +29,28 @@ public:
 
     ImportFolder(std::filesystem::path folder, Notes& notes) : m_folder(std::move(folder)), m_notes(notes) {}
 
-    bool Exists(const char* file) const override { return isWithin(file) && DefaultIOSystem::Exists(file); }
+    bool Exists(const char* file) const override;
     Assimp::IOStream* Open(const char* file, const char* mode) override;
 
 private:
-    static bool canInline(const std::filesystem::path& file);
-    bool isWithin(const char* file) const;
+    /// Returns what Assimp is given of an X3D file. Throws core::FileError.
+    std::string expanded(const std::filesystem::path& path);
+    void refuseCycleOf(const std::filesystem::path& path) const;
+    /// Returns the name that Assimp is given of an X3D file: it knows none with blanks.
+    std::string aliasOf(const std::filesystem::path& path);
+    /// Returns the path of a file that Assimp asks for, perhaps by its alias.
+    std::filesystem::path pathOf(const char* file) const;
+    bool isWithin(const std::filesystem::path& file) const;
     /// Returns what is given instead of the file; null: the file itself. Throws core::FileError.
     const std::string* replacement(const std::filesystem::path& path);
 
     std::filesystem::path m_folder;
     Notes& m_notes;
     std::map<std::filesystem::path, std::optional<std::string>> m_replacements; ///< empty: the file itself
-    int m_opened = 0; ///< X3D files, each as often as it was asked for
+    std::map<std::filesystem::path, std::set<std::filesystem::path>> m_inlined; ///< of X3D files, what they name
+    std::map<std::string, std::filesystem::path> m_aliases;
+    std::filesystem::path m_outermost; ///< the X3D file that came first
+    int m_opened = 0;                  ///< X3D files, each as often as it was asked for
 };
 
 /// Returns the ending in lower case, with its dot.

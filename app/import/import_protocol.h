@@ -20,6 +20,7 @@ struct ImportHeader
     std::uint64_t place = 0, expected = 0, found = 0; ///< of a core::FileError
     std::uint32_t kind = 0, fault = 0, unit = 0;      ///< of a core::FileError, as numbers
     std::uint8_t materials = 0, textures = 0, poses = 0;
+    char file[201] = {};    ///< which one is Faulty, against the folder of the one that is read; empty: that one
     char message[201] = {}; ///< why it was refused; the error's token; or the name of what is outside of its folder
 };
 

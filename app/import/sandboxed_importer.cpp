@@ -80,6 +80,16 @@ std::string messageOf(const ImportHeader& header)
     return isPrintable ? message : std::string();
 }
 
+/// Returns the file that the process found faulty: the one that it was to read, or one in its folder that it names.
+std::filesystem::path faultyFile(const ImportHeader& header, const std::filesystem::path& path)
+{
+    const std::string_view name = header.file;
+    const bool isPrintable = std::ranges::none_of(name, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; });
+    const std::filesystem::path file(name);
+    const bool isWithin = !file.empty() && file.is_relative() && *file.lexically_normal().begin() != "..";
+    return isPrintable && isWithin ? path.parent_path() / file : path;
+}
+
 /// Returns the error that the process met, if it is one that there is.
 FileError faultOf(const ImportHeader& header, const std::filesystem::path& path)
 {
@@ -87,7 +97,7 @@ FileError faultOf(const ImportHeader& header, const std::filesystem::path& path)
         header.fault > static_cast<std::uint32_t>(core::FileFault::XmlLongTag) ||
         header.unit > static_cast<std::uint32_t>(core::FilePlace::Unit::Byte))
         return errorOf(FileErrorKind::ReaderDied, path);
-    FileError error = errorOf(static_cast<FileErrorKind>(header.kind), path, header.expected);
+    FileError error = errorOf(static_cast<FileErrorKind>(header.kind), faultyFile(header, path), header.expected);
     error.fault = static_cast<core::FileFault>(header.fault);
     error.place = {static_cast<core::FilePlace::Unit>(header.unit), header.place};
     error.found = header.found;
@@ -114,6 +124,7 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
     if (!reader.read(&header, sizeof header) || header.magic != ImportHeader::magicNumber)
         throw errorOf(FileErrorKind::ReaderDied, path);
     header.message[sizeof header.message - 1] = 0;
+    header.file[sizeof header.file - 1] = 0;
     if (header.outcome != ImportHeader::Outcome::Read)
         refuse(header, path, limits);
     core::ReadResult result;

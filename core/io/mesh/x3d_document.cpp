@@ -3,6 +3,7 @@
 #include "core/io/mesh/x3d_document.h"
 
 #include "core/io/mesh/number_parsing.h"
+#include "core/io/mesh/xml_namespaces.h"
 
 #include <expat.h>
 
@@ -120,6 +121,7 @@ struct X3dDocument::Parser
     {
         if (open.size() >= maxDepth)
             refuse(FileFault::XmlTooDeep);
+        spaces.begin(pairs);
         X3dNode& node = document.m_nodes.emplace_back();
         node.name = withoutPrefix(name);
         node.line = XML_GetCurrentLineNumber(parser.get());
@@ -146,12 +148,19 @@ struct X3dDocument::Parser
             document.m_radians = factorOf(node);
     }
 
-    /// Returns the name of an element; the first one's prefix is the whole file's.
+    /// Returns the name of an element, without its prefix if it is X3D. The first element's prefix is the whole file's.
     std::string_view withoutPrefix(std::string_view name)
     {
-        if (open.empty())
-            prefix = name.substr(0, name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
-        return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+        constexpr std::string_view ofX3d = "web3d.org/specifications/x3d"; // with a version behind it
+        const std::size_t colon = name.find(':'), size = colon == std::string_view::npos ? 0 : colon + 1;
+        const std::string_view space = spaces.spaceOf(name.substr(0, size > 0 ? colon : 0));
+        if (open.empty()) {
+            rootPrefix = name.substr(0, size);
+            rootSpace = space;
+        }
+        const bool isX3d = name.substr(0, size) == rootPrefix ||
+                           (!space.empty() && (space == rootSpace || space.find(ofX3d) != std::string_view::npos));
+        return isX3d ? name.substr(size) : name;
     }
 
     void endNode()
@@ -161,6 +170,7 @@ struct X3dDocument::Parser
             outside.pop_back();
         }
         open.pop_back();
+        spaces.end();
     }
 
     /// Returns how many of the format's own units a unit stands for.
@@ -179,7 +189,8 @@ struct X3dDocument::Parser
     std::vector<X3dNode*> open; ///< from the root on
     std::map<std::string, const X3dNode*, std::less<>> defined;
     std::vector<std::map<std::string, const X3dNode*, std::less<>>> outside; ///< of each prototype that is open
-    std::string prefix;                                                      ///< with its colon
+    XmlNamespaces spaces;
+    std::string rootPrefix, rootSpace; ///< the prefix with its colon
     std::exception_ptr problem;
 };
 

@@ -26,8 +26,8 @@ struct X3dNode
 };
 
 /// An X3D file in its XML encoding, parsed as a tree by a library (expat). Elements lie at most 256 deep; a document
-/// type is passed over, unless it declares something; elements with the root's prefix go without it. Throws FileError
-/// with the line, also where a USE names nothing.
+/// type is passed over, unless it declares something. Elements with the root's prefix go without it, and so do those
+/// with a prefix of the root's namespace or of X3D's. Throws FileError with the line, also where a USE names nothing.
 class X3dDocument
 {
 public:

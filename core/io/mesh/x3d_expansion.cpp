@@ -401,9 +401,12 @@ private:
     {
         if (m_to.addUse(node, "Coordinate"))
             return;
+        const std::vector<double> numbers = x3dNumbers(m_file, node, "point");
+        if (numbers.size() % 3 != 0)
+            refuseX3d(m_file, node, FileFault::NotNumbers, "point");
         m_to.begin(node, "Coordinate");
         m_to.addDefinition(node, "Coordinate");
-        m_to.addNumbers("point", x3dNumbers(m_file, node, "point"));
+        m_to.addNumbers("point", numbers);
         m_to.add("/>");
     }
 
@@ -412,10 +415,10 @@ private:
         const std::vector<std::string_view> urls = textsOf(node.text("url"));
         if (node.isFalse("load") || urls.empty())
             return;
-        const auto url = std::find_if(urls.begin(), urls.end(), [this](std::string_view name) {
-            return !m_around.hasFile || m_around.hasFile(name);
-        });
-        if (url == urls.end()) {
+        std::optional<std::string> name;
+        for (std::size_t i = 0; i < urls.size() && !name; ++i)
+            name = m_around.find ? m_around.find(urls[i]) : std::string(urls[i]);
+        if (!name) {
             ++m_unread;
             return;
         }
@@ -423,7 +426,7 @@ private:
         if (!isInMetres)
             m_to.beginScale(1 / m_document.metres()); // the file has a unit of its own
         m_to.begin(node, "Inline");
-        m_to.add(" url=\"" + X3dText::escaped(*url) + "\"/>");
+        m_to.add(" url=\"" + X3dText::escaped(*name) + "\"/>");
         if (!isInMetres)
             m_to.add("</Transform>");
     }

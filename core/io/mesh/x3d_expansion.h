@@ -3,6 +3,7 @@
 #include "core/io/mesh/format.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace core::io
@@ -17,8 +18,9 @@ struct X3dExpansion
 /// The files around an X3D file that make one scene with it.
 struct X3dSurroundings
 {
-    /// Returns whether a file can be had that an Inline names. Without this function every file can.
-    std::function<bool(std::string_view url)> hasFile = {};
+    /// Returns the name by which a reader finds the file that an Inline's url stands for; empty if it cannot be had.
+    /// Without this function every url is such a name.
+    std::function<std::optional<std::string>(std::string_view url)> find = {};
     /// Number of the file, different for each file of the scene: the names of its nodes begin with it, because Assimp
     /// looks for them in the whole scene.
     std::size_t fileNumber = 0;

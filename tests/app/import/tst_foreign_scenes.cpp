@@ -149,6 +149,9 @@ private Q_SLOTS:
     void x3d_solidsAreClosed_data();
     void x3d_solidsAreClosed();
     void x3d_inlinedFilesAreExpandedToo();
+    void x3d_manyInlinesAreNoCycle();
+    void x3d_inlinesAreFoundByUrl();
+    void x3d_brokenFilesAreNamed();
     void x3d_unitsAreEachFilesOwn();
     void x3d_inlinedFilesKeepTheirNames_data();
     void x3d_inlinedFilesKeepTheirNames();
@@ -405,6 +408,11 @@ void TestForeignScenes::fbx_brokenMeshesAreTold()
     QCOMPARE(rest.mesh.triangles.size(), std::size_t(12));
     QCOMPARE(rest.remarks.unreadNodes, std::size_t(1));
     QCOMPARE(read(QStringLiteral("a.fbx"), fbx({{}, {}})).remarks.unreadNodes, std::size_t(0));
+    // a shape to blend without normals is no surface that is missing
+    const QByteArray shape = "Geometry: 3000, \"Geometry::s\", \"Shape\" {\nIndexes: *1 {\na: 0\n}\nVertices: *3 {\n"
+                             "a: 1,1,1\n}\n}\n}\nConnections:  {\nC: \"OO\",3000,2000\n";
+    QCOMPARE(read(QStringLiteral("a.fbx"), fbx({{}, {}}).replace("}\nConnections:  {\n", shape)).remarks.unreadNodes,
+             std::size_t(0));
     const auto huge = errorOf(QStringLiteral("a.fbx"), fbx({{}}, {}, cube().replace("*24", "*4000000000")));
     QVERIFY(huge && huge->kind == core::FileErrorKind::ReaderOutOfMemory);
 }
@@ -538,6 +546,70 @@ void TestForeignScenes::x3d_inlinedFilesAreExpandedToo()
     QVERIFY(outside && outside->kind == core::FileErrorKind::OutsideFolder && outside->token == "part.x3d");
     const auto endless = errorOf(QStringLiteral("self.x3d"), "<X3D><Scene><Inline url='\"self.x3d\"'/></Scene></X3D>");
     QVERIFY(endless && endless->fault == core::FileFault::TooDeep && endless->token == "Inline nodes");
+    write(QStringLiteral("back.x3d"), "<X3D><Scene><Shape><Box/></Shape><Inline url='./there.x3d'/></Scene></X3D>");
+    const auto round =
+        errorOf(QStringLiteral("there.x3d"), "<X3D><Scene><Inline url='scene/../back.x3d'/></Scene></X3D>");
+    QVERIFY(round && round->fault == core::FileFault::TooDeep && round->token == "Inline nodes");
+    QCOMPARE(round->path, file(QStringLiteral("back.x3d")));
+}
+
+/// 2^9 boxes in a chain of files, none of which holds itself.
+void TestForeignScenes::x3d_manyInlinesAreNoCycle()
+{
+    const auto chain = [this](int length) {
+        write(QStringLiteral("chain0.x3d"), "<X3D><Scene><Shape><Box/></Shape></Scene></X3D>");
+        QByteArray text;
+        for (int i = 1; i <= length; ++i) {
+            const QByteArray one = "<Inline url='chain" + QByteArray::number(i - 1) + ".x3d'/>";
+            text = "<X3D><Scene>" + one + "<Transform translation='1 1 1'>" + one + "</Transform></Scene></X3D>";
+            write(QStringLiteral("chain%1.x3d").arg(i), text);
+        }
+        return errorOf(QStringLiteral("outermost.x3d"), text);
+    };
+    QVERIFY(!chain(6));
+    const auto many = chain(9);
+    QVERIFY(many);
+    QCOMPARE(static_cast<int>(many->kind), static_cast<int>(core::FileErrorKind::TooManyElements));
+    QCOMPARE(many->token, std::string("Inline nodes"));
+    QCOMPARE(many->expected, std::uint64_t(256));
+    QCOMPARE(many->path, file(QStringLiteral("outermost.x3d")));
+}
+
+void TestForeignScenes::x3d_inlinesAreFoundByUrl()
+{
+    QVERIFY(QDir(m_dir.path()).mkpath(QStringLiteral("a b")));
+    const QByteArray box = "<X3D><Scene><Shape><Box/></Shape></Scene></X3D>";
+    for (const char* name : {"a b/ü c.x3d", "a b/50%.x3d", "a b/#1.x3d"})
+        write(QString::fromUtf8(name), box);
+    for (const char* url : {"a b/ü c.x3d", "a%20b/%C3%BC%20c.x3d", "a b/ü c.x3d#view", "a%20b/%c3%bc c.x3d#a#b",
+                            "a b/50%.x3d", "a b/50%25.x3d", "a b/#1.x3d", "a b/%231.x3d#top"}) {
+        const ReadResult result = read(QStringLiteral("whole.x3d"), "<X3D><Scene><Shape><Box/></Shape><Inline url='\"" +
+                                                                        QByteArray(url) + "\"'/></Scene></X3D>");
+        QVERIFY2(result.mesh.triangles.size() == 24 && result.remarks.unreadNodes == 0, url);
+    }
+    for (const char* url : {"a%20b", "a%20b/none.x3d", "%00.x3d", "a%0Ab.x3d", "#", "%", ""})
+        QCOMPARE(read(QStringLiteral("whole.x3d"), "<X3D><Scene><Shape><Box/></Shape><Inline url='\"" +
+                                                       QByteArray(url) + "\" \"no.x3d\"'/></Scene></X3D>")
+                     .remarks.unreadNodes,
+                 std::size_t(1));
+    const auto outside =
+        errorOf(QStringLiteral("a b/a.x3d"), "<X3D><Scene><Inline url='%2e%2e/whole.x3d'/></Scene></X3D>");
+    QVERIFY(outside && outside->kind == core::FileErrorKind::OutsideFolder && outside->token == "whole.x3d");
+}
+
+/// What is wrong is told of the file that it is in.
+void TestForeignScenes::x3d_brokenFilesAreNamed()
+{
+    QVERIFY(QDir(m_dir.path()).mkpath(QStringLiteral("parts")));
+    write(QStringLiteral("parts/broken.x3d"), "<X3D>\n<Scene>\n<Shape></Scene></X3D>");
+    const auto inner = errorOf(QStringLiteral("whole.x3d"),
+                               "<X3D><Scene><Shape><Box/></Shape><Inline url='parts/broken.x3d'/></Scene></X3D>");
+    QVERIFY(inner && inner->fault == core::FileFault::XmlSyntax);
+    QCOMPARE(inner->path, file(QStringLiteral("parts/broken.x3d")));
+    QCOMPARE(inner->place.number, std::uint64_t(3));
+    const auto own = errorOf(QStringLiteral("whole.x3d"), "<X3D><Scene><Shape></Scene></X3D>");
+    QVERIFY(own);
+    QCOMPARE(own->path, file(QStringLiteral("whole.x3d")));
 }
 
 /// A box of 10 mm at 2 inches from the origin, turned by 90 degrees, and one of an inch that another turns by radians.

@@ -352,6 +352,11 @@ void TestX3dExpansion::badFiles_areRefused_data()
         "\n<Shape><IndexedFaceSet coordIndex='0 1 2'><Coordinate point='0 0 0 1 abc 0 1 1 0'/>" +
             QByteArray("</IndexedFaceSet></Shape>"),
         FileFault::Number, "abc");
+    for (const char* numbers : {"0 0 0 1 0 0 1 1 0 7", "0 0 0 1 0 0 1 1 0 7 7"})
+        QTest::addRow("points of %s", numbers)
+            << "\n<Shape><IndexedFaceSet coordIndex='0 1 2'><Coordinate point='" + QByteArray(numbers) +
+                   "'/></IndexedFaceSet></Shape>"
+            << static_cast<int>(Kind::Malformed) << static_cast<int>(FileFault::NotNumbers) << QStringLiteral("point");
     row("three numbers for four", "\n<Transform rotation='0 1 0'>" + box + "</Transform>", FileFault::Number, "0 1 0");
     row("no number", "\n<Shape><Cone height='a'/></Shape>", FileFault::Number, "a");
     row("deep", "\n" + QByteArray("<Group>").repeated(300) + QByteArray("</Group>").repeated(300),
@@ -437,6 +442,14 @@ void TestX3dExpansion::wordsAndNames_areTakenGenerously()
     const std::string text = "<x:X3D xmlns:x='u' xmlns:y='v'><x:Scene><x:Shape><x:Box/></x:Shape>"
                              "<y:Shape><y:Box/></y:Shape></x:Scene></x:X3D>";
     QCOMPARE(sceneOf(core::io::expandX3d({path, text})).count("<Box"), 1);
+    for (const char* root :
+         {"<X3D xmlns:y='http://www.web3d.org/specifications/x3d-3.3.xsd'><Scene>",
+          "<X3D xmlns='u' xmlns:y='u'><Scene>", "<X3D><Scene xmlns:y='http://www.web3d.org/specifications/x3d'>",
+          "<X3D xmlns:y='v'><Scene>", "<X3D><Scene>"}) {
+        const std::string inner = root + std::string("<y:Shape><y:Box/></y:Shape></Scene></X3D>");
+        QCOMPARE(sceneOf(core::io::expandX3d({path, inner})).count("<Box"),
+                 inner.find("web3d") != std::string::npos || inner.find("'u'") != std::string::npos ? 1 : 0);
+    }
 }
 
 /// A USE of what cannot stand there, itself among it.
@@ -453,15 +466,18 @@ void TestX3dExpansion::usesOfOtherKinds_areUnread()
 
 void TestX3dExpansion::inlines_haveAlternatives()
 {
-    using HasFile = std::function<bool(std::string_view)>;
-    const auto inlineOf = [](const QByteArray& urls, const HasFile& hasFile) {
+    using Find = std::function<std::optional<std::string>(std::string_view)>;
+    const auto inlineOf = [](const QByteArray& urls, const Find& find) {
         const std::string text = "<X3D><Scene><Inline url='" + urls.toStdString() + "'/></Scene></X3D>";
-        return core::io::expandX3d({path, text}, {.hasFile = hasFile});
+        return core::io::expandX3d({path, text}, {.find = find});
     };
-    const HasFile hasB = [](std::string_view url) { return url == "b c.x3d"; };
+    const Find hasB = [](std::string_view url) {
+        return url == "b c.x3d" || url == "b%20c.x3d#view" ? std::optional<std::string>("b c.x3d") : std::nullopt;
+    };
     const QByteArray urls = R"("http://a/b.x3d" "a.wrl", "b c.x3d" "d.x3d")";
     QCOMPARE(valueOf(sceneOf(inlineOf(urls, hasB)), "url"), QStringLiteral("b c.x3d"));
     QCOMPARE(inlineOf(urls, hasB).unread, std::size_t(0));
+    QCOMPARE(valueOf(sceneOf(inlineOf(R"("b%20c.x3d" "b%20c.x3d#view")", hasB)), "url"), QStringLiteral("b c.x3d"));
     QCOMPARE(valueOf(sceneOf(inlineOf(urls, {})), "url"), QStringLiteral("http://a/b.x3d"));
     QCOMPARE(valueOf(sceneOf(inlineOf("b c.x3d", hasB)), "url"), QStringLiteral("b c.x3d"));
     for (const char* missing : {"a.x3d", "\"a.x3d\"", "\"a.x3d\" \"\"", "\"a.x3d\" \"b"}) {
