@@ -5,6 +5,8 @@
 #include "core/io/mesh/threemf_slicer_parts.h"
 #include "core/io/mesh/zip_reader.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace core::io
@@ -31,6 +33,14 @@ std::string modelPathOf(const FileBytes& file, ZipReader& package)
     package.read(package.find(relationships).value_or(relationships),
                  [&xml](std::string_view piece) { xml.take(piece); });
     return path;
+}
+
+/// Returns whether it makes a point or a line of whatever it is for.
+bool isPoint(const Eigen::Matrix4d& transform)
+{
+    const Eigen::Matrix3d m = transform.topLeftCorner<3, 3>();
+    return m.col(0).cross(m.col(1)).isZero(0) && m.col(1).cross(m.col(2)).isZero(0) &&
+           m.col(2).cross(m.col(0)).isZero(0);
 }
 
 class ThreeMfReader
@@ -64,10 +74,14 @@ public:
             add(path, item, {unit, 0, item.object});
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
         core::TriangleMesh mesh = m_assembly.take();
+        if (root.build.empty() && !objects.empty())
+            throw malformed(FileFault::Missing, errorWithToken({}, m_file, "build item"));
         if (mesh.triangles.empty() && m_remarks.beams > 0)
             throw malformed(FileFault::NeedsExtension, errorWithToken({}, m_file, "beamlattice"));
         if (mesh.triangles.empty() && !m_otherShape.empty())
             throw malformed(FileFault::NeedsExtension, errorWithToken({}, m_file, m_otherShape));
+        if (m_hasPoint && !m_hasExtent)
+            throw malformed(FileFault::None, errorWithToken({}, m_file, "transform"));
         return {std::move(mesh), m_remarks};
     }
 
@@ -88,18 +102,20 @@ private:
         return found->second;
     }
 
-    /// The place of a component: the transform above it, how deep it is, and the object of the build that it is in.
+    /// The place of a component in the build.
     struct Place
     {
-        Eigen::Matrix4d above;
-        int depth = 0;
-        std::uint32_t built = 0;
+        Eigen::Matrix4d above;   ///< the transform of what it is a component of
+        int depth = 0;           ///< 0: it is itself an item of the build
+        std::uint32_t built = 0; ///< the number of the object that the item of the build names
     };
 
     void add(const std::string& from, const ThreeMfComponent& component, const Place& place)
     {
         m_stopCheck();
-        if (place.depth > maxDepth || ++m_instances > maxInstances)
+        if (place.depth > maxDepth)
+            throw malformed(FileFault::TooDeep, errorWithToken({}, m_file, "components"));
+        if (++m_instances > maxInstances)
             throw tooMany("components", maxInstances, errorWithToken({}, m_file, {}));
         const std::string& path = component.part.empty() ? from : component.part;
         const auto& objects = part(path).objects;
@@ -107,9 +123,10 @@ private:
         if (object == objects.end())
             throw malformed(FileFault::Missing,
                             errorWithToken({}, m_file, "objectid " + std::to_string(component.object)));
-        if (!object->second.isSolid) {
-            const bool isNegative = m_slicerParts.negativeObjects.contains({place.built, component.object});
-            ++(isNegative ? m_remarks.negativeParts : m_remarks.otherParts);
+        const auto slicers = m_slicerParts.objects.find({place.built, component.object});
+        const bool isSlicers = place.depth > 0 && slicers != m_slicerParts.objects.end();
+        if (isSlicers || !object->second.isSolid) {
+            ++(isSlicers && slicers->second ? m_remarks.negativeParts : m_remarks.otherParts);
             return;
         }
         if (!object->second.otherShape.empty()) {
@@ -118,6 +135,8 @@ private:
         }
         const Eigen::Matrix4d transform = place.above * component.transform;
         m_assembly.add(object->second.mesh, transform);
+        if (!object->second.mesh.triangles.empty())
+            (isPoint(transform) ? m_hasPoint : m_hasExtent) = true;
         m_remarks.objects += object->second.mesh.triangles.empty() ? 0 : 1;
         for (const ThreeMfComponent& inner : object->second.components)
             add(path, inner, {transform, place.depth + 1, place.built});
@@ -153,6 +172,7 @@ private:
     MeshAssembly m_assembly;
     std::string m_otherShape; ///< the extension of a shape that was left out
     std::size_t m_instances = 0;
+    bool m_hasPoint = false, m_hasExtent = false; ///< an object that its transform makes a point or a line; another one
     ReadRemarks m_remarks{.objects = 0};
 };
 } // namespace

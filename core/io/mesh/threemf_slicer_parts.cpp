@@ -60,7 +60,8 @@ private:
     bool m_isMatter = true, m_isNegative = false;
 };
 
-/// Gathers the negative parts of Bambu Studio's file: elements `part` in an `object`.
+/// Gathers the parts of Bambu Studio's file that are no matter: elements `part` in an `object`. The program goes by
+/// their `subtype` alone, whatever the type of the object in the model; a subtype that it does not know is matter.
 class PartReader
 {
 public:
@@ -70,10 +71,14 @@ public:
     {
         if (name == "object")
             m_object = numberIn(attributes, "id");
-        if (name != "part" || attributes.text("subtype") != "negative_part")
+        if (name != "part")
+            return;
+        const std::string_view type = attributes.text("subtype");
+        const bool isNegative = type == "negative_part";
+        if (!isNegative && type != "modifier_part" && type != "support_blocker" && type != "support_enforcer")
             return;
         if (const auto part = numberIn(attributes, "id"); part && m_object)
-            m_parts.negativeObjects.insert({*m_object, *part});
+            m_parts.objects.insert_or_assign({*m_object, *part}, isNegative);
     }
 
 private:

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <vector>
 
 namespace core::io
@@ -20,9 +19,10 @@ struct ThreeMfSlicerParts
         bool isNegative = false; ///< to be cut out; else a modifier or something for supports
     };
     std::map<std::uint32_t, std::vector<Triangles>> triangles; ///< by object: PrusaSlicer, SuperSlicer
-    /// Pairs of an object of the build and of one that it is made of: Bambu Studio, OrcaSlicer. Objects that are in
-    /// different parts of the package may have the same number.
-    std::set<std::pair<std::uint32_t, std::uint32_t>> negativeObjects;
+    /// Whether an object is to be cut out, else it is a modifier or something for supports. By pairs of an object of
+    /// the build and of one that it is made of: Bambu Studio, OrcaSlicer. Objects that are in different parts of the
+    /// package may have the same number.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> objects;
 
     /// Reads them; there are none if the package has no such file. Of a broken file counts what is right, up to where
     /// its XML breaks off. Throws ReadingCancelled.

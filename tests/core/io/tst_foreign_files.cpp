@@ -994,22 +994,27 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold()
     QCOMPARE(prusa.remarks.negativeParts, std::size_t(isNegative));
     QCOMPARE(prusa.remarks.otherParts, std::size_t(!isMatter && !isNegative));
 
-    // Bambu Studio's parts are objects of another type, and its file says which are to be cut out.
-    std::string objects = replaced(modelOf(), "</object>",
-                                   "</object><object id=\"2\" type=\"other\"><components><component objectid=\"1\"/>"
-                                   "</components></object><object id=\"3\"><components><component objectid=\"1\"/>"
-                                   "<component objectid=\"2\"/></components></object>");
-    objects = replaced(objects, "item objectid=\"1\"", "item objectid=\"3\"");
-    packageOf(file("bambu.3mf"),
-              {{"_rels/.rels", relationships("/3D/a.model")},
-               {"3D/a.model", objects},
-               {"Metadata/model_settings.config",
-                std::string(R"(<config><object id="3"><part id="1" subtype="normal_part"/><part id="2" subtype=")") +
-                    (isNegative ? "negative_part" : "modifier_part") + R"("/></object></config>)"}});
-    const core::ReadResult bambu = core::readModel(file("bambu.3mf"));
-    QCOMPARE(bambu.mesh.triangles.size(), std::size_t(12));
-    QCOMPARE(bambu.remarks.negativeParts, std::size_t(isNegative));
-    QCOMPARE(bambu.remarks.otherParts, std::size_t(!isNegative));
+    // Bambu Studio's parts are objects, usually of another type; its file says what they are.
+    for (const std::string type : {"other", "model", ""})
+        for (const std::string subtype : {"negative_part", "modifier_part", "support_blocker", "support_enforcer"}) {
+            std::string objects = replaced(
+                modelOf(), "</object>",
+                "</object><object id=\"2\" type=\"" + type +
+                    "\"><components><component objectid=\"1\"/></components></object><object id=\"3\">"
+                    "<components><component objectid=\"1\"/><component objectid=\"2\"/></components></object>");
+            objects = replaced(objects, "item objectid=\"1\"", "item objectid=\"3\"");
+            packageOf(file("bambu.3mf"),
+                      {{"_rels/.rels", relationships("/3D/a.model")},
+                       {"3D/a.model", objects},
+                       {"Metadata/model_settings.config",
+                        R"(<config><object id="3"><part id="1" subtype="normal_part"/><part id="2" subtype=")" +
+                            subtype + R"("/></object></config>)"}});
+            const core::ReadResult bambu = core::readModel(file("bambu.3mf"));
+            const bool isCut = subtype == "negative_part";
+            QCOMPARE(bambu.mesh.triangles.size(), std::size_t(12));
+            QCOMPARE(bambu.remarks.negativeParts, std::size_t(isCut));
+            QCOMPARE(bambu.remarks.otherParts, std::size_t(!isCut));
+        }
 }
 
 /// Bambu Studio's numbers of parts are those of objects, which are counted anew in each part of the package.

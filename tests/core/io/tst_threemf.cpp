@@ -96,6 +96,7 @@ private Q_SLOTS:
     void mirroredComponents_stayOutward();
     void partsElsewhere_areRead();
     void supports_areLeftOut();
+    void pointsBesideOthers_areLeftOut();
     void colors_areRead();
     void sameModel_givesSameBytes();
     void insideAnApplication_withCommas_bitsStay();
@@ -211,6 +212,15 @@ void TestThreeMf::supports_areLeftOut()
     QCOMPARE(read.triangles.size(), std::size_t(4));
 }
 
+/// One of two objects of no extent is left out, as its faces are.
+void TestThreeMf::pointsBesideOthers_areLeftOut()
+{
+    const TriangleMesh read =
+        this->read(model(object(1, mesh()), item(1) + item(1, R"(transform="0 0 0 0 0 0 0 0 0 9 0 0")")));
+    QCOMPARE(volume(read), 1.0);
+    QCOMPARE(read.triangles.size(), std::size_t(4));
+}
+
 void TestThreeMf::colors_areRead()
 {
     const std::string group =
@@ -292,9 +302,18 @@ void TestThreeMf::badPackages_areRefused_data()
     row("unknown unit", Kind::Malformed, "furlong", model(object(1, mesh()), item(1), R"(unit="furlong")"));
     row("no such object", Kind::Malformed, "objectid 3", model(object(1, mesh()), item(3)));
     row("the same object twice", Kind::Malformed, "id", model(object(1, mesh()) + object(1, mesh()), item(1)));
-    row("in itself", Kind::TooManyElements, "components",
+    row("in itself", Kind::Malformed, "components",
         model(object(1, R"(<components><component objectid="1"/></components>)"), item(1)));
-    row("nothing to build", Kind::NoFaces, "", model(object(1, mesh()), ""));
+    row("each in the other", Kind::Malformed, "components",
+        model(object(1, R"(<components><component objectid="2"/><component objectid="2"/></components>)") +
+                  object(2, R"(<components><component objectid="1"/><component objectid="1"/></components>)"),
+              item(1)));
+    row("nothing to build", Kind::Malformed, "build item", model(object(1, mesh()), ""));
+    row("nothing at all", Kind::NoFaces, "", model("", ""));
+    row("made a point", Kind::Malformed, "transform",
+        model(object(1, mesh()), item(1, R"(transform="0 0 0 0 0 0 0 0 0 9 0 0")")));
+    row("made a line", Kind::Malformed, "transform",
+        model(object(1, mesh()), item(1, R"(transform="1 2 3 2 4 6 0 0 0 9 0 0")")));
     row("no coordinate", Kind::Malformed, "z",
         model(object(1, R"(<mesh><vertices><vertex x="0" y="0"/></vertices></mesh>)"), item(1)));
     row("nan", Kind::NotANumber, "nan",
