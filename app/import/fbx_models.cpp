@@ -215,7 +215,8 @@ private:
         return own ? own : propertyIn(m_usual, name);
     }
 
-    /// Returns the order that Assimp takes the rotations in.
+    /// Returns the index in `orders` of the order in which Assimp applies the model's rotations. Assimp does not know
+    /// SphericXYZ: it becomes XYZ where nothing turns. Throws FileError where something does.
     std::size_t orderOf(bool isActive)
     {
         const double number = valueOf(property("RotationOrder")).value_or(0);

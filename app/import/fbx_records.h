@@ -30,8 +30,9 @@ struct FbxRecord
 };
 
 /// Returns those records of an FBX file of version 7, binary or text, that tell of its models: the property templates
-/// and properties of models, and the connections. Geometry is passed over. Empty if the file cannot be followed. The
-/// records point into `bytes`. Memory: a few times what the models take in the file.
+/// and properties of models, and the connections. Geometry is passed over. Empty if the file cannot be followed, which
+/// Assimp does not read then either. The records point into `bytes`. Memory: a few times what the models take in the
+/// file.
 std::optional<std::vector<FbxRecord>> fbxModelRecords(std::string_view bytes);
 
 /// Returns the first record of the name; null if there is none.

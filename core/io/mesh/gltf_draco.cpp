@@ -23,7 +23,7 @@ std::size_t sizeOf(const DracoMesh& mesh)
 }
 } // namespace
 
-/// Returns whether the primitive is in its stream alone.
+/// Returns whether the stream has to be decoded: the file requires it, or the positions are nowhere else.
 bool GltfDraco::isNeeded(const Json& primitive) const
 {
     if (m_gltf.isRequired(dracoExtension))
