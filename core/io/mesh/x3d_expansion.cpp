@@ -44,18 +44,27 @@ template <class Names> bool isIn(const Names& names, std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Returns a list of texts without their quotes, which Assimp takes amiss. What has no quotes is one text.
+void dropBlanksBefore(std::string_view& text)
+{
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n,"), text.size()));
+}
+
+/// Returns the texts of a list that are not empty, without their quotes, which Assimp takes amiss, and without the
+/// blanks and commas before them. A text without quotes goes to the list's end.
 std::vector<std::string_view> textsOf(std::string_view list)
 {
     std::vector<std::string_view> texts;
     while (true) {
-        list.remove_prefix(std::min(list.find_first_not_of(" \t\r\n,"), list.size()));
+        dropBlanksBefore(list);
         if (list.empty())
             return texts;
         const bool isQuoted = list.front() == '"';
         list.remove_prefix(isQuoted ? 1 : 0);
         const std::size_t end = isQuoted ? std::min(list.find('"'), list.size()) : list.size();
-        texts.push_back(list.substr(0, end));
+        std::string_view text = list.substr(0, end);
+        dropBlanksBefore(text);
+        if (!text.empty())
+            texts.push_back(text);
         list.remove_prefix(std::min(end + 1, list.size()));
     }
 }

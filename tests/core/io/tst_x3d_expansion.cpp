@@ -484,7 +484,12 @@ void TestX3dExpansion::inlines_haveAlternatives()
         QVERIFY(!sceneOf(inlineOf(missing, hasB)).contains("<Inline"));
         QCOMPARE(inlineOf(missing, hasB).unread, std::size_t(1));
     }
-    QCOMPARE(inlineOf("", hasB).unread, std::size_t(0)); // it names none
+    for (const char* none : {"", "\"\"", " , ", "\" \" \"\""}) {
+        QCOMPARE(inlineOf(none, hasB).unread, std::size_t(0)); // it names none
+        QCOMPARE(sceneOf(inlineOf(none, {})), QString());
+    }
+    for (const char* blank : {"\" a.x3d\"", "\",a.x3d\"", " a.x3d"})
+        QCOMPARE(valueOf(sceneOf(inlineOf(blank, {})), "url"), QStringLiteral("a.x3d"));
 }
 
 /// A colour that takes a page is written as short as any, at each of the points that it comes to.
