@@ -164,7 +164,7 @@ std::vector<Index> colorsOfPoints(const FileBytes& file, const X3dNode& node, co
     const std::vector<Index> indices = indicesIn(file, node, "colorIndex", colors);
     const std::vector<Face> corners = isOfFaces ? std::vector<Face>() : runsOf(indices);
     for (std::size_t i = 0; i < faces.size(); ++i)
-        for (std::size_t k = 0; k < faces[i].size(); ++k) {
+        for (std::size_t k = 0; k < faces[i].size() && faces[i].size() >= 3; ++k) { // others are left out
             const Index point = faces[i][k];
             if (indices.empty())
                 result[point] = isOfFaces ? static_cast<Index>(i) : point;
