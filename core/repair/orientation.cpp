@@ -155,6 +155,21 @@ private:
     BoxTree m_tree;
 };
 
+/// Returns, by part, whether its faces run each of its edges as often one way as the other.
+std::vector<bool> closedParts(const TriangleSoup& surface, const Parts& parts)
+{
+    std::vector<bool> isClosed(parts.faces.size(), true);
+    std::map<Slot, int> net; // of an edge, by part
+    forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+        net.clear();
+        for (const EdgeFace& e : around)
+            net[parts.ofFace[e.face]] += e.forward ? 1 : -1;
+        for (const auto& [part, sum] : net)
+            isClosed[part] = isClosed[part] && sum == 0;
+    });
+    return isClosed;
+}
+
 /// Turns the parts that hang on edges of three or more to where they are seen from. True: some were not seen, and went.
 bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& oriented)
 {
@@ -169,11 +184,12 @@ bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& 
     });
     if (!doAny)
         return false;
+    const std::vector<bool> isClosed = closedParts(surface, parts);
     const VisibilityScan scan(surface);
     std::vector<bool> goes(surface.triangles.size(), false);
     std::size_t gone = 0;
     for (std::size_t part = 0; part < parts.faces.size(); ++part) {
-        if (!hangs[part])
+        if (!hangs[part] || isClosed[part])
             continue;
         constexpr std::size_t samples = 64;
         const std::vector<Slot>& faces = parts.faces[part];
@@ -211,35 +227,33 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
-/// Returns, by part, whether its faces run each of its edges as often one way as the other.
-std::vector<bool> closedParts(const TriangleSoup& surface, const Parts& parts)
+/// How other parts wind around a closed part, at the places where some of its faces are.
+struct Surroundings
 {
-    std::vector<bool> isClosed(parts.faces.size(), true);
-    std::map<Slot, int> net; // of an edge, by part
-    forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
-        net.clear();
-        for (const EdgeFace& e : around)
-            net[parts.ofFace[e.face]] += e.forward ? 1 : -1;
-        for (const auto& [part, sum] : net)
-            isClosed[part] = isClosed[part] && sum == 0;
-    });
-    return isClosed;
-}
+    bool areEverywhere = true; ///< they do, one way or the other: a part that crosses others is not in them
+    double mean = 0;
+};
 
-/// Returns whether a closed part lies in others, which wind around it one way or the other, at all of some of its
-/// faces. A part that crosses others does not.
-bool liesInOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
-                  const std::vector<Slot>& faces, bool facesIn)
+/// Looks a little inside of the faces: those of a cavity that ends in the plane of an outer face lie in others, too.
+Surroundings surroundingsOf(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
+                            const std::vector<Slot>& faces, bool facesIn)
 {
     constexpr std::size_t samples = 64;
-    const double own = facesIn ? -0.5 : 0.5; // of the rest of the part, at its own surface
+    constexpr double depth = 16; // lattice units: more than what rounding moves
+    const double own = facesIn ? -1 : 1;
+    Surroundings around;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
-        const Triangle& t = surface.triangles[faces[i]];
-        const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
-        if (std::abs(winding.at(middle, std::span(faces).subspan(i, 1)) - own) <= 0.5)
-            return false;
+        const auto& [a, b, c] = surface.triangles[faces[i]];
+        const Vec3 middle = (points[a] + points[b] + points[c]) / 3;
+        const Vec3 outward = own * (points[b] - points[a]).cross(points[c] - points[a]).normalized();
+        const double others = winding.at(middle - depth * outward) - own;
+        around.areEverywhere = around.areEverywhere && std::abs(others) > 0.5;
+        around.mean += others;
+        ++count;
     }
-    return true;
+    around.mean /= static_cast<double>(count);
+    return around;
 }
 } // namespace
 
@@ -269,9 +283,12 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
             continue;
         const std::vector<Slot>& faces = parts.faces[part];
         const bool facesIn = volumeOf(surface, faces) < 0;
-        const bool isInside = areSeveral && liesInOthers(surface, points, winding, faces, facesIn);
-        const bool shouldTurn = isInside ? !facesIn && innerAreCavities : facesIn;
-        faced.inner += isInside && !facesIn;
+        const Surroundings around =
+            areSeveral ? surroundingsOf(surface, points, winding, faces, facesIn) : Surroundings{false, 0};
+        const bool isInside = around.areEverywhere;
+        const bool isOfInverted = isInside && !facesIn && std::abs(around.mean + 1) < 0.5;
+        const bool shouldTurn = isInside ? isOfInverted || (!facesIn && innerAreCavities) : facesIn;
+        faced.inner += isInside && !facesIn && !isOfInverted;
         faced.turned += shouldTurn && !isInside;
         if (shouldTurn)
             for (const Slot f : faces)

@@ -14,8 +14,8 @@ struct OrientationResult
     std::size_t membranes = 0; ///< faces of sheets between others that nobody sees from outside: they went
 };
 
-/// Faces joined by edges of two run the same way as most of them did. Sheets that hang on edges of three or more are
-/// turned to where they are seen from, along the axes; those that are not seen at all go.
+/// Faces joined by edges of two run the same way as most of them did. Parts that hang on edges of three or more and are
+/// open are turned to where they are seen from, along the axes; those that are not seen at all go.
 OrientationResult orient(TriangleSoup& surface);
 
 struct OutwardResult
@@ -24,7 +24,8 @@ struct OutwardResult
     std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
 };
 
-/// Turns closed parts outwards, and leaves those alone that only others close; those inside of others keep their way:
-/// inwards, they are cavities. With `innerAreCavities` parts inside of others that face outwards are turned as well.
+/// Turns closed parts outwards; open ones stay as they are. Parts inside of others, or flush with them, keep their way:
+/// inwards, they are cavities. Those in a part that faced inwards are turned with it: the whole was inside out. With
+/// `innerAreCavities` parts inside of others that face outwards are turned as well.
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
 } // namespace core::repair

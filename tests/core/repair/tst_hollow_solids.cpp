@@ -1,0 +1,119 @@
+#include "core/repair/repair.h"
+#include "tests/support/effort.h"
+#include "tests/support/shapes.h"
+#include "tests/support/stroke_fuzzer.h"
+#include "tests/support/test_main.h"
+
+#include <QTest>
+
+using namespace core;
+
+namespace
+{
+TriangleMesh box(const Vec3f& min, const Vec3f& max)
+{
+    TriangleMesh mesh = shapes::cube(2);
+    Box old;
+    for (const Vec3f& p : mesh.points)
+        old.extend(p.cast<double>());
+    for (Vec3f& p : mesh.points)
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] = static_cast<double>(p[axis]) < old.center()[axis] ? min[axis] : max[axis];
+    return mesh;
+}
+
+TriangleMesh hollow(const Vec3f& min, const Vec3f& max)
+{
+    return shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(box(min, max)));
+}
+
+TriangleMesh turned(TriangleMesh mesh, StrokeFuzzer& random)
+{
+    const Eigen::AngleAxisd turn(random.uniform(0.1, 3), random.direction());
+    for (Vec3f& p : mesh.points)
+        p = (turn * p.cast<double>()).cast<float>();
+    return mesh;
+}
+
+/// Hangs a triangle on an edge of the cavity, into the hollow or into the wall.
+TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
+{
+    const Triangle last = mesh.triangles.back();
+    mesh.points.push_back(corner);
+    mesh.triangles.push_back({last[0], last[1], static_cast<Slot>(mesh.points.size() - 1)});
+    return mesh;
+}
+} // namespace
+
+/// Voids stay voids, however they were made and whichever way the model is turned.
+class TestHollowSolids : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void volume_isKept_data();
+    void volume_isKept();
+    void cubesThatTouch_areTakenApart();
+};
+
+void TestHollowSolids::volume_isKept_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<double>("volume");
+    const TriangleMesh shell = hollow(Vec3f::Constant(3), Vec3f::Constant(7));
+    QTest::addRow("hollow") << shell << 936.0;
+    QTest::addRow("stray face in the hollow") << withStrayFace(shell, Vec3f(5.1F, 4.9F, 5.2F)) << 936.0;
+    QTest::addRow("stray face in the wall") << withStrayFace(shell, Vec3f(8.1F, 8.2F, 8.3F)) << 936.0;
+    QTest::addRow("inside out as a whole") << shapes::reversed(shell) << 936.0;
+    QTest::addRow("with a core, inside out as a whole")
+        << shapes::reversed(shapes::together(shell, box(Vec3f::Constant(4), Vec3f::Constant(6)))) << 944.0;
+    QTest::addRow("hole through two faces") << hollow({3, 3, 0}, {7, 7, 10}) << 840.0;
+    QTest::addRow("pocket") << hollow({3, 3, 5}, {7, 7, 10}) << 920.0;
+    QTest::addRow("pipe") << hollow({1, 1, 0}, {9, 9, 10}) << 360.0;
+    // These stay filled: what faces outwards in another part is no void.
+    QTest::addRow("part in a part") << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)),
+                                                        box(Vec3f::Constant(3), Vec3f::Constant(7)))
+                                    << 1000.0;
+    QTest::addRow("beam that crosses, inside out")
+        << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(box({3, 3, -5}, {7, 7, 15})))
+        << 1160.0;
+}
+
+void TestHollowSolids::volume_isKept()
+{
+    QFETCH(const TriangleMesh, mesh);
+    QFETCH(const double, volume);
+    StrokeFuzzer random(5);
+    for (int turn = 0; turn < 12; ++turn) {
+        const RepairResult result = repairMesh(turn == 0 ? mesh : turned(mesh, random));
+        QVERIFY2(result.mesh, qPrintable(QStringLiteral("turn %1 is refused").arg(turn)));
+        QVERIFY2(std::abs(result.report.after.volume / volume - 1) < 1e-3,
+                 qPrintable(QStringLiteral("turn %1: %2").arg(turn).arg(result.report.after.volume)));
+    }
+}
+
+/// Cubes in a grid, which share many edges and corners; turned, their corners are rounded differently.
+void TestHollowSolids::cubesThatTouch_areTakenApart()
+{
+    constexpr int side = 12;
+    const unsigned count = byEffort(1, 3, 10);
+    for (unsigned seed = 1; seed <= count; ++seed) {
+        StrokeFuzzer random(seed);
+        TriangleMesh cubes;
+        double volume = 0;
+        for (int i = 0; i < side * side * side; ++i) {
+            if (random.below(2) == 0)
+                continue;
+            const Vec3f min(static_cast<float>(i % side), static_cast<float>(i / side % side),
+                            static_cast<float>(i / side / side));
+            cubes = shapes::together(cubes, box(min, min + Vec3f::Ones()));
+            volume += 1;
+        }
+        const RepairResult result = repairMesh(turned(cubes, random));
+        QVERIFY2(result.mesh, qPrintable(QString::number(seed)));
+        QVERIFY(std::abs(result.report.after.volume / volume - 1) < 5e-3);
+    }
+}
+
+FETTLE_TEST(TestHollowSolids)
+#include "tst_hollow_solids.moc"
