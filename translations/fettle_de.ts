@@ -4679,6 +4679,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Kanten und Punkte, an denen Teile einander nur berührten, auseinandergezogen: %1</translation>
     </message>
     <message>
+        <source>Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm</source>
+        <translation>Knäuel, die sich nicht auftrennen ließen, von kleinen Körpern bedeckt: %1, der breiteste %2 mm</translation>
+    </message>
+    <message>
         <source>The surface was made anew, with edges of about %1 mm.</source>
         <translation>Die Oberfläche wurde neu gebildet, mit Kanten von etwa %1 mm.</translation>
     </message>

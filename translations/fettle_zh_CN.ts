@@ -4664,6 +4664,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>仅相互接触而被分开的边和点：%1</translation>
     </message>
     <message>
+        <source>Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm</source>
+        <translation>无法切开的缠结处，已用小实体覆盖：%1，最宽 %2 mm</translation>
+    </message>
+    <message>
         <source>The surface was made anew, with edges of about %1 mm.</source>
         <translation>表面已重新生成，边长约 %1 mm。</translation>
     </message>

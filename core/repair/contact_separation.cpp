@@ -23,12 +23,18 @@ namespace core::repair
 {
 namespace
 {
-std::size_t halveEdges(TriangleSoup& surface)
+/// Returns how many it halves. Between the ends of others, which are added to `shortest`, there is no lattice point.
+std::size_t halveEdges(TriangleSoup& surface, std::vector<Slot>& shortest)
 {
     std::vector<std::pair<std::pair<Slot, Slot>, Slot>> halved;
     forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
-        if (around.size() > 2)
-            halved.push_back({{around[0].low, around[0].high}, noSlot});
+        if (around.size() <= 2)
+            return;
+        const Slot low = around[0].low, high = around[0].high;
+        if ((surface.points[high] - surface.points[low]).cwiseAbs().maxCoeff() > 1)
+            halved.push_back({{low, high}, noSlot});
+        else
+            shortest.insert(shortest.end(), {low, high});
     });
     for (auto& [ends, middle] : halved) {
         const auto [a, b] = ends;
@@ -335,40 +341,19 @@ private:
     std::vector<Group> m_groups;
 };
 
-/// An octahedron, askew: nothing of the model is likely to lie in its planes.
-void addDrop(TriangleSoup& surface, Slot at, int radius)
-{
-    const LatticePoint middle = surface.points[at];
-    const int r = radius, s = radius / 3;
-    const auto first = static_cast<Slot>(surface.points.size());
-    for (const LatticePoint& way : {LatticePoint(r, s, -s), LatticePoint(-s, r, s), LatticePoint(s, -s, r)})
-        for (const int sign : {1, -1})
-            surface.addPoint(middle + sign * way, at, at);
-    for (const Triangle& t : {Triangle{0, 2, 4}, Triangle{2, 1, 4}, Triangle{1, 3, 4}, Triangle{3, 0, 4},
-                              Triangle{2, 0, 5}, Triangle{1, 2, 5}, Triangle{3, 1, 5}, Triangle{0, 3, 5}})
-        surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-}
 } // namespace
-
-void joinAt(TriangleSoup& surface, std::span<const Slot> points, int radius)
-{
-    std::set<std::array<int, 3>> done;
-    for (const Slot v : points) {
-        const LatticePoint& p = surface.points[v];
-        if (done.insert({p.x(), p.y(), p.z()}).second)
-            addDrop(surface, v, radius);
-    }
-}
 
 SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control)
 {
     SeparationResult separated;
-    separated.edges = halveEdges(surface);
+    std::vector<Slot> shortest;
+    separated.edges = halveEdges(surface, shortest);
     const std::vector<Copies> split = splitVertices(surface);
     separated.vertices = split.size() - std::min(split.size(), separated.edges); // without the edges' middles
     Parting parting(surface, split);
     parting.run(control);
     separated.stuck = parting.stuck();
+    separated.stuck.insert(separated.stuck.end(), shortest.begin(), shortest.end());
     return separated;
 }
 } // namespace core::repair

@@ -12,14 +12,12 @@ namespace core::repair
 struct SeparationResult
 {
     std::size_t edges = 0, vertices = 0; ///< where the solid touched itself
-    std::vector<Slot> stuck;             ///< points, several at each place, where that did not help
+    /// Points, several at each place, where that did not help, and the ends of edges of four faces that are too short
+    /// for it.
+    std::vector<Slot> stuck;
 };
 
 /// Parts of the solid that touch at edges or vertices only draw back from each other there, by a few lattice units.
 /// Where they cannot, the points are returned. The surface bounds a solid but for those touches.
 SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control = {});
-
-/// Adds a small closed solid around each place of these points: then the whole must be resolved again. `radius`:
-/// lattice units, >= 16.
-void joinAt(TriangleSoup& surface, std::span<const Slot> points, int radius);
 } // namespace core::repair

@@ -6,8 +6,8 @@
 //   4. leave out open parts that enclose nothing                                 sheet_removal
 //      fill      holes                                                           hole_filling
 //   5. outwards  parts that face inwards                                         orientation
-//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; separate
-//                parts that touch at edges and vertices                          resolution
+//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; cover
+//                what comes to no end; separate parts that touch at edges and vertices              resolution
 //   7. check     the whole; if it is not in order and may be made anew, from the winding number      shrink_wrap
 //   8. measure   how far it is from what it was                                  surface_distance
 //      and mask  what was masked and is still there                              mask_transfer
@@ -256,22 +256,23 @@ public:
     /// with a larger tolerance where it comes to no end.
     void resolve(const Progress& progress)
     {
-        constexpr double tolerances[] = {2, 64, 1024}; // lattice units: the last is 1/4,000 of the size or less
+        constexpr double tolerances[] = {2, 64, 1024}; // lattice units: the last may be 1/200 of the size
         constexpr double shareOfAttempt = 0.75;        // of what is left of the time; most models need one
-        std::uint64_t budget = 200'000;                // tens of seconds
+        std::uint64_t budget = 200'000;                // pairs of faces, tens of seconds
         double reached = 0;
         for (const double tolerance : tolerances) {
             for (const repair::Inside inside : {repair::Inside::Positive, repair::Inside::NonZero}) {
+                if (m_resolution.intersections > budget)
+                    return;
+                budget -= m_resolution.intersections; // another attempt cuts all of them again
                 const double next = reached + shareOfAttempt * (1 - reached);
                 attempt(inside, tolerance, budget, progress.part(reached, next));
                 reached = next;
                 if (progress.control.isCancelled() || !isInsideOut())
                     break;
             }
-            if (progress.control.isCancelled() || m_resolution.volume <= 0 || m_best ||
-                m_resolution.intersections > budget)
+            if (progress.control.isCancelled() || m_resolution.volume <= 0 || m_best)
                 break;
-            budget -= m_resolution.intersections; // which are cut again
         }
     }
 
@@ -294,7 +295,8 @@ public:
     RepairRefusal refusal() const
     {
         constexpr double half = 0.5, mostDistance = 0.05;
-        if (!m_best && m_resolution.volume <= 0)
+        const bool wasCut = m_resolution.rounds > 0 || m_resolution.intersections == 0;
+        if (!m_best && m_resolution.volume <= 0 && wasCut)
             return m_closed.isLoose && standAroundSpace(m_closed.unfilled) ? RepairRefusal::TooMuchLost
                                                                            : RepairRefusal::EnclosesNothing;
         if (!m_best)
@@ -328,6 +330,8 @@ private:
         report.rounds = m_resolution.rounds;
         report.touchingEdges = m_resolution.touchingEdges;
         report.touchingVertices = m_resolution.touchingVertices;
+        report.knots = m_resolution.knots;
+        report.widestKnot = m_resolution.widestKnot * m_lattice.unit();
         if (m_resolution.isDone)
             offer(std::move(surface), report, progress.part(afterCutting, 1));
     }

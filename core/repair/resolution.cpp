@@ -2,6 +2,7 @@
 
 #include "core/repair/cleanup.h"
 #include "core/repair/contact_separation.h"
+#include "core/repair/knot_covering.h"
 #include "core/repair/neighbourhood.h"
 #include "core/repair/outward_offset.h"
 
@@ -10,12 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace core::repair
 {
 namespace
 {
-constexpr std::size_t maxPairs = 4'000'000;
+constexpr std::size_t maxPairs = 1'000'000;
 
 /// The faces of the pairs, each once.
 std::vector<Slot> facesOf(std::span<const FacePair> pairs)
@@ -36,6 +38,13 @@ std::vector<Slot> cornersOf(const TriangleSoup& surface, std::span<const Slot> f
     for (const Slot f : faces)
         corners.insert(corners.end(), surface.triangles[f].begin(), surface.triangles[f].end());
     return corners;
+}
+
+/// Returns the longest side of the surface's box.
+double sizeOf(const TriangleSoup& surface)
+{
+    const LatticeBox box = surface.box();
+    return (box.max - box.min).cast<double>().maxCoeff();
 }
 
 /// The faces that have one of these points.
@@ -71,13 +80,15 @@ public:
     /// `mostPairs`: of faces that meet at first; with more nothing is cut.
     void run(std::uint64_t mostPairs)
     {
-        constexpr std::size_t maxRounds = 14;
-        constexpr double ofRounding = 8; // tolerance, lattice units
+        constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // few need as many
+        constexpr double ofRounding = 8;                                              // tolerance, lattice units
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
         m_resolution.intersections = m_met.count;
         if (canGoOn())
             removeSlivers(m_ofFile);
+        if (m_met.count > 0)
+            m_resolution.unresolved = placeOf(m_met.pairs[0]);
         if (m_met.count > std::min(mostPairs, manyMoreThan(m_resolution.intersections)))
             return;
         cut(m_control.part(0, 0.5));
@@ -88,18 +99,18 @@ public:
             if (m_met.count > 0 && canGoOn())
                 removeSlivers(tolerance / 2);
             if (m_met.count > 0 && canGoOn())
-                offset(tolerance);
+                round < firstOfCovering ? offset(tolerance) : cover();
             m_resolution.isDone = m_met.count == 0;
             m_resolution.unresolved.reset();
             if (m_met.count > 0)
-                m_resolution.unresolved = m_surface.points[m_surface.triangles[m_met.pairs[0].first][0]];
+                m_resolution.unresolved = placeOf(m_met.pairs[0]);
             if (m_resolution.isDone)
                 return cut(m_control.part(reached, 1)); // what was turned inside out since goes
             if (m_met.count > std::min(m_budget, manyMoreThan(fewest)))
                 return;
             m_budget -= m_met.count;
             fewest = std::min(fewest, m_met.count);
-            tolerance *= 1.5;
+            tolerance *= round < lastOfGrowth ? 1.5 : 1;
             cut(m_control.part(reached, (1 + reached) / 2));
             reached = (1 + reached) / 2;
         }
@@ -116,6 +127,7 @@ private:
     }
 
     bool canGoOn() const { return m_met.count <= maxPairs; }
+    LatticePoint placeOf(const FacePair& pair) const { return m_surface.points[m_surface.triangles[pair.first][0]]; }
 
     void removeSlivers(double tolerance)
     {
@@ -129,6 +141,19 @@ private:
         const std::vector<Slot> corners = cornersOf(m_surface, facesOf(m_met.pairs));
         offsetOutwards(m_surface, corners, distance);
         cleanUp(m_surface, Duplicates::Cancel);
+        searchAround(corners);
+    }
+
+    void cover()
+    {
+        constexpr double widest = 1.0 / 500; // of the size
+        std::vector<Slot> corners = cornersOf(m_surface, facesOf(m_met.pairs));
+        const std::size_t points = m_surface.points.size();
+        const CoveredKnots covered = coverKnots(m_surface, m_met.pairs, widest * sizeOf(m_surface));
+        m_resolution.knots += covered.count;
+        m_resolution.widestKnot = std::max(m_resolution.widestKnot, covered.largest);
+        for (std::size_t v = points; v < m_surface.points.size(); ++v)
+            corners.push_back(static_cast<Slot>(v));
         searchAround(corners);
     }
 
@@ -165,6 +190,7 @@ private:
     IntersectionReport m_met;
     std::vector<FaceBox> m_changed; ///< where faces changed in the last cut: elsewhere none meet
 };
+
 /// Drops components that are thin and small.
 void dropCrumbs(TriangleSoup& surface)
 {
@@ -200,11 +226,11 @@ void dropCrumbs(TriangleSoup& surface)
 Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tolerance, std::uint64_t& budget,
                                 const JobControl& control)
 {
-    constexpr int maxTimes = 8;
-    constexpr int firstReach = 16; // lattice units; doubled each time
-    constexpr std::size_t fewStuck = 500;
+    constexpr int maxTimes = 16;
+    constexpr int firstReach = 16, lastReach = 2048; // lattice units; doubled each time
+    constexpr std::size_t manyTimes = 4, fewStuck = 500;
     Resolution resolution;
-    std::size_t mostStuck = surface.points.size();
+    std::size_t mostStuck = std::numeric_limits<std::size_t>::max();
     Cutting(surface, inside, tolerance, resolution, budget, control).run(maxPairs);
     for (int time = 0; time < maxTimes && resolution.isDone && !control.isCancelled(); ++time) {
         const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
@@ -216,21 +242,24 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tol
         if (separated.stuck.empty())
             break;
         const bool areMore = separated.stuck.size() > mostStuck; // it comes to no end
-        mostStuck = separated.stuck.size() + separated.stuck.size() / 2 + fewStuck;
+        mostStuck = manyTimes * separated.stuck.size() + fewStuck;
         if (time + 1 == maxTimes || areMore) {
             resolution.isDone = false;
             resolution.unresolved = surface.points[separated.stuck[0]];
             break;
         }
-        removeSlivers(surface, facesWith(surface, separated.stuck), (firstReach << time) / 2);
+        const int reach = std::min(lastReach, firstReach << time);
+        removeSlivers(surface, facesWith(surface, separated.stuck), reach / 2);
         if (time % 2 == 0)
-            offsetOutwards(surface, separated.stuck, firstReach << time);
+            offsetOutwards(surface, separated.stuck, reach);
         else
-            joinAt(surface, separated.stuck, firstReach << time);
+            coverPoints(surface, separated.stuck, reach);
         weld(surface);
         Resolution unread;
         Cutting(surface, Inside::Positive, tolerance, unread, budget, {control.stop, {}}).run(budget);
         resolution.isDone = unread.isDone;
+        resolution.knots += unread.knots;
+        resolution.widestKnot = std::max(resolution.widestKnot, unread.widestKnot);
         resolution.unresolved = unread.unresolved;
     }
     if (resolution.rounds > 0)

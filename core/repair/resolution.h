@@ -17,13 +17,16 @@ struct Resolution
     std::uint64_t intersections = 0;        ///< pairs of faces that met at first
     std::size_t rounds = 0;                 ///< of cutting
     std::size_t touchingEdges = 0, touchingVertices = 0;
+    std::size_t knots = 0; ///< places where that came to no end and a small solid covers them
+    double widestKnot = 0; ///< the diameter of the largest of these, lattice units
 };
 
 /// Cuts the surface along all of its intersections, keeps the boundary of what counts as solid, rounds that to the
 /// lattice, and again while rounding makes faces meet; where it does so, points and slivers within a tolerance that
 /// grows go, and what is left of these faces is offset outwards by it, so that sheets that lie upon each other but for
-/// rounding overlap clearly. Parts that touch at edges and vertices are then separated or joined, and crumbs that all
-/// this left, less than 64 units thick and with less than 1/10,000 of the area, are dropped. The surface is closed.
+/// rounding overlap clearly. Knots that are left after a few rounds are covered by small solids, where they are less
+/// than 1/500 of the size wide. Parts that touch at edges and vertices are then separated or joined, and crumbs that
+/// all this left, less than 64 units thick and with less than 1/10,000 of the area, are dropped. The surface is closed.
 /// Away from these places no point moves. All cores.
 /// `tolerance`: in lattice units, what the surface's own places are good for: points of faces that meet and lie closer
 /// become one. `budget`: of pairs of faces that may be cut after the first time, some 5,000 a second; what was cut is

@@ -46,6 +46,9 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
     add(report.intersections, tr("Pairs of faces that met, cut and joined: %1"));
     add(report.touchingEdges + report.touchingVertices,
         tr("Edges and points at which parts merely touched, drawn apart: %1"));
+    if (report.knots > 0)
+        steps << tr("Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm")
+                     .arg(number(report.knots), shortMillimetres(report.widestKnot));
     add(report.unmasked, tr("Masked points that went, and their mask with them: %1"));
     if (report.remeshedAt)
         steps << tr("The surface was made anew, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
