@@ -170,6 +170,26 @@ std::vector<bool> closedParts(const TriangleSoup& surface, const Parts& parts)
     return isClosed;
 }
 
+/// Returns whether a part that is open parts space of different winding numbers, as a wall of a void does, rather than
+/// lie in the midst of space of one, as a sheet within a void or within the matter does. The rest of the surface runs
+/// the right way.
+bool isWall(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
+            const std::vector<Slot>& faces)
+{
+    constexpr std::size_t samples = 16;
+    constexpr double halfway = 0.25;
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
+        const auto& [a, b, c] = surface.triangles[faces[i]];
+        const double around =
+            winding.at((points[a] + points[b] + points[c]) / 3, std::span(faces).subspan(i, 1)); // of both sides, mean
+        sum += std::abs(around - std::round(around));
+        ++count;
+    }
+    return sum > halfway * static_cast<double>(count);
+}
+
 /// Turns the parts that hang on edges of three or more to where they are seen from. True: some were not seen, and went.
 bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& oriented)
 {
@@ -186,8 +206,7 @@ bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& 
         return false;
     const std::vector<bool> isClosed = closedParts(surface, parts);
     const VisibilityScan scan(surface);
-    std::vector<bool> goes(surface.triangles.size(), false);
-    std::size_t gone = 0;
+    std::vector<std::size_t> unseen;
     for (std::size_t part = 0; part < parts.faces.size(); ++part) {
         if (!hangs[part] || isClosed[part])
             continue;
@@ -198,13 +217,25 @@ bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& 
         int balance = 0;
         for (std::size_t i = 0; i < faces.size(); i += step)
             balance += scan.balance(faces[i], seen);
-        for (const Slot f : faces) {
-            goes[f] = seen == 0;
+        if (seen == 0)
+            unseen.push_back(part);
+        for (const Slot f : faces)
             if (balance < 0)
                 turn(surface.triangles[f]);
-        }
-        gone += seen == 0 ? faces.size() : 0;
         oriented.turned += balance < 0 ? faces.size() : 0;
+    }
+    if (unseen.empty())
+        return false;
+    const std::vector<Vec3> points = surface.places();
+    const WindingNumber winding(points, surface.triangles);
+    std::vector<bool> goes(surface.triangles.size(), false);
+    std::size_t gone = 0;
+    for (const std::size_t part : unseen) {
+        if (isWall(surface, points, winding, parts.faces[part]))
+            continue;
+        gone += parts.faces[part].size();
+        for (const Slot f : parts.faces[part])
+            goes[f] = true;
     }
     std::size_t kept = 0;
     for (Slot f = 0; f < surface.triangles.size(); ++f)

@@ -15,7 +15,8 @@ struct OrientationResult
 };
 
 /// Faces joined by edges of two run the same way as most of them did. Parts that hang on edges of three or more and are
-/// open are turned to where they are seen from, along the axes; those that are not seen at all go.
+/// open are turned to where they are seen from, along the axes; those that are not seen at all go, unless they are
+/// walls of a void.
 OrientationResult orient(TriangleSoup& surface);
 
 struct OutwardResult

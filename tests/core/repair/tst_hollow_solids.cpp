@@ -43,6 +43,16 @@ TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
     mesh.triangles.push_back({last[0], last[1], static_cast<Slot>(mesh.points.size() - 1)});
     return mesh;
 }
+/// A hollow of two halves with a sheet between them: all of its walls hang on edges of three faces.
+TriangleMesh hollowWithSheetAcross()
+{
+    const TriangleMesh left = box(Vec3f(3, 3, 3), Vec3f(5, 7, 7)), right = box(Vec3f(5, 3, 3), Vec3f(7, 7, 7));
+    TriangleMesh halves = shapes::reversed(shapes::together(left, right));
+    std::erase_if(halves.triangles, [&](const Triangle& t) {
+        return std::ranges::all_of(t, [&](Slot v) { return v >= left.points.size() && halves.points[v].x() == 5; });
+    });
+    return shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), halves);
+}
 } // namespace
 
 /// Voids stay voids, however they were made and whichever way the model is turned.
@@ -64,6 +74,7 @@ void TestHollowSolids::volume_isKept_data()
     QTest::addRow("hollow") << shell << 936.0;
     QTest::addRow("stray face in the hollow") << withStrayFace(shell, Vec3f(5.1F, 4.9F, 5.2F)) << 936.0;
     QTest::addRow("stray face in the wall") << withStrayFace(shell, Vec3f(8.1F, 8.2F, 8.3F)) << 936.0;
+    QTest::addRow("sheet across the hollow") << hollowWithSheetAcross() << 936.0;
     QTest::addRow("inside out as a whole") << shapes::reversed(shell) << 936.0;
     QTest::addRow("with a core, inside out as a whole")
         << shapes::reversed(shapes::together(shell, box(Vec3f::Constant(4), Vec3f::Constant(6)))) << 944.0;
