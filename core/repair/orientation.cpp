@@ -190,6 +190,29 @@ bool isWall(const TriangleSoup& surface, std::span<const Vec3> points, const Win
     return sum > halfway * static_cast<double>(count);
 }
 
+/// Drops those of the `walls` that would have open edges, and what these leave open.
+void keepClosedWalls(const TriangleSoup& surface, const Parts& parts, std::span<const std::size_t> walls,
+                     std::vector<bool>& isKept)
+{
+    bool isAnyDropped = std::ranges::any_of(walls, [&](std::size_t part) { return isKept[part]; });
+    while (isAnyDropped) {
+        std::vector<bool> isOpen(parts.faces.size(), false);
+        forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+            int net = 0;
+            for (const EdgeFace& e : around)
+                net += !isKept[parts.ofFace[e.face]] ? 0 : e.forward ? 1 : -1;
+            for (const EdgeFace& e : around)
+                isOpen[parts.ofFace[e.face]] = isOpen[parts.ofFace[e.face]] || net != 0;
+        });
+        isAnyDropped = false;
+        for (const std::size_t part : walls)
+            if (isKept[part] && isOpen[part]) {
+                isKept[part] = false;
+                isAnyDropped = true;
+            }
+    }
+}
+
 /// Turns the parts that hang on edges of three or more to where they are seen from. True: some were not seen, and went.
 bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& oriented)
 {
@@ -228,18 +251,16 @@ bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& 
         return false;
     const std::vector<Vec3> points = surface.places();
     const WindingNumber winding(points, surface.triangles);
-    std::vector<bool> goes(surface.triangles.size(), false);
+    std::vector<bool> isKept(parts.faces.size(), true);
+    for (const std::size_t part : unseen)
+        isKept[part] = isWall(surface, points, winding, parts.faces[part]);
+    keepClosedWalls(surface, parts, unseen, isKept);
     std::size_t gone = 0;
-    for (const std::size_t part : unseen) {
-        if (isWall(surface, points, winding, parts.faces[part]))
-            continue;
-        gone += parts.faces[part].size();
-        for (const Slot f : parts.faces[part])
-            goes[f] = true;
-    }
+    for (const std::size_t part : unseen)
+        gone += isKept[part] ? 0 : parts.faces[part].size();
     std::size_t kept = 0;
     for (Slot f = 0; f < surface.triangles.size(); ++f)
-        if (!goes[f])
+        if (isKept[parts.ofFace[f]])
             surface.triangles[kept++] = surface.triangles[f];
     surface.triangles.resize(kept);
     oriented.membranes += gone;
