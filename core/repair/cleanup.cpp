@@ -24,8 +24,8 @@ std::size_t dropRepeatedCorners(TriangleSoup& surface)
     return std::erase_if(surface.triangles, repeatsCorner);
 }
 
-/// Makes one of a face's corners that are at the same place: it could never give one of them away. Other points at that
-/// place stay apart.
+/// Joins corners of a face that are at the same place: a face with two of them stays flat, whichever it gives away.
+/// Other points at that place stay apart.
 void joinEqualCorners(TriangleSoup& surface)
 {
     std::vector<Slot> to;
@@ -179,7 +179,7 @@ std::vector<EdgeFace> edgeFacesBetween(const std::vector<bool>& isMeant, std::sp
     return edges;
 }
 
-/// Exchanges each face at most once. Returns how many of the flat faces were dealt with.
+/// Exchanges edges of flat faces, each face at most once. Returns how many of the flat faces were dealt with.
 std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot face)>& isFlat)
 {
     std::vector<Triangle>& triangles = surface.triangles;

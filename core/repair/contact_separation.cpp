@@ -244,7 +244,7 @@ public:
                 group.ways.push_back(wayInto(fan));
     }
 
-    /// Those that nothing would help are back where they were.
+    /// Moves all groups, and back those that no distance parts.
     void run(const JobControl& control)
     {
         std::vector<Slot> moved;

@@ -182,15 +182,15 @@ bool isWall(const TriangleSoup& surface, std::span<const Vec3> points, const Win
     std::size_t count = 0;
     for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
         const auto& [a, b, c] = surface.triangles[faces[i]];
-        const double around =
-            winding.at((points[a] + points[b] + points[c]) / 3, std::span(faces).subspan(i, 1)); // of both sides, mean
+        const double around = winding.at((points[a] + points[b] + points[c]) / 3,
+                                         std::span(faces).subspan(i, 1)); // the mean of both sides
         sum += std::abs(around - std::round(around));
         ++count;
     }
     return sum > halfway * static_cast<double>(count);
 }
 
-/// Drops those of the `walls` that would have open edges, and what these leave open.
+/// Drops walls that would have open edges, and then those that these leave open.
 void keepClosedWalls(const TriangleSoup& surface, const Parts& parts, std::span<const std::size_t> walls,
                      std::vector<bool>& isKept)
 {
@@ -279,11 +279,11 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
-/// How other parts wind around a closed part, at the places where some of its faces are.
+/// Winding of other parts around a closed part, at some of its faces.
 struct Surroundings
 {
-    bool areEverywhere = true; ///< they do, one way or the other: a part that crosses others is not in them
-    double mean = 0;
+    bool areEverywhere = true; ///< others wind around all of it, either way; not around a part that crosses them
+    double mean = 0;           ///< of their winding numbers
 };
 
 /// Looks a little inside of the faces: those of a cavity that ends in the plane of an outer face lie in others, too.

@@ -120,7 +120,8 @@ void join(TriangleSoup& surface, double unit, RepairReport& report)
 }
 
 /// Takes a surface as it is if it is closed, runs one way everywhere, and has no double faces, but for opposite ones,
-/// which cancel: those of parts that touch, which may enclose a void. No component goes by that. False: it is not so.
+/// which cancel: those of parts that touch, which may enclose a void. Returns false, and leaves it as it was, if it is
+/// not so or if a component would go.
 bool takeClosed(TriangleSoup& surface, RepairReport& report)
 {
     TriangleSoup taken = surface;
@@ -258,7 +259,7 @@ public:
     {
         constexpr double tolerances[] = {2, 64, 1024}; // lattice units: the last may be 1/200 of the size
         constexpr double shareOfAttempt = 0.75;        // of what is left of the time; most models need one
-        std::uint64_t budget = 200'000;                // pairs of faces, tens of seconds
+        std::uint64_t budget = 200'000;                // pairs of faces that are cut again: tens of seconds
         double reached = 0;
         for (const double tolerance : tolerances) {
             for (const repair::Inside inside : {repair::Inside::Positive, repair::Inside::NonZero}) {

@@ -42,7 +42,7 @@ struct RepairReport
     std::uint64_t intersections = 0;                     ///< pairs of faces that met after all this
     std::size_t rounds = 0;                              ///< of cutting the surface along its intersections
     std::size_t touchingEdges = 0, touchingVertices = 0; ///< at which parts were drawn apart
-    std::size_t knots = 0;    ///< places where cutting came to no end: a small solid covers each
+    std::size_t knots = 0;    ///< places where faces met again and again: a small solid covers each
     double widestKnot = 0;    ///< the diameter of the largest of these, in the model's unit
     std::size_t unmasked = 0; ///< masked points that are gone; where a point is kept, so is its mask
     /// The surface was made anew from the space that it winds around, with edges of about this length. Missing: it was

@@ -10,14 +10,14 @@ namespace core::repair
 {
 struct Resolution
 {
-    bool isDone = false;                    ///< it came to an end: no faces meet
+    bool isDone = false;                    ///< no faces meet, and no points are stuck
     std::optional<LatticePoint> unresolved; ///< where faces still meet or touch
     double insideOut = 0;                   ///< share of the boundary that bounds what is inside out
     double volume = 0;                      ///< lattice units^3, of all that the surface winds around, either way
     std::uint64_t intersections = 0;        ///< pairs of faces that met at first
     std::size_t rounds = 0;                 ///< of cutting
     std::size_t touchingEdges = 0, touchingVertices = 0;
-    std::size_t knots = 0; ///< places where that came to no end and a small solid covers them
+    std::size_t knots = 0; ///< places where faces met again and again: a small solid covers each
     double widestKnot = 0; ///< the diameter of the largest of these, lattice units
 };
 

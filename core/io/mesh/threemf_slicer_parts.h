@@ -19,9 +19,9 @@ struct ThreeMfSlicerParts
         bool isNegative = false; ///< to be cut out; else a modifier or something for supports
     };
     std::map<std::uint32_t, std::vector<Triangles>> triangles; ///< by object: PrusaSlicer, SuperSlicer
-    /// Whether an object is to be cut out, else it is a modifier or something for supports. By pairs of an object of
-    /// the build and of one that it is made of: Bambu Studio, OrcaSlicer. Objects that are in different parts of the
-    /// package may have the same number.
+    /// Parts that are no matter: true for one that is to be cut out, false for a modifier or a support. By pairs of an
+    /// object of the build and of one that it is made of: Bambu Studio, OrcaSlicer. Objects that are in different parts
+    /// of the package may have the same number.
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> objects;
 
     /// Reads them; there are none if the package has no such file. Of a broken file counts what is right, up to where

@@ -19,7 +19,7 @@ struct X3dExpansion
 struct X3dSurroundings
 {
     /// Returns the name by which a reader finds the file that an Inline's url stands for; empty if it cannot be had.
-    /// Without this function every url is such a name.
+    /// Missing: every url is such a name.
     std::function<std::optional<std::string>(std::string_view url)> find = {};
     /// Number of the file, different for each file of the scene: the names of its nodes begin with it, because Assimp
     /// looks for them in the whole scene.

@@ -212,7 +212,7 @@ void TestThreeMf::supports_areLeftOut()
     QCOMPARE(read.triangles.size(), std::size_t(4));
 }
 
-/// One of two objects of no extent is left out, as its faces are.
+/// Objects without extent are left out, as their faces are, beside another one.
 void TestThreeMf::pointsBesideOthers_areLeftOut()
 {
     const TriangleMesh read =

@@ -61,7 +61,7 @@ void TestContacts::edgesOfOneUnit_areNotHalved()
         QVERIFY(!LatticePredicates::collinear(surface.points[a], surface.points[b], surface.points[c]));
 }
 
-/// Where faces meet is within the solids that are added, unless their knot is too wide.
+/// Places where faces meet are within the solids that are added.
 void TestContacts::knots_lieInTheirCovers()
 {
     std::size_t all = 0;

@@ -81,7 +81,7 @@ void TestHollowSolids::volume_isKept_data()
     QTest::addRow("hole through two faces") << hollow({3, 3, 0}, {7, 7, 10}) << 840.0;
     QTest::addRow("pocket") << hollow({3, 3, 5}, {7, 7, 10}) << 920.0;
     QTest::addRow("pipe") << hollow({1, 1, 0}, {9, 9, 10}) << 360.0;
-    // These stay filled: what faces outwards in another part is no void.
+    // Parts that face outwards within another one are no voids.
     QTest::addRow("part in a part") << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)),
                                                         box(Vec3f::Constant(3), Vec3f::Constant(7)))
                                     << 1000.0;
