@@ -4683,6 +4683,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Knäuel, die sich nicht auftrennen ließen, von kleinen Körpern bedeckt: %1, der breiteste %2 mm</translation>
     </message>
     <message>
+        <source>Tiny thin parts left out: %1</source>
+        <translation>Winzige dünne Teile weggelassen: %1</translation>
+    </message>
+    <message>
         <source>The surface was made anew, with edges of about %1 mm.</source>
         <translation>Die Oberfläche wurde neu gebildet, mit Kanten von etwa %1 mm.</translation>
     </message>
@@ -4757,6 +4761,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 was mended, but has %2 % of its volume now.</source>
         <translation>%1 wurde repariert, hat aber nun %2 % seines Volumens.</translation>
+    </message>
+    <message>
+        <source>%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.</source>
+        <translation>%1 wurde repariert; was es nun umschließt, weicht um %2 % von dem ab, worum seine Flächen standen.</translation>
     </message>
     <message>
         <source>%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the size.</source>

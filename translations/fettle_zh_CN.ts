@@ -4668,6 +4668,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>无法切开的缠结处，已用小实体覆盖：%1，最宽 %2 mm</translation>
     </message>
     <message>
+        <source>Tiny thin parts left out: %1</source>
+        <translation>已略去的细小薄片：%1</translation>
+    </message>
+    <message>
         <source>The surface was made anew, with edges of about %1 mm.</source>
         <translation>表面已重新生成，边长约 %1 mm。</translation>
     </message>
@@ -4742,6 +4746,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 was mended, but has %2 % of its volume now.</source>
         <translation>%1 已修复，但现在的体积为原来的 %2 %。</translation>
+    </message>
+    <message>
+        <source>%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.</source>
+        <translation>%1 已修复，但它现在所包围的空间与其面原先所围的空间相差 %2 %。</translation>
     </message>
     <message>
         <source>%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the size.</source>

@@ -156,18 +156,19 @@ struct Repaired
 };
 
 /// Repairs a model that is not in order.
-std::optional<Repaired> makeSound(const QString& file, core::TriangleMesh& mesh, const core::RepairOptions& options)
+std::optional<Repaired> makeSound(const ConvertOptions& options, core::TriangleMesh& mesh)
 {
+    const QString& file = options.in;
     if (core::checkMesh(mesh).printReady())
         return std::nullopt;
     const auto onStep = [&](core::RepairStep step) {
         CommandLine::printProgress(ui::RepairMessages::progress(file, step));
     };
-    core::RepairResult repaired = core::repairMesh(mesh, options, {}, onStep);
+    core::RepairResult repaired = core::repairMesh(mesh, *options.repair, {}, onStep);
     CommandLine::printProgress({});
     if (!repaired.mesh)
-        throw CommandFailure{refusalText(file, repaired, options), AnswerIsNo};
-    mesh = core::placedMesh(toPath(file), std::move(*repaired.mesh), -repaired.report.moved);
+        throw CommandFailure{refusalText(file, repaired, *options.repair), AnswerIsNo};
+    mesh = core::placedMesh(toPath(options.out), std::move(*repaired.mesh), -repaired.report.moved);
     return Repaired{repaired.report, std::move(repaired.old), ui::RepairMessages::doubt(file, repaired.report)};
 }
 
@@ -241,7 +242,7 @@ ExitStatus convertCommand(const QStringList& arguments)
         }
         std::optional<Repaired> repaired;
         if (options->repair)
-            repaired = makeSound(options->in, mesh, *options->repair);
+            repaired = makeSound(*options, mesh);
         if (options->triangles > 0 && mesh.triangles.size() > options->triangles) {
             mesh = reduced(*options, mesh);
             if (repaired)

@@ -255,16 +255,16 @@ bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& 
     for (const std::size_t part : unseen)
         isKept[part] = isWall(surface, points, winding, parts.faces[part]);
     keepClosedWalls(surface, parts, unseen, isKept);
-    std::size_t gone = 0;
-    for (const std::size_t part : unseen)
-        gone += isKept[part] ? 0 : parts.faces[part].size();
+    const std::size_t membranes = oriented.membranes.size();
     std::size_t kept = 0;
-    for (Slot f = 0; f < surface.triangles.size(); ++f)
+    for (Slot f = 0; f < surface.triangles.size(); ++f) {
         if (isKept[parts.ofFace[f]])
             surface.triangles[kept++] = surface.triangles[f];
+        else
+            oriented.membranes.push_back(surface.triangles[f]);
+    }
     surface.triangles.resize(kept);
-    oriented.membranes += gone;
-    return gone > 0;
+    return oriented.membranes.size() > membranes;
 }
 
 double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)

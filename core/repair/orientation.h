@@ -5,13 +5,14 @@
 #include "core/util/job_control.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace core::repair
 {
 struct OrientationResult
 {
-    std::size_t turned = 0;    ///< faces
-    std::size_t membranes = 0; ///< faces of sheets between others that nobody sees from outside: they went
+    std::size_t turned = 0;          ///< faces
+    std::vector<Triangle> membranes; ///< faces of sheets between others that nobody sees from outside: they went
 };
 
 /// Faces joined by edges of two run the same way as most of them did. Parts that hang on edges of three or more and are

@@ -9,7 +9,7 @@
 //   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; cover
 //                what comes to no end; separate parts that touch at edges and vertices              resolution
 //   7. check     the whole; if it is not in order and may be made anew, from the winding number      shrink_wrap
-//   8. measure   how far it is from what it was                                  surface_distance
+//   8. measure   how far it is from what it was                                  surface_distance, space_difference
 //      and mask  what was masked and is still there                              mask_transfer
 
 #include "core/repair/repair.h"
@@ -99,7 +99,8 @@ struct ClosedSurface
 {
     bool isRefused = false; ///< a large hole is not to be filled
     bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
-    TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
+    TriangleSoup unfilled;             ///< as it was before holes were filled, without sheets
+    std::optional<TriangleSoup> whole; ///< the same with all that was left out; missing if it was closed as it was
 };
 
 void weldAndCleanUp(TriangleSoup& surface, RepairReport& report)
@@ -165,7 +166,11 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     progress.begin(RepairStep::Orient);
     const repair::OrientationResult oriented = repair::orient(surface);
     report.turnedFaces = oriented.turned;
-    report.membraneFaces = oriented.membranes;
+    report.membraneFaces = oriented.membranes.size();
+    ClosedSurface result;
+    result.whole = surface;
+    result.whole->triangles.insert(result.whole->triangles.end(), oriented.membranes.begin(), oriented.membranes.end());
+    repair::orientOutwards(*result.whole, options.innerAreCavities);
     progress.control.reportProgress(afterOrienting);
     progress.begin(RepairStep::Fill);
     const repair::SheetRemoval removed = repair::removeSheets(surface, progress.control);
@@ -173,7 +178,6 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     report.sheetLength = removed.length * unit;
     report.sheetWidth = removed.width * unit;
     report.before.volume = removed.volume * std::pow(unit, 3);
-    ClosedSurface result;
     result.unfilled = surface;
     const repair::HoleFillingResult filled = repair::fillHoles(surface, options.fillLargeHoles, progress.control);
     report.holes = filled.holes;
@@ -208,7 +212,10 @@ struct Outcome
     RepairReport report;
 
     /// 0: the same; the model's own size or volume counts as 1.
-    double loss() const { return std::abs(1 - report.keptVolume()) + report.lost / report.size; }
+    double loss() const
+    {
+        return std::abs(1 - report.keptVolume()) + report.lost / report.size + report.space.lost + report.space.gained;
+    }
 };
 
 TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
@@ -236,12 +243,14 @@ void measure(RepairReport& report, const TriangleMesh& old, const TriangleMesh& 
 class Solidification
 {
 public:
-    /// `old`: what the outcome is held against. `report`: of steps 1 to 5. Lasting references.
+    /// `file`: all that there was. `old`: what the outcome is held against. `report`: of steps 1 to 5. Lasting
+    /// references.
     Solidification(const TriangleSoup& surface, const ClosedSurface& closed, const Lattice& lattice,
-                   const TriangleMesh& old, const RepairReport& report)
+                   const TriangleMesh& file, const TriangleMesh& old, const RepairReport& report)
         : m_surface(surface)
         , m_closed(closed)
         , m_lattice(lattice)
+        , m_file(file)
         , m_old(old)
         , m_report(report)
     {
@@ -332,6 +341,7 @@ private:
         report.touchingEdges = m_resolution.touchingEdges;
         report.touchingVertices = m_resolution.touchingVertices;
         report.knots = m_resolution.knots;
+        report.crumbs = m_resolution.crumbs;
         report.widestKnot = m_resolution.widestKnot * m_lattice.unit();
         if (m_resolution.isDone)
             offer(std::move(surface), report, progress.part(afterCutting, 1));
@@ -344,10 +354,24 @@ private:
                (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
     }
 
+    /// Holds it against the faces as they were oriented or, where it differs from these, as the file has them: some run
+    /// the right way only there, others only when they are turned.
+    void measureSpace(Outcome& outcome, const JobControl& control) const
+    {
+        constexpr double half = 0.5;
+        SpaceDifference& space = outcome.report.space;
+        space = spaceDifference(meshOf(*m_closed.whole, m_lattice), outcome.mesh, control.part(0, half));
+        if (outcome.report.isFaithful())
+            return;
+        const SpaceDifference ofFile = spaceDifference(m_file, outcome.mesh, control.part(half, 1));
+        if (ofFile.lost + ofFile.gained < space.lost + space.gained)
+            space = ofFile;
+    }
+
     /// Takes it if it is in order and loses less than what there was.
     void offer(TriangleSoup surface, const RepairReport& report, const Progress& progress)
     {
-        constexpr double afterCheck = 0.35;
+        constexpr double afterCheck = 0.35, afterMeasuring = 0.9;
         progress.begin(RepairStep::Check);
         Outcome outcome{meshOf(std::move(surface), m_lattice), report};
         if (outcome.mesh.triangles.empty())
@@ -356,7 +380,9 @@ private:
         if (!measures.printReady() || progress.control.isCancelled())
             return;
         progress.begin(RepairStep::Measure);
-        measure(outcome.report, m_old, outcome.mesh, measures, progress.control.part(afterCheck, 1));
+        measure(outcome.report, m_old, outcome.mesh, measures, progress.control.part(afterCheck, afterMeasuring));
+        if (m_closed.whole)
+            measureSpace(outcome, progress.control.part(afterMeasuring, 1));
         if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
             m_best = std::move(outcome);
     }
@@ -364,6 +390,7 @@ private:
     const TriangleSoup& m_surface;
     const ClosedSurface& m_closed;
     const Lattice& m_lattice;
+    const TriangleMesh& m_file;
     const TriangleMesh& m_old;
     RepairReport m_report;
     repair::Resolution m_resolution;
@@ -373,7 +400,8 @@ private:
 
 bool RepairReport::isFaithful() const
 {
-    return !remeshedAt && keptVolume() >= leastVolume && keptVolume() <= mostVolume && lost <= mostLost * size;
+    return !remeshedAt && keptVolume() >= leastVolume && keptVolume() <= mostVolume && lost <= mostLost * size &&
+           space.lost <= mostSpaceLost && space.gained <= mostSpaceGained;
 }
 
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, const JobControl& control,
@@ -396,8 +424,9 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         result.refusal = RepairRefusal::LargeHoles;
     if (closed.isRefused || closed.unfilled.triangles.empty() || control.isCancelled())
         return result;
-    TriangleMesh old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
-    Solidification solid(surface, closed, placement.lattice, old, report);
+    TriangleMesh file = movedBy(placement.moved, mesh);
+    TriangleMesh old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : file;
+    Solidification solid(surface, closed, placement.lattice, file, old, report);
     solid.resolve(progress.part(afterClosing, afterResolving));
     control.reportProgress(afterResolving);
     if (options.canWrap && !solid.isFaithful() && !control.isCancelled())

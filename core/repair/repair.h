@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/mesh_check.h"
+#include "core/analysis/space_difference.h"
 #include "core/analysis/surface_distance.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/util/job_control.h"
@@ -44,6 +45,7 @@ struct RepairReport
     std::size_t touchingEdges = 0, touchingVertices = 0; ///< at which parts were drawn apart
     std::size_t knots = 0;    ///< places where faces met again and again: a small solid covers each
     double widestKnot = 0;    ///< the diameter of the largest of these, in the model's unit
+    std::size_t crumbs = 0;   ///< parts that cutting left, too small and thin to count: they went
     std::size_t unmasked = 0; ///< masked points that are gone; where a point is kept, so is its mask
     /// The surface was made anew from the space that it winds around, with edges of about this length. Missing: it was
     /// kept.
@@ -58,10 +60,13 @@ struct RepairReport
     SurfaceDistance fromOld; ///< of the old surface, from the new one: what went
     SurfaceDistance fromNew; ///< of the new surface, from the old one: what was added, and what moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
-    static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005;
-    double lost = 0; ///< mean distance of the old surface from the new one, where it does not lie inside of that
+    static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005, mostSpaceLost = 0.02,
+                            mostSpaceGained = 0.1;
+    double lost = 0;       ///< mean distance of the old surface from the new one, where it does not lie inside of that
+    SpaceDifference space; ///< if the old surface was open; what was left out and sheets are among its faces
     double keptVolume() const { return before.volume > 0 ? after.volume / before.volume : 1; }
-    /// The model was not made anew, its volume is the same within 2 %, and `lost` is at most 0.5 % of its size.
+    /// The model was not made anew, its volume is the same within 2 %, `lost` is at most 0.5 % of its size, and
+    /// `otherSpace` at most 2 %.
     bool isFaithful() const;
 };
 

@@ -32,6 +32,20 @@ std::vector<Slot> facesOf(std::span<const FacePair> pairs)
     return faces;
 }
 
+/// Returns the sum, over the faces, of the squares of how many others each meets: what arrange() takes grows with it.
+std::uint64_t costOfCutting(std::size_t faces, std::span<const FacePair> pairs)
+{
+    std::vector<std::uint64_t> met(faces, 0);
+    for (const auto& [first, second] : pairs) {
+        ++met[first];
+        ++met[second];
+    }
+    std::uint64_t sum = 0;
+    for (const std::uint64_t others : met)
+        sum += others * others;
+    return sum;
+}
+
 std::vector<Slot> cornersOf(const TriangleSoup& surface, std::span<const Slot> faces)
 {
     std::vector<Slot> corners;
@@ -82,6 +96,7 @@ public:
     {
         constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // few need as many
         constexpr double ofRounding = 8;                                              // tolerance, lattice units
+        constexpr std::uint64_t mostCost = 15'000'000;                                // about a minute
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
         m_resolution.intersections = m_met.count;
@@ -89,7 +104,8 @@ public:
             removeSlivers(m_ofFile);
         if (m_met.count > 0)
             m_resolution.unresolved = placeOf(m_met.pairs[0]);
-        if (m_met.count > std::min(mostPairs, manyMoreThan(m_resolution.intersections)))
+        if (m_met.count > std::min(mostPairs, manyMoreThan(m_resolution.intersections)) ||
+            costOfCutting(m_surface.triangles.size(), m_met.pairs) > mostCost)
             return;
         cut(m_control.part(0, 0.5));
         std::uint64_t fewest = m_met.count;
@@ -191,8 +207,8 @@ private:
     std::vector<FaceBox> m_changed; ///< where faces changed in the last cut: elsewhere none meet
 };
 
-/// Drops components that are thin and small.
-void dropCrumbs(TriangleSoup& surface)
+/// Drops components that are thin and small. Returns how many there were.
+std::size_t dropCrumbs(TriangleSoup& surface)
 {
     constexpr double thin = 64;    // lattice units: the volume by half the area
     constexpr double small = 1e-4; // of the area
@@ -213,13 +229,17 @@ void dropCrumbs(TriangleSoup& surface)
         area[component] += faceArea;
         whole += faceArea;
     }
+    std::vector<bool> isCrumb(components.count, false);
+    for (std::size_t c = 0; c < components.count; ++c)
+        isCrumb[c] = area[c] <= small * whole && 2 * std::abs(volume[c]) <= thin * area[c];
     std::size_t kept = 0;
     for (Slot f = 0; f < surface.triangles.size(); ++f) {
         const Slot c = components.ofFace[f];
-        if (area[c] > small * whole || 2 * std::abs(volume[c]) > thin * area[c])
+        if (!isCrumb[c])
             surface.triangles[kept++] = surface.triangles[f];
     }
     surface.triangles.resize(kept);
+    return static_cast<std::size_t>(std::ranges::count(isCrumb, true));
 }
 } // namespace
 
@@ -263,7 +283,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tol
         resolution.unresolved = unread.unresolved;
     }
     if (resolution.rounds > 0)
-        dropCrumbs(surface);
+        resolution.crumbs = dropCrumbs(surface);
     return resolution;
 }
 } // namespace core::repair

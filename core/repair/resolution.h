@@ -17,8 +17,9 @@ struct Resolution
     std::uint64_t intersections = 0;        ///< pairs of faces that met at first
     std::size_t rounds = 0;                 ///< of cutting
     std::size_t touchingEdges = 0, touchingVertices = 0;
-    std::size_t knots = 0; ///< places where faces met again and again: a small solid covers each
-    double widestKnot = 0; ///< the diameter of the largest of these, lattice units
+    std::size_t knots = 0;  ///< places where faces met again and again: a small solid covers each
+    double widestKnot = 0;  ///< the diameter of the largest of these, lattice units
+    std::size_t crumbs = 0; ///< small thin components that were dropped
 };
 
 /// Cuts the surface along all of its intersections, keeps the boundary of what counts as solid, rounds that to the
@@ -28,6 +29,7 @@ struct Resolution
 /// than 1/500 of the size wide. Parts that touch at edges and vertices are then separated or joined, and crumbs that
 /// all this left, less than 64 units thick and with less than 1/10,000 of the area, are dropped. The surface is closed.
 /// Away from these places no point moves. All cores.
+/// A tangle remains unresolved where cutting it the first time would take more than about a minute on two cores.
 /// `tolerance`: in lattice units, what the surface's own places are good for: points of faces that meet and lie closer
 /// become one. `budget`: of pairs of faces that may be cut after the first time, some 5,000 a second; what was cut is
 /// taken from it, and where it is spent the surface remains unresolved.

@@ -16,14 +16,14 @@ namespace
 {
 using Faces = std::vector<Slot>;
 
-/// The parts that have an open edge, by their first faces.
+/// The parts that edges of two connect and that have an open edge, by their first faces.
 std::vector<Faces> openParts(const TriangleSoup& surface)
 {
     DisjointSets sets(surface.triangles.size());
     std::vector<Slot> open;
     forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
-        for (const EdgeFace& e : around)
-            sets.unite(around[0].face, e.face);
+        if (around.size() == 2)
+            sets.unite(around[0].face, around[1].face);
         if (around.size() == 1)
             open.push_back(around[0].face);
     });

@@ -17,7 +17,8 @@ struct SheetRemoval
 
 /// Removes open parts that enclose nothing: what would close such a part has more than three quarters of its area, it
 /// would be flat then (a tenth of the volume of the ball with its area, at most), and the other faces do not close it
-/// either, that is, they wind around its middle by less than a quarter on average. Parts are connected by edges. The
-/// surface is oriented. Cost: as fillHoles(), and winding numbers at 64 faces a part.
+/// either, that is, they wind around its middle by less than a quarter on average. Parts are connected by edges of
+/// two: a fin on an edge of a solid is one. The surface is oriented. Cost: as fillHoles(), and winding numbers at 64
+/// faces a part.
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control = {});
 } // namespace core::repair

@@ -68,7 +68,7 @@ enum class FileFault {
     NotAList,        ///< JSON of another type
     NotAnObject,     ///< JSON of another type
     NotAnIndex,      ///< JSON that is no whole number from 0 on
-    NotNumbers,      ///< JSON that is not so many numbers
+    NotNumbers,      ///< not so many numbers, or no numbers at all
     BeyondItsData,   ///< it has fewer bytes than are to be read of it
     WrongAccessor,   ///< its type or count is none that can be used for what names it
     TooDeep,         ///< it is nested too deeply, or holds itself

@@ -49,6 +49,7 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
     if (report.knots > 0)
         steps << tr("Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm")
                      .arg(number(report.knots), shortMillimetres(report.widestKnot));
+    add(report.crumbs, tr("Tiny thin parts left out: %1"));
     add(report.unmasked, tr("Masked points that went, and their mask with them: %1"));
     if (report.remeshedAt)
         steps << tr("The surface was made anew, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
@@ -91,9 +92,15 @@ QString RepairMessages::doubt(const QString& file, const core::RepairReport& rep
                   "lost.")
             .arg(file, shortMillimetres(*report.remeshedAt));
     constexpr double percent = 100;
-    if (report.lost <= core::RepairReport::mostLost * report.size)
+    const double kept = report.keptVolume();
+    const bool isLost = report.lost > core::RepairReport::mostLost * report.size;
+    const bool isOfOtherVolume = kept < core::RepairReport::leastVolume || kept > core::RepairReport::mostVolume;
+    if (!isLost && isOfOtherVolume)
         return tr("%1 was mended, but has %2 % of its volume now.")
-            .arg(file, QLocale().toString(percent * report.keptVolume(), 'f', 1));
+            .arg(file, QLocale().toString(percent * kept, 'f', 1));
+    if (!isLost)
+        return tr("%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.")
+            .arg(file, QLocale().toString(percent * (report.space.lost + report.space.gained), 'f', 1));
     return tr("%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the "
               "size.")
         .arg(file, shortMillimetres(report.lost), QLocale().toString(percent * report.lost / report.size, 'f', 1));

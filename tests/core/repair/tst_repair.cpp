@@ -1,6 +1,7 @@
 // FETTLE_EFFORT=soak: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on.
 // FETTLE_MODELS=n: another number of them.
 
+#include "core/geometry/face_geometry.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mesh_hash.h"
 #include "core/repair/repair.h"
@@ -10,6 +11,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/environment.h"
 #include "tests/support/shapes.h"
+#include "tests/support/stroke_fuzzer.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
@@ -121,6 +123,7 @@ private Q_SLOTS:
     void cracks_areJoinedAndNothingElseMoves();
     void distantRims_areNotJoined();
     void tangle_comesToAnEnd();
+    void denseTangle_isRefusedAtOnce();
     void colors_stay();
     void masks_stayWherePointsDo();
     void masks_thatGoAreCounted();
@@ -135,6 +138,8 @@ private Q_SLOTS:
     void broadGround_isNotLostSilently();
     void voidsBetweenParts_stay();
     void lossOfVolume_isNotFaithful();
+    void otherSpace_isNotFaithful();
+    void openEnds_areFaithful();
     void farModel_isMovedAndSaid();
     void threads_doNotChangeTheOutcome();
     void stopped_hasNoMesh();
@@ -296,6 +301,22 @@ void TestRepair::tangle_comesToAnEnd()
     QVERIFY(verdict && verdict->allWell());
 }
 
+/// Tetrahedra in one place, of whose faces each meets 130 others: cutting them apart would take minutes.
+void TestRepair::denseTangle_isRefusedAtOnce()
+{
+    StrokeFuzzer random(1);
+    TriangleMesh tangle;
+    for (int i = 0; i < 500; ++i) {
+        TriangleMesh one = shapes::tetrahedron();
+        for (Vec3f& p : one.points)
+            p = (random.uniform(5, 8) * random.direction()).cast<float>();
+        tangle = shapes::together(tangle, one);
+    }
+    const RepairResult result = repairMesh(tangle);
+    QVERIFY(!result.mesh && result.place);
+    QVERIFY(result.refusal == RepairRefusal::Unresolved);
+}
+
 void TestRepair::colors_stay()
 {
     TriangleMesh bad = badModel(QStringLiteral("crossing shells")).mesh;
@@ -376,6 +397,18 @@ void TestRepair::openSheets_areLeftOutAndNamed()
     QVERIFY(!alone.mesh);
     QVERIFY(alone.refusal == RepairRefusal::EnclosesNothing);
     QCOMPARE(alone.report.sheets, std::size_t(1));
+
+    TriangleMesh withFin = cube; // on one of its edges
+    Triangle fin = cube.triangles[0];
+    const Vec3f onEdge = (cube.points[fin[0]] + cube.points[fin[1]]) / 2;
+    const Vec3f middle = boxOf(cube).center().cast<float>();
+    withFin.points.push_back(middle + 2 * (onEdge - middle));
+    fin[2] = static_cast<Slot>(withFin.points.size() - 1);
+    withFin.triangles.push_back(fin);
+    const RepairResult trimmed = repairMesh(withFin);
+    QVERIFY(trimmed.mesh && trimmed.report.isFaithful());
+    QCOMPARE(trimmed.report.sheets, std::size_t(1));
+    QCOMPARE(trimmed.mesh->triangles.size(), cube.triangles.size());
 }
 
 /// The faces of a cube, which keep clear of each other.
@@ -593,6 +626,52 @@ void TestRepair::lossOfVolume_isNotFaithful()
     report.lost = 0;
     report.after.volume = 1000;
     QVERIFY(!report.isFaithful());
+}
+
+/// Balls without many of their faces, and a band with one side, become something else than what they stood around.
+void TestRepair::otherSpace_isNotFaithful()
+{
+    StrokeFuzzer random(5);
+    for (const double missing : {0.3, 0.4, 0.5}) {
+        TriangleMesh ball = icosphere(4, 10);
+        std::erase_if(ball.triangles, [&](const Triangle&) { return random.uniform(0, 1) < missing; });
+        const RepairResult result = repairMesh(ball);
+        const double volume = result.mesh ? volumeOf(*result.mesh) / (4.0 / 3 * std::numbers::pi * 1000) : 0;
+        const bool isWhole = volume > 0.97 && volume < 1.03;
+        QVERIFY2(!result.mesh || isWhole || !result.report.isFaithful(),
+                 qPrintable(QStringLiteral("%1 of the faces missing: %2").arg(missing).arg(volume)));
+    }
+    TriangleMesh moebius;
+    constexpr Slot steps = 60;
+    for (Slot i = 0; i < steps; ++i) {
+        const double angle = 2 * std::numbers::pi * i / steps;
+        for (const double side : {-3.0, 3.0}) {
+            const double radius = 10 + side * std::cos(angle / 2);
+            moebius.points.push_back(
+                Vec3(radius * std::cos(angle), radius * std::sin(angle), side * std::sin(angle / 2)).cast<float>());
+        }
+        const Slot low = 2 * i, high = low + 1;
+        const Slot nextLow = i + 1 == steps ? 1 : low + 2, nextHigh = i + 1 == steps ? 0 : low + 3;
+        moebius.triangles.push_back({low, nextLow, nextHigh});
+        moebius.triangles.push_back({low, nextHigh, high});
+    }
+    const RepairResult band = repairMesh(moebius);
+    QVERIFY(!band.mesh || !band.report.isFaithful());
+}
+
+/// Filling an end that is missing is what was asked for: a ball without its cap, a tube, a tilted bowl.
+void TestRepair::openEnds_areFaithful()
+{
+    for (const float cut : {-5.0F, 0.0F, 5.0F, 9.0F}) {
+        TriangleMesh ball = icosphere(4, 10);
+        std::erase_if(ball.triangles, [&](const Triangle& t) {
+            return std::ranges::any_of(t, [&](Slot v) { return ball.points[v].y() > cut; });
+        });
+        const RepairResult result = repairMesh(ball);
+        QVERIFY(result.mesh);
+        QVERIFY2(result.report.isFaithful(),
+                 qPrintable(QStringLiteral("cut at %1: %2").arg(cut).arg(result.report.space.gained)));
+    }
 }
 
 void TestRepair::farModel_isMovedAndSaid()
