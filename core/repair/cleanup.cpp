@@ -53,12 +53,6 @@ void joinEqualCorners(TriangleSoup& surface)
             v = rootOf(v);
 }
 
-Triangle sortedCorners(Triangle t)
-{
-    std::ranges::sort(t);
-    return t;
-}
-
 /// 1 if the face runs its sorted corners forwards, else -1.
 int runOf(const Triangle& t)
 {

@@ -279,11 +279,23 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
-/// Winding of other parts around a closed part, at some of its faces.
+/// Calls visit(share of the first side, of the second) for the middles of the equal triangles that a triangle falls
+/// into when each side is cut into `perSide`.
+template <typename Visit> void forEachSample(int perSide, Visit visit)
+{
+    for (int i = 0; i < perSide; ++i)
+        for (int j = 0; i + j < perSide; ++j) {
+            visit((i + 1.0 / 3) / perSide, (j + 1.0 / 3) / perSide);
+            if (i + j + 1 < perSide)
+                visit((i + 2.0 / 3) / perSide, (j + 2.0 / 3) / perSide);
+        }
+}
+
+/// Winding of other parts around a closed part, over its area.
 struct Surroundings
 {
-    bool areEverywhere = true; ///< others wind around all of it, either way; not around a part that crosses them
-    double mean = 0;           ///< of their winding numbers
+    double share = 0; ///< of the area that others wind around, either way: 1 unless it crosses them
+    double mean = 0;  ///< of their winding numbers
 };
 
 /// Looks a little inside of the faces: those of a cavity that ends in the plane of an outer face lie in others, too.
@@ -293,18 +305,24 @@ Surroundings surroundingsOf(const TriangleSoup& surface, std::span<const Vec3> p
     constexpr std::size_t samples = 64;
     constexpr double depth = 16; // lattice units: more than what rounding moves
     const double own = facesIn ? -1 : 1;
+    const std::size_t step = std::max<std::size_t>(1, faces.size() / samples);
+    const auto perSide = static_cast<int>(std::ceil(std::sqrt(samples / static_cast<double>(faces.size()))));
     Surroundings around;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
+    double area = 0;
+    for (std::size_t i = 0; i < faces.size(); i += step) {
         const auto& [a, b, c] = surface.triangles[faces[i]];
-        const Vec3 middle = (points[a] + points[b] + points[c]) / 3;
-        const Vec3 outward = own * (points[b] - points[a]).cross(points[c] - points[a]).normalized();
-        const double others = winding.at(middle - depth * outward) - own;
-        around.areEverywhere = around.areEverywhere && std::abs(others) > 0.5;
-        around.mean += others;
-        ++count;
+        const Vec3 u = points[b] - points[a], v = points[c] - points[a];
+        const Vec3 inside = points[a] - depth * own * u.cross(v).normalized();
+        const double share = u.cross(v).norm() / (perSide * perSide);
+        forEachSample(perSide, [&](double alongU, double alongV) {
+            const double others = winding.at(inside + alongU * u + alongV * v) - own;
+            around.share += std::abs(others) > 0.5 ? share : 0;
+            around.mean += share * others;
+            area += share;
+        });
     }
-    around.mean /= static_cast<double>(count);
+    around.share /= area;
+    around.mean /= area;
     return around;
 }
 } // namespace
@@ -322,6 +340,8 @@ OrientationResult orient(TriangleSoup& surface)
 
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
 {
+    constexpr double nearlyAll = 1 - 1e-9;
+    constexpr double mostly = 0.6; // a beam of the wrong way that crosses the whole, too, is half inside
     OutwardResult faced;
     std::size_t turned = 0;
     const Parts parts = Flood(surface).run(turned);
@@ -336,12 +356,14 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
         const std::vector<Slot>& faces = parts.faces[part];
         const bool facesIn = volumeOf(surface, faces) < 0;
         const Surroundings around =
-            areSeveral ? surroundingsOf(surface, points, winding, faces, facesIn) : Surroundings{false, 0};
-        const bool isInside = around.areEverywhere;
-        const bool isOfInverted = isInside && !facesIn && std::abs(around.mean + 1) < 0.5;
+            areSeveral ? surroundingsOf(surface, points, winding, faces, facesIn) : Surroundings{};
+        const bool isCavity = facesIn || std::abs(around.mean + 1) < 0.5;
+        const bool isInside = around.share >= (isCavity ? mostly : nearlyAll); // a cavity may break through the wall
+        const bool isOfInverted = isInside && isCavity && !facesIn;
         const bool shouldTurn = isInside ? isOfInverted || (!facesIn && innerAreCavities) : facesIn;
         faced.inner += isInside && !facesIn && !isOfInverted;
         faced.turned += shouldTurn && !isInside;
+        faced.doCavitiesBreakOut = faced.doCavitiesBreakOut || (isInside && isCavity && around.share < nearlyAll);
         if (shouldTurn)
             for (const Slot f : faces)
                 turn(surface.triangles[f]);

@@ -24,10 +24,12 @@ struct OutwardResult
 {
     std::size_t turned = 0; ///< parts that faced inwards and lie in no other
     std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
+    bool doCavitiesBreakOut = false; ///< some lie partly outside of what they are cavities of
 };
 
 /// Turns closed parts outwards; open ones stay as they are. Parts inside of others, or flush with them, keep their way:
-/// inwards, they are cavities. Those in a part that faced inwards are turned with it: the whole was inside out. With
-/// `innerAreCavities` parts inside of others that face outwards are turned as well.
+/// inwards, they are cavities, also where they break through the wall with less than 0.4 of their area. Those in a
+/// part that faced inwards are turned with it: the whole was inside out. With `innerAreCavities` parts inside of others
+/// that face outwards are turned as well.
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
 } // namespace core::repair

@@ -29,6 +29,8 @@
 #include "core/repair/shrink_wrap.h"
 
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace core
 {
@@ -99,8 +101,11 @@ struct ClosedSurface
 {
     bool isRefused = false; ///< a large hole is not to be filled
     bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
-    TriangleSoup unfilled;             ///< as it was before holes were filled, without sheets
-    std::optional<TriangleSoup> whole; ///< the same with all that was left out; missing if it was closed as it was
+    TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
+    /// The same as the file has it, with all that was left out but large sheets; missing if it was closed as it was.
+    std::optional<TriangleSoup> whole;
+    bool doCavitiesBreakOut = false; ///< what cavities wind around outside of the solid is none
+    bool isFileOriented = true;      ///< the faces of each edge of two run it both ways
 };
 
 void weldAndCleanUp(TriangleSoup& surface, RepairReport& report)
@@ -152,6 +157,37 @@ bool takeClosed(TriangleSoup& surface, RepairReport& report)
     return true;
 }
 
+/// Returns whether the two faces of each edge of two run it in opposite directions.
+bool runsOneWay(const TriangleSoup& surface)
+{
+    bool doRun = true;
+    repair::forEachEdge(surface.triangles, [&](std::span<const repair::EdgeFace> around) {
+        doRun = doRun && (around.size() != 2 || around[0].forward != around[1].forward);
+    });
+    return doRun;
+}
+
+/// Drops faces with the corners of any of these.
+void dropFaces(TriangleSoup& surface, std::vector<Triangle> faces)
+{
+    for (Triangle& t : faces)
+        t = repair::sortedCorners(t);
+    std::ranges::sort(faces);
+    std::erase_if(surface.triangles,
+                  [&](const Triangle& t) { return std::ranges::binary_search(faces, repair::sortedCorners(t)); });
+}
+
+/// Turns faces to the way that those of `other` with the same corners run.
+void takeOrientation(TriangleSoup& surface, const TriangleSoup& other)
+{
+    std::map<Triangle, Triangle> byCorners;
+    for (const Triangle& t : other.triangles)
+        byCorners.emplace(repair::sortedCorners(t), t);
+    for (Triangle& t : surface.triangles)
+        if (const auto found = byCorners.find(repair::sortedCorners(t)); found != byCorners.end())
+            t = found->second;
+}
+
 /// Makes a closed surface of any, but for the holes that are not to be filled.
 ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOptions& options, RepairReport& report,
                             const Progress& progress)
@@ -164,13 +200,16 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     join(surface, unit, report);
     progress.control.reportProgress(afterStitching);
     progress.begin(RepairStep::Orient);
+    ClosedSurface result;
+    result.whole = surface;
+    result.isFileOriented = runsOneWay(surface);
     const repair::OrientationResult oriented = repair::orient(surface);
     report.turnedFaces = oriented.turned;
     report.membraneFaces = oriented.membranes.size();
-    ClosedSurface result;
-    result.whole = surface;
-    result.whole->triangles.insert(result.whole->triangles.end(), oriented.membranes.begin(), oriented.membranes.end());
-    repair::orientOutwards(*result.whole, options.innerAreCavities);
+    if (!result.isFileOriented) {
+        result.whole = surface;
+        std::ranges::copy(oriented.membranes, std::back_inserter(result.whole->triangles));
+    }
     progress.control.reportProgress(afterOrienting);
     progress.begin(RepairStep::Fill);
     const repair::SheetRemoval removed = repair::removeSheets(surface, progress.control);
@@ -178,6 +217,7 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     report.sheetLength = removed.length * unit;
     report.sheetWidth = removed.width * unit;
     report.before.volume = removed.volume * std::pow(unit, 3);
+    dropFaces(*result.whole, removed.largeOnes);
     result.unfilled = surface;
     const repair::HoleFillingResult filled = repair::fillHoles(surface, options.fillLargeHoles, progress.control);
     report.holes = filled.holes;
@@ -199,8 +239,11 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
         result =
             stitchAndFill(surface, unit, options, report, {progress.control.part(0, afterFilling), progress.onStep});
     const repair::OutwardResult faced = repair::orientOutwards(surface, options.innerAreCavities);
+    if (result.whole && !result.isFileOriented)
+        takeOrientation(*result.whole, surface);
     report.turnedFaces += faced.turned;
     report.innerParts = faced.inner;
+    result.doCavitiesBreakOut = faced.doCavitiesBreakOut;
     progress.control.reportProgress(1);
     return result;
 }
@@ -243,14 +286,12 @@ void measure(RepairReport& report, const TriangleMesh& old, const TriangleMesh& 
 class Solidification
 {
 public:
-    /// `file`: all that there was. `old`: what the outcome is held against. `report`: of steps 1 to 5. Lasting
-    /// references.
+    /// `old`: what the outcome is held against. `report`: of steps 1 to 5. Lasting references.
     Solidification(const TriangleSoup& surface, const ClosedSurface& closed, const Lattice& lattice,
-                   const TriangleMesh& file, const TriangleMesh& old, const RepairReport& report)
+                   const TriangleMesh& old, const RepairReport& report)
         : m_surface(surface)
         , m_closed(closed)
         , m_lattice(lattice)
-        , m_file(file)
         , m_old(old)
         , m_report(report)
     {
@@ -281,7 +322,7 @@ public:
                 if (progress.control.isCancelled() || !isInsideOut())
                     break;
             }
-            if (progress.control.isCancelled() || m_resolution.volume <= 0 || m_best)
+            if (progress.control.isCancelled() || m_volume <= 0 || m_best)
                 break;
         }
     }
@@ -294,7 +335,7 @@ public:
             m_best.reset();
         const int cell = repair::cellFor(m_closed.unfilled);
         RepairReport report = m_report;
-        report.before.volume += m_resolution.volume * std::pow(m_lattice.unit(), 3);
+        report.before.volume += m_volume;
         report.remeshedAt = cell * m_lattice.unit();
         offer(repair::shrinkWrap(m_closed.unfilled, cell, progress.control.part(0, afterShrinkWrap)), report,
               progress.part(afterShrinkWrap, 1));
@@ -306,7 +347,7 @@ public:
     {
         constexpr double half = 0.5, mostDistance = 0.05;
         const bool wasCut = m_resolution.rounds > 0 || m_resolution.intersections == 0;
-        if (!m_best && m_resolution.volume <= 0 && wasCut)
+        if (!m_best && m_volume <= 0 && wasCut)
             return m_closed.isLoose && standAroundSpace(m_closed.unfilled) ? RepairRefusal::TooMuchLost
                                                                            : RepairRefusal::EnclosesNothing;
         if (!m_best)
@@ -329,13 +370,13 @@ private:
     {
         constexpr double afterCutting = 0.4;
         progress.begin(RepairStep::Resolve);
-        const double volume = m_resolution.volume; // stays 0 where nothing was cut
         TriangleSoup surface = m_surface;
         m_resolution =
             repair::resolveIntersections(surface, inside, tolerance, budget, progress.control.part(0, afterCutting));
-        m_resolution.volume = std::max(volume, m_resolution.volume);
+        const double volume = m_resolution.volume + (m_closed.doCavitiesBreakOut ? 0 : m_resolution.insideOutVolume);
+        m_volume = std::max(m_volume, volume * std::pow(m_lattice.unit(), 3)); // it is 0 where nothing was cut
         RepairReport report = m_report;
-        report.before.volume += m_resolution.volume * std::pow(m_lattice.unit(), 3);
+        report.before.volume += m_volume;
         report.intersections = m_resolution.intersections;
         report.rounds = m_resolution.rounds;
         report.touchingEdges = m_resolution.touchingEdges;
@@ -350,22 +391,8 @@ private:
     /// Returns whether it was resolved, and space that is wound around the other way was lost.
     bool isInsideOut() const
     {
-        return m_resolution.isDone && m_resolution.insideOut > 0 &&
+        return m_resolution.isDone && m_resolution.insideOut > 0 && !m_closed.doCavitiesBreakOut &&
                (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
-    }
-
-    /// Holds it against the faces as they were oriented or, where it differs from these, as the file has them: some run
-    /// the right way only there, others only when they are turned.
-    void measureSpace(Outcome& outcome, const JobControl& control) const
-    {
-        constexpr double half = 0.5;
-        SpaceDifference& space = outcome.report.space;
-        space = spaceDifference(meshOf(*m_closed.whole, m_lattice), outcome.mesh, control.part(0, half));
-        if (outcome.report.isFaithful())
-            return;
-        const SpaceDifference ofFile = spaceDifference(m_file, outcome.mesh, control.part(half, 1));
-        if (ofFile.lost + ofFile.gained < space.lost + space.gained)
-            space = ofFile;
     }
 
     /// Takes it if it is in order and loses less than what there was.
@@ -382,7 +409,8 @@ private:
         progress.begin(RepairStep::Measure);
         measure(outcome.report, m_old, outcome.mesh, measures, progress.control.part(afterCheck, afterMeasuring));
         if (m_closed.whole)
-            measureSpace(outcome, progress.control.part(afterMeasuring, 1));
+            outcome.report.space = spaceDifference(meshOf(*m_closed.whole, m_lattice), outcome.mesh,
+                                                   progress.control.part(afterMeasuring, 1));
         if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
             m_best = std::move(outcome);
     }
@@ -390,10 +418,10 @@ private:
     const TriangleSoup& m_surface;
     const ClosedSurface& m_closed;
     const Lattice& m_lattice;
-    const TriangleMesh& m_file;
     const TriangleMesh& m_old;
     RepairReport m_report;
     repair::Resolution m_resolution;
+    double m_volume = 0; ///< that the surface winds around, in the model's unit
     std::optional<Outcome> m_best;
 };
 } // namespace
@@ -424,9 +452,8 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         result.refusal = RepairRefusal::LargeHoles;
     if (closed.isRefused || closed.unfilled.triangles.empty() || control.isCancelled())
         return result;
-    TriangleMesh file = movedBy(placement.moved, mesh);
-    TriangleMesh old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : file;
-    Solidification solid(surface, closed, placement.lattice, file, old, report);
+    TriangleMesh old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
+    Solidification solid(surface, closed, placement.lattice, old, report);
     solid.resolve(progress.part(afterClosing, afterResolving));
     control.reportProgress(afterResolving);
     if (options.canWrap && !solid.isFaithful() && !control.isCancelled())

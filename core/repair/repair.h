@@ -54,19 +54,21 @@ struct RepairReport
     Vec3 moved =
         Vec3::Zero(); ///< was added to each point, as the model lay far from the origin; distances are without that
     double size = 0;  ///< the longest side of the model
-    /// Before: area and parts are those of the model without the sheets, the volume that of its closed and oriented
-    /// surface and, as if they were closed, of the sheets.
+    /// Before: area and parts are those of the model without the sheets, the volume that of its surface once closed and
+    /// turned outwards and, as if they were closed, of the sheets.
     SurfaceMeasures before, after;
     SurfaceDistance fromOld; ///< of the old surface, from the new one: what went
     SurfaceDistance fromNew; ///< of the new surface, from the old one: what was added, and what moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
     static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005, mostSpaceLost = 0.02,
                             mostSpaceGained = 0.1;
-    double lost = 0;       ///< mean distance of the old surface from the new one, where it does not lie inside of that
-    SpaceDifference space; ///< if the old surface was open; what was left out and sheets are among its faces
+    double lost = 0; ///< mean distance of the old surface from the new one, where it does not lie inside of that
+    /// From the old surface if that was open: from the file's faces, or as they were turned where they run both ways
+    /// along an edge; without sheets of 1/100 of the area or more.
+    SpaceDifference space;
     double keptVolume() const { return before.volume > 0 ? after.volume / before.volume : 1; }
-    /// The model was not made anew, its volume is the same within 2 %, `lost` is at most 0.5 % of its size, and
-    /// `otherSpace` at most 2 %.
+    /// The model was not made anew, its volume is the same within 2 %, `lost` is at most 0.5 % of its size, and of the
+    /// space that the old and the new surface enclose together at most 2 % were lost and 10 % gained.
     bool isFaithful() const;
 };
 
@@ -99,7 +101,7 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options =
                         const RepairStepCallback& onStep = {});
 
 /// Measures what became of a repaired model, such as fewer triangles, against `old` of its repair: `after`, `fromOld`,
-/// `fromNew` and `lost` of the report. The mesh is closed and oriented, and lies where `old` does. Cost: that of
-/// checkMesh() and of two distanceFrom().
+/// `fromNew` and `lost` of the report, not `space`. The mesh is closed and oriented, and lies where `old` does. Cost:
+/// that of checkMesh() and of two distanceFrom().
 void measureAgain(RepairReport& report, const TriangleMesh& old, const TriangleMesh& mesh);
 } // namespace core

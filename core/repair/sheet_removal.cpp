@@ -2,10 +2,12 @@
 
 #include "core/repair/edge_faces.h"
 #include "core/repair/hole_filling.h"
+#include "core/repair/rectangle_around.h"
 
 #include "core/geometry/winding_number.h"
 #include "core/util/disjoint_sets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -82,16 +84,11 @@ bool isFlat(const Extent& extent)
     return extent.volume < ofBall * ballVolume;
 }
 
-struct Candidate
-{
-    Faces faces;
-    LatticeBox box;
-    double volume;
-};
-
-/// Averages, over their area, the winding numbers of all other faces at the middles of some of these.
-double windingOfOthers(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
-                       const Faces& faces)
+/// Averages, over their area, how far the winding numbers of all other faces at the middles of some of these are from
+/// whole numbers: a half where the others need these to be closed, 0 where these lie in the midst of the outside, of a
+/// void, or of the matter.
+double closingShare(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
+                    const Faces& faces)
 {
     constexpr std::size_t samples = 64;
     double sum = 0, area = 0;
@@ -99,51 +96,85 @@ double windingOfOthers(const TriangleSoup& surface, std::span<const Vec3> points
         const Triangle& t = surface.triangles[faces[i]];
         const double share = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
         const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
-        sum += share * winding.at(middle, std::span(faces).subspan(i, 1));
+        const double others = winding.at(middle, std::span(faces).subspan(i, 1));
+        sum += share * std::abs(others - std::round(others));
         area += share;
     }
-    return area > 0 ? std::abs(sum / area) : 0;
+    return area > 0 ? sum / area : 0;
+}
+
+struct Candidate
+{
+    Faces faces;
+    double volume; ///< that it would have if it were closed
+};
+
+/// Adds a sheet of a surface of this area to what was removed.
+void add(const TriangleSoup& surface, const Candidate& sheet, double wholeArea, SheetRemoval& removed)
+{
+    constexpr double large = 0.01; // of the area
+    const TriangleSoup part = partOf(surface, sheet.faces);
+    ++removed.sheets;
+    removed.volume += sheet.volume;
+    if (extentOf(part).area >= large * wholeArea)
+        for (const Slot f : sheet.faces)
+            removed.largeOnes.push_back(surface.triangles[f]);
+    const Rectangle rectangle = rectangleAround(part.places());
+    if (rectangle.length * rectangle.width >= removed.length * removed.width) {
+        removed.length = rectangle.length;
+        removed.width = rectangle.width;
+    }
+}
+
+/// Drops these parts of the surface; the faces of the others are renumbered.
+void drop(TriangleSoup& surface, std::span<const Candidate> parts, std::span<Candidate> others)
+{
+    std::vector<bool> goes(surface.triangles.size(), false);
+    for (const Candidate& part : parts)
+        for (const Slot f : part.faces)
+            goes[f] = true;
+    std::vector<Slot> newSlot(surface.triangles.size(), noSlot);
+    Slot kept = 0;
+    for (Slot f = 0; f < surface.triangles.size(); ++f)
+        if (!goes[f]) {
+            newSlot[f] = kept;
+            surface.triangles[kept++] = surface.triangles[f];
+        }
+    surface.triangles.resize(kept);
+    for (Candidate& part : others)
+        for (Slot& f : part.faces)
+            f = newSlot[f];
 }
 } // namespace
 
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
 {
-    constexpr double mostFilled = 0.75, leastWinding = 0.25;
+    constexpr double mostFilled = 0.75, leastShare = 0.25;
     SheetRemoval removed;
     std::vector<Candidate> candidates;
     for (Faces& faces : openParts(surface)) {
         if (control.isCancelled())
             return removed;
         TriangleSoup part = partOf(surface, faces);
-        const LatticeBox box = part.box();
         const bool isOpen = fillHoles(part, true, control).share > mostFilled;
         if (const Extent extent = extentOf(part); isOpen && isFlat(extent))
-            candidates.push_back({std::move(faces), box, extent.volume});
+            candidates.push_back({std::move(faces), extent.volume});
     }
-    if (candidates.empty())
-        return removed;
-    const std::vector<Vec3> points = surface.places();
-    const WindingNumber winding(points, surface.triangles);
-    std::vector<bool> goes(surface.triangles.size(), false);
-    for (const auto& [faces, box, volume] : candidates) {
-        if (control.isCancelled() || windingOfOthers(surface, points, winding, faces) > leastWinding)
-            continue;
-        ++removed.sheets;
-        removed.volume += volume;
-        for (const Slot f : faces)
-            goes[f] = true;
-        Vec3 sides = (box.max - box.min).cast<double>();
-        std::ranges::sort(sides);
-        if (sides[2] * sides[1] >= removed.length * removed.width) {
-            removed.length = sides[2];
-            removed.width = sides[1];
-        }
+    const double wholeArea = surface.triangles.empty() ? 0 : extentOf(surface).area;
+    bool doAnyGo = true;
+    while (doAnyGo && !candidates.empty() && !control.isCancelled()) { // sheets wind around others, too
+        const std::vector<Vec3> points = surface.places();
+        const WindingNumber winding(points, surface.triangles);
+        const auto isNeeded = [&](const Candidate& candidate) {
+            return closingShare(surface, points, winding, candidate.faces) > leastShare;
+        };
+        const auto sheets = std::stable_partition(candidates.begin(), candidates.end(), isNeeded);
+        for (auto sheet = sheets; sheet != candidates.end(); ++sheet)
+            add(surface, *sheet, wholeArea, removed);
+        drop(surface, {sheets, candidates.end()}, {candidates.begin(), sheets});
+        doAnyGo = sheets != candidates.end();
+        candidates.erase(sheets, candidates.end());
     }
-    std::size_t kept = 0;
-    for (Slot f = 0; f < surface.triangles.size(); ++f)
-        if (!goes[f])
-            surface.triangles[kept++] = surface.triangles[f];
-    surface.triangles.resize(kept);
     return removed;
 }
 } // namespace core::repair

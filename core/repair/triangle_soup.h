@@ -2,6 +2,7 @@
 
 #include "core/geometry/lattice_box.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace core::repair
@@ -46,4 +47,11 @@ struct TriangleSoup
         return static_cast<Slot>(points.size() - 1);
     }
 };
+
+/// The corners in ascending order: the same for all faces between them, however they run.
+inline Triangle sortedCorners(Triangle t)
+{
+    std::ranges::sort(t);
+    return t;
+}
 } // namespace core::repair

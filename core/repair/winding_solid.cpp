@@ -100,15 +100,17 @@ double insideOutShare(const Arrangement& arrangement, const std::vector<Sides>& 
     }
     return area > 0 ? insideOut / area : 0;
 }
-/// Sums what is inside and what is inside out.
-double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides)
+
+/// Sums volumes, each counted as often as `weightOf` says of the winding number there.
+template <typename Weight>
+double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides, Weight weightOf)
 {
     double sixVolumes = 0;
     for (Slot f = 0; f < sides.size(); ++f) {
         const auto [before, behind] = sides[f];
         const Triangle& t = arrangement.faces[f].corners;
         const double cone = arrangement.points[t[0]].dot(arrangement.points[t[1]].cross(arrangement.points[t[2]]));
-        sixVolumes += (std::abs(behind) - std::abs(before)) * cone;
+        sixVolumes += (weightOf(behind) - weightOf(before)) * cone;
     }
     return sixVolumes / 6;
 }
@@ -125,7 +127,8 @@ WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arr
         surface.points.push_back(p.array().round().cast<int>());
     const std::vector<Sides> sides = classifyAll(original, arrangement, control);
     solid.insideOut = insideOutShare(arrangement, sides);
-    solid.volume = volumeOf(arrangement, sides);
+    solid.volume = volumeOf(arrangement, sides, [](int side) { return std::max(0, side); });
+    solid.insideOutVolume = volumeOf(arrangement, sides, [](int side) { return std::max(0, -side); });
     const auto isSolid = [&](int side) { return side > 0 || (side < 0 && inside == Inside::NonZero); };
     for (Slot f = 0; f < sides.size(); ++f) {
         const bool before = isSolid(sides[f].before), behind = isSolid(sides[f].behind);

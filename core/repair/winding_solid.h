@@ -13,9 +13,10 @@ enum class Inside {
 
 struct WindingSolid
 {
-    TriangleSoup surface; ///< new points rounded to the lattice; equal ones are one
-    double insideOut = 0; ///< share of the boundary that bounds what is inside out
-    double volume = 0;    ///< lattice units^3, of what is inside and of what is inside out, before rounding
+    TriangleSoup surface;       ///< new points rounded to the lattice; equal ones are one
+    double insideOut = 0;       ///< share of the boundary that bounds what is inside out
+    double volume = 0;          ///< lattice units^3, of what is inside, before rounding
+    double insideOutVolume = 0; ///< the same of what is inside out
 };
 
 /// The boundary of all that counts as solid: what is inside of two parts is inside. `original` is the surface that was

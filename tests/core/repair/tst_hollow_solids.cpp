@@ -78,6 +78,13 @@ void TestHollowSolids::volume_isKept_data()
     QTest::addRow("inside out as a whole") << shapes::reversed(shell) << 936.0;
     QTest::addRow("with a core, inside out as a whole")
         << shapes::reversed(shapes::together(shell, box(Vec3f::Constant(4), Vec3f::Constant(6)))) << 944.0;
+    for (const float end : {10.001F, 10.1F, 11.0F})
+        QTest::addRow("cavity that breaks through by %g", static_cast<double>(end - 10))
+            << hollow({3, 2, 2}, {end, 8, 8}) << 1000.0 - 7 * 36;
+    QTest::addRow("lump over the wall, inside out")
+        << shapes::together(shell, shapes::reversed(box({6, 4, 4}, {14, 6, 6}))) << 936.0 + 4 + 16;
+    QTest::addRow("lump over the wall, all else inside out")
+        << shapes::together(shapes::reversed(shell), box({6, 4, 4}, {14, 6, 6})) << 936.0 + 4 + 16;
     QTest::addRow("hole through two faces") << hollow({3, 3, 0}, {7, 7, 10}) << 840.0;
     QTest::addRow("pocket") << hollow({3, 3, 5}, {7, 7, 10}) << 920.0;
     QTest::addRow("pipe") << hollow({1, 1, 0}, {9, 9, 10}) << 360.0;

@@ -393,6 +393,20 @@ void TestRepair::openSheets_areLeftOutAndNamed()
     QVERIFY(std::abs(volumeOf(*result.mesh) - 64000) < 0.1);
     QCOMPARE(result.report.after.parts, std::size_t(1));
 
+    TriangleMesh scene = shapes::together(cube, floor); // and a strip, all turned
+    for (const Vec3f& p : {Vec3f(60, 20, 0), Vec3f(160, 20, 0), Vec3f(160, 21, 0), Vec3f(60, 21, 0)})
+        scene.points.push_back(p);
+    const Slot last = static_cast<Slot>(scene.points.size() - 1);
+    scene.triangles.push_back({last - 3, last - 2, last - 1});
+    scene.triangles.push_back({last - 3, last - 1, last});
+    const Eigen::AngleAxisf turn(0.7F, Vec3f(1, 2, 3).normalized());
+    for (Vec3f& p : scene.points)
+        p = turn * p;
+    const RepairResult turned = repairMesh(scene);
+    QVERIFY(turned.mesh && turned.report.isFaithful());
+    QCOMPARE(turned.report.sheets, std::size_t(2));
+    QVERIFY(std::abs(turned.report.sheetLength - 200) < 0.01 && std::abs(turned.report.sheetWidth - 150) < 0.01);
+
     const RepairResult alone = repairMesh(floor, {.canWrap = true});
     QVERIFY(!alone.mesh);
     QVERIFY(alone.refusal == RepairRefusal::EnclosesNothing);
