@@ -291,11 +291,11 @@ template <typename Visit> void forEachSample(int perSide, Visit visit)
         }
 }
 
-/// Winding of other parts around a closed part, over its area.
+/// Shares of a closed part's area that other parts wind around.
 struct Surroundings
 {
-    double share = 0; ///< of the area that others wind around, either way: 1 unless it crosses them
-    double mean = 0;  ///< of their winding numbers
+    double outward = 0; ///< facing outwards, as most models do
+    double inward = 0;  ///< inside out
 };
 
 /// Looks a little inside of the faces: those of a cavity that ends in the plane of an outer face lie in others, too.
@@ -316,13 +316,13 @@ Surroundings surroundingsOf(const TriangleSoup& surface, std::span<const Vec3> p
         const double share = u.cross(v).norm() / (perSide * perSide);
         forEachSample(perSide, [&](double alongU, double alongV) {
             const double others = winding.at(inside + alongU * u + alongV * v) - own;
-            around.share += std::abs(others) > 0.5 ? share : 0;
-            around.mean += share * others;
+            around.outward += others > 0.5 ? share : 0;
+            around.inward += others < -0.5 ? share : 0;
             area += share;
         });
     }
-    around.share /= area;
-    around.mean /= area;
+    around.outward /= area;
+    around.inward /= area;
     return around;
 }
 } // namespace
@@ -340,8 +340,9 @@ OrientationResult orient(TriangleSoup& surface)
 
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
 {
-    constexpr double nearlyAll = 1 - 1e-9;
-    constexpr double mostly = 0.6; // a beam of the wrong way that crosses the whole, too, is half inside
+    constexpr double all = 1 - 1e-9, clearlyMost = 0.85;
+    constexpr double most = 0.6;     // a beam of the wrong way that crosses the whole is half inside
+    constexpr double sampling = 1.5; // shares of the area are off by as much
     OutwardResult faced;
     std::size_t turned = 0;
     const Parts parts = Flood(surface).run(turned);
@@ -354,16 +355,18 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
         if (!isClosed[part])
             continue;
         const std::vector<Slot>& faces = parts.faces[part];
-        const bool facesIn = volumeOf(surface, faces) < 0;
+        const double volume = volumeOf(surface, faces);
+        const bool facesIn = volume < 0;
         const Surroundings around =
             areSeveral ? surroundingsOf(surface, points, winding, faces, facesIn) : Surroundings{};
-        const bool isCavity = facesIn || std::abs(around.mean + 1) < 0.5;
-        const bool isInside = around.share >= (isCavity ? mostly : nearlyAll); // a cavity may break through the wall
-        const bool isOfInverted = isInside && isCavity && !facesIn;
-        const bool shouldTurn = isInside ? isOfInverted || (!facesIn && innerAreCavities) : facesIn;
-        faced.inner += isInside && !facesIn && !isOfInverted;
+        const bool isInside = around.outward + around.inward > all;
+        const bool isCavity =
+            facesIn ? around.outward > most : around.inward > clearlyMost; // or breaks out of the wall
+        const bool shouldTurn = isCavity ? !facesIn : facesIn || (isInside && innerAreCavities);
+        faced.inner += isInside && !isCavity && !facesIn;
         faced.turned += shouldTurn && !isInside;
-        faced.doCavitiesBreakOut = faced.doCavitiesBreakOut || (isInside && isCavity && around.share < nearlyAll);
+        if (isCavity && !isInside)
+            faced.cavitiesOutside += sampling * std::abs(volume) * (1 - around.outward - around.inward);
         if (shouldTurn)
             for (const Slot f : faces)
                 turn(surface.triangles[f]);

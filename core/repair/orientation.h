@@ -24,7 +24,7 @@ struct OutwardResult
 {
     std::size_t turned = 0; ///< parts that faced inwards and lie in no other
     std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
-    bool doCavitiesBreakOut = false; ///< some lie partly outside of what they are cavities of
+    double cavitiesOutside = 0; ///< lattice units^3, about at most, that cavities wind around outside of the solid
 };
 
 /// Turns closed parts outwards; open ones stay as they are. Parts inside of others, or flush with them, keep their way:

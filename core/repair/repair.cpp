@@ -104,8 +104,8 @@ struct ClosedSurface
     TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
     /// The same as the file has it, with all that was left out but large sheets; missing if it was closed as it was.
     std::optional<TriangleSoup> whole;
-    bool doCavitiesBreakOut = false; ///< what cavities wind around outside of the solid is none
-    bool isFileOriented = true;      ///< the faces of each edge of two run it both ways
+    double cavitiesOutside = 0; ///< OutwardResult
+    bool isFileOriented = true; ///< the faces of each edge of two run it both ways
 };
 
 void weldAndCleanUp(TriangleSoup& surface, RepairReport& report)
@@ -243,7 +243,7 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
         takeOrientation(*result.whole, surface);
     report.turnedFaces += faced.turned;
     report.innerParts = faced.inner;
-    result.doCavitiesBreakOut = faced.doCavitiesBreakOut;
+    result.cavitiesOutside = faced.cavitiesOutside;
     progress.control.reportProgress(1);
     return result;
 }
@@ -373,7 +373,7 @@ private:
         TriangleSoup surface = m_surface;
         m_resolution =
             repair::resolveIntersections(surface, inside, tolerance, budget, progress.control.part(0, afterCutting));
-        const double volume = m_resolution.volume + (m_closed.doCavitiesBreakOut ? 0 : m_resolution.insideOutVolume);
+        const double volume = m_resolution.volume + insideOutVolume();
         m_volume = std::max(m_volume, volume * std::pow(m_lattice.unit(), 3)); // it is 0 where nothing was cut
         RepairReport report = m_report;
         report.before.volume += m_volume;
@@ -388,10 +388,17 @@ private:
             offer(std::move(surface), report, progress.part(afterCutting, 1));
     }
 
+    /// Lattice units^3, but for what cavities wind around outside of the solid: that is no space that was lost.
+    double insideOutVolume() const
+    {
+        const double volume = m_resolution.insideOutVolume;
+        return volume > m_closed.cavitiesOutside ? volume : 0;
+    }
+
     /// Returns whether it was resolved, and space that is wound around the other way was lost.
     bool isInsideOut() const
     {
-        return m_resolution.isDone && m_resolution.insideOut > 0 && !m_closed.doCavitiesBreakOut &&
+        return m_resolution.isDone && insideOutVolume() > 0 &&
                (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
     }
 

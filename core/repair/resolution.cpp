@@ -190,7 +190,6 @@ private:
                                             m_inside, control.part(afterCutting, 1));
         m_surface = std::move(solid.surface);
         m_inside = Inside::Positive; // now it bounds what was asked for; what rounding turns inside out goes
-        m_resolution.insideOut = std::max(m_resolution.insideOut, solid.insideOut);
         if (m_resolution.volume + m_resolution.insideOutVolume == 0) {
             m_resolution.volume = solid.volume;
             m_resolution.insideOutVolume = solid.insideOutVolume;

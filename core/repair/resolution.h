@@ -12,7 +12,6 @@ struct Resolution
 {
     bool isDone = false;                    ///< no faces meet, and no points are stuck
     std::optional<LatticePoint> unresolved; ///< where faces still meet or touch
-    double insideOut = 0;                   ///< share of the boundary that bounds what is inside out
     double volume = 0;                      ///< lattice units^3, of all that the surface winds around
     double insideOutVolume = 0;             ///< the same of all that it winds around the other way
     std::uint64_t intersections = 0;        ///< pairs of faces that met at first

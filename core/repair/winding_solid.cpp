@@ -87,20 +87,6 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
     return sides;
 }
 
-/// Share of the boundary between what is inside out and what is not.
-double insideOutShare(const Arrangement& arrangement, const std::vector<Sides>& sides)
-{
-    double area = 0, insideOut = 0;
-    for (Slot f = 0; f < sides.size(); ++f) {
-        const auto [before, behind] = sides[f];
-        if (before == behind)
-            continue;
-        area += areaOf(arrangement, f);
-        insideOut += before + behind < 0 ? areaOf(arrangement, f) : 0;
-    }
-    return area > 0 ? insideOut / area : 0;
-}
-
 /// Sums volumes, each counted as often as `weightOf` says of the winding number there.
 template <typename Weight>
 double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides, Weight weightOf)
@@ -126,7 +112,6 @@ WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arr
     for (const Vec3& p : arrangement.points)
         surface.points.push_back(p.array().round().cast<int>());
     const std::vector<Sides> sides = classifyAll(original, arrangement, control);
-    solid.insideOut = insideOutShare(arrangement, sides);
     solid.volume = volumeOf(arrangement, sides, [](int side) { return std::max(0, side); });
     solid.insideOutVolume = volumeOf(arrangement, sides, [](int side) { return std::max(0, -side); });
     const auto isSolid = [&](int side) { return side > 0 || (side < 0 && inside == Inside::NonZero); };

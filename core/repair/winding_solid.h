@@ -14,7 +14,6 @@ enum class Inside {
 struct WindingSolid
 {
     TriangleSoup surface;       ///< new points rounded to the lattice; equal ones are one
-    double insideOut = 0;       ///< share of the boundary that bounds what is inside out
     double volume = 0;          ///< lattice units^3, of what is inside, before rounding
     double insideOutVolume = 0; ///< the same of what is inside out
 };

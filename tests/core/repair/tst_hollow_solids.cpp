@@ -81,6 +81,7 @@ void TestHollowSolids::volume_isKept_data()
     for (const float end : {10.001F, 10.1F, 11.0F})
         QTest::addRow("cavity that breaks through by %g", static_cast<double>(end - 10))
             << hollow({3, 2, 2}, {end, 8, 8}) << 1000.0 - 7 * 36;
+    QTest::addRow("bore that begins and ends outside") << hollow({2, 2, -1}, {8, 8, 11}) << 640.0;
     QTest::addRow("lump over the wall, inside out")
         << shapes::together(shell, shapes::reversed(box({6, 4, 4}, {14, 6, 6}))) << 936.0 + 4 + 16;
     QTest::addRow("lump over the wall, all else inside out")
