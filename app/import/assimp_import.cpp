@@ -226,7 +226,7 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits);
     if (isFbx)
-        addFbxScene(*scene, mesh);
+        addFbxScene(*scene, notes.models, mesh);
     else
         mesh.addTree(*scene->mRootNode, placeOf(path, start));
     if (mesh.isEmpty() && !notes.outside.empty())

@@ -183,76 +183,72 @@ private:
     std::map<std::size_t, std::pair<std::size_t, std::string>> m_texts; ///< length, and what is there instead
 };
 
+/// Finds the properties of a model: its own ones, and those of the template. Does not own them.
+struct ModelProperties
+{
+    const FbxRecord* own = nullptr;   ///< may be null
+    const FbxRecord* usual = nullptr; ///< may be null
+
+    const FbxRecord* find(std::string_view name) const
+    {
+        const FbxRecord* const property = propertyIn(own, name);
+        return property ? property : propertyIn(usual, name);
+    }
+    double number(std::string_view name, double otherwise) const { return valueOf(find(name)).value_or(otherwise); }
+    bool hasActiveRotations() const
+    {
+        return number("RotationActive", 1) != 0 && number("RotationSpaceForLimitOnly", 0) == 0;
+    }
+};
+
 /// Rights the rotations of models.
 class RotationFixer
 {
 public:
-    /// `usual`: the properties of the template, not owned; may be null.
-    RotationFixer(const std::filesystem::path& path, const FbxRecord* usual, Changes& changes)
-        : m_path(path)
-        , m_usual(usual)
-        , m_changes(changes)
-    {}
+    RotationFixer(const std::filesystem::path& path, Changes& changes) : m_path(path), m_changes(changes) {}
 
-    void fix(const FbxRecord& model)
+    void fix(const ModelProperties& properties)
     {
-        m_own = recordIn(model.records, "Properties70");
-        const bool isActive = valueOf(property("RotationActive")).value_or(1) != 0 &&
-                              valueOf(property("RotationSpaceForLimitOnly")).value_or(0) == 0;
+        m_properties = properties;
+        const bool isActive = properties.hasActiveRotations();
         const std::size_t order = orderOf(isActive);
-        if (!isActive) {
-            setOwn("PreRotation", Vector3d::Zero());
-            setOwn("PostRotation", Vector3d::Zero());
+        if (!isActive)
             reorder("Lcl Rotation", order);
-        }
         reorder("GeometricRotation", order);
     }
 
 private:
-    const FbxRecord* property(std::string_view name) const
-    {
-        const FbxRecord* const own = propertyIn(m_own, name);
-        return own ? own : propertyIn(m_usual, name);
-    }
-
     /// Returns the index in `orders` of the order in which Assimp applies the model's rotations. Assimp does not know
     /// SphericXYZ: it becomes XYZ where nothing turns. Throws FileError where something does.
     std::size_t orderOf(bool isActive)
     {
-        const double number = valueOf(property("RotationOrder")).value_or(0);
+        const double number = m_properties.number("RotationOrder", 0);
         if (number >= 0 && number < spheric)
             return static_cast<std::size_t>(number);
         if (number != spheric)
             return 0; // no order that there is
-        if (isActive && !vectorOf(property("Lcl Rotation")).value_or(Vector3d::Zero()).isZero(0)) {
+        if (isActive && !vectorOf(m_properties.find("Lcl Rotation")).value_or(Vector3d::Zero()).isZero(0)) {
             core::FileError error = core::io::errorWithToken(core::FileErrorKind::ReaderRefused, {m_path, {}}, {});
             error.token = "the rotation order SphericXYZ is not read";
             throw error;
         }
-        if (const FbxRecord* const own = propertyIn(m_own, "RotationOrder"))
+        if (const FbxRecord* const own = propertyIn(m_properties.own, "RotationOrder"))
             m_changes.set(*own, 0, 0);
         return 0;
-    }
-
-    void setOwn(std::string_view name, const Vector3d& vector)
-    {
-        const FbxRecord* const own = propertyIn(m_own, name);
-        if (own && vectorOf(own))
-            m_changes.set(*own, vector);
     }
 
     /// Gives the angles, which stand for turns about x, then y, then z, in the other order.
     void reorder(std::string_view name, std::size_t order)
     {
-        const auto angles = vectorOf(propertyIn(m_own, name));
+        const FbxRecord* const own = propertyIn(m_properties.own, name);
+        const auto angles = vectorOf(own);
         if (angles && order != 0)
-            setOwn(name, anglesOf(turnOf(*angles), order));
+            m_changes.set(*own, anglesOf(turnOf(*angles), order));
     }
 
     const std::filesystem::path& m_path;
-    const FbxRecord* m_usual;
-    const FbxRecord* m_own = nullptr;
     Changes& m_changes;
+    ModelProperties m_properties;
 };
 
 const FbxRecord* modelTemplateIn(const Records& records)
@@ -315,6 +311,24 @@ public:
         return nullptr;
     }
 
+    /// Returns the models, the scene first. `usual`: the properties of the template, not owned; may be null.
+    std::vector<FbxModel> models(const FbxRecord* usual) const
+    {
+        std::map<std::int64_t, std::size_t> indices{{0, 0}};
+        for (const auto& [id, model] : m_models)
+            if (id != 0)
+                indices.emplace(id, indices.size());
+        std::vector<FbxModel> models(indices.size());
+        for (const auto& [id, model] : m_models) {
+            FbxModel& to = models[indices[id]];
+            if (model.record)
+                to = modelOf(*model.record, usual);
+            for (const std::int64_t child : model.below)
+                to.below.push_back(indices[child]);
+        }
+        return models;
+    }
+
 private:
     static constexpr std::size_t maxDepth = 4096;
 
@@ -326,6 +340,19 @@ private:
         std::size_t height = 0; ///< the generations below it; complete once it is done
     };
 
+    static FbxModel modelOf(const FbxRecord& record, const FbxRecord* usual)
+    {
+        const ModelProperties properties{recordIn(record.records, "Properties70"), usual};
+        FbxModel model;
+        model.name = nameOf(record);
+        model.scale = vectorOf(properties.find("Lcl Scaling")).value_or(model.scale);
+        const double inherit = properties.number("InheritType", 1);
+        model.inherit = inherit == 0   ? FbxModel::Inherit::ComponentWise
+                        : inherit == 2 ? FbxModel::Inherit::WithoutParents
+                                       : FbxModel::Inherit::Usual;
+        model.hasActiveRotations = properties.hasActiveRotations();
+        return model;
+    }
     static std::optional<std::int64_t> idOf(const FbxRecord& record, std::size_t value)
     {
         return value < record.values.size() ? record.values[value].whole() : std::nullopt;
@@ -344,20 +371,23 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
 {
     const std::optional<Records> records = fbxModelRecords(bytes);
     if (!records)
-        return {.isFollowed = false, .changed = {}};
+        return {.isFollowed = false, .changed = {}, .models = {}};
     const FbxRecord* const objects = recordIn(*records, "Objects");
     if (!objects)
-        return {};
-    if (const FbxRecord* const connections = recordIn(*records, "Connections"))
-        if (const FbxRecord* const model = ModelTree(objects->records, connections->records).endless())
-            throw core::io::malformed(core::FileFault::TooDeep,
-                                      core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(*model)));
+        return {.changed = {}, .models = {{}}};
+    const FbxRecord* const connections = recordIn(*records, "Connections");
+    ModelTree tree(objects->records, connections ? connections->records : Records());
+    if (const FbxRecord* const model = tree.endless())
+        throw core::io::malformed(core::FileFault::TooDeep,
+                                  core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(*model)));
+    const FbxRecord* const usual = modelTemplateIn(*records);
     Changes changes(bytes);
-    RotationFixer fixer(path, modelTemplateIn(*records), changes);
+    RotationFixer fixer(path, changes);
     for (const FbxRecord& model : objects->records) {
-        requireNumbers({path, bytes}, recordIn(model.records, "Properties70"));
-        fixer.fix(model);
+        const FbxRecord* const own = recordIn(model.records, "Properties70");
+        requireNumbers({path, bytes}, own);
+        fixer.fix({own, usual});
     }
-    return {.isFollowed = true, .changed = changes.result()};
+    return {.changed = changes.result(), .models = tree.models(usual)};
 }
 } // namespace app

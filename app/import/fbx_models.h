@@ -1,22 +1,44 @@
 #pragma once
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace app
 {
+/// Says of a model what Assimp does not hand on. What it has not of its own is by the template of its kind.
+struct FbxModel
+{
+    /// Names the ways in which a model follows its parent's scale.
+    enum class Inherit {
+        ComponentWise, ///< by its own axes: RrSs
+        Usual,         ///< as matrices do: RSrs
+        WithoutParents ///< not at all; the place does: Rrs
+    };
+
+    std::string name;
+    std::vector<std::size_t> below; ///< indices of the models below it, in the order in which Assimp has them
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< its own one, with signs
+    Inherit inherit = Inherit::Usual;
+    bool hasActiveRotations = true;
+};
+
 /// An FBX file as Assimp reads it right.
 struct FbxForAssimp
 {
     bool isFollowed = true;             ///< false: its records could not be followed, so nothing was checked or changed
     std::optional<std::string> changed; ///< the changed file; empty: nothing has to be changed
+    std::vector<FbxModel> models;       ///< the first one stands for the scene
 };
 
 /// Changes the rotations of the models of an FBX file so that Assimp turns them by the rules of FBX: geometric
-/// rotations go about x, then y, then z, whatever the order of the model's own; a model whose rotations are not active
-/// (by itself, or by the template of its kind) has neither an order nor rotations before and behind. Throws
+/// rotations go about x, then y, then z, whatever the order of the model's own, and so do those of a model whose
+/// rotations are not active; that it has no rotations before and behind then is left to who places it. Throws
 /// core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096 deep; ReaderRefused for
 /// a rotation of the order SphericXYZ; NotANumber for a model's place, rotation or scale that is no finite number.
 FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes);

@@ -10,6 +10,7 @@
 #include "core/io/mesh/number_parsing.h"
 
 #include <algorithm>
+#include <charconv>
 #include <span>
 #include <utility>
 
@@ -363,6 +364,16 @@ private:
     std::optional<Token> m_token; ///< the present one; empty: the text is at its end
     std::vector<std::string_view> m_path;
 };
+std::optional<std::int64_t> wholeIn(std::string_view word)
+{
+    if (const auto number = core::io::parseInteger(word))
+        return number;
+    std::uint64_t id = 0;
+    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), id);
+    if (problem != std::errc() || end != word.data() + word.size())
+        return std::nullopt;
+    return static_cast<std::int64_t>(id);
+}
 } // namespace
 
 std::optional<double> FbxValue::number() const
@@ -394,7 +405,7 @@ std::optional<std::int64_t> FbxValue::whole() const
     case 'L':
         return core::io::load<std::int64_t>(bytes.data(), std::endian::little);
     case 'T':
-        return core::io::parseInteger(bytes);
+        return wholeIn(bytes);
     default:
         return std::nullopt;
     }

@@ -17,7 +17,7 @@ struct FbxValue
 
     /// Returns its number; empty if it is none.
     std::optional<double> number() const;
-    /// Returns its whole number, of 64 bits; empty if it is none.
+    /// Returns its whole number, of 64 bits; empty if it is none. Ids of text may be without a sign: 2^64 - 1 is -1.
     std::optional<std::int64_t> whole() const;
 };
 

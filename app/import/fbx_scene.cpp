@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -19,6 +20,8 @@ namespace app
 {
 namespace
 {
+using Inherit = FbxModel::Inherit;
+
 /// Returns the factor that a node of the chain stands for; empty for the node of a model, which alone has metadata.
 std::string_view factorOf(const aiNode& node)
 {
@@ -44,60 +47,55 @@ template <class Value> std::optional<Value> valueOf(const aiMetadata* data, cons
     return data && data->Get(key, value) ? std::optional(value) : std::nullopt;
 }
 
-/// Names the ways in which a model follows its parent's scale.
-enum class Inherit {
-    ComponentWise, ///< by its own axes: RrSs
-    Usual,         ///< as matrices do: RSrs
-    WithoutParents ///< not at all; the place does: Rrs
-};
-
-/// A model's chain, put together.
-struct Model
-{
-    const aiNode* node = nullptr;                           ///< which has the meshes
-    Eigen::Matrix4d local = Eigen::Matrix4d::Identity();    ///< against its parent
-    Eigen::Matrix4d ofMeshes = Eigen::Matrix4d::Identity(); ///< against itself
-    Inherit inherit = Inherit::Usual;
-};
-
-Model modelOf(const aiNode& first)
+/// Returns the node that ends a model's chain, which has its name, its metadata and its meshes.
+const aiNode& endOf(const aiNode& first)
 {
     const aiNode* node = &first;
     while (!factorOf(*node).empty() && node->mNumChildren == 1)
         node = node->mChildren[0];
-    Model model;
+    return *node;
+}
+
+/// A model's chain, put together.
+struct Transforms
+{
+    Eigen::Matrix4d local = Eigen::Matrix4d::Identity();    ///< against its parent
+    Eigen::Matrix4d ofMeshes = Eigen::Matrix4d::Identity(); ///< against itself
+};
+
+Transforms transformsOf(const aiNode& first, const FbxModel& model)
+{
+    const aiNode* const end = &endOf(first);
+    Transforms transforms;
     for (const aiNode* part = &first;; part = part->mChildren[0]) {
-        (isGeometric(factorOf(*part)) ? model.ofMeshes : model.local) *= matrixOf(*part);
-        if (part == node)
-            break;
+        const std::string_view factor = factorOf(*part);
+        if (model.hasActiveRotations || (factor != "PreRotation" && factor != "PostRotation"))
+            (isGeometric(factor) ? transforms.ofMeshes : transforms.local) *= matrixOf(*part);
+        if (part == end)
+            return transforms;
     }
-    model.node = node;
-    const int inherit = valueOf<std::int32_t>(node->mMetaData, "InheritType").value_or(1);
-    model.inherit = inherit == 0 ? Inherit::ComponentWise : inherit == 2 ? Inherit::WithoutParents : Inherit::Usual;
-    return model;
 }
 
 /// A model's place in the world, and what its children inherit of it.
 struct ModelPlace
 {
     Eigen::Matrix4d world, withoutScale;
-    Eigen::Vector3d scale = Eigen::Vector3d::Ones();       ///< of itself, and what it has inherited by its axes
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones();       ///< of itself times what it inherits by its axes, with signs
     Eigen::Vector3d scaleBefore = Eigen::Vector3d::Ones(); ///< of those from which an Rrs child inherits
 };
 
-/// Returns the matrix without the lengths of its columns, which are `scale`.
+/// Returns the matrix without its scale, the mirrors of which go with it. A scale of nothing cannot be taken back.
 Eigen::Matrix4d unscaled(Eigen::Matrix4d matrix, const Eigen::Vector3d& scale)
 {
     for (int axis = 0; axis < 3; ++axis)
-        if (scale[axis] > 0)
+        if (scale[axis] != 0)
             matrix.col(axis) /= scale[axis];
     return matrix;
 }
 
-ModelPlace placeOf(const Model& model, const ModelPlace& parent)
+ModelPlace placeOf(const FbxModel& model, Eigen::Matrix4d local, const ModelPlace& parent)
 {
     ModelPlace place;
-    Eigen::Matrix4d local = model.local;
     if (model.inherit != Inherit::Usual) {
         place.scaleBefore = model.inherit == Inherit::ComponentWise ? parent.scale : parent.scaleBefore;
         for (int axis = 0; axis < 3; ++axis)
@@ -105,23 +103,55 @@ ModelPlace placeOf(const Model& model, const ModelPlace& parent)
         local.topRightCorner<3, 1>().array() *= parent.scale.array();
     }
     const Eigen::Matrix4d& above = model.inherit == Inherit::Usual ? parent.world : parent.withoutScale;
-    place.scale = local.topLeftCorner<3, 3>().colwise().norm();
+    place.scale = model.scale.cwiseProduct(place.scaleBefore);
     place.world = above * local;
     place.withoutScale = above * unscaled(local, place.scale);
     return place;
 }
 
-void add(const aiNode& first, const ModelPlace& parent, SceneMesh& mesh)
+/// Walks along the models and Assimp's nodes of them, and adds what they place.
+class SceneWalk
 {
-    const Model model = modelOf(first);
-    const ModelPlace place = placeOf(model, parent);
-    mesh.addMeshesOf(*model.node, place.world * model.ofMeshes);
-    const aiNode* above = model.node;
-    while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
-        above = above->mChildren[0];
-    for (unsigned i = 0; i < above->mNumChildren; ++i)
-        add(*above->mChildren[i], place, mesh);
-}
+public:
+    SceneWalk(const std::vector<FbxModel>& models, SceneMesh& mesh) : m_models(models), m_mesh(mesh) {}
+
+    /// Adds the models below one. `above`: Assimp's node whose children they are.
+    void addBelow(const aiNode& above, const FbxModel& model, const ModelPlace& place)
+    {
+        auto next = model.below.begin();
+        for (unsigned i = 0; i < above.mNumChildren; ++i) {
+            const aiNode& first = *above.mChildren[i];
+            next = std::find_if(next, model.below.end(),
+                                [&](std::size_t index) { return isNamed(endOf(first), m_models[index].name); });
+            if (next == model.below.end())
+                throw std::runtime_error("the records of its models cannot be followed");
+            add(first, m_models[*next++], place);
+        }
+    }
+
+private:
+    /// Returns whether the node has that name, perhaps with a number behind it, by which Assimp tells equal ones apart,
+    /// or as much of it as Assimp keeps. Assimp passes over models that it cannot read.
+    static bool isNamed(const aiNode& node, std::string_view name)
+    {
+        constexpr std::size_t kept = 1000;
+        return std::string_view(node.mName.C_Str(), node.mName.length).starts_with(name.substr(0, kept));
+    }
+
+    void add(const aiNode& first, const FbxModel& model, const ModelPlace& parent)
+    {
+        const Transforms transforms = transformsOf(first, model);
+        const ModelPlace place = placeOf(model, transforms.local, parent);
+        const aiNode* above = &endOf(first);
+        m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes);
+        while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
+            above = above->mChildren[0];
+        addBelow(*above, model, place);
+    }
+
+    const std::vector<FbxModel>& m_models;
+    SceneMesh& m_mesh;
+};
 
 /// Returns the turn, or the mirror, that makes the axis that the file has as its right one X, its up one Y, its front
 /// one Z. Where the file's axes are none, up alone counts.
@@ -144,7 +174,7 @@ Eigen::Matrix3d axesOf(const aiMetadata* data)
 }
 } // namespace
 
-void addFbxScene(const aiScene& scene, SceneMesh& mesh)
+void addFbxScene(const aiScene& scene, const std::vector<FbxModel>& models, SceneMesh& mesh)
 {
     constexpr double millimetresInCentimetre = 10;
     const auto factor = static_cast<double>(valueOf<float>(scene.mMetaData, "UnitScaleFactor").value_or(1));
@@ -156,7 +186,6 @@ void addFbxScene(const aiScene& scene, SceneMesh& mesh)
     root.withoutScale = root.world;
     const aiNode& top = *scene.mRootNode; // from 5.4 on Assimp puts the axes into its transform, half of them wrongly
     mesh.addMeshesOf(top, root.world);
-    for (unsigned i = 0; i < top.mNumChildren; ++i)
-        add(*top.mChildren[i], root, mesh);
+    SceneWalk(models, mesh).addBelow(top, models.front(), root);
 }
 } // namespace app

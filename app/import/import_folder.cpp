@@ -1,7 +1,6 @@
 #include "app/import/import_folder.h"
 
 #include "app/import/collada_text.h"
-#include "app/import/fbx_models.h"
 
 #include "core/util/file_error.h"
 
@@ -104,6 +103,7 @@ const std::string* ImportFolder::replacement(const fs::path& path)
             const std::string bytes = bytesOf(path);
             FbxForAssimp fbx = fbxForAssimp(path, bytes);
             m_notes.isFollowed = m_notes.isFollowed && fbx.isFollowed;
+            m_notes.models = std::move(fbx.models);
             found->second = std::move(fbx.changed);
         } else {
             found->second = colladaText(bytesOf(path));

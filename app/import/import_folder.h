@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/import/fbx_models.h"
+
 #include "core/io/mesh/x3d_expansion.h"
 
 #include <assimp/DefaultIOSystem.h>
@@ -10,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace app
 {
@@ -21,10 +24,11 @@ public:
     /// Tells of the reading what no reader does.
     struct Notes
     {
-        std::string outside;        ///< the name of a file that was asked for elsewhere
-        std::exception_ptr problem; ///< the core::FileError of a file that could not be given
-        std::size_t unread = 0;     ///< nodes left out that stand for surfaces
-        bool isFollowed = true;     ///< false: an FBX file was given as it is, because it could not be followed
+        std::string outside;          ///< the name of a file that was asked for elsewhere
+        std::exception_ptr problem;   ///< the core::FileError of a file that could not be given
+        std::size_t unread = 0;       ///< nodes left out that stand for surfaces
+        bool isFollowed = true;       ///< false: an FBX file was given as it is, because it could not be followed
+        std::vector<FbxModel> models; ///< of an FBX file
     };
 
     ImportFolder(std::filesystem::path folder, Notes& notes) : m_folder(std::move(folder)), m_notes(notes) {}

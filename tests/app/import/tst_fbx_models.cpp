@@ -189,6 +189,7 @@ private Q_SLOTS:
     void rotations_areRighted_data();
     void rotations_areRighted();
     void rightFiles_areLeft();
+    void models_areHandedOn();
     void carelessText_isFollowed_data();
     void carelessText_isFollowed();
     void valuesWithoutComma_areFollowed();
@@ -238,7 +239,7 @@ void TestFbxModels::rotations_areRighted()
                 QVERIFY(is("PostRotation") == Vector3d(4, 5, 6));
             } else {
                 QVERIFY(turnBy(is("Lcl Rotation"), name).isApprox(turnBy(angles, "xyz"), 1e-9));
-                QVERIFY(is("PreRotation").isZero(0) && is("PostRotation").isZero(0));
+                QVERIFY(!app::fbxForAssimp("a.fbx", before).models[1].hasActiveRotations);
             }
             if (form != 0)
                 QCOMPARE(after.size(), before.size()); // places in the file are by byte
@@ -264,6 +265,36 @@ void TestFbxModels::rightFiles_areLeft()
     for (const char* text :
          {"", ";", "x", "Objects: {\n}\n", "Objects: {\n", "}", "a: \"", "Objects: 1, {\nModel: {\n}\n}\n"})
         QVERIFY(!app::fbxForAssimp("a.fbx", text).changed);
+}
+
+/// What a model has not of its own is by the template. The scene comes first; below it and others stand the models in
+/// the order of the connections.
+void TestFbxModels::models_areHandedOn()
+{
+    using Inherit = app::FbxModel::Inherit;
+    const std::vector<Record> usual{numberProperty("InheritType", 0), numberProperty("RotationActive", 0),
+                                    vectorProperty("Lcl Scaling", {4, 5, -6})},
+        own{numberProperty("InheritType", 2), numberProperty("RotationActive", 1),
+            vectorProperty("Lcl Scaling", {-1, 2, 3})};
+    for (const Form form : {Form::Text, Form::Binary, Form::WideBinary}) {
+        const std::vector<app::FbxModel> models =
+            app::fbxForAssimp("a.fbx",
+                              fileOf(sceneOf({modelRecord(500, {}), modelRecord(501, own)},
+                                             {connection(501, 0), connection(500, 0), connection(500, 501)}, usual),
+                                     form))
+                .models;
+        QCOMPARE(models.size(), std::size_t(3));
+        QVERIFY(models[0].below == std::vector<std::size_t>({2, 1}) && models[0].name.empty());
+        QVERIFY(models[1].below.empty() && models[2].below == std::vector<std::size_t>{1});
+        QVERIFY(models[1].scale == Vector3d(4, 5, -6) && models[2].scale == Vector3d(-1, 2, 3));
+        QVERIFY(models[1].inherit == Inherit::ComponentWise && models[2].inherit == Inherit::WithoutParents);
+        QVERIFY(!models[1].hasActiveRotations && models[2].hasActiveRotations);
+        if (form == Form::Text)
+            QVERIFY(models[1].name == "m500" && models[2].name == "m501");
+        const auto bare =
+            app::fbxForAssimp("a.fbx", fileOf(sceneOf({modelRecord(500, {})}, {connection(500, 0)}), form)).models[1];
+        QVERIFY(bare.scale == Vector3d::Ones() && bare.inherit == Inherit::Usual && bare.hasActiveRotations);
+    }
 }
 
 /// Text as few programs write it, but as Assimp reads it.

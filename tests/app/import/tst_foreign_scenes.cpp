@@ -62,6 +62,13 @@ double volumeOf(const core::TriangleMesh& mesh)
     return six / 6;
 }
 
+/// Returns the definitions with a template of those properties for models.
+QByteArray templateOf(const QByteArray& properties)
+{
+    return "Definitions:  {\nObjectType: \"Model\" {\nPropertyTemplate: \"FbxNode\" {\nProperties70:  {\n" +
+           properties + "}\n}\n}\n}\n";
+}
+
 /// A model of an FBX file, with a cube of 10 from the origin on.
 struct FbxModel
 {
@@ -136,6 +143,10 @@ private Q_SLOTS:
     void fbx_cyclesAndSphericOrdersAreRefused();
     void fbx_scalesAreInherited_data();
     void fbx_scalesAreInherited();
+    void fbx_mirrorsAreScales_data();
+    void fbx_mirrorsAreScales();
+    void fbx_equalNamesAreToldApart();
+    void fbx_idsAreOf64Bits();
     void fbx_axesAndUnitAreItsOwn_data();
     void fbx_axesAndUnitAreItsOwn();
     void fbx_polygonsAreFilledExactly();
@@ -253,6 +264,7 @@ void TestForeignScenes::fbx_inactiveRotationsAreNot()
                                   "\n";
         COMPARE_VECTORS(boxOf(readFbx(fbx({{turned + off}})).mesh).size(), 10, 10, 10);
         COMPARE_VECTORS(boxOf(readFbx(fbx({{turned + limits}})).mesh).size(), 10, 10, 10);
+        COMPARE_VECTORS(boxOf(readFbx(fbx({{}}, {}, cube(), templateOf(turned + off))).mesh).size(), 10, 10, 10);
     }
 }
 
@@ -269,9 +281,7 @@ void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone()
 {
     QFETCH(int, order);
     const QByteArray ordered = number("RotationOrder", order), off = number("RotationActive", 0),
-                     usual = "Definitions:  {\nObjectType: \"Model\" {\nPropertyTemplate: \"FbxNode\" "
-                             "{\nProperties70:  {\n" +
-                             off + "}\n}\n}\n}\n";
+                     usual = templateOf(off);
     for (const Vec3& angles : {Vec3(20, 40, 60), Vec3(10, 90, 35)}) {
         const auto pointsOf = [&](const QByteArray& properties, const QByteArray& definitions = {}) {
             return readFbx(fbx({{properties}}, {}, cube(), definitions)).mesh.points;
@@ -336,14 +346,69 @@ void TestForeignScenes::fbx_scalesAreInherited()
     QFETCH(double, x);
     QFETCH(double, y);
     const QByteArray scale = vector("Lcl Scaling", {2, 1, 1}) + vector("GeometricScaling", {0, 0, 0});
-    const QByteArray child = R"(P: "InheritType", "enum", "", "",)" + QByteArray::number(inheritType) + "\n" +
-                             vector("Lcl Rotation", {0, 0, 90}) + vector("Lcl Translation", {50, 0, 0});
-    const ReadResult model = readFbx(fbx({{scale}, {.properties = child, .parent = 0}}));
-    core::TriangleMesh mesh = model.mesh;
-    std::erase_if(mesh.points, [](const Vec3f& p) { return p.isZero(); }); // the parent's, shrunk to its origin
+    const QByteArray inherit = R"(P: "InheritType", "enum", "", "",)" + QByteArray::number(inheritType) + "\n",
+                     child = vector("Lcl Rotation", {0, 0, 90}) + vector("Lcl Translation", {50, 0, 0});
+    for (const QByteArray& bytes :
+         {fbx({{scale}, {.properties = inherit + child, .parent = 0}}),
+          fbx({{scale}, {.properties = child, .parent = 0}}, {}, cube(), templateOf(inherit))}) {
+        core::TriangleMesh mesh = readFbx(bytes).mesh;
+        std::erase_if(mesh.points, [](const Vec3f& p) { return p.isZero(); }); // the parent's, shrunk to its origin
+        const Box box = boxOf(mesh);
+        COMPARE_VECTORS(box.size(), x, y, 10);
+        COMPARE_VECTORS(Vec3(box.max.x(), box.min.y(), box.min.z()), 100, 0, 0);
+    }
+}
+
+void TestForeignScenes::fbx_mirrorsAreScales_data()
+{
+    QTest::addColumn<int>("inheritType");
+    QTest::addColumn<QList<int>>("ends"); // of the child, away from the origin
+    QTest::newRow("as matrices") << 1 << QList<int>{20, 10, 10};
+    QTest::newRow("by own axes") << 0 << QList<int>{-10, -20, 10}; // its x is the world's y
+    QTest::newRow("not at all") << 2 << QList<int>{-10, 10, 10};
+}
+
+/// The parent is mirrored, and twice as wide; the child is turned by 90 degrees.
+void TestForeignScenes::fbx_mirrorsAreScales()
+{
+    QFETCH(int, inheritType);
+    QFETCH(QList<int>, ends);
+    const QByteArray mirror = vector("Lcl Scaling", {-2, 1, 1}) + vector("GeometricScaling", {0, 0, 0}),
+                     child = number("InheritType", inheritType) + vector("Lcl Rotation", {0, 0, 90});
+    const core::TriangleMesh mesh = readFbx(fbx({{mirror}, {.properties = child, .parent = 0}})).mesh;
+    QVERIFY(volumeOf(mesh) > 999);
     const Box box = boxOf(mesh);
-    COMPARE_VECTORS(box.size(), x, y, 10);
-    COMPARE_VECTORS(Vec3(box.max.x(), box.min.y(), box.min.z()), 100, 0, 0);
+    for (int axis = 0; axis < 3; ++axis) {
+        QVERIFY(std::abs((ends[axis] < 0 ? box.min : box.max)[axis] - ends[axis]) < tolerance);
+        QVERIFY(std::abs((ends[axis] < 0 ? box.max : box.min)[axis]) < tolerance);
+    }
+}
+
+/// Assimp puts numbers behind equal names, and leaves out what it cannot read: each still has its own scale.
+void TestForeignScenes::fbx_equalNamesAreToldApart()
+{
+    const auto inherits = [](int type, double x) {
+        return number("InheritType", type) + vector("Lcl Translation", {x, 0, 0});
+    };
+    QByteArray bytes =
+        fbx({{vector("Lcl Scaling", {2, 1, 1})}, {inherits(2, 100), 0}, {inherits(1, 200), 0}, {inherits(2, 300), 0}});
+    for (const char* name : {"m2", "m3"})
+        bytes.replace(QByteArray("Model::") + name, "Model::m1");
+    std::map<int, double> ends; // the ends of the cubes, by where they begin
+    for (const Vec3f& point : readFbx(bytes).mesh.points) {
+        double& end = ends[static_cast<int>(point.x()) / 100];
+        end = std::max(end, static_cast<double>(point.x()));
+    }
+    QVERIFY(ends == (std::map<int, double>{{0, 20}, {2, 210}, {4, 420}, {6, 610}}));
+}
+
+void TestForeignScenes::fbx_idsAreOf64Bits()
+{
+    for (const char* id : {"9223372036854775807", "9223372036854775808", "18446744073709551615"}) {
+        const QByteArray mirrored = vector("Lcl Scaling", {-2, 1, 1}), child = number("InheritType", 2);
+        QByteArray bytes = fbx({{mirrored}, {.properties = child, .parent = 0}});
+        COMPARE_VECTORS(boxOf(readFbx(bytes.replace("2000", id)).mesh).size(), 30, 10, 10);
+    }
 }
 
 void TestForeignScenes::fbx_axesAndUnitAreItsOwn_data()
