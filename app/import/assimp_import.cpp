@@ -98,7 +98,7 @@ std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
     return words;
 }
 
-/// Keeps what Assimp logs of an FBX file's meshes that it leaves out because they are broken.
+/// Keeps what Assimp logs of a mesh that it leaves out because it is broken.
 class ErrorLog : public Assimp::LogStream
 {
 public:
@@ -114,33 +114,31 @@ public:
     /// `message`: "Error, T0: FBX-DOM (TOK_KEY, line 27, col 23) what it is", and a line end.
     void write(const char* message) override
     {
+        constexpr std::string_view behindThread = ": ";
         const std::string_view words(message);
-        const std::size_t at = std::min(words.find("FBX-"), words.find("std::bad_alloc"));
-        if (at == std::string_view::npos || !isOfMesh(words))
-            return;
-        if (m_first.empty())
-            m_first.assign(words, at, words.find_last_not_of(" \r\n") + 1 - at);
-        ++m_count;
+        const std::size_t at = words.find(behindThread);
+        if (m_first.empty() && at != std::string_view::npos && isOfMesh(words))
+            m_first.assign(words, at + behindThread.size(),
+                           words.find_last_not_of(" \r\n") + 1 - at - behindThread.size());
     }
 
     /// Returns the words of the first one; empty if there was none.
     const std::string& first() const { return m_first; }
-    std::size_t count() const { return m_count; }
 
 private:
-    /// Returns whether it is an error that only meshes have, or that ends any object. Those of materials, animations
-    /// and shapes to blend are not; nor those of a mesh that has no faces.
+    /// Returns whether it is an error that only meshes have, or that ends any object. Those that only materials,
+    /// animations and shapes to blend have are not; nor those of a mesh that has no faces.
     static bool isOfMesh(std::string_view words)
     {
-        for (const std::string_view part : {"index out of range", "is not a multiple of three", "binary data array",
-                                            "MappingInformationType", "bad_alloc"})
+        for (const std::string_view part :
+             {"index out of range", "is not a multiple of three", "binary data array", "MappingInformationType",
+              "Cannot parse string", "cannot be converted into a value", "failed to parse", "bad_alloc"})
             if (words.find(part) != std::string_view::npos)
                 return true;
         return false;
     }
 
     std::string m_first;
-    std::size_t m_count = 0;
 };
 
 std::string startOf(const fs::path& path, std::size_t size)
@@ -225,19 +223,20 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
     if (!notes.isFollowed) // as it is it may be turned wrongly
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits);
+    std::size_t missing = 0;
     if (isFbx)
-        addFbxScene(*scene, notes.models, mesh);
+        missing = addFbxScene(*scene, notes.models, mesh);
     else
         mesh.addTree(*scene->mRootNode, placeOf(path, start));
     if (mesh.isEmpty() && !notes.outside.empty())
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
-    if (mesh.isEmpty() && !log.first().empty())
-        return refuse(ImportHeader::Outcome::Refused, log.first());
+    if (mesh.isEmpty() && (missing > 0 || !log.first().empty()))
+        return refuse(ImportHeader::Outcome::Refused, log.first().empty() ? "its meshes are broken" : log.first());
     ImportHeader header;
     header.outcome = ImportHeader::Outcome::Read;
     const core::TriangleMesh result = mesh.take(header);
     addNotes(*scene, notes, path, header);
-    header.unreadNodes += log.count();
+    header.unreadNodes += missing;
     return sendResult(header, result);
 }
 } // namespace

@@ -18,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace app
 {
@@ -80,15 +81,23 @@ std::optional<Vector3d> vectorOf(const FbxRecord* property)
     return Vector3d(*x, *y, *z);
 }
 
-/// Throws FileError where a property that places a model is no finite number: Assimp passes over such properties.
+[[noreturn]] void refuse(const core::io::FileBytes& file, const FbxValue& word)
+{
+    throw errorAtLine(core::FileErrorKind::NotANumber, file, word.bytes.data(), word.bytes);
+}
+
+/// Throws FileError where a property that places a model, or all of them, is no finite number: Assimp passes over such
+/// properties.
 void requireNumbers(const core::io::FileBytes& file, const FbxRecord* properties)
 {
     constexpr std::array<std::string_view, 12> vectors{"Lcl Translation",   "Lcl Rotation",     "Lcl Scaling",
                                                        "PreRotation",       "PostRotation",     "RotationOffset",
                                                        "RotationPivot",     "ScalingOffset",    "ScalingPivot",
                                                        "GeometricRotation", "GeometricScaling", "GeometricTranslation"};
-    constexpr std::array<std::string_view, 4> numbers{"RotationOrder", "RotationActive", "RotationSpaceForLimitOnly",
-                                                      "InheritType"};
+    constexpr std::array<std::string_view, 11> numbers{"RotationOrder", "RotationActive",  "RotationSpaceForLimitOnly",
+                                                       "InheritType",   "UnitScaleFactor", "UpAxis",
+                                                       "UpAxisSign",    "FrontAxis",       "FrontAxisSign",
+                                                       "CoordAxis",     "CoordAxisSign"};
     const auto require = [&](std::string_view name, std::size_t count) {
         const FbxRecord* const property = propertyIn(properties, name);
         for (std::size_t i = 0; property && i < count && valuesBefore + i < property->values.size(); ++i) {
@@ -96,7 +105,7 @@ void requireNumbers(const core::io::FileBytes& file, const FbxRecord* properties
             if (std::isfinite(value.number().value_or(std::numeric_limits<double>::infinity())))
                 continue;
             if (value.type == 'T' || value.type == 'S')
-                throw errorAtLine(core::FileErrorKind::NotANumber, file, value.bytes.data(), value.bytes);
+                refuse(file, value);
             throw errorWithToken(core::FileErrorKind::NotANumber, file, name);
         }
     };
@@ -104,6 +113,28 @@ void requireNumbers(const core::io::FileBytes& file, const FbxRecord* properties
         require(name, 3);
     for (const std::string_view name : numbers)
         require(name, 1);
+}
+
+bool isMesh(const FbxRecord& object)
+{
+    return object.name == "Geometry" && object.values.size() > 2 && object.values[2].bytes == "Mesh";
+}
+
+/// Throws FileError where a point or corner of a mesh in text is no finite number: Assimp takes what it begins with.
+void requireNumbersOf(const core::io::FileBytes& file, const FbxRecord& mesh)
+{
+    for (const FbxRecord& array : mesh.records)
+        if (const FbxRecord* const words = recordIn(array.records, "a"); words && !words->values.empty())
+            refuse(file, words->values.front());
+}
+
+bool hasFaces(const FbxRecord& mesh)
+{
+    const FbxRecord* const corners = recordIn(mesh.records, "PolygonVertexIndex");
+    if (!corners || corners->values.empty())
+        return false;
+    const FbxValue& value = corners->values.front(); // of text, the number of those that follow
+    return value.type == 'T' ? value.bytes != "*0" : !value.bytes.empty();
 }
 
 /// Returns the name of a model: "Model::name" in text, "name", NUL, SOH, "Model" in binary files.
@@ -267,15 +298,23 @@ const FbxRecord* modelTemplateIn(const Records& records)
 class ModelTree
 {
 public:
-    ModelTree(const Records& models, const Records& connections)
+    ModelTree(const Records& objects, const Records& connections)
     {
-        for (const FbxRecord& model : models)
-            if (const auto id = idOf(model, 0))
-                m_models[*id].record = &model;
-        for (const FbxRecord& c : connections)
-            if (const auto child = idOf(c, 1), parent = idOf(c, 2);
-                child && parent && c.values[0].bytes == "OO" && isModel(*child))
+        std::set<std::int64_t> meshes; // those with faces
+        for (const FbxRecord& object : objects)
+            if (const auto id = idOf(object, 0); id && object.name == "Model")
+                m_models[*id].record = &object;
+            else if (id && isMesh(object) && hasFaces(object))
+                meshes.insert(*id);
+        for (const FbxRecord& c : connections) {
+            const auto child = idOf(c, 1), parent = idOf(c, 2);
+            if (!child || !parent || c.values[0].bytes != "OO")
+                continue;
+            if (isModel(*child))
                 m_models[*parent].below.push_back(*child);
+            else if (isModel(*parent) && meshes.contains(*child))
+                m_models[*parent].hasFaces = true;
+        }
     }
 
     /// Returns the first model found that holds itself, or that is too deep with what is below it; null if there is
@@ -323,6 +362,7 @@ public:
             FbxModel& to = models[indices[id]];
             if (model.record)
                 to = modelOf(*model.record, usual);
+            to.hasFaces = model.hasFaces;
             for (const std::int64_t child : model.below)
                 to.below.push_back(indices[child]);
         }
@@ -336,7 +376,7 @@ private:
     {
         const FbxRecord* record = nullptr;
         std::vector<std::int64_t> below;
-        bool isOnWay = false, isDone = false;
+        bool isOnWay = false, isDone = false, hasFaces = false;
         std::size_t height = 0; ///< the generations below it; complete once it is done
     };
 
@@ -383,9 +423,16 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
     const FbxRecord* const usual = modelTemplateIn(*records);
     Changes changes(bytes);
     RotationFixer fixer(path, changes);
-    for (const FbxRecord& model : objects->records) {
-        const FbxRecord* const own = recordIn(model.records, "Properties70");
-        requireNumbers({path, bytes}, own);
+    const core::io::FileBytes file{path, bytes};
+    if (const FbxRecord* const settings = recordIn(*records, "GlobalSettings"))
+        requireNumbers(file, recordIn(settings->records, "Properties70"));
+    for (const FbxRecord& object : objects->records) {
+        if (isMesh(object))
+            requireNumbersOf(file, object);
+        if (object.name != "Model")
+            continue;
+        const FbxRecord* const own = recordIn(object.records, "Properties70");
+        requireNumbers(file, own);
         fixer.fix({own, usual});
     }
     return {.changed = changes.result(), .models = tree.models(usual)};

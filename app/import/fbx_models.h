@@ -26,6 +26,7 @@ struct FbxModel
     Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< its own one, with signs
     Inherit inherit = Inherit::Usual;
     bool hasActiveRotations = true;
+    bool hasFaces = false; ///< whether a mesh of it has any, as the file says
 };
 
 /// An FBX file as Assimp reads it right.
@@ -40,6 +41,7 @@ struct FbxForAssimp
 /// rotations go about x, then y, then z, whatever the order of the model's own, and so do those of a model whose
 /// rotations are not active; that it has no rotations before and behind then is left to who places it. Throws
 /// core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096 deep; ReaderRefused for
-/// a rotation of the order SphericXYZ; NotANumber for a model's place, rotation or scale that is no finite number.
+/// a rotation of the order SphericXYZ; NotANumber for a model's place, rotation or scale, the file's unit or
+/// axes, or, in text, a point or corner of a mesh that is no finite number.
 FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes);
 } // namespace app

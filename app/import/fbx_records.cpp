@@ -29,11 +29,15 @@ bool isWanted(std::span<const std::string_view> path, std::string_view name)
 {
     switch (path.size()) {
     case 0:
-        return name == "Definitions" || name == "Objects" || name == "Connections";
+        return name == "GlobalSettings" || name == "Definitions" || name == "Objects" || name == "Connections";
     case 1:
-        return path[0] == "Objects" ? name == "Model" : path[0] == "Definitions" && name == "ObjectType";
+        return path[0] == "Objects"       ? name == "Model" || name == "Geometry"
+               : path[0] == "Definitions" ? name == "ObjectType"
+                                          : path[0] == "GlobalSettings" && name == "Properties70";
     case 2:
-        return path[0] == "Objects" ? name == "Properties70" : name == "PropertyTemplate";
+        return path[1] == "Geometry" ? name == "Vertices" || name == "PolygonVertexIndex"
+               : path[1] == "Model"  ? name == "Properties70"
+                                     : path[0] == "Definitions" && name == "PropertyTemplate";
     case 3:
         return path[0] == "Definitions" && name == "Properties70";
     default:
@@ -41,10 +45,17 @@ bool isWanted(std::span<const std::string_view> path, std::string_view name)
     }
 }
 
-/// Returns whether a record itself is wanted. Geometry, of which there is most, is not.
+/// Returns whether it is the record of an array's numbers in text.
+bool isArray(std::span<const std::string_view> path, std::string_view name)
+{
+    return path.size() == 3 && path[1] == "Geometry" && name == "a";
+}
+
+/// Returns whether a record itself is wanted. What is in geometry, of which there is most, is not but for its arrays.
 bool isKept(std::span<const std::string_view> path, std::string_view name)
 {
-    return isWanted(path, name) || name == "P" || name == "C";
+    return isWanted(path, name) || name == "P" || name == "C" || isArray(path, name) ||
+           (path.size() == 1 && path[0] == "Objects");
 }
 
 class BinaryReader
@@ -356,6 +367,8 @@ private:
         if (!keeps)
             return;
         const bool isQuoted = token.text.front() == '"';
+        if (!isQuoted && isArray(m_path, record.name) && core::io::parseFloat(token.text))
+            return;
         const std::string_view text = isQuoted ? token.text.substr(1, token.text.size() - 2) : token.text;
         record.values.push_back({isQuoted ? 'S' : 'T', m_tokens.placeOf(text), text});
     }

@@ -29,10 +29,11 @@ struct FbxRecord
     std::vector<FbxRecord> records;
 };
 
-/// Returns those records of an FBX file of version 7, binary or text, that tell of its models: the property templates
-/// and properties of models, and the connections. Geometry is passed over. Empty if the file cannot be followed, which
-/// Assimp does not read then either. The records point into `bytes`. Memory: a few times what the models take in the
-/// file.
+/// Returns those records of an FBX file of version 7, binary or text, that tell of its models: its settings, the
+/// property templates and properties of models, the connections, the objects, without what is in them, and of geometry
+/// the arrays of points and corners. In text these have a record "a" each, which keeps only those of its values that
+/// are no finite numbers. Empty if the file cannot be followed, which Assimp does not read then either. The records
+/// point into `bytes`. Memory: a few times what the models take in the file.
 std::optional<std::vector<FbxRecord>> fbxModelRecords(std::string_view bytes);
 
 /// Returns the first record of the name; null if there is none.

@@ -129,6 +129,9 @@ public:
         }
     }
 
+    /// Returns how many models lack the mesh that they should have.
+    std::size_t missing() const { return m_missing; }
+
 private:
     /// Returns whether the node has that name, perhaps with a number behind it, by which Assimp tells equal ones apart,
     /// or as much of it as Assimp keeps. Assimp passes over models that it cannot read.
@@ -144,6 +147,7 @@ private:
         const ModelPlace place = placeOf(model, transforms.local, parent);
         const aiNode* above = &endOf(first);
         m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes);
+        m_missing += model.hasFaces && above->mNumMeshes == 0 ? 1 : 0;
         while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
             above = above->mChildren[0];
         addBelow(*above, model, place);
@@ -151,6 +155,7 @@ private:
 
     const std::vector<FbxModel>& m_models;
     SceneMesh& m_mesh;
+    std::size_t m_missing = 0;
 };
 
 /// Returns the turn, or the mirror, that makes the axis that the file has as its right one X, its up one Y, its front
@@ -174,7 +179,7 @@ Eigen::Matrix3d axesOf(const aiMetadata* data)
 }
 } // namespace
 
-void addFbxScene(const aiScene& scene, const std::vector<FbxModel>& models, SceneMesh& mesh)
+std::size_t addFbxScene(const aiScene& scene, const std::vector<FbxModel>& models, SceneMesh& mesh)
 {
     constexpr double millimetresInCentimetre = 10;
     const auto factor = static_cast<double>(valueOf<float>(scene.mMetaData, "UnitScaleFactor").value_or(1));
@@ -186,6 +191,8 @@ void addFbxScene(const aiScene& scene, const std::vector<FbxModel>& models, Scen
     root.withoutScale = root.world;
     const aiNode& top = *scene.mRootNode; // from 5.4 on Assimp puts the axes into its transform, half of them wrongly
     mesh.addMeshesOf(top, root.world);
-    SceneWalk(models, mesh).addBelow(top, models.front(), root);
+    SceneWalk walk(models, mesh);
+    walk.addBelow(top, models.front(), root);
+    return walk.missing();
 }
 } // namespace app

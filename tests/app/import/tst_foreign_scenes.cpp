@@ -153,6 +153,7 @@ private Q_SLOTS:
     void fbx_brokenMeshesAreTold();
     void fbx_numbersAreFinite_data();
     void fbx_numbersAreFinite();
+    void fbx_wordsAreNumbers();
     void fbx_oldVersionsAreRefusedByName();
     void fbx_subdivisionsAndNurbsAreTold();
 
@@ -460,18 +461,36 @@ void TestForeignScenes::fbx_polygonsAreFilledExactly()
     QVERIFY(std::abs(areaOf(comb.mesh) - twice / 2) < tolerance);
 }
 
-/// A mesh whose corners are beyond its points is left out: alone, it is the reason; beside another, it is counted.
+/// A mesh that cannot be read is left out: alone, it is the reason; beside another, it is counted.
 void TestForeignScenes::fbx_brokenMeshesAreTold()
 {
-    const QByteArray broken = fbx({{}}, {}, cube().replace("3,2,1,-1,4", "3,2,99,-1,4"));
-    const auto alone = errorOf(QStringLiteral("a.fbx"), broken);
-    QVERIFY(alone && alone->kind == core::FileErrorKind::ReaderRefused);
-    QVERIFY(QByteArray::fromStdString(alone->token).contains("polygon vertex index out of range"));
-    QByteArray two = fbx({{}, {}});
-    two.replace(two.indexOf("3,2,1,-1,4"), 10, "3,2,99,-1,4");
-    const ReadResult rest = read(QStringLiteral("a.fbx"), two);
-    QCOMPARE(rest.mesh.triangles.size(), std::size_t(12));
-    QCOMPARE(rest.remarks.unreadNodes, std::size_t(1));
+    const auto layer = [](const char* values) {
+        return QByteArray("GeometryVersion: 124\nLayerElementNormal: 0 {\nMappingInformationType: \"ByVertice\"\n"
+                          "ReferenceInformationType: \"Direct\"\nNormals: *24 {\na: ") +
+               values + QByteArray(",0").repeated(23) +
+               "\n}\n}\nLayer: 0 {\nLayerElement: {\nType: \"LayerElementNormal\"\nTypedIndex: 0\n}\n}\n";
+    };
+    struct Fault
+    {
+        QByteArray sound, broken;
+        const char* words;
+    };
+    for (const Fault& fault : {Fault{"3,2,1,-1,4", "3,2,99,-1,4", "polygon vertex index out of range"},
+                               {"3,2,1,-1,4", "3,2,1.5,-1,4", "failed to parse"},
+                               {"GeometryVersion: 124\n", layer("snan"), "Cannot parse string"},
+                               {"GeometryVersion: 124\n", layer("1e"), "cannot be converted into a value"},
+                               {"Vertices: *24", "Points: *24", "broken"}}) {
+        const auto alone = errorOf(QStringLiteral("a.fbx"), fbx({{}}, {}, cube().replace(fault.sound, fault.broken)));
+        QVERIFY2(alone && alone->kind == core::FileErrorKind::ReaderRefused, fault.words);
+        QVERIFY2(QByteArray::fromStdString(alone->token).contains(fault.words), alone->token.c_str());
+        QByteArray two = fbx({{}, {}});
+        two.replace(two.indexOf(fault.sound), fault.sound.size(), fault.broken);
+        const ReadResult rest = read(QStringLiteral("a.fbx"), two);
+        QCOMPARE(rest.mesh.triangles.size(), std::size_t(12));
+        QCOMPARE(rest.remarks.unreadNodes, std::size_t(1));
+    }
+    const QByteArray none = meshOf("0,0,0", 3, "", 0);
+    QVERIFY(errorOf(QStringLiteral("a.fbx"), fbx({{}}, {}, none))->kind == core::FileErrorKind::NoFaces);
     QCOMPARE(read(QStringLiteral("a.fbx"), fbx({{}, {}})).remarks.unreadNodes, std::size_t(0));
     // a shape to blend without normals is no surface that is missing
     const QByteArray shape = "Geometry: 3000, \"Geometry::s\", \"Shape\" {\nIndexes: *1 {\na: 0\n}\nVertices: *3 {\n"
@@ -510,12 +529,42 @@ void TestForeignScenes::fbx_numbersAreFinite()
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(core::FileErrorKind::NotANumber));
     QCOMPARE(error->token, word.replace("\"", "").toStdString());
     QCOMPARE(error->place.number, std::uint64_t(1 + bytes.first(bytes.indexOf(properties)).count('\n')));
-    for (const char* unit : {"-1", "nan", "-0.5"}) {
+    for (const char* unit : {"-1", "-0.5"}) {
         const auto none = errorOf(QStringLiteral("a.fbx"),
                                   fbx({{}}, R"(P: "UnitScaleFactor", "double", "Number", "",)" + QByteArray(unit)));
         QVERIFY(none && none->kind == core::FileErrorKind::ReaderRefused);
         QCOMPARE(none->token, std::string("UnitScaleFactor is no positive number"));
     }
+}
+
+/// The words of points, corners and settings are read whole; those of normals are not.
+void TestForeignScenes::fbx_wordsAreNumbers()
+{
+    const auto wordOf = [this](const QByteArray& bytes) {
+        const auto error = errorOf(QStringLiteral("a.fbx"), bytes);
+        return error && error->kind == core::FileErrorKind::NotANumber ? error->token : std::string();
+    };
+    for (const char* word :
+         {"1.#INF", "-1.#IND", "1.#QNAN", "1.2.3", "0x10", "1d5", "12abc", "1e", "1e400", "nan", "snan", "-", "--5"}) {
+        const QByteArray points =
+            fbx({{}, {}}, {}, cube().replace("0,0,0,10,0,0", "0,0," + QByteArray(word) + ",10,0,0"));
+        QCOMPARE(wordOf(points), std::string(word));
+        QCOMPARE(errorOf(QStringLiteral("a.fbx"), points)->place.number,
+                 std::uint64_t(1 + points.first(points.indexOf("a: ")).count('\n')));
+        QCOMPARE(wordOf(fbx({{}}, {}, cube().replace("3,2,1,-1,4", "3,2," + QByteArray(word) + ",-1,4"))),
+                 std::string(word));
+        for (const char* setting : {"UnitScaleFactor", "UpAxis"}) {
+            const QByteArray start = QByteArray("P: \"") + setting + R"(", "double", "Number", "",)";
+            QCOMPARE(wordOf(fbx({{}}, start + word)), std::string(word));
+        }
+    }
+    for (const char* word : {"+0", "0.", ".0", "-0.0E+00", "1e-400"})
+        COMPARE_VECTORS(
+            boxOf(readFbx(fbx({{}}, {}, cube().replace("0,0,0,10,0,0", "0,0," + QByteArray(word) + ",10,0,0"))).mesh)
+                .size(),
+            10, 10, 10);
+    const QByteArray normals = cube() + "Normals: *3 {\na: 0,0,-1.#IND\n}\n";
+    COMPARE_VECTORS(boxOf(readFbx(fbx({{}}, {}, normals)).mesh).size(), 10, 10, 10);
 }
 
 void TestForeignScenes::fbx_oldVersionsAreRefusedByName()
