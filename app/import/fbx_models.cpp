@@ -391,6 +391,10 @@ private:
                         : inherit == 2 ? FbxModel::Inherit::WithoutParents
                                        : FbxModel::Inherit::Usual;
         model.hasActiveRotations = properties.hasActiveRotations();
+        model.isLodGroup = record.values.size() > 2 && record.values[2].bytes == "LodGroup";
+        model.isShown = properties.number("Show", 1) != 0;
+        model.isVisible = properties.number("Visibility", 1) != 0;
+        model.inheritsVisibility = properties.number("Visibility Inheritance", 1) != 0;
         return model;
     }
     static std::optional<std::int64_t> idOf(const FbxRecord& record, std::size_t value)

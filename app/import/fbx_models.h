@@ -26,7 +26,11 @@ struct FbxModel
     Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< its own one, with signs
     Inherit inherit = Inherit::Usual;
     bool hasActiveRotations = true;
-    bool hasFaces = false; ///< whether a mesh of it has any, as the file says
+    bool hasFaces = false;          ///< whether a mesh of it has any, as the file says
+    bool isLodGroup = false;        ///< whether those below it stand for each other, the finest one first
+    bool isShown = true;            ///< itself
+    bool isVisible = true;          ///< with those below it that inherit that
+    bool inheritsVisibility = true; ///< whether it is hidden with its parent
 };
 
 /// An FBX file as Assimp reads it right.

@@ -82,6 +82,7 @@ struct ModelPlace
     Eigen::Matrix4d world, withoutScale;
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();       ///< of itself times what it inherits by its axes, with signs
     Eigen::Vector3d scaleBefore = Eigen::Vector3d::Ones(); ///< of those from which an Rrs child inherits
+    bool isVisible = true;
 };
 
 /// Returns the matrix without its scale, the mirrors of which go with it. A scale of nothing cannot be taken back.
@@ -106,6 +107,7 @@ ModelPlace placeOf(const FbxModel& model, Eigen::Matrix4d local, const ModelPlac
     place.scale = model.scale.cwiseProduct(place.scaleBefore);
     place.world = above * local;
     place.withoutScale = above * unscaled(local, place.scale);
+    place.isVisible = model.isVisible && (parent.isVisible || !model.inheritsVisibility);
     return place;
 }
 
@@ -119,7 +121,8 @@ public:
     void addBelow(const aiNode& above, const FbxModel& model, const ModelPlace& place)
     {
         auto next = model.below.begin();
-        for (unsigned i = 0; i < above.mNumChildren; ++i) {
+        const unsigned count = model.isLodGroup ? std::min(above.mNumChildren, 1U) : above.mNumChildren;
+        for (unsigned i = 0; i < count; ++i) {
             const aiNode& first = *above.mChildren[i];
             next = std::find_if(next, model.below.end(),
                                 [&](std::size_t index) { return isNamed(endOf(first), m_models[index].name); });
@@ -146,8 +149,10 @@ private:
         const Transforms transforms = transformsOf(first, model);
         const ModelPlace place = placeOf(model, transforms.local, parent);
         const aiNode* above = &endOf(first);
-        m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes);
-        m_missing += model.hasFaces && above->mNumMeshes == 0 ? 1 : 0;
+        if (place.isVisible && model.isShown) {
+            m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes);
+            m_missing += model.hasFaces && above->mNumMeshes == 0 ? 1 : 0;
+        }
         while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
             above = above->mChildren[0];
         addBelow(*above, model, place);

@@ -147,6 +147,8 @@ private Q_SLOTS:
     void fbx_mirrorsAreScales();
     void fbx_equalNamesAreToldApart();
     void fbx_idsAreOf64Bits();
+    void fbx_hiddenModelsAreLeftOut();
+    void fbx_finestLevelsAlone();
     void fbx_axesAndUnitAreItsOwn_data();
     void fbx_axesAndUnitAreItsOwn();
     void fbx_polygonsAreFilledExactly();
@@ -410,6 +412,47 @@ void TestForeignScenes::fbx_idsAreOf64Bits()
         QByteArray bytes = fbx({{mirrored}, {.properties = child, .parent = 0}});
         COMPARE_VECTORS(boxOf(readFbx(bytes.replace("2000", id)).mesh).size(), 30, 10, 10);
     }
+}
+
+/// Show is of a model alone, Visibility of those below it, too, unless they do not inherit it. The cubes below stand 20
+/// apart.
+void TestForeignScenes::fbx_hiddenModelsAreLeftOut()
+{
+    const auto sizeOf = [this](const QByteArray& top, const QByteArray& below, const QByteArray& usual = {}) {
+        const QByteArray aside = vector("Lcl Translation", {20, 0, 0});
+        const Box box = boxOf(
+            readFbx(fbx({{}, {top + aside}, {.properties = below + aside, .parent = 1}}, {}, cube(), templateOf(usual)))
+                .mesh);
+        return Vec3(box.min.x(), box.max.x(), 0);
+    };
+    const QByteArray unseen = number("Show", 0), invisible = number("Visibility", 0), visible = number("Visibility", 1),
+                     own = number("Visibility Inheritance", 0);
+    COMPARE_VECTORS(sizeOf({}, {}), 0, 50, 0);
+    COMPARE_VECTORS(sizeOf({}, unseen), 0, 30, 0);
+    COMPARE_VECTORS(sizeOf({}, invisible), 0, 30, 0);
+    COMPARE_VECTORS(sizeOf(unseen, {}), 0, 50, 0);
+    QCOMPARE(readFbx(fbx({{}, {unseen}, {.properties = {}, .parent = 1}})).remarks.objects, std::size_t(2));
+    COMPARE_VECTORS(sizeOf(invisible, {}), 0, 10, 0);
+    COMPARE_VECTORS(sizeOf(invisible, visible), 0, 10, 0);
+    COMPARE_VECTORS(sizeOf(invisible, own), 0, 50, 0);
+    COMPARE_VECTORS(sizeOf(visible, {}, own), 0, 50, 0);
+    COMPARE_VECTORS(sizeOf(visible, {}, invisible), 20, 30, 0);
+    QVERIFY(errorOf(QStringLiteral("a.fbx"), fbx({{unseen}}))->kind == core::FileErrorKind::NoFaces);
+    QByteArray bytes = fbx({{}, {unseen}}); // what is hidden is not missing
+    bytes.replace(bytes.lastIndexOf("3,2,1,-1,4"), 10, "3,2,99,-1,4");
+    QCOMPARE(readFbx(bytes).remarks.unreadNodes, std::size_t(0));
+}
+
+/// The first one below a group of levels is the finest.
+void TestForeignScenes::fbx_finestLevelsAlone()
+{
+    const auto at = [](double x) { return vector("Lcl Translation", {x, 0, 0}); };
+    QByteArray bytes = fbx({{at(100)}, {at(0), 0}, {at(5), 1}, {at(2), 0}, {at(3), 0}});
+    bytes.replace("\"Model::m0\", \"Mesh\"", "\"Model::m0\", \"LodGroup\"");
+    const core::ReadResult finest = readFbx(bytes);
+    QCOMPARE(finest.remarks.objects, std::size_t(3)); // the group's own mesh, the level and the one below that
+    COMPARE_VECTORS(boxOf(finest.mesh).min, 100, 0, 0);
+    COMPARE_VECTORS(boxOf(finest.mesh).max, 115, 10, 10);
 }
 
 void TestForeignScenes::fbx_axesAndUnitAreItsOwn_data()
