@@ -49,13 +49,18 @@ int sendResult(const ImportHeader& header, const core::TriangleMesh& mesh)
     return isSent ? 0 : 1;
 }
 
+/// Puts the message into the header, and of one that is too long its beginning and its end: Assimp quotes all that is
+/// behind a wrong word.
 void setMessage(ImportHeader& header, std::string_view message)
 {
-    if (message.size() < sizeof header.message)
-        std::copy(message.begin(), message.end(), header.message);
+    constexpr std::size_t size = sizeof header.message - 1, endSize = 90;
+    constexpr std::string_view gap = " ... ";
+    std::string words(message);
+    if (words.size() > size)
+        words.replace(size - endSize - gap.size(), words.size() - size + gap.size(), gap);
+    std::ranges::copy(words, header.message);
 }
 
-/// A message that is too long is left out: half of it would help nobody.
 int refuse(ImportHeader::Outcome outcome, std::string_view message)
 {
     ImportHeader header;

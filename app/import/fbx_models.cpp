@@ -1,6 +1,6 @@
 // Source: Autodesk, FBX SDK Help, "Computing transformation matrices", and FbxNode::SetRotationActive(); ufbx, which
 // takes inactive rotations as XYZ. Assimp (5.2 to 6.0) applies RotationOrder to geometric rotations, too, and takes no
-// notice of RotationActive.
+// notice of RotationActive; of text it reads no id below zero, though FBX's are of 64 bits with a sign.
 #include "app/import/fbx_models.h"
 
 #include "app/import/fbx_records.h"
@@ -159,6 +159,15 @@ public:
         const FbxValue& value = property.values[valuesBefore + index];
         if (value.number() != number)
             m_texts[value.at] = {value.bytes.size(), textOf(value.type, number)};
+    }
+    /// Writes an id of text without a sign, as Assimp reads it.
+    void unsign(const FbxRecord& record, std::size_t index)
+    {
+        if (index >= record.values.size() || record.values[index].type != 'T')
+            return;
+        const FbxValue& value = record.values[index];
+        if (const auto id = value.whole(); id && value.bytes.starts_with('-'))
+            m_texts[value.at] = {value.bytes.size(), std::to_string(static_cast<std::uint64_t>(*id))};
     }
     void set(const FbxRecord& property, const Vector3d& vector)
     {
@@ -419,8 +428,10 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
     const FbxRecord* const objects = recordIn(*records, "Objects");
     if (!objects)
         return {.changed = {}, .models = {{}}};
+    const Records none;
     const FbxRecord* const connections = recordIn(*records, "Connections");
-    ModelTree tree(objects->records, connections ? connections->records : Records());
+    const Records& lines = connections ? connections->records : none;
+    ModelTree tree(objects->records, lines);
     if (const FbxRecord* const model = tree.endless())
         throw core::io::malformed(core::FileFault::TooDeep,
                                   core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(*model)));
@@ -430,7 +441,12 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
     const core::io::FileBytes file{path, bytes};
     if (const FbxRecord* const settings = recordIn(*records, "GlobalSettings"))
         requireNumbers(file, recordIn(settings->records, "Properties70"));
+    for (const FbxRecord& line : lines) {
+        changes.unsign(line, 1);
+        changes.unsign(line, 2);
+    }
     for (const FbxRecord& object : objects->records) {
+        changes.unsign(object, 0);
         if (isMesh(object))
             requireNumbersOf(file, object);
         if (object.name != "Model")

@@ -41,11 +41,12 @@ struct FbxForAssimp
     std::vector<FbxModel> models;       ///< the first one stands for the scene
 };
 
-/// Changes the rotations of the models of an FBX file so that Assimp turns them by the rules of FBX: geometric
-/// rotations go about x, then y, then z, whatever the order of the model's own, and so do those of a model whose
-/// rotations are not active; that it has no rotations before and behind then is left to who places it. Throws
-/// core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096 deep; ReaderRefused for
-/// a rotation of the order SphericXYZ; NotANumber for a model's place, rotation or scale, the file's unit or
-/// axes, or, in text, a point or corner of a mesh that is no finite number.
+/// Changes an FBX file so that Assimp reads it by the rules of FBX. Ids of text are written without a sign, modulo
+/// 2^64. Rotations are such that Assimp turns models right: geometric rotations go about x, then y, then z, whatever
+/// the order of the model's own, and so do those of a model whose rotations are not active; that it has no rotations
+/// before and behind then is left to who places it. Throws core::FileError: TooDeep for models that hold themselves, or
+/// that are nested more than 4096 deep; ReaderRefused for a rotation of the order SphericXYZ; NotANumber for a model's
+/// place, rotation or scale, the file's unit or axes, or, in text, a point or corner of a mesh that is no finite
+/// number.
 FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes);
 } // namespace app

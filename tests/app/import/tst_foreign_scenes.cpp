@@ -407,10 +407,12 @@ void TestForeignScenes::fbx_equalNamesAreToldApart()
 
 void TestForeignScenes::fbx_idsAreOf64Bits()
 {
-    for (const char* id : {"9223372036854775807", "9223372036854775808", "18446744073709551615"}) {
+    for (const char* id :
+         {"9223372036854775807", "9223372036854775808", "18446744073709551615", "-1", "-5", "-9223372036854775808"}) {
         const QByteArray mirrored = vector("Lcl Scaling", {-2, 1, 1}), child = number("InheritType", 2);
         QByteArray bytes = fbx({{mirrored}, {.properties = child, .parent = 0}});
-        COMPARE_VECTORS(boxOf(readFbx(bytes.replace("2000", id)).mesh).size(), 30, 10, 10);
+        bytes.replace("2000", id).replace("1001", "-77"); // a model's, and a mesh's
+        COMPARE_VECTORS(boxOf(readFbx(bytes).mesh).size(), 30, 10, 10);
     }
 }
 
@@ -957,6 +959,12 @@ void TestForeignScenes::words_areWholeAndWithoutPath()
     const auto longWords =
         errorOf(QStringLiteral("a.lws"), "LWSC\n3\n\nLoadObjectLayer 1 " + QByteArray(300, 'x') + "\n");
     QVERIFY(longWords && longWords->token.size() <= 200);
+    const auto quotation =
+        errorOf(QStringLiteral("a.fbx"), fbx({{}}).replace("C: \"OO\",2000", "C: \"OO\",abc" + QByteArray(300, ' ')));
+    QVERIFY(quotation && quotation->token.size() == 200);
+    QVERIFY2(quotation->token.starts_with("The string \"abc") && quotation->token.find(" ... ") != std::string::npos &&
+                 quotation->token.ends_with("cannot be converted into a value."),
+             quotation->token.c_str());
 }
 
 FETTLE_TEST(TestForeignScenes)
