@@ -160,6 +160,7 @@ public:
         if (value.number() != number)
             m_texts[value.at] = {value.bytes.size(), textOf(value.type, number)};
     }
+    void setByte(std::size_t at, char byte) { m_texts[at] = {1, {byte}}; }
     /// Writes an id of text without a sign, as Assimp reads it.
     void unsign(const FbxRecord& record, std::size_t index)
     {
@@ -437,6 +438,8 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
                                   core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(*model)));
     const FbxRecord* const usual = modelTemplateIn(*records);
     Changes changes(bytes);
+    for (const std::size_t at : fbxByteTypes(bytes))
+        changes.setByte(at, 'C');
     RotationFixer fixer(path, changes);
     const core::io::FileBytes file{path, bytes};
     if (const FbxRecord* const settings = recordIn(*records, "GlobalSettings"))

@@ -42,11 +42,11 @@ struct FbxForAssimp
 };
 
 /// Changes an FBX file so that Assimp reads it by the rules of FBX. Ids of text are written without a sign, modulo
-/// 2^64. Rotations are such that Assimp turns models right: geometric rotations go about x, then y, then z, whatever
-/// the order of the model's own, and so do those of a model whose rotations are not active; that it has no rotations
-/// before and behind then is left to who places it. Throws core::FileError: TooDeep for models that hold themselves, or
-/// that are nested more than 4096 deep; ReaderRefused for a rotation of the order SphericXYZ; NotANumber for a model's
-/// place, rotation or scale, the file's unit or axes, or, in text, a point or corner of a mesh that is no finite
-/// number.
+/// 2^64, and types of binary values that Assimp does not know as those that are read alike. Rotations are such that
+/// Assimp turns models right: geometric rotations go about x, then y, then z, whatever the order of the model's own,
+/// and so do those of a model whose rotations are not active; that it has no rotations before and behind then is left
+/// to who places it. Throws core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096
+/// deep; ReaderRefused for a rotation of the order SphericXYZ; NotANumber for a model's place, rotation or scale, the
+/// file's unit or axes, or, in text, a point or corner of a mesh that is no finite number.
 FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes);
 } // namespace app

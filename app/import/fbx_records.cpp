@@ -67,8 +67,11 @@ public:
     {
         constexpr std::size_t headSize = 27;
         m_at = std::min(headSize, m_bytes.size());
-        return recordsTo(m_bytes.size());
+        return recordsTo(m_bytes.size(), true);
     }
+
+    /// Returns the places of types "Z" that have been read.
+    const std::vector<std::size_t>& byteTypes() const { return m_byteTypes; }
 
 private:
     std::size_t sizeAt()
@@ -88,9 +91,10 @@ private:
     }
 
     /// Reads records up to the byte, and those of the file up to a null record, behind which there is a footer. Passes
-    /// over null records elsewhere, by the field of their end, as Assimp does.
-    Records recordsTo(std::size_t end)
+    /// over null records elsewhere, by the field of their end, as Assimp does. `keeps`: whether any are returned.
+    Records recordsTo(std::size_t end, bool keeps)
     {
+        constexpr std::size_t maxDepth = 256;
         Records records;
         while (m_at < end) {
             const std::size_t begin = m_at, recordEnd = sizeAt();
@@ -103,18 +107,19 @@ private:
             if (recordEnd <= begin || recordEnd > end || size > recordEnd - m_at)
                 throw NotFbx();
             const std::size_t inner = m_at + size;
-            if (isKept(m_path, name)) {
-                records.push_back({name, valuesTo(inner, count), {}});
-                m_at = inner;
-                if (isWanted(m_path, name) && inner < recordEnd) {
-                    const std::size_t nullSize = m_isWide ? 25 : 13; // of the record that ends those within
-                    if (recordEnd - inner < nullSize)
-                        throw NotFbx();
-                    m_path.push_back(name);
-                    records.back().records = recordsTo(recordEnd - nullSize);
-                    m_path.pop_back();
-                }
+            FbxRecord record{name, valuesTo(inner, count), {}};
+            m_at = inner;
+            if (inner < recordEnd) {
+                const std::size_t nullSize = m_isWide ? 25 : 13; // of the record that ends those within
+                if (recordEnd - inner < nullSize || m_path.size() == maxDepth)
+                    throw NotFbx();
+                const bool isWithinWanted = keeps && isWanted(m_path, name);
+                m_path.push_back(name);
+                record.records = recordsTo(recordEnd - nullSize, isWithinWanted);
+                m_path.pop_back();
             }
+            if (keeps && isKept(m_path, name))
+                records.push_back(std::move(record));
             m_at = recordEnd;
         }
         return records;
@@ -125,6 +130,8 @@ private:
         std::vector<FbxValue> values;
         while (values.size() < count && m_at < end) {
             const char type = take(1).front();
+            if (type == 'Z')
+                m_byteTypes.push_back(m_at - 1);
             const std::size_t size = type == 'b' ? end - m_at : sizeOf(type), at = m_at;
             values.push_back({type, at, take(size)});
         }
@@ -139,6 +146,7 @@ private:
         switch (type) {
         case 'C':
         case 'B':
+        case 'Z':
             return 1;
         case 'Y':
             return 2;
@@ -167,6 +175,7 @@ private:
     bool m_isWide;
     std::size_t m_at = 0;
     std::vector<std::string_view> m_path;
+    std::vector<std::size_t> m_byteTypes;
 };
 
 /// A token of FBX as text, by Assimp's rules.
@@ -431,6 +440,19 @@ std::optional<Records> fbxModelRecords(std::string_view bytes)
     } catch (const NotFbx&) {
         return std::nullopt;
     }
+}
+
+std::vector<std::size_t> fbxByteTypes(std::string_view bytes)
+{
+    if (!isBinaryFbx(bytes))
+        return {};
+    BinaryReader reader(bytes);
+    try {
+        reader.read();
+    } catch (const NotFbx&) {
+        return {}; // Assimp refuses it anyway
+    }
+    return reader.byteTypes();
 }
 
 const FbxRecord* recordIn(const Records& records, std::string_view name)

@@ -36,6 +36,10 @@ struct FbxRecord
 /// point into `bytes`. Memory: a few times what the models take in the file.
 std::optional<std::vector<FbxRecord>> fbxModelRecords(std::string_view bytes);
 
+/// Returns the bytes of a binary file at which "Z" is the type of a value: a byte, as "C" is, which Assimp does not
+/// know.
+std::vector<std::size_t> fbxByteTypes(std::string_view bytes);
+
 /// Returns the first record of the name; null if there is none.
 const FbxRecord* recordIn(const std::vector<FbxRecord>& records, std::string_view name);
 } // namespace app

@@ -194,6 +194,7 @@ private Q_SLOTS:
     void carelessText_isFollowed();
     void valuesWithoutComma_areFollowed();
     void nullRecords_arePassedOver();
+    void byteTypes_areNamedAsKnown();
     void spheric_isRefusedWhereItTurns();
     void cycles_areRefused_data();
     void cycles_areRefused();
@@ -364,6 +365,27 @@ void TestFbxModels::nullRecords_arePassedOver()
         const app::FbxForAssimp fbx = app::fbxForAssimp("a.fbx", bytes);
         QVERIFY(fbx.isFollowed && fbx.changed);
     }
+}
+
+/// Maya writes "Z" deep in its sounds. "Z" in texts is none.
+void TestFbxModels::byteTypes_areNamedAsKnown()
+{
+    const std::int64_t marker = 1717986918; // an L, the bytes of which become further values
+    std::vector<Record> records = sceneOf({modelRecord(500, {vectorProperty("Z", {1, 2, 3})})}, {connection(500, 0)});
+    records.push_back({"Sound", {std::string("Z")}, {{"Z", {std::string("ZZ")}, {{"Mute", {marker, marker}}}}}});
+    for (const Form form : {Form::Binary, Form::WideBinary}) {
+        std::string bytes = fileOf(records, form);
+        QVERIFY(app::fbxByteTypes(bytes).empty() && !app::fbxForAssimp("a.fbx", bytes).changed);
+        const std::size_t at = bytes.find('L' + rawBytes(marker) + 'L' + rawBytes(marker));
+        QVERIFY(at != std::string::npos);
+        bytes.replace(at, 9, std::string("S\4\0\0\0four", 9)).replace(at + 9, 9, std::string("S\4\0\0\0four", 9));
+        QVERIFY(!app::fbxForAssimp("a.fbx", bytes).changed);
+        bytes.replace(at, 9, std::string("S\2\0\0\0ZZZ\1", 9)); // a text of two, and a byte
+        QVERIFY(app::fbxForAssimp("a.fbx", bytes).isFollowed);
+        QVERIFY(app::fbxByteTypes(bytes) == std::vector<std::size_t>{at + 7});
+        QCOMPARE(righted(bytes), std::string(bytes).replace(at + 7, 1, "C"));
+    }
+    QVERIFY(app::fbxByteTypes(fileOf(records, Form::Text)).empty());
 }
 
 void TestFbxModels::spheric_isRefusedWhereItTurns()
