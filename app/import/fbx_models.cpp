@@ -137,15 +137,17 @@ bool hasFaces(const FbxRecord& mesh)
     return value.type == 'T' ? value.bytes != "*0" : !value.bytes.empty();
 }
 
-/// Returns the name of a model: "Model::name" in text, "name", NUL, SOH, "Model" in binary files.
+/// Returns the name of a model as Assimp's node of it has it: "Model::name" in text, "name", NUL, SOH, "Model" in
+/// binary files.
 std::string nameOf(const FbxRecord& model)
 {
     if (model.values.size() < 2)
         return {};
-    std::string_view name = model.values[1].bytes;
-    name = name.substr(0, name.find('\0'));
-    constexpr std::string_view kind = "Model::";
-    return std::string(name.starts_with(kind) ? name.substr(kind.size()) : name);
+    std::string name(model.values[1].bytes);
+    constexpr std::string_view gap("\0\1", 2), kind = "Model::";
+    if (const std::size_t at = name.find(gap); at != std::string::npos)
+        name = name.substr(at + gap.size()) + "::" + name.substr(0, at);
+    return name.starts_with(kind) ? name.substr(kind.size()) : name;
 }
 
 /// Changes the numbers of a file.

@@ -290,11 +290,18 @@ void TestFbxModels::models_areHandedOn()
         QVERIFY(models[1].scale == Vector3d(4, 5, -6) && models[2].scale == Vector3d(-1, 2, 3));
         QVERIFY(models[1].inherit == Inherit::ComponentWise && models[2].inherit == Inherit::WithoutParents);
         QVERIFY(!models[1].hasActiveRotations && models[2].hasActiveRotations);
-        if (form == Form::Text)
-            QVERIFY(models[1].name == "m500" && models[2].name == "m501");
+        QVERIFY(models[1].name == "m500" && models[2].name == "m501");
         const auto bare =
             app::fbxForAssimp("a.fbx", fileOf(sceneOf({modelRecord(500, {})}, {connection(500, 0)}), form)).models[1];
         QVERIFY(bare.scale == Vector3d::Ones() && bare.inherit == Inherit::Usual && bare.hasActiveRotations);
+    }
+    for (const auto& [is, wanted] : {std::pair(std::string("a\0\1Model", 8), "a"),
+                                     {std::string("a::b\0\1Model", 11), "a::b"},
+                                     {std::string("a\0\1Null", 7), "Null::a"}}) {
+        Record model = modelRecord(500, {});
+        model.values[1] = is;
+        QCOMPARE(app::fbxForAssimp("a.fbx", fileOf(sceneOf({model}, {}), Form::Binary)).models[1].name,
+                 std::string(wanted));
     }
 }
 
