@@ -74,13 +74,49 @@ bool isMetadata(const X3dNode& node)
     return std::string_view(node.name).starts_with("Metadata");
 }
 
-/// Returns whether it, or what is in it, would show a surface.
-bool holdsShape(const X3dNode& node)
+/// The nodes of a scene that would show a surface: those that stand for one, and those that hold or use such a node.
+class NodesWithShapes
 {
-    return node.name == "Shape" || node.name == "ProtoInstance" || node.name == "GeoElevationGrid" ||
-           std::any_of(node.children.begin(), node.children.end(),
-                       [](const X3dNode* child) { return holdsShape(*child); });
-}
+public:
+    /// `scene`: not owned.
+    explicit NodesWithShapes(const X3dNode& scene) : m_scene(scene) {}
+
+    /// Looks for all of them when it is asked first.
+    bool contains(const X3dNode& node)
+    {
+        if (!m_found)
+            find();
+        return m_found->contains(&node);
+    }
+
+private:
+    void find()
+    {
+        m_found.emplace();
+        std::unordered_map<const X3dNode*, std::vector<const X3dNode*>> holders;
+        std::vector<const X3dNode*> unfollowed;
+        for (std::vector<const X3dNode*> open{&m_scene}; !open.empty();) {
+            const X3dNode& node = *open.back();
+            open.pop_back();
+            if ((node.name == "Shape" || node.name == "ProtoInstance" || node.name == "GeoElevationGrid") &&
+                m_found->insert(&node).second)
+                unfollowed.push_back(&node);
+            for (const X3dNode* child : node.children)
+                holders[&child->meant()].push_back(&node);
+            open.insert(open.end(), node.children.begin(), node.children.end());
+        }
+        while (!unfollowed.empty()) {
+            const X3dNode* const node = unfollowed.back();
+            unfollowed.pop_back();
+            for (const X3dNode* holder : holders[node])
+                if (m_found->insert(holder).second)
+                    unfollowed.push_back(holder);
+        }
+    }
+
+    const X3dNode& m_scene;
+    std::optional<std::unordered_set<const X3dNode*>> m_found;
+};
 
 /// The text that is written, with the names of what is in it.
 class X3dText
@@ -245,7 +281,7 @@ private:
         else if (meant.name == "Inline")
             addInline(meant);
         else if (meant.name != "ProtoDeclare")
-            m_unread += holdsShape(meant) ? 1 : 0;
+            m_unread += m_withShapes.contains(meant) ? 1 : 0;
     }
 
     void addGroup(const X3dNode& node, const X3dNode& meant)
@@ -445,6 +481,7 @@ private:
     const X3dSurroundings& m_around;
     X3dText m_to;
     std::size_t m_unread = 0;
+    NodesWithShapes m_withShapes{m_document.scene()};
     std::unordered_set<const X3dNode*> m_open; ///< groups that are being written
 };
 } // namespace

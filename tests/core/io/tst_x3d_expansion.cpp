@@ -325,6 +325,10 @@ void TestX3dExpansion::unreadSurfaces_areCounted()
     QCOMPARE(expanded("<Shape><Text string='a'/></Shape>").unread, std::size_t(1));
     QCOMPARE(expanded("<Group><ProtoInstance name='x'/><GeoTransform>" + box + "</GeoTransform></Group>").unread,
              std::size_t(2));
+    const QByteArray defined = "<Switch><Group DEF='P'><Group>" + box + "</Group></Group></Switch>";
+    QCOMPARE(expanded(defined + "<HAnimHumanoid><HAnimJoint><Group USE='P'/></HAnimJoint></HAnimHumanoid>").unread,
+             std::size_t(1));
+    QCOMPARE(expanded(defined + "<HAnimHumanoid DEF='H'><Group USE='H'/></HAnimHumanoid>").unread, std::size_t(0));
     QCOMPARE(expanded("<Shape><Appearance/><LineSet/></Shape><Viewpoint/><Script/><PointLight/>").unread,
              std::size_t(0));
 }
