@@ -31,11 +31,15 @@ std::string_view X3dNode::text(std::string_view attribute) const
 
 bool X3dNode::isFalse(std::string_view attribute) const
 {
+    return isX3dFalse(text(attribute));
+}
+
+bool isX3dFalse(std::string_view text)
+{
     constexpr std::string_view word = "false", blanks = " \t\r\n";
-    std::string_view value = text(attribute);
-    value.remove_prefix(std::min(value.find_first_not_of(blanks), value.size()));
-    value = value.substr(0, value.find_last_not_of(blanks) + 1);
-    return std::equal(value.begin(), value.end(), word.begin(), word.end(), [](char a, char b) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    text = text.substr(0, text.find_last_not_of(blanks) + 1);
+    return std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char a, char b) {
         return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
     });
 }
@@ -127,7 +131,9 @@ struct X3dDocument::Parser
         node.line = XML_GetCurrentLineNumber(parser.get());
         for (; *pairs; pairs += 2)
             node.attributes.emplace_back(pairs[0], pairs[1]);
-        if (!open.empty())
+        if (open.empty())
+            document.m_isOfVersion4 = parseDouble(node.text("version")).value_or(0) >= 4;
+        else
             open.back()->children.push_back(&node);
         open.push_back(&node);
         if (node.name == "ProtoDeclare")

@@ -21,7 +21,7 @@ struct X3dNode
     const X3dNode& meant() const { return used ? *used : *this; }
     /// Returns the value, or an empty text.
     std::string_view text(std::string_view attribute) const;
-    /// Returns whether the value is false, in either case, blanks around it or not.
+    /// Returns whether the value is false, as isX3dFalse() has it.
     bool isFalse(std::string_view attribute) const;
 };
 
@@ -36,6 +36,8 @@ public:
     const X3dNode& scene() const { return *m_scene; }
     /// Returns the metres in the unit of its lengths.
     double metres() const { return m_metres; }
+    /// Returns whether it is of version 4 or later.
+    bool isOfVersion4() const { return m_isOfVersion4; }
     /// Returns the radians in the unit of its angles.
     double radians() const { return m_radians; }
 
@@ -45,7 +47,11 @@ private:
     std::deque<X3dNode> m_nodes;
     const X3dNode* m_scene = nullptr;
     double m_metres = 1, m_radians = 1;
+    bool m_isOfVersion4 = false;
 };
+
+/// Returns whether the text is false, in either case, blanks around it or not.
+bool isX3dFalse(std::string_view text);
 
 /// Throws a FileError that tells of the node's line.
 [[noreturn]] void refuseX3d(const FileBytes& file, const X3dNode& node, FileFault fault, std::string_view token);

@@ -74,6 +74,12 @@ bool isMetadata(const X3dNode& node)
     return std::string_view(node.name).starts_with("Metadata");
 }
 
+/// Returns whether a node hides its children one by one: a CADLayer does so before version 4.
+bool hidesEach(const X3dDocument& document, const X3dNode& node)
+{
+    return node.name == "CADLayer" && !document.isOfVersion4();
+}
+
 /// The nodes of a scene that would show a surface: those that stand for one, and those that hold or use such a node.
 class NodesWithShapes
 {
@@ -262,8 +268,16 @@ public:
 private:
     void addChildren(const X3dNode& node)
     {
-        for (const X3dNode* child : node.children)
-            add(*child);
+        std::vector<std::string_view> visible;
+        if (hidesEach(m_document, node))
+            visible = x3dWords(node.text("visible"));
+        std::size_t number = 0;
+        for (const X3dNode* child : node.children) {
+            const bool isCounted = !isMetadata(*child) && !isIn(noSurfaces, child->name);
+            const std::size_t at = isCounted ? number++ : visible.size();
+            if (at >= visible.size() || !isX3dFalse(visible[at]))
+                add(*child);
+        }
     }
 
     void add(const X3dNode& node)
@@ -271,7 +285,7 @@ private:
         const X3dNode& meant = node.meant();
         if (node.text("containerField") == "proxy") // of a Collision: what is met, not what is seen
             return;
-        if (meant.isFalse("visible"))
+        if (meant.isFalse("visible") && !hidesEach(m_document, meant))
             return;
         if (meant.name == "Shape")
             addShape(meant);

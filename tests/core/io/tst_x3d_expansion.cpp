@@ -77,6 +77,7 @@ private Q_SLOTS:
     void units_areScaled();
     void angles_areInRadians();
     void invisibleNodes_areLeftOut();
+    void layers_hideChildByChild();
     void expandedFiles_stayAsTheyAre();
     void axes_areOfUnitLength();
     void namesOfPrototypes_holdInsideOnly();
@@ -264,6 +265,29 @@ void TestX3dExpansion::invisibleNodes_areLeftOut()
     QCOMPARE(expanded("<Group visible='false'><ProtoInstance name='x'/></Group>").unread, std::size_t(0));
     // a hidden level of detail is no level
     QCOMPARE(sceneOf("<LOD><Group visible='false'>" + box + "</Group>" + box + box + "</LOD>").count("<Box"), 1);
+}
+
+/// A CADLayer's list has a word for each child; version 4 has one for all of them.
+void TestX3dExpansion::layers_hideChildByChild()
+{
+    const auto shown = [](const QByteArray& visible, const char* version) {
+        const QByteArray text = "<X3D version='" + QByteArray(version) + "'><Scene><CADLayer DEF='L' visible='" +
+                                visible + "'><MetadataSet/>" + "<Shape><Box/></Shape><Shape><Sphere/></Shape>" +
+                                "<Shape><Cone/></Shape></CADLayer></Scene></X3D>";
+        const QString scene = sceneOf(core::io::expandX3d({path, text.toStdString()}));
+        return QString(scene.contains("<Box") ? "B" : "") + (scene.contains("<Sphere") ? "S" : "") +
+               (scene.contains("<IndexedFaceSet") ? "C" : "");
+    };
+    for (const char* version : {"3.1", "3.3", ""}) {
+        QCOMPARE(shown("", version), QStringLiteral("BSC"));
+        QCOMPARE(shown("false", version), QStringLiteral("SC")); // the others are shown
+        QCOMPARE(shown("FALSE, true", version), QStringLiteral("SC"));
+        QCOMPARE(shown("true false", version), QStringLiteral("BC"));
+        QCOMPARE(shown("true true false false", version), QStringLiteral("BS"));
+        QCOMPARE(shown("false false false", version), QString());
+    }
+    QCOMPARE(shown("false", "4.0"), QString());
+    QCOMPARE(shown("true", "4.0"), QStringLiteral("BSC"));
 }
 
 void TestX3dExpansion::expandedFiles_stayAsTheyAre()
