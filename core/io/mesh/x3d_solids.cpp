@@ -166,25 +166,38 @@ std::vector<Vec3> alongSpine(const Extrusion& extrusion, bool isTurning)
     return result;
 }
 
+bool isDirection(const Vec3& v)
+{
+    return v.squaredNorm() > 0.5;
+}
+
+/// Gives the points without a direction that of the point before, those at the beginning that of the first that has
+/// one. Returns whether there is any.
+bool fillDirections(std::vector<Vec3>& directions)
+{
+    const auto first = std::find_if(directions.begin(), directions.end(), isDirection);
+    if (first == directions.end())
+        return false;
+    Vec3 last = *first;
+    for (Vec3& direction : directions)
+        last = direction = isDirection(direction) ? direction : last;
+    return true;
+}
+
 /// Returns the frames of the cross-sections: x and z lie in their planes, y along the spine.
 std::vector<Eigen::Matrix3d> framesOf(const Extrusion& extrusion)
 {
-    const std::vector<Vec3> y = alongSpine(extrusion, false);
-    std::vector<Vec3> z = alongSpine(extrusion, true);
-    const auto isDefined = [](const Vec3& v) { return v.squaredNorm() > 0.5; };
-    const auto first = std::find_if(z.begin(), z.end(), isDefined);
-    if (first == z.end()) { // straight
-        const auto way = std::find_if(y.begin(), y.end(), isDefined);
-        const Vec3 up = way == y.end() ? Vec3(0, 1, 0) : *way;
+    std::vector<Vec3> y = alongSpine(extrusion, false), z = alongSpine(extrusion, true);
+    const bool hasWay = fillDirections(y);
+    if (!fillDirections(z)) { // straight
+        const Vec3 up = hasWay ? y.front() : Vec3(0, 1, 0);
         return std::vector<Eigen::Matrix3d>(y.size(),
                                             Eigen::Quaterniond::FromTwoVectors(Vec3(0, 1, 0), up).toRotationMatrix());
     }
     std::vector<Eigen::Matrix3d> frames;
-    Vec3 last = *first;
+    Vec3 last = z.front();
     for (std::size_t i = 0; i < y.size(); ++i) {
-        Vec3 axis = isDefined(z[i]) ? z[i] : last;
-        if (axis.dot(last) < 0)
-            axis = -axis;
+        const Vec3 axis = z[i].dot(last) < 0 ? Vec3(-z[i]) : z[i];
         last = axis;
         Eigen::Matrix3d frame;
         frame << y[i].cross(axis), y[i], axis;
@@ -199,18 +212,28 @@ const double* valuesAt(const std::vector<double>& values, std::size_t each, std:
     return values.data() + each * std::min(point, values.size() / each - 1);
 }
 
+/// Adds the cross-sections. One that lies where the one before it lies is that one.
 std::vector<std::vector<int>> addRings(const Extrusion& extrusion, FaceText& to)
 {
     const std::vector<Eigen::Matrix3d> frames = framesOf(extrusion);
     std::vector<std::vector<int>> rings;
+    std::vector<Vec3> before;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double *scale = valuesAt(extrusion.scale, 2, i), *turn = valuesAt(extrusion.orientation, 4, i);
         Eigen::Matrix3d frame = frames[i];
         if (const Vec3 axis(turn[0], turn[1], turn[2]); axis.norm() > 0)
             frame *= Eigen::AngleAxisd(turn[3], axis.normalized()).toRotationMatrix();
-        std::vector<int>& ring = rings.emplace_back();
+        std::vector<Vec3> points;
         for (const Eigen::Vector2d& p : extrusion.section)
-            ring.push_back(to.addPoint(extrusion.spine[i] + frame * Vec3(scale[0] * p.x(), 0, scale[1] * p.y())));
+            points.emplace_back(extrusion.spine[i] + frame * Vec3(scale[0] * p.x(), 0, scale[1] * p.y()));
+        if (points == before) {
+            rings.push_back(rings.back());
+            continue;
+        }
+        std::vector<int>& ring = rings.emplace_back();
+        for (const Vec3& point : points)
+            ring.push_back(to.addPoint(point));
+        before = std::move(points);
     }
     return rings;
 }
@@ -225,6 +248,8 @@ X3dFaces facesOfExtrusion(const FileBytes& file, const X3dNode& node, double rad
     const std::size_t corners = extrusion.section.size();
     for (std::size_t i = 0; i + (extrusion.isSpineClosed ? 0 : 1) < rings.size(); ++i) {
         const auto &lower = rings[i], &upper = rings[(i + 1) % rings.size()];
+        if (lower == upper)
+            continue;
         for (std::size_t k = 0; k + (extrusion.isSectionClosed ? 0 : 1) < corners; ++k) {
             const std::size_t next = (k + 1) % corners;
             faces.addFace({lower[k], lower[next], upper[next], upper[k]});

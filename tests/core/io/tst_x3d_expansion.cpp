@@ -82,6 +82,8 @@ private Q_SLOTS:
     void axes_areOfUnitLength();
     void namesOfPrototypes_holdInsideOnly();
     void closedExtrusions_haveNoCaps();
+    void doubledEnds_haveTheirSections_data();
+    void doubledEnds_haveTheirSections();
     void unreadSurfaces_areCounted();
     void badFiles_areRefused_data();
     void badFiles_areRefused();
@@ -342,6 +344,44 @@ void TestX3dExpansion::closedExtrusions_haveNoCaps()
     QCOMPARE(sceneOf(ring + "orientation='0 0 1 0 0 0 1 0 0 0 1 0 0 0 1 0 0 0 1 0'/></Shape>"), plain);
     QCOMPARE(valueOf(plain, "coordIndex").count(QStringLiteral("-1")), 16);
     QCOMPARE(valueOf(sceneOf(ring + "scale='1 1 1 1 1 1 1 1 2 2'/></Shape>"), "coordIndex").count(u"-1"), 18);
+}
+
+void TestX3dExpansion::doubledEnds_haveTheirSections_data()
+{
+    QTest::addColumn<QString>("spine");
+    QTest::addColumn<int>("atBegin"); // the times that the point there comes again
+    QTest::addColumn<int>("atEnd");
+    for (const char* spine : {"0 0 0 0 10 0 10 20 0", "0 0 0 0 0 5 3 0 9 9 1 9", "0 0 0 0 10 0"})
+        for (const auto& [atBegin, atEnd] : {std::pair(1, 0), std::pair(0, 1), std::pair(2, 3)})
+            QTest::addRow("%s: %d, %d", spine, atBegin, atEnd) << QString(spine) << atBegin << atEnd;
+}
+
+/// The point at an end of the spine comes again, as for a sharp cap: the same cross-section stands there.
+void TestX3dExpansion::doubledEnds_haveTheirSections()
+{
+    QFETCH(QString, spine);
+    QFETCH(int, atBegin);
+    QFETCH(int, atEnd);
+    const auto extrusion = [](const QString& along, const QByteArray& attributes = {}) {
+        return sceneOf("<Shape><Extrusion spine='" + along.toLatin1() + "' " + attributes + "/></Shape>");
+    };
+    const QStringList numbers = spine.split(u' ');
+    const QString first = numbers.first(3).join(u' ') + u' ', last = u' ' + numbers.last(3).join(u' ');
+    const QString plain = extrusion(spine), doubled = first.repeated(atBegin) + spine + last.repeated(atEnd);
+    QCOMPARE(extrusion(doubled), plain);
+    if (atBegin == 0) { // where the last section is smaller, it is a step in the cap
+        const auto points = [](const QString& scene) { return valueOf(scene, "point").split(u' '); };
+        const QByteArray ones = QByteArray("1 1 ").repeated(numbers.size() / 3);
+        const QStringList stepped = points(extrusion(doubled, "scale='" + ones + "0.5 0.5'"));
+        constexpr int sectionNumbers = 12; // of four corners
+        QCOMPARE(stepped.size(), points(plain).size() + sectionNumbers);
+        QCOMPARE(stepped.first(points(plain).size()), points(plain));
+        for (int i = 0; i < sectionNumbers; ++i) {
+            const auto of = [i](const QStringList& list) { return list[list.size() - sectionNumbers + i].toDouble(); };
+            QVERIFY(std::abs(of(stepped) - (of(points(plain)) + numbers[numbers.size() - 3 + i % 3].toDouble()) / 2) <
+                    1e-9);
+        }
+    }
 }
 
 void TestX3dExpansion::unreadSurfaces_areCounted()
