@@ -32,9 +32,21 @@ constexpr std::array<std::string_view, 2> transforms{"Transform", "CADPart"};
 /// The attributes that place a group, and how many numbers they have: three, or an axis and an angle.
 constexpr std::array<std::pair<std::string_view, std::size_t>, 5> placing{
     {{"center", 3}, {"rotation", 4}, {"scale", 3}, {"scaleOrientation", 4}, {"translation", 3}}};
-/// Surfaces that are left to the reader of the file.
-constexpr std::array<std::string_view, 7> primitives{"Box",    "Sphere",      "ElevationGrid", "ArcClose2D",
-                                                     "Disk2D", "Rectangle2D", "TriangleSet2D"};
+/// A list of numbers that shapes a surface that is left to the reader of the file.
+struct Shaping
+{
+    std::string_view node, attribute;
+    std::size_t numbers = 0; ///< that the list has; 0: any
+};
+constexpr std::array<Shaping, 9> primitives{{{"Box", "size", 3},
+                                             {"Sphere", "radius", 1},
+                                             {"ArcClose2D", "startAngle", 1},
+                                             {"ArcClose2D", "endAngle", 1},
+                                             {"ArcClose2D", "radius", 1},
+                                             {"Disk2D", "innerRadius", 1},
+                                             {"Disk2D", "outerRadius", 1},
+                                             {"Rectangle2D", "size", 2},
+                                             {"TriangleSet2D", "vertices", 0}}};
 constexpr std::array<std::string_view, 11> noSurfaces{"Appearance", "LineSet",      "IndexedLineSet",    "PointSet",
                                                       "Arc2D",      "Circle2D",     "Polyline2D",        "Polypoint2D",
                                                       "ROUTE",      "ProtoDeclare", "ExternProtoDeclare"};
@@ -403,7 +415,8 @@ private:
     {
         if (isMetadata(node) || isIn(noSurfaces, node.name))
             return false;
-        if (isIn(primitives, node.name)) {
+        if (std::any_of(primitives.begin(), primitives.end(),
+                        [&node](const Shaping& list) { return list.node == node.name; })) {
             addPrimitive(node);
             return true;
         }
@@ -439,21 +452,19 @@ private:
     void addPrimitive(const X3dNode& node)
     {
         m_to.begin(node, node.name);
-        for (const auto& [name, value] : node.attributes)
-            if (name == "startAngle" || name == "endAngle")
-                addAngle(node, name);
-            else if (name != "DEF" && name != "USE" && name != "containerField")
-                m_to.addAttribute(node, name);
+        for (const Shaping& list : primitives) {
+            std::vector<double> numbers =
+                list.node == node.name ? x3dNumbers(m_file, node, list.attribute) : std::vector<double>();
+            if (numbers.empty())
+                continue;
+            if (list.numbers != 0 && numbers.size() != list.numbers)
+                refuseX3d(m_file, node, FileFault::NotNumbers, list.attribute);
+            for (double& number : numbers)
+                number *= list.attribute.ends_with("Angle") ? m_document.radians() : 1;
+            m_to.addNumbers(list.attribute, numbers);
+        }
+        m_to.addAttribute(node, "closureType");
         m_to.add("/>");
-    }
-
-    void addAngle(const X3dNode& node, std::string_view name)
-    {
-        std::vector<double> numbers = x3dNumbers(m_file, node, name);
-        for (double& number : numbers)
-            number *= m_document.radians();
-        if (!numbers.empty())
-            m_to.addNumbers(name, numbers);
     }
 
     void addPoints(const X3dNode& node)

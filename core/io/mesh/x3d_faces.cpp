@@ -1,5 +1,5 @@
-// Source: Web3D Consortium, ISO/IEC 19775-1, clause 11 (rendering: triangle sets), 13 (geometry: IndexedFaceSet), 32
-// (CAD: quad sets).
+// Source: Web3D Consortium, ISO/IEC 19775-1, clause 11 (rendering: triangle sets), 13 (geometry: ElevationGrid,
+// IndexedFaceSet), 32 (CAD: quad sets).
 #include "core/io/mesh/x3d_faces.h"
 
 #include "core/io/mesh/number_parsing.h"
@@ -134,14 +134,56 @@ std::optional<std::vector<Face>> facesOf(const FileBytes& file, const X3dNode& n
     return std::nullopt;
 }
 
+template <class Number> void append(std::string& text, Number number)
+{
+    char digits[32];
+    text.append(text.empty() ? "" : " ");
+    text.append(digits, std::to_chars(digits, std::end(digits), number).ptr);
+}
+
+std::size_t countIn(const FileBytes& file, const X3dNode& node, std::string_view name)
+{
+    const std::vector<std::string_view> words = x3dWords(node.text(name));
+    const auto count = words.empty() ? 0 : parseInteger(words.front()).value_or(-1);
+    if (count < 0)
+        refuseX3d(file, node, FileFault::Count, words.front());
+    return static_cast<std::size_t>(count);
+}
+
+/// An ElevationGrid's points as text, and its quads: along x, row after row.
+struct Grid
+{
+    std::string points;
+    std::vector<Face> faces;
+    std::size_t count = 0; ///< of points
+};
+
+Grid gridOf(const FileBytes& file, const X3dNode& node)
+{
+    const std::vector<double> heights = x3dNumbers(file, node, "height");
+    const std::size_t alongX = countIn(file, node, "xDimension"), alongZ = countIn(file, node, "zDimension");
+    const double stepX = x3dNumber(file, node, "xSpacing", "1"), stepZ = x3dNumber(file, node, "zSpacing", "1");
+    Grid grid;
+    if (alongX < 2 || alongZ < 2)
+        return grid;
+    if (alongZ > heights.size() / alongX)
+        refuseX3d(file, node, FileFault::NotNumbers, "height");
+    grid.count = alongX * alongZ;
+    for (std::size_t i = 0; i < grid.count; ++i)
+        for (const double number :
+             {stepX * static_cast<double>(i % alongX), heights[i], stepZ * static_cast<double>(i / alongX)})
+            append(grid.points, number);
+    const auto row = static_cast<Index>(alongX);
+    for (std::size_t i = 0; i + alongX < grid.count; ++i)
+        if (const auto first = static_cast<Index>(i); (i + 1) % alongX != 0)
+            grid.faces.push_back({first, first + row, first + row + 1, first + 1});
+    return grid;
+}
+
 std::string written(const std::vector<Face>& faces, bool isReversed)
 {
     std::string text;
-    const auto add = [&text](Index index) {
-        char digits[16];
-        text.append(text.empty() ? "" : " ");
-        text.append(digits, std::to_chars(digits, std::end(digits), index).ptr);
-    };
+    const auto add = [&text](Index index) { append(text, index); };
     for (const Face& face : faces) {
         if (face.size() < 3)
             continue;
@@ -222,6 +264,14 @@ std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::
     return numbers;
 }
 
+double x3dNumber(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual)
+{
+    const std::vector<double> numbers = x3dNumbers(file, node, name, usual);
+    if (numbers.empty())
+        refuseX3d(file, node, FileFault::Number, {});
+    return numbers.front();
+}
+
 bool isX3dCoordinate(const X3dNode& node)
 {
     return node.name == "Coordinate" || node.name == "CoordinateDouble";
@@ -231,11 +281,20 @@ std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node)
 {
     if (childOf(node, "GeoCoordinate"))
         return std::nullopt;
-    const std::size_t points = pointsOf(node);
-    const auto faces = facesOf(file, node, points);
+    X3dFaces result;
+    std::size_t points = 0;
+    std::optional<std::vector<Face>> faces;
+    if (node.name == "ElevationGrid") {
+        Grid grid = gridOf(file, node);
+        points = grid.count;
+        faces = std::move(grid.faces);
+        result.points = std::move(grid.points);
+    } else {
+        points = pointsOf(node);
+        faces = facesOf(file, node, points);
+    }
     if (!faces)
         return std::nullopt;
-    X3dFaces result;
     result.coordIndex = written(*faces, node.isFalse("ccw"));
     if (!result.coordIndex.empty())
         addColors(file, node, *faces, points, result);

@@ -22,12 +22,15 @@ std::vector<std::string_view> x3dWords(std::string_view text);
 std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::string_view name,
                                std::string_view usual = {});
 
+/// Returns the first of the numbers that x3dNumbers() returns. Throws FileError where there is none.
+double x3dNumber(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual);
+
 /// Returns whether the node has the points of a face set.
 bool isX3dCoordinate(const X3dNode& node);
 
-/// Returns the faces of a node that has some by lists of points: IndexedFaceSet, and triangles and quads in sets,
-/// strips and fans. They are wound anticlockwise. Faces of fewer than three corners are left out. Empty if it is no
-/// such node, or if its points are on the globe (GeoCoordinate). Throws FileError with its line, also where an index is
-/// out of range.
+/// Returns the faces of a node that has some by lists of points: IndexedFaceSet, triangles and quads in sets, strips
+/// and fans, and ElevationGrid. They are wound anticlockwise. Faces of fewer than three corners are left out. Empty if
+/// it is no such node, or if its points are on the globe (GeoCoordinate). Throws FileError with its line, also where an
+/// index is out of range, or heights are missing.
 std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node);
 } // namespace core::io

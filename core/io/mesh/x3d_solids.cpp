@@ -2,8 +2,6 @@
 // cross-sections along the spine).
 #include "core/io/mesh/x3d_solids.h"
 
-#include "core/io/mesh/number_parsing.h"
-
 #include "core/geometry/geometry.h"
 
 #include <Eigen/Geometry>
@@ -53,14 +51,6 @@ private:
     bool m_isReversed;
 };
 
-double numberIn(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual)
-{
-    const std::vector<double> numbers = x3dNumbers(file, node, name, usual);
-    if (numbers.empty())
-        refuseX3d(file, node, FileFault::Number, {});
-    return numbers.front();
-}
-
 /// Adds a ring about the y axis, anticlockwise as it is seen from above.
 std::vector<int> addRing(FaceText& to, double radius, double y)
 {
@@ -80,7 +70,7 @@ std::vector<int> reversed(std::vector<int> ring)
 
 X3dFaces coneOf(const FileBytes& file, const X3dNode& node)
 {
-    const double radius = numberIn(file, node, "bottomRadius", "1"), height = numberIn(file, node, "height", "2");
+    const double radius = x3dNumber(file, node, "bottomRadius", "1"), height = x3dNumber(file, node, "height", "2");
     FaceText faces(false);
     const std::vector<int> ring = addRing(faces, radius, -height / 2);
     const int apex = faces.addPoint({0, height / 2, 0});
@@ -93,7 +83,7 @@ X3dFaces coneOf(const FileBytes& file, const X3dNode& node)
 
 X3dFaces cylinderOf(const FileBytes& file, const X3dNode& node)
 {
-    const double radius = numberIn(file, node, "radius", "1"), height = numberIn(file, node, "height", "2");
+    const double radius = x3dNumber(file, node, "radius", "1"), height = x3dNumber(file, node, "height", "2");
     FaceText faces(false);
     const std::vector<int> lower = addRing(faces, radius, -height / 2), upper = addRing(faces, radius, height / 2);
     for (int i = 0; i < sides && !node.isFalse("side"); ++i)

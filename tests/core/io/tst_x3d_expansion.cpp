@@ -84,6 +84,8 @@ private Q_SLOTS:
     void closedExtrusions_haveNoCaps();
     void doubledEnds_haveTheirSections_data();
     void doubledEnds_haveTheirSections();
+    void grids_areMadeOfQuads();
+    void primitives_haveNumbers();
     void unreadSurfaces_areCounted();
     void badFiles_areRefused_data();
     void badFiles_areRefused();
@@ -295,7 +297,7 @@ void TestX3dExpansion::layers_hideChildByChild()
 void TestX3dExpansion::expandedFiles_stayAsTheyAre()
 {
     const X3dExpansion once =
-        expanded("<Transform DEF='T'><Shape><Box size='1 &quot; &lt; &amp; 2'/></Shape>" + box +
+        expanded("<Transform DEF='T'><Shape><ArcClose2D closureType='1 &quot; &lt; &amp; 2'/></Shape>" + box +
                  "<Shape><Cone/></Shape></Transform><Transform USE='T'/><Shape><IndexedTriangleSet index='0 1 2'>" +
                  points + "</IndexedTriangleSet></Shape>");
     QCOMPARE(core::io::expandX3d({path, once.text}).text, once.text);
@@ -384,6 +386,35 @@ void TestX3dExpansion::doubledEnds_haveTheirSections()
     }
 }
 
+void TestX3dExpansion::grids_areMadeOfQuads()
+{
+    const auto grid = [](const QByteArray& attributes, const QByteArray& inside = {}) {
+        return sceneOf("<Shape><ElevationGrid xDimension='3' zDimension='2' height='1 2 3 4 5,6 7' " + attributes +
+                       ">" + inside + "</ElevationGrid></Shape>");
+    };
+    const QString plain = grid("xSpacing='10' zSpacing='.5'");
+    QCOMPARE(valueOf(plain, "point"), QStringLiteral("0 1 0 10 2 0 20 3 0 0 4 0.5 10 5 0.5 20 6 0.5"));
+    QCOMPARE(valueOf(plain, "coordIndex"), QStringLiteral("0 3 4 1 -1 1 4 5 2 -1"));
+    QCOMPARE(valueOf(grid("ccw='false'"), "coordIndex"), QStringLiteral("1 4 3 0 -1 2 5 4 1 -1"));
+    QCOMPARE(valueOf(grid(""), "point"), QStringLiteral("0 1 0 1 2 0 2 3 0 0 4 1 1 5 1 2 6 1"));
+    QCOMPARE(valueOf(grid("colorPerVertex='false'", "<Color color='1 0 0 0 1 0'/>"), "color"),
+             QStringLiteral("1 0 0 0 1 0 0 1 0 1 0 0 0 1 0 0 1 0")); // the last face of a point counts
+    QCOMPARE(sceneOf("<Shape><ElevationGrid/></Shape><Shape><ElevationGrid xDimension='1' zDimension='9'/></Shape>"),
+             QString());
+}
+
+/// Lists of numbers are written as numbers, with blanks between them and nothing else.
+void TestX3dExpansion::primitives_haveNumbers()
+{
+    QCOMPARE(sceneOf("<Shape><Box DEF='B' size=' .01,+.02, 3e-2' solid='true'/></Shape>").count("0.01 0.02 0.03\"/>"),
+             1);
+    QCOMPARE(valueOf(sceneOf("<Shape><Rectangle2D size='1,2'/></Shape>"), "size"), QStringLiteral("1 2"));
+    QCOMPARE(valueOf(sceneOf("<Shape><TriangleSet2D vertices='0 0 1,0 1 1'/></Shape>"), "vertices"),
+             QStringLiteral("0 0 1 0 1 1"));
+    QCOMPARE(valueOf(sceneOf("<Shape><ArcClose2D radius='2' closureType='CHORD'/></Shape>"), "closureType"),
+             QStringLiteral("CHORD"));
+}
+
 void TestX3dExpansion::unreadSurfaces_areCounted()
 {
     QCOMPARE(expanded("<Shape><Text string='a'/></Shape>").unread, std::size_t(1));
@@ -427,6 +458,20 @@ void TestX3dExpansion::badFiles_areRefused_data()
             << static_cast<int>(Kind::Malformed) << static_cast<int>(FileFault::NotNumbers) << QStringLiteral("point");
     row("three numbers for four", "\n<Transform rotation='0 1 0'>" + box + "</Transform>", FileFault::Number, "0 1 0");
     row("no number", "\n<Shape><Cone height='a'/></Shape>", FileFault::Number, "a");
+    const auto shape = [](const QByteArray& node) { return "\n<Shape><" + node + "/></Shape>"; };
+    row("infinite", shape("Box size='1.#INF .01 .01'"), FileFault::Number, "1.#INF");
+    row("number with a unit", shape("Sphere radius='0.01m'"), FileFault::Number, "0.01m");
+    row("infinite angle", shape("ArcClose2D endAngle='inf'"), FileFault::Number, "inf");
+    row("no numbers of triangles", shape("TriangleSet2D vertices='0 0 1 0 x 1'"), FileFault::Number, "x");
+    row("two numbers for three", shape("Box size='1 2'"), FileFault::NotNumbers, "size");
+    row("three numbers for two", shape("Rectangle2D size='1 2 3'"), FileFault::NotNumbers, "size");
+    row("no height", shape("ElevationGrid xDimension='2' zDimension='2' height='0 0 x 0'"), FileFault::Number, "x");
+    row("too few heights", shape("ElevationGrid xDimension='2' zDimension='2' height='0 0 0'"), FileFault::NotNumbers,
+        "height");
+    row("far too few heights", shape("ElevationGrid xDimension='9999999999' zDimension='9999999999' height='0 0'"),
+        FileFault::NotNumbers, "height");
+    row("negative dimension", shape("ElevationGrid xDimension='-2' zDimension='-2' height='0 0 0 0'"), FileFault::Count,
+        "-2");
     row("deep", "\n" + QByteArray("<Group>").repeated(300) + QByteArray("</Group>").repeated(300),
         FileFault::XmlTooDeep, "");
 }
