@@ -14,7 +14,7 @@ struct ThreeMfComponent
 {
     std::string part; ///< where the object is; empty: in the same part
     std::uint32_t object = 0;
-    Eigen::Matrix4d transform = Eigen::Matrix4d::Identity(); ///< of columns
+    Eigen::Matrix4d transform = Eigen::Matrix4d::Identity(); ///< of columns, to the unit of the part that puts it there
 };
 
 struct ThreeMfObject

@@ -118,6 +118,7 @@ private:
         if (++m_instances > maxInstances)
             throw tooMany("components", maxInstances, errorWithToken({}, m_file, {}));
         const std::string& path = component.part.empty() ? from : component.part;
+        const double ofOther = part(path).millimetres / part(from).millimetres;
         const auto& objects = part(path).objects;
         const auto object = objects.find(component.object);
         if (object == objects.end())
@@ -133,7 +134,8 @@ private:
             ++m_remarks.unreadNodes;
             m_otherShape = object->second.otherShape;
         }
-        const Eigen::Matrix4d transform = place.above * component.transform;
+        const Eigen::Matrix4d transform =
+            place.above * component.transform * Eigen::Vector4d(ofOther, ofOther, ofOther, 1).asDiagonal();
         m_assembly.add(object->second.mesh, transform);
         if (!object->second.mesh.triangles.empty())
             (isPoint(transform) ? m_hasPoint : m_hasExtent) = true;

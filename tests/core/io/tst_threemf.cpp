@@ -95,6 +95,7 @@ private Q_SLOTS:
     void components_areTransformed();
     void mirroredComponents_stayOutward();
     void partsElsewhere_areRead();
+    void partsElsewhere_haveTheirUnits();
     void supports_areLeftOut();
     void pointsBesideOthers_areLeftOut();
     void colors_areRead();
@@ -201,6 +202,23 @@ void TestThreeMf::partsElsewhere_areRead()
     const auto path = package(
         {{"_rels/.rels", relationships}, {"3D/a.model", root}, {"3D/Objects/b.model", model(object(7, mesh()), "")}});
     QCOMPARE(volume(core::readMesh(path)), 1.0);
+}
+
+/// What a component puts somewhere is in the unit of its own part, the place in that of the part of the component.
+void TestThreeMf::partsElsewhere_haveTheirUnits()
+{
+    const auto other = [](const char* name, int id, const char* at) {
+        return std::string("<components><component p:path=\"/3D/") + name + "\" objectid=\"" + std::to_string(id) +
+               "\" transform=\"1 0 0 0 1 0 0 0 1 " + at + " 0 0\"/></components>";
+    };
+    const auto path =
+        package({{"_rels/.rels", relationships},
+                 {"3D/a.model", model(object(1, other("b.model", 2, "7")), item(1), "unit=\"centimeter\"")},
+                 {"3D/b.model", model(object(2, other("c.model", 3, "5")), "", "unit=\"meter\"")},
+                 {"3D/c.model", model(object(3, mesh()), "")}}); // in millimetres
+    const TriangleMesh read = core::readMesh(path, {.up = UpAxis::Y});
+    QVERIFY(read.points[0] == Vec3f(70 + 5000, 0, 0));
+    QVERIFY(largest(read) == Vec3f(70 + 5000 + 1, 2, 3));
 }
 
 void TestThreeMf::supports_areLeftOut()
