@@ -81,6 +81,17 @@ std::string_view coreName(std::string_view name)
     return {};
 }
 
+/// Returns whether an object's type is that of the model; supports and others are not. Refuses a type that the
+/// specification does not have.
+bool isSolidType(std::string_view type, const XmlAttributes& attributes)
+{
+    if (type.empty() || type == "model" || type == "surface")
+        return true;
+    if (type != "support" && type != "solidsupport" && type != "other")
+        attributes.refuse(FileFault::None, "type " + std::string(type));
+    return false;
+}
+
 double millimetresOf(std::string_view unit, const XmlAttributes& attributes)
 {
     constexpr std::pair<std::string_view, double> units[] = {{"millimeter", 1}, {"micron", 0.001}, {"centimeter", 10},
@@ -222,11 +233,10 @@ void ThreeMfPartReader::beginModel(const XmlAttributes& attributes)
 
 void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)
 {
-    const std::string_view type = attributes.text("type");
     m_object = &m_part.objects[attributes.whole("id")];
     if (!m_object->mesh.points.empty() || !m_object->components.empty())
         attributes.refuse(FileFault::Repeated, "id"); // another object has it
-    m_object->isSolid = type.empty() || type == "model" || type == "solidsupport" || type == "surface";
+    m_object->isSolid = isSolidType(attributes.text("type"), attributes);
     m_colors->objectGroup = attributes.wholeIfAny("pid");
     m_colors->objectIndex = attributes.wholeIfAny("pindex");
     m_colors->means.clear();

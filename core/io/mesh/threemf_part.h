@@ -21,7 +21,7 @@ struct ThreeMfObject
 {
     TriangleMesh mesh; ///< in the part's unit; its indices are in range
     std::vector<ThreeMfComponent> components;
-    bool isSolid = true;    ///< else a support, or something else that is not the model
+    bool isSolid = true;    ///< else a support, solid or not, or something else that is not the model
     std::string otherShape; ///< the extension of a shape of its own that is not read, or empty
 };
 

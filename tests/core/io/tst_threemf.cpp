@@ -223,11 +223,16 @@ void TestThreeMf::partsElsewhere_haveTheirUnits()
 
 void TestThreeMf::supports_areLeftOut()
 {
-    const std::string both =
-        object(1, mesh()) + object(2, mesh(), R"(type="support")") + object(3, mesh(), R"(type="other")");
-    const TriangleMesh read =
-        this->read(model(both, item(1) + item(2) + item(3, R"(transform="1 0 0 0 1 0 0 0 1 9 9 9")")));
-    QCOMPARE(read.triangles.size(), std::size_t(4));
+    const auto typed = [](int id, const std::string& type) { return object(id, mesh(), "type=\"" + type + "\""); };
+    const std::string objects = object(1, mesh()) + typed(2, "support") + typed(3, "other") + typed(4, "solidsupport") +
+                                typed(5, "surface") + typed(6, "model");
+    std::string items = item(2) + item(4);
+    for (const int id : {1, 3, 5, 6})
+        items += item(id, "transform=\"1 0 0 0 1 0 0 0 1 " + std::to_string(9 * id) + " 0 0\"");
+    const TriangleMesh read = this->read(model(objects, items));
+    QCOMPARE(read.triangles.size(), std::size_t(12));
+    QVERIFY(largest(read).x() == 9 * 6 + 1);
+    QCOMPARE(core::readModel(file("a.3mf")).remarks.otherParts, std::size_t(3));
 }
 
 /// Objects without extent are left out, as their faces are, beside another one.
@@ -318,6 +323,7 @@ void TestThreeMf::badPackages_areRefused_data()
     row("no end", Kind::Malformed, "", good.substr(0, good.size() - 9));
     row("not XML", Kind::Malformed, "", "solid");
     row("unknown unit", Kind::Malformed, "furlong", model(object(1, mesh()), item(1), R"(unit="furlong")"));
+    row("unknown type", Kind::Malformed, "type banana", model(object(1, mesh(), R"(type="banana")"), item(1)));
     row("no such object", Kind::Malformed, "objectid 3", model(object(1, mesh()), item(3)));
     row("the same object twice", Kind::Malformed, "id", model(object(1, mesh()) + object(1, mesh()), item(1)));
     row("in itself", Kind::Malformed, "components",
