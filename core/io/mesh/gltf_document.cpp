@@ -6,6 +6,7 @@
 #include "core/io/mesh/gltf_draco.h"
 #include "core/io/mesh/gltf_extensions.h"
 #include "core/io/mesh/gltf_meshopt.h"
+#include "core/io/mesh/number_parsing.h"
 #include "core/util/parallel.h"
 
 #include <cmath>
@@ -37,6 +38,28 @@ std::size_t sizeBesideTexts(std::string_view json)
             size += isInText ? 0 : 1;
     }
     return size;
+}
+
+/// Returns the first number of JSON, outside of its texts, that is too large for a double; empty, at the front, if none
+/// is.
+std::string_view tooLargeIn(std::string_view json)
+{
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < json.size(); i = end) {
+        end = i + 1;
+        if (json[i] == '"') {
+            while (end < json.size() && json[end] != '"')
+                end += json[end] == '\\' ? 2 : 1;
+            ++end;
+        } else if (json[i] == '-' || (json[i] >= '0' && json[i] <= '9')) {
+            end = std::min(json.find_first_not_of("+-.0123456789eE", i), json.size());
+            const std::string_view word = json.substr(i, end - i);
+            const bool isTiny = word.find('-', 1) != std::string_view::npos;
+            if (!isTiny && !parseDouble(word))
+                return word;
+        }
+    }
+    return json.substr(0, 0);
 }
 
 std::size_t sizeOf(int componentType)
@@ -185,7 +208,8 @@ void GltfDocument::parse(std::string_view text)
     } catch (const Json::parse_error& error) {
         throw malformed(FileFault::Json, errorAtByte({}, m_file, text.data() + std::min(error.byte, text.size())));
     } catch (const Json::exception&) { // a number beyond all bounds
-        throw malformed(FileFault::Json, errorAtByte({}, m_file, text.data()));
+        const std::string_view number = tooLargeIn(text);
+        throw errorAtByte(FileErrorKind::NotANumber, m_file, number.data(), number);
     }
 }
 
@@ -234,7 +258,13 @@ void GltfDocument::loadBuffers()
         const std::size_t length = sizeIn(buffer, "byteLength", 0);
         if (length > maxBytes - std::min(m_bytes, maxBytes))
             throw tooMany("bytes", maxBytes, errorWithToken({}, m_file, {}));
-        m_loaded.push_back(gltfBuffer(m_file, uri->get_ref<const std::string&>(), length));
+        try {
+            m_loaded.push_back(gltfBuffer(m_file, uri->get_ref<const std::string&>(), length));
+        } catch (const FileError& error) {
+            m_missing.emplace(m_buffers.size(), error);
+            m_buffers.emplace_back();
+            continue;
+        }
         m_buffers.emplace_back(m_loaded.back());
         m_bytes += m_loaded.back().size();
     }
@@ -280,6 +310,8 @@ std::string_view GltfDocument::partOf(std::size_t buffer, std::size_t offset, st
 {
     if (buffer >= m_buffers.size())
         refuse(FileFault::Missing, "buffers/" + std::to_string(buffer));
+    if (const auto missing = m_missing.find(buffer); missing != m_missing.end())
+        throw missing->second;
     if (const std::size_t size = m_buffers[buffer].size(); offset > size || length > size - offset)
         refuseCutOff();
     return m_buffers[buffer].substr(offset, length);

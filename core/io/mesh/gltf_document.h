@@ -96,7 +96,8 @@ private:
     Json m_document;
     std::string_view m_binary; ///< chunk of a GLB
     std::deque<std::string> m_loaded;
-    std::vector<std::string_view> m_buffers; ///< into the chunk, and what was loaded
+    std::vector<std::string_view> m_buffers;    ///< into the chunk, and what was loaded
+    std::map<std::size_t, FileError> m_missing; ///< why a buffer was not loaded, which matters where it is used
     std::size_t m_bytes = 0;
     mutable std::map<std::size_t, std::string> m_unpacked; ///< buffer views
     mutable std::size_t m_unpackedBytes = 0;

@@ -89,7 +89,7 @@ private:
                 if (!isPlain)
                     point = (transform * point.cast<double>().homogeneous()).head<3>().cast<float>();
                 if (!point.allFinite())
-                    throw errorAtByte(FileErrorKind::NotANumber, m_file, m_file.bytes.data() + m_file.bytes.size());
+                    throw errorWithToken(FileErrorKind::NotANumber, m_file, {});
             }
         });
     }

@@ -4,12 +4,14 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace core::io
 {
 namespace
 {
 constexpr int maxDepth = 256;
-constexpr std::size_t maxNodes = 1 << 16;
+constexpr std::size_t alwaysVisited = 1 << 16; ///< nodes, though the file has fewer
 } // namespace
 
 void GltfScene::forEachMesh(const Eigen::Matrix4d& root, const Visit& visit)
@@ -51,8 +53,11 @@ std::vector<std::size_t> GltfScene::rootNodes() const
 void GltfScene::visitNode(std::size_t index, const Eigen::Matrix4d& above, int depth, const Visit& visit)
 {
     m_stopCheck();
-    if (depth > maxDepth || ++m_nodes > maxNodes)
+    if (depth > maxDepth)
         m_gltf.refuse(FileFault::TooDeep, "nodes");
+    const std::size_t max = std::max(alwaysVisited, m_gltf.arrayIn(m_gltf.document(), "nodes").size());
+    if (++m_nodes > max) // they are no tree
+        throw tooMany("nodes", max, errorWithToken({}, m_file, {}));
     const Json& node = m_gltf.element("nodes", index);
     if (!isGltfVisible(m_gltf, node))
         return;

@@ -153,6 +153,9 @@ private Q_SLOTS:
     void links_areFollowedBeforeTheyAreTrusted();
     void badBuffers_areRefused_data();
     void badBuffers_areRefused();
+    void buffersThatNothingUses_mayBeMissing();
+    void tooLargeNumbers_areTold();
+    void nodes_areCountedAndNested();
     void mutatedFiles_neverGetThrough();
     void gltf_isNotWritten();
 
@@ -269,6 +272,71 @@ void TestGltfDocument::badBuffers_areRefused()
     const auto error = errorOf(bytes);
     QVERIFY(error);
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(kind));
+}
+
+/// Buffers of images, for instance, may be left at home.
+void TestGltfDocument::buffersThatNothingUses_mayBeMissing()
+{
+    for (const char* uri : {"b.bin", "../outside.bin", "data:;base64,****"}) {
+        const QByteArray used = gltf(inside());
+        const QByteArray unused = QByteArray(used).replace(
+            R"("byteLength":72})", R"("byteLength":72},{"byteLength":9,"uri":")" + QByteArray(uri) + "\"}");
+        QVERIFY(isTetrahedron(read(unused)));
+        QVERIFY(isTetrahedron(read(QByteArray(unused).replace(
+            R"("byteLength":24})", R"("byteLength":24},{"buffer":1,"byteLength":9})")))); // an image's
+        QVERIFY(errorOf(QByteArray(unused).replace(R"("bufferViews":[{"buffer":0)", R"("bufferViews":[{"buffer":1)")));
+    }
+}
+
+void TestGltfDocument::tooLargeNumbers_areTold()
+{
+    const QByteArray good =
+        gltf(inside(), 72, R"(,"extras":["1e999 \\\"1e999",1e-999,-0.0,123456789012345678901234567890])");
+    QVERIFY(isTetrahedron(read(good)));
+    for (const char* number : {"1e400", "-9E+999"}) {
+        const QByteArray bytes = good + "  ";
+        const qsizetype at = bytes.indexOf("123456");
+        const auto error = errorOf(QByteArray(bytes).replace(at, 30, number));
+        QVERIFY(error);
+        QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::NotANumber));
+        QCOMPARE(error->token, std::string(number));
+        QCOMPARE(error->place.number, std::uint64_t(at));
+    }
+    // a place that float32 cannot hold is nowhere in the file
+    const auto far = errorOf(gltf(inside()).replace(R"("scale":[0.001,0.001,0.001])", R"("translation":[1e300,0,0])"));
+    QVERIFY(far);
+    QCOMPARE(static_cast<int>(far->kind), static_cast<int>(Kind::NotANumber));
+    QVERIFY(far->place == core::FilePlace());
+}
+
+/// As many nodes as a file has are visited; fewer in each other, and of those that hold one node twice.
+void TestGltfDocument::nodes_areCountedAndNested()
+{
+    const auto scene = [](const QByteArray& roots, const QByteArray& nodes) {
+        return gltf(inside())
+            .replace(R"("scenes":[{"nodes":[0]}])", R"("scenes":[{"nodes":[)" + roots + "]}]")
+            .replace(R"("scale":[0.001,0.001,0.001]})", R"("scale":[0.001,0.001,0.001]})" + nodes);
+    };
+    constexpr int many = 70'000;
+    QByteArray roots = "0", nodes;
+    for (int i = 1; i <= many; ++i) {
+        roots += "," + QByteArray::number(i);
+        nodes += ",{}";
+    }
+    QVERIFY(isTetrahedron(read(scene(roots, nodes))));
+    const auto chain = [&](int length, bool isTwice) {
+        QByteArray links;
+        for (int i = 0; i < length; ++i) { // each holds the one before
+            const QByteArray before = QByteArray::number(i);
+            links += R"(,{"children":[)" + before + (isTwice ? "," + before : "") + "]}";
+        }
+        return errorOf(scene(QByteArray::number(length), links));
+    };
+    QVERIFY(!chain(200, false));
+    const auto deep = chain(300, false);
+    QVERIFY(deep && deep->fault == core::FileFault::TooDeep);
+    const auto doubled = chain(40, true);
+    QVERIFY(doubled && doubled->kind == Kind::TooManyElements && doubled->token == "nodes");
 }
 
 void TestGltfDocument::mutatedFiles_neverGetThrough()
