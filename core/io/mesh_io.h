@@ -43,7 +43,7 @@ struct ReadRemarks
 {
     std::size_t objects = 1; ///< they are one mesh now
     bool materials = false, textures = false;
-    bool poses = false;              ///< skins and morph targets: the model stands as it was made
+    bool poses = false;              ///< skins and morph targets: the model stands as its file shows it at rest
     std::size_t repeatedCorners = 0; ///< corners left out that a polygon names twice in a row
     std::size_t facesOfFewer = 0;    ///< faces left out with fewer than three different corners
     bool unannounced = false;        ///< values were left out that the file's header does not announce

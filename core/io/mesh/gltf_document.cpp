@@ -363,6 +363,7 @@ GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max, const 
                            : *type == "SCALAR" ? 1
                            : *type == "VEC3"   ? 3
                            : *type == "VEC4"   ? 4
+                           : *type == "MAT4"   ? 16
                                                : 0;
     const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
     const std::size_t count = sizeIn(from, "count", 0);

@@ -12,7 +12,8 @@ namespace
 using Json = GltfDocument::Json;
 
 /// Lists the attributes that are decoded; streams may hold others.
-constexpr std::array<const char*, 3> readAttributes{"POSITION", "COLOR_0", "_MASK"};
+constexpr std::array<const char*, 7> readAttributes{"POSITION",  "COLOR_0",  "_MASK",    "JOINTS_0",
+                                                    "WEIGHTS_0", "JOINTS_1", "WEIGHTS_1"};
 
 std::size_t sizeOf(const DracoMesh& mesh)
 {

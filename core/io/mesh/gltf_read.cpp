@@ -4,6 +4,7 @@
 #include "core/io/mesh/gltf_draco.h"
 #include "core/io/mesh/gltf_primitive.h"
 #include "core/io/mesh/gltf_scene.h"
+#include "core/io/mesh/gltf_skin.h"
 #include "core/io/mesh/srgb.h"
 #include "core/util/parallel.h"
 
@@ -30,7 +31,7 @@ public:
 
     ReadResult read()
     {
-        const auto add = [&](std::size_t mesh, const Eigen::Matrix4d& transform) { addMesh(mesh, transform); };
+        const auto add = [&](std::size_t mesh, const GltfPlace& place) { addMesh(mesh, place); };
         const Eigen::Matrix4d root = Eigen::Vector4d(millimetres, millimetres, millimetres, 1).asDiagonal();
         GltfScene(m_file, m_gltf, m_stopCheck).forEachMesh(root, add);
         if (m_hasColors)
@@ -49,14 +50,14 @@ private:
                 .poses = m_hasTargets || !m_gltf.arrayIn(document, "skins").empty()};
     }
 
-    void addMesh(std::size_t index, const Eigen::Matrix4d& transform)
+    void addMesh(std::size_t index, const GltfPlace& place)
     {
         ++m_objects;
         for (const Json& primitive : m_gltf.arrayIn(m_gltf.element("meshes", index), "primitives"))
-            addPrimitive(primitive, transform);
+            addPrimitive(primitive, place);
     }
 
-    void addPrimitive(const Json& json, const Eigen::Matrix4d& transform)
+    void addPrimitive(const Json& json, const GltfPlace& place)
     {
         const GltfPrimitive primitive(m_file, m_gltf, m_draco, json);
         m_hasTargets = m_hasTargets || json.contains("targets");
@@ -68,18 +69,20 @@ private:
         if (const std::size_t max = std::min(maxVertices, std::max(alwaysTaken, maxCopies * m_gltf.bytes()));
             m_mesh.points.size() + count > max)
             throw tooMany("vertices", max, errorAtByte({}, m_file, m_file.bytes.data()));
-        addPoints(numbers, transform);
+        const GltfSkinning skinning(m_gltf, primitive, place.joints, count);
+        addPoints(numbers, place.transform, skinning);
         if (primitive.has("COLOR_0"))
             addColors(first, count, primitive);
         if (primitive.has("_MASK"))
             addMasks(first, count, primitive);
+        const Eigen::Matrix4d transform = skinning.isBound() ? skinning.transformOf(0) : place.transform;
         const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
         addTriangles(primitive.cornersOf(count), primitive.mode(), first, isMirrored);
     }
 
-    void addPoints(const LargeBuffer<float>& numbers, const Eigen::Matrix4d& transform)
+    void addPoints(const LargeBuffer<float>& numbers, const Eigen::Matrix4d& transform, const GltfSkinning& skinning)
     {
-        const bool isPlain = transform == Eigen::Matrix4d::Identity();
+        const bool isPlain = !skinning.isBound() && transform == Eigen::Matrix4d::Identity();
         const std::size_t first = m_mesh.points.size(), count = numbers.size() / 3;
         resizeInLargePages(m_mesh.points, first + count);
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -87,7 +90,10 @@ private:
                 Vec3f& point = m_mesh.points[first + i];
                 point = Vec3f(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
                 if (!isPlain)
-                    point = (transform * point.cast<double>().homogeneous()).head<3>().cast<float>();
+                    point = ((skinning.isBound() ? skinning.transformOf(i) : transform) *
+                             point.cast<double>().homogeneous())
+                                .head<3>()
+                                .cast<float>();
                 if (!point.allFinite())
                     throw errorWithToken(FileErrorKind::NotANumber, m_file, {});
             }

@@ -10,18 +10,20 @@ namespace core::io
 {
 namespace
 {
+constexpr std::size_t maxJoints = 1 << 18; ///< of all skins
 constexpr int maxDepth = 256;
 constexpr std::size_t alwaysVisited = 1 << 16; ///< nodes, though the file has fewer
 } // namespace
 
 void GltfScene::forEachMesh(const Eigen::Matrix4d& root, const Visit& visit)
 {
+    m_root = root;
     for (const std::size_t node : rootNodes())
         visitNode(node, root, 0, visit);
     if (!m_gltf.arrayIn(m_gltf.document(), "nodes").empty() || hasScene())
         return;
     for (std::size_t i = 0; i < m_gltf.arrayIn(m_gltf.document(), "meshes").size(); ++i)
-        visit(i, root);
+        visit(i, {root, {}});
 }
 
 bool GltfScene::hasScene() const
@@ -38,16 +40,21 @@ std::vector<std::size_t> GltfScene::rootNodes() const
             roots.push_back(m_gltf.toIndex(node, "nodes"));
         return roots;
     }
-    const std::size_t count = m_gltf.arrayIn(m_gltf.document(), "nodes").size();
-    std::vector<bool> isChild(count, false);
-    for (std::size_t i = 0; i < count; ++i)
-        for (const Json& child : m_gltf.arrayIn(m_gltf.element("nodes", i), "children"))
-            if (const std::size_t index = m_gltf.toIndex(child, "children"); index < count)
-                isChild[index] = true;
-    for (std::size_t i = 0; i < count; ++i)
-        if (!isChild[i])
+    const std::vector<std::optional<std::size_t>> above = parents();
+    for (std::size_t i = 0; i < above.size(); ++i)
+        if (!above[i])
             roots.push_back(i);
     return roots;
+}
+
+std::vector<std::optional<std::size_t>> GltfScene::parents() const
+{
+    std::vector<std::optional<std::size_t>> parents(m_gltf.arrayIn(m_gltf.document(), "nodes").size());
+    for (std::size_t i = 0; i < parents.size(); ++i)
+        for (const Json& child : m_gltf.arrayIn(m_gltf.element("nodes", i), "children"))
+            if (const std::size_t index = m_gltf.toIndex(child, "children"); index < parents.size())
+                parents[index] = i;
+    return parents;
 }
 
 void GltfScene::visitNode(std::size_t index, const Eigen::Matrix4d& above, int depth, const Visit& visit)
@@ -72,12 +79,52 @@ void GltfScene::visitInstances(const Json& node, const Eigen::Matrix4d& transfor
     const auto mesh = m_gltf.indexIn(node, "mesh");
     if (!mesh)
         return;
+    const auto skin = m_gltf.indexIn(node, "skin");
+    GltfPlace place{transform, skin ? jointsOf(*skin) : std::vector<Eigen::Matrix4d>()};
     for (const Eigen::Matrix4d& instance : gltfInstances(m_file, m_gltf, node)) {
         m_stopCheck();
         if (++m_instances > maxGltfInstances)
             throw tooMany("instances", maxGltfInstances, errorAtByte({}, m_file, m_file.bytes.data()));
-        visit(*mesh, transform * instance);
+        place.transform = transform * instance;
+        visit(*mesh, place);
     }
+}
+
+std::vector<Eigen::Matrix4d> GltfScene::jointsOf(std::size_t skin)
+{
+    const Json& from = m_gltf.element("skins", skin);
+    const Json& joints = m_gltf.arrayIn(from, "joints");
+    if ((m_joints += joints.size()) > maxJoints)
+        throw tooMany("joints", maxJoints, errorWithToken({}, m_file, {}));
+    std::vector<Eigen::Matrix4d> transforms;
+    for (const Json& joint : joints)
+        transforms.push_back(worldOf(m_gltf.toIndex(joint, "joints"), 0));
+    const auto accessor = m_gltf.indexIn(from, "inverseBindMatrices");
+    if (!accessor)
+        return transforms;
+    constexpr int each = 16;
+    const GltfLayout layout = m_gltf.layoutOf(*accessor, each, each);
+    if (layout.count < joints.size())
+        m_gltf.refuse(FileFault::WrongAccessor, "inverseBindMatrices");
+    const LargeBuffer<float> inverses = m_gltf.valuesOf(*accessor, layout, m_file.stop);
+    for (std::size_t i = 0; i < transforms.size(); ++i)
+        transforms[i] *= Eigen::Map<const Eigen::Matrix4f>(&inverses[each * i]).cast<double>();
+    return transforms;
+}
+
+/// Returns the transform from a node to the space that the root leads to.
+const Eigen::Matrix4d& GltfScene::worldOf(std::size_t node, int depth)
+{
+    if (depth > maxDepth)
+        m_gltf.refuse(FileFault::TooDeep, "nodes");
+    if (const auto found = m_worlds.find(node); found != m_worlds.end())
+        return found->second;
+    const Json& from = m_gltf.element("nodes", node);
+    if (m_parents.empty())
+        m_parents = parents();
+    const auto parent = m_parents[node];
+    const Eigen::Matrix4d above = parent ? worldOf(*parent, depth + 1) : m_root;
+    return m_worlds.emplace(node, above * transformOf(from)).first->second;
 }
 
 template <int count>

@@ -5,11 +5,19 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
 namespace core::io
 {
+/// Where a mesh stands in a scene.
+struct GltfPlace
+{
+    Eigen::Matrix4d transform;           ///< from the mesh to the scene, unless joints say otherwise
+    std::vector<Eigen::Matrix4d> joints; ///< of a mesh with a skin: from the mesh to where each joint takes it
+};
+
 /// Walks the nodes of a glTF's scene that are visible, and their instances. A file without scenes has those that are no
 /// other node's children; one without nodes, too, has its meshes as they are.
 class GltfScene
@@ -22,9 +30,9 @@ public:
         , m_stopCheck(stopCheck)
     {}
 
-    /// Calls `visit` with each mesh of the scene, as often as it stands in it, and with the transform from it to the
-    /// space that `root` leads to. Throws FileError, and ReadingCancelled.
-    using Visit = std::function<void(std::size_t mesh, const Eigen::Matrix4d& transform)>;
+    /// Calls `visit` with each mesh of the scene, as often as it stands in it, and with its place in the space that
+    /// `root` leads to. Joints stand as their nodes do. Throws FileError, and ReadingCancelled.
+    using Visit = std::function<void(std::size_t mesh, const GltfPlace& place)>;
     void forEachMesh(const Eigen::Matrix4d& root, const Visit& visit);
 
 private:
@@ -32,8 +40,11 @@ private:
 
     bool hasScene() const;
     std::vector<std::size_t> rootNodes() const;
+    std::vector<std::optional<std::size_t>> parents() const;
     void visitNode(std::size_t index, const Eigen::Matrix4d& above, int depth, const Visit& visit);
     void visitInstances(const Json& node, const Eigen::Matrix4d& transform, const Visit& visit);
+    std::vector<Eigen::Matrix4d> jointsOf(std::size_t skin);
+    const Eigen::Matrix4d& worldOf(std::size_t node, int depth);
     Eigen::Matrix4d transformOf(const Json& node) const;
     template <int count>
     std::optional<Eigen::Matrix<double, count, 1>> numbersIn(const Json& node, const char* key) const;
@@ -41,6 +52,9 @@ private:
     const FileBytes& m_file;
     const GltfDocument& m_gltf;
     StopCheck& m_stopCheck;
-    std::size_t m_nodes = 0, m_instances = 0; ///< those so far
+    std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< those so far
+    Eigen::Matrix4d m_root = Eigen::Matrix4d::Identity();
+    std::vector<std::optional<std::size_t>> m_parents; ///< of the nodes, once a joint has asked for them
+    std::map<std::size_t, Eigen::Matrix4d> m_worlds;   ///< of the joints and what they hang on, as far as asked for
 };
 } // namespace core::io

@@ -103,6 +103,30 @@ QByteArray instanced(const std::vector<float>& places, const std::vector<float>&
                                             R"(","byteLength":)" + QByteArray::number(bytes.size()) + "}");
 }
 
+/// A tetrahedron, in a node with a scale of its own, whose vertices hang on the first joint, on the second one, on
+/// both, and by no weight on the second one. That is within the first one.
+QByteArray skinned()
+{
+    const QByteArray joints("\0\0\0\0\1\0\0\0\0\1\0\0\1\0\0\0", 16);
+    const QByteArray weights = bytesOf({1, 0, 0, 0, 1, 0, 0, 0, 2, 2, 0, 0, 0, 0, 0, 0}),
+                     inverses = bytesOf({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1, //
+                                         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1});
+    return gltf(inside(), 72, R"(,"skins":[{"joints":[1,2],"inverseBindMatrices":4}])")
+        .replace(R"("nodes":[0])", R"("nodes":[0,1])")
+        .replace(R"({"mesh":0,)", R"({"mesh":0,"skin":0,)")
+        .replace(R"("scale":[0.001,0.001,0.001]})",
+                 R"("scale":[0.001,0.001,0.001]},{"translation":[1,0,0],"children":[2]},{"scale":[2,2,2]})")
+        .replace(R"("POSITION":0)", R"("POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3)")
+        .replace(R"("type":"SCALAR"})",
+                 R"("type":"SCALAR"},{"bufferView":2,"componentType":5121,"count":4,"type":"VEC4"},
+{"bufferView":3,"componentType":5126,"count":4,"type":"VEC4"},
+{"bufferView":4,"componentType":5126,"count":2,"type":"MAT4"})")
+        .replace(R"("byteLength":24})", R"("byteLength":24},{"buffer":1,"byteLength":16},
+{"buffer":1,"byteOffset":16,"byteLength":64},{"buffer":1,"byteOffset":80,"byteLength":128})")
+        .replace(R"("byteLength":72})", R"("byteLength":72},{"byteLength":208,"uri":"data:;base64,)" +
+                                            (joints + weights + inverses).toBase64() + "\"}");
+}
+
 core::DracoMesh tetrahedronStream()
 {
     const TriangleMesh mesh = shapes::tetrahedron();
@@ -164,6 +188,9 @@ private Q_SLOTS:
     void badInstances_areRefused();
     void manyInstances_areBounded();
     void hiddenNodes_areLeftOut();
+    void skinnedMeshes_standWhereJointsDo();
+    void badSkins_areRefused_data();
+    void badSkins_areRefused();
 
     void decodedStreams_areReadOnce();
     void decodersResults_areChecked_data();
@@ -491,6 +518,57 @@ void TestGltfDocument::hiddenNodes_areLeftOut()
 }
 
 /// A decoder is asked once for each stream, and only for the attributes that are read.
+/// The transform of the node that the mesh is in does not count; without bindings it alone does.
+void TestGltfDocument::skinnedMeshes_standWhereJointsDo()
+{
+    const core::ReadResult result = readAll(skinned());
+    const std::vector<Vec3f> points = shapes::tetrahedron().points;
+    const Vec3f one(1, 0, 0);
+    const auto first = [one](Vec3f p) -> Vec3f { return 1000 * (p + one); };
+    const auto second = [one](Vec3f p) -> Vec3f { return 1000 * (2 * (p - one) + one); };
+    const std::vector<Vec3f> wanted{first(points[0]), second(points[1]), (first(points[2]) + second(points[2])) / 2,
+                                    second(points[3])};
+    QCOMPARE(result.mesh.points.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        QVERIFY((result.mesh.points[i] - wanted[i]).norm() < 1e-3F);
+    QVERIFY(result.mesh.triangles == shapes::tetrahedron().triangles);
+    QVERIFY(result.remarks.poses);
+    QVERIFY(isTetrahedron(read(skinned().replace("JOINTS_0", "_JOINTS"))));
+    const QByteArray mirrored = skinned()
+                                    .replace(R"("scale":[2,2,2])", R"("scale":[-2,2,2])")
+                                    .replace(R"("translation":[1,0,0])", R"("scale":[-1,1,1])");
+    QVERIFY(read(mirrored).triangles.front() != shapes::tetrahedron().triangles.front());
+    const QByteArray plain = skinned().replace(R"(,"inverseBindMatrices":4)", "");
+    QVERIFY((read(plain).points[1] - 1000 * (2 * points[1] + one)).norm() < 1e-3F);
+}
+
+void TestGltfDocument::badSkins_areRefused_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("token");
+    const auto row = [](const char* name, const char* from, const char* to, const char* token) {
+        QTest::newRow(name) << skinned().replace(from, to) << QString(token);
+    };
+    row("no such joint", R"("joints":[1,2])", R"("joints":[1])", "JOINTS_0");
+    row("no such node", R"("joints":[1,2])", R"("joints":[1,9])", "nodes/9");
+    row("no such skin", R"("skin":0)", R"("skin":1)", "skins/1");
+    row("too few matrices", R"("count":2,"type":"MAT4")", R"("count":1,"type":"MAT4")", "inverseBindMatrices");
+    row("no matrices", R"("inverseBindMatrices":4)", R"("inverseBindMatrices":3)", "accessors/3");
+    row("too few weights", R"("componentType":5126,"count":4,"type":"VEC4")",
+        R"("componentType":5126,"count":3,"type":"VEC4")", "JOINTS_0");
+    row("joints in themselves", R"({"scale":[2,2,2]})", R"({"children":[1]})", "nodes");
+}
+
+void TestGltfDocument::badSkins_areRefused()
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, token);
+    const auto error = errorOf(bytes);
+    QVERIFY(error);
+    QCOMPARE(QString::fromStdString(error->token), token);
+    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::Malformed));
+}
+
 void TestGltfDocument::decodedStreams_areReadOnce()
 {
     int calls = 0;

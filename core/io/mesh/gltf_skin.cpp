@@ -1,0 +1,43 @@
+// Source: Khronos, glTF 2.0 specification, section 3.7.3 (skins).
+#include "core/io/mesh/gltf_skin.h"
+
+namespace core::io
+{
+namespace
+{
+constexpr std::size_t each = 4;
+} // namespace
+
+GltfSkinning::GltfSkinning(const GltfDocument& gltf, const GltfPrimitive& primitive,
+                           std::span<const Eigen::Matrix4d> joints, std::size_t vertices)
+    : m_joints(joints)
+{
+    for (const auto& [jointsName, weightsName] : gltfBindings) {
+        if (joints.empty() || !primitive.has(jointsName) || !primitive.has(weightsName))
+            return;
+        Binding binding{primitive.numbersOf(jointsName, each, each).values,
+                        primitive.numbersOf(weightsName, each, each).values};
+        if (binding.joints.size() != each * vertices || binding.weights.size() != each * vertices)
+            gltf.refuse(FileFault::WrongAccessor, jointsName);
+        for (const float joint : binding.joints.part(0, binding.joints.size()))
+            if (!(joint >= 0 && joint < static_cast<float>(joints.size())))
+                gltf.refuse(FileFault::WrongAccessor, jointsName);
+        m_bindings.push_back(std::move(binding));
+    }
+}
+
+Eigen::Matrix4d GltfSkinning::transformOf(std::size_t vertex) const
+{
+    Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+    double weights = 0;
+    for (const Binding& binding : m_bindings)
+        for (std::size_t i = each * vertex; i < each * (vertex + 1); ++i)
+            if (const auto weight = static_cast<double>(binding.weights[i]); weight > 0) {
+                sum += weight * m_joints[static_cast<std::size_t>(binding.joints[i])];
+                weights += weight;
+            }
+    if (weights > 0)
+        return sum / weights;
+    return m_joints[static_cast<std::size_t>(m_bindings.front().joints[each * vertex])];
+}
+} // namespace core::io
