@@ -1,5 +1,7 @@
+// Source: Geomview's manual, OFF files: line ends are blanks like any other, but for that of a face's colour.
 // OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a
-// line or over several, whose colour is passed over. Comments stand anywhere. off_binary.h reads BINARY.
+// line or over several, whose colour is passed over. Where there are too few lines for that, a vertex or a face begins
+// wherever the one before it ends. Comments stand anywhere. off_binary.h reads BINARY.
 
 #include "core/io/mesh/off_binary.h"
 #include "core/io/mesh/palette.h"
@@ -24,10 +26,12 @@ constexpr RawColor noColor{-1, -1, -1};
 class OffReader
 {
 public:
-    explicit OffReader(const FileBytes& file)
+    /// `isByLines`: each vertex and each face begins a line, and more may stand behind it.
+    OffReader(const FileBytes& file, bool isByLines)
         : m_file(file)
         , m_text(file, file.bytes.data(), '#')
         , m_stopCheck(file.stop)
+        , m_isByLines(isByLines)
     {}
 
     ReadResult read()
@@ -47,13 +51,16 @@ public:
             toLine();
             readFace(vertices);
         }
+        if (!m_isByLines && !m_text.wordAnywhere().empty())
+            m_text.fail(FileErrorKind::CutOff, {}); // something stands for other things than it was read as
         m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         makeColors();
         return {std::move(m_mesh), m_remarks};
     }
 
 private:
-    /// ST, C and N in this order, each if present; 4OFF and nOFF have other than three coordinates.
+    /// Takes ST, C and N in this order, each if present, and the number of coordinates behind nOFF, which must be
+    /// three. 4OFF has others.
     void readKeyword()
     {
         const std::string_view keyword = nextWord();
@@ -66,7 +73,8 @@ private:
         m_hasTexture = takes("ST");
         m_hasColors = takes("C");
         m_coordinates = takes("N") ? 6 : 3;
-        if (rest != "OFF")
+        const bool isOfSpace = !takes("n") || nextWord() == "3";
+        if (rest != "OFF" || !isOfSpace)
             m_text.fail(FileFault::Keyword, keyword, "OFF");
     }
 
@@ -111,10 +119,12 @@ private:
             m_text.wordAnywhere();
     }
 
-    /// To the next line with words that are not a comment.
+    /// To the next line with words that are not a comment, where vertices and faces begin lines.
     void toLine()
     {
         m_stopCheck();
+        if (!m_isByLines)
+            return;
         do
             if (!m_text.nextLine())
                 m_text.fail(FileErrorKind::CutOff, {});
@@ -128,8 +138,10 @@ private:
             x = m_text.toNumber(nextWord());
         for (std::size_t i = point.size(); i < m_coordinates; ++i)
             nextWord(); // whatever it is
-        if (m_hasColors && !m_text.atLineEnd())
+        if (m_hasColors && (!m_isByLines || !m_text.atLineEnd()))
             readColor();
+        for (int i = 0; i < 2 && m_hasTexture && !m_isByLines; ++i)
+            nextWord();
         m_mesh.points.emplace_back(point[0], point[1], point[2]);
     }
 
@@ -140,13 +152,13 @@ private:
         RawColor& color = m_colors.emplace_back();
         for (float& c : color)
             c = readComponent();
-        if (!m_text.atLineEnd())
+        if (!m_isByLines || !m_text.atLineEnd())
             readComponent();
     }
 
     float readComponent()
     {
-        const std::string_view word = m_text.word();
+        const std::string_view word = m_isByLines ? m_text.word() : nextWord();
         const float component = m_text.toNumber(word);
         m_hasFractions = m_hasFractions || word.find('.') != std::string_view::npos;
         m_largest = std::max(m_largest, component);
@@ -171,7 +183,7 @@ private:
 
     void readFace(std::size_t vertices)
     {
-        const std::string_view word = m_text.word();
+        const std::string_view word = nextWord();
         const std::int64_t corners = m_text.toInteger(word);
         if (corners < 1)
             m_text.fail(FileFault::Count, word);
@@ -200,6 +212,7 @@ private:
     const FileBytes& m_file;
     TextScanner m_text;
     StopCheck m_stopCheck;
+    bool m_isByLines;
     bool m_hasColors = false, m_hasTexture = false;
     std::size_t m_coordinates = 3; ///< of a vertex, before its colour
     TriangleMesh m_mesh;
@@ -213,7 +226,17 @@ private:
 
 ReadResult readOff(const FileBytes& file)
 {
-    return OffReader(file).read();
+    try {
+        return OffReader(file, true).read();
+    } catch (const FileError& error) {
+        if (error.kind != FileErrorKind::CutOff)
+            throw;
+        try {
+            return OffReader(file, false).read();
+        } catch (const FileError&) {
+            throw error;
+        }
+    }
 }
 
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)

@@ -528,6 +528,12 @@ std::vector<Sample> offSamples()
         {"off mark", "a.off", "\xef\xbb\xbf" + offOf("OFF\n", "8 6 0\n", "\n", " ", "\n")},
         {"off NUL last", "a.off", offOf("OFF\n", "8 6 0\n", "\n", " ", "\n") + zero},
         {"off Ctrl+Z last", "a.off", offOf("OFF\n", "8 6 0\r\n", "\r\n", " ", "\r\n") + "\x1a"},
+        {"off vertices on a line", "a.off", offOf("OFF\n", "8 6 0\n", " ", " ", "\n")},
+        {"off faces on a line", "a.off", offOf("OFF\n", "8 6 0\n", "\n", " ", " ")},
+        {"off all on a line", "a.off", offOf("OFF ", "8 6 0 ", " ", " ", " ")},
+        {"off all on a line, with more", "a.off", offOf("STCNOFF ", "8 6 0 ", " 0 0 1 1 0 0 1 0.5 0.5 ", " ", " ")},
+        {"off of three dimensions", "a.off", offOf("nOFF 3\n", "8 6 0\n", "\n", " ", "\n")},
+        {"off of three dimensions, with colours", "a.off", offOf("CnOFF\n3\n", "8 6 0\n", " 1 0 0 1\n", " ", "\n")},
         {"off rubbish behind", "a.off", offOf("OFF\n", "8 6 0\n", "\n", " ", "\n") + "the end\xff\x01\n"},
         {"off repeated corners", "a.off",
          replaced(replaced(replaced(offOf("OFF\n", "8 9 0\n", "\n", " ", "\n"), "4 0 2 3 1", "6 0 2 2 3 1 0"),
@@ -1166,7 +1172,13 @@ void TestForeignFiles::faults_areTold_data()
         FileFault::Keyword, "line 87", "facet", "solid");
     row("stl quads", "a.stl", replaced(TextStl().text(), "  endloop", "   vertex 1 1 1\n  endloop"), Kind::Malformed,
         FileFault::Keyword, "line 7", "vertex", "endloop");
-    row("off other keyword", "a.off", "nOFF\n3\n", Kind::Malformed, FileFault::Keyword, "line 1", "nOFF", "OFF");
+    row("off other keyword", "a.off", "4OFF\n3\n", Kind::Malformed, FileFault::Keyword, "line 1", "4OFF", "OFF");
+    row("off of four dimensions", "a.off", "nOFF\n4\n8 6 0\n", Kind::Malformed, FileFault::Keyword, "line 1", "nOFF",
+        "OFF");
+    row("off words on a line that are too few", "a.off", offOf("OFF ", "8 7 0 ", " ", " ", " "), Kind::CutOff,
+        FileFault::None, "line 1");
+    row("off words on a line that are too many", "a.off", offOf("OFF ", "8 5 0 ", " ", " ", " "), Kind::CutOff,
+        FileFault::None, "line 1");
     row("off count below none", "a.off", "OFF\n-8 6 0\n", Kind::Malformed, FileFault::Count, "line 2", "-8");
     row("off vertices that lie", "a.off", offOf("OFF\n", "9 6 0\n", "\n", " ", "\n"), Kind::CutOff, FileFault::None,
         "line 17");
