@@ -129,7 +129,7 @@ public:
     }
 
 private:
-    /// Skips all up to the line behind the next "solid", which a name may follow, but no facet.
+    /// Skips all up to the line behind the next "solid", which a name may follow, or to the facet on its own line.
     bool findSolid()
     {
         for (bool hasLine = true; hasLine; hasLine = m_text.nextLine()) {
@@ -138,16 +138,37 @@ private:
                 m_text.fail(FileFault::Keyword, word, "solid");
             if (!is(word, "solid"))
                 continue;
-            m_text.nextLine();
+            if (!toFacetOnLine())
+                m_text.nextLine();
             return true;
         }
         return false;
     }
 
+    /// Goes to where a facet begins on this line. Returns false, and stays, if none does.
+    bool toFacetOnLine()
+    {
+        TextScanner ahead = m_text;
+        for (std::size_t before = 0; !ahead.atLineEnd(); ++before) {
+            if (!is(ahead.word(), "facet"))
+                continue;
+            const std::string_view next = TextScanner(ahead).word();
+            if (!is(next, "normal") && !is(next, "outer"))
+                continue; // a word of a name
+            for (; before > 0; --before)
+                m_text.word();
+            return true;
+        }
+        return false;
+    }
+
+    /// Reads a solid, and those that begin where it ends, on the same line.
     void readSolid()
     {
-        for (std::string_view word = nextWord(); !is(word, "endsolid"); word = wordAfterLine("facet"))
-            readFacet(word);
+        do
+            for (std::string_view word = nextWord(); !is(word, "endsolid"); word = wordAfterLine("facet"))
+                readFacet(word);
+        while (toFacetOnLine());
         m_text.nextLine();
     }
 

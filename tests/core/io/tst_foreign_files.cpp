@@ -443,6 +443,8 @@ std::vector<Sample> objSamples()
 std::vector<Sample> stlSamples()
 {
     const std::string plain = TextStl().text();
+    std::string twoSolids = replaced(plain, "\n", " ");
+    twoSolids.insert(twoSolids.find("endfacet") + 8, " endsolid one solid two");
     std::vector<Sample> all{
         {"stl", "a.stl", plain},
         {"stl without normals", "a.stl", TextStl{.normal = ""}.text()},
@@ -464,6 +466,9 @@ std::vector<Sample> stlSamples()
         {"stl NUL in its name", "a.stl", replaced(plain, "a box", "a" + zero + "box")},
         {"stl padded name", "a.stl", TextStl{.head = "solid " + std::string(80, '\0') + "\n"}.text()},
         {"stl rubbish behind", "a.stl", plain + "\x01\x02\xff\xfe" + std::string(40, '\0') + "\x80 solid\n"},
+        {"stl on a line", "a.stl", replaced(plain, "\n", " ")},
+        {"stl on a line, of a facet", "a.stl", replaced(TextStl{.head = "solid facet x\n"}.text(), "\n", " ")},
+        {"stl of two solids on a line", "a.stl", twoSolids},
         {"stl capitals and CR", "a.stl", replaced(replaced(plain, "\n", "\r"), "facet", "FACET")},
         {"binary stl", "a.stl", binaryStl(12)},
         {"binary stl of unknown count, 0", "a.stl", binaryStl(0)},
