@@ -1,5 +1,5 @@
-// OBJ: the lines v (with colour, if any) and f; all others are passed over, materials with a remark. Faces may name
-// vertices that come later.
+// OBJ: the lines v (with colour, if any) and f; all others are passed over, materials and free-form surfaces with a
+// remark. Faces may name vertices that come later.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"
@@ -50,6 +50,9 @@ private:
             readFace();
         else if (keyword == "mtllib" || keyword == "usemtl")
             m_remarks.materials = true;
+        else if (keyword == "surf" || keyword == "bsp" || keyword == "bzp" ||
+                 keyword == "cdp") // the last three: of old
+            ++m_remarks.unreadNodes;
         else if (keyword == "o")
             ++m_remarks.objects;
     }

@@ -642,6 +642,11 @@ void TestMeshIo::remarks_tellWhatIsLeftOut()
     QCOMPARE(obj.objects, std::size_t(2));
     QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") == core::ReadRemarks());
     QCOMPARE(remarksOf("a.glb", smallGlb()).objects, std::size_t(2));
+    const std::string surfaces = "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 3\nparm u 0 1\nparm v 0 1\nend\n"
+                                 "cstype bezier\ndeg 1\ncurv 0 1 1 2\nparm u 0 1\nend\nbzp 1 2 3\n";
+    core::ReadRemarks two;
+    two.unreadNodes = 2;
+    QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + surfaces) == two);
     core::WriteOptions options;
     options.metadata.palette = {{1, 2, 3}};
     for (const std::string_view ending : core::writtenEndings()) { // our own hold nothing else
