@@ -422,7 +422,7 @@ private:
         }
         if (m_to.addUse(node, "IndexedFaceSet"))
             return true;
-        auto faces = facesOfX3d(m_file, node);
+        auto faces = facesOfX3d(m_file, node, m_points);
         if (!faces)
             faces = facesOfX3dSolid(m_file, node, m_document.radians());
         if (!faces)
@@ -471,12 +471,9 @@ private:
     {
         if (m_to.addUse(node, "Coordinate"))
             return;
-        const std::vector<double> numbers = x3dNumbers(m_file, node, "point");
-        if (numbers.size() % 3 != 0)
-            refuseX3d(m_file, node, FileFault::NotNumbers, "point");
         m_to.begin(node, "Coordinate");
         m_to.addDefinition(node, "Coordinate");
-        m_to.addNumbers("point", numbers);
+        m_to.addNumbers("point", m_points.of(node));
         m_to.add("/>");
     }
 
@@ -505,6 +502,7 @@ private:
     const X3dDocument& m_document;
     const X3dSurroundings& m_around;
     X3dText m_to;
+    X3dPoints m_points{m_file};
     std::size_t m_unread = 0;
     NodesWithShapes m_withShapes{m_document.scene()};
     std::unordered_set<const X3dNode*> m_open; ///< groups that are being written

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
+#include <utility>
 
 namespace core::io
 {
@@ -41,14 +43,6 @@ const X3dNode* childOf(const X3dNode& node, std::string_view name)
         if (child->meant().name == name)
             return &child->meant();
     return nullptr;
-}
-
-std::size_t pointsOf(const X3dNode& node)
-{
-    for (const X3dNode* child : node.children)
-        if (isX3dCoordinate(child->meant()))
-            return x3dWords(child->meant().text("point")).size() / 3;
-    return 0;
 }
 
 /// Returns the numbers 0, 1, 2 and so on, one for each point.
@@ -236,6 +230,30 @@ void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Fac
             to.colors.push_back(isKnown ? numbers[static_cast<std::size_t>(index) * each + k] : 1);
         }
 }
+/// Gives the faces points of their own if they use less than half of those that there are.
+void keepUsed(std::span<const double> numbers, std::vector<Face>& faces, X3dFaces& to)
+{
+    std::vector<Index> own(numbers.size() / 3, -1), used;
+    for (const Face& face : faces)
+        for (const Index point : face)
+            if (own[point] < 0) {
+                own[point] = static_cast<Index>(used.size());
+                used.push_back(point);
+            }
+    if (2 * used.size() >= own.size())
+        return;
+    for (Face& face : faces)
+        for (Index& point : face)
+            point = own[point];
+    const std::vector<double> colors = std::exchange(to.colors, {});
+    const auto each = static_cast<std::size_t>(to.colorNumbers);
+    for (const Index point : used) {
+        for (std::size_t k = 0; k < 3; ++k)
+            append(to.points, numbers[3 * static_cast<std::size_t>(point) + k]);
+        for (std::size_t k = 0; k < each && !colors.empty(); ++k)
+            to.colors.push_back(colors[each * static_cast<std::size_t>(point) + k]);
+    }
+}
 } // namespace
 
 std::vector<std::string_view> x3dWords(std::string_view text)
@@ -277,27 +295,45 @@ bool isX3dCoordinate(const X3dNode& node)
     return node.name == "Coordinate" || node.name == "CoordinateDouble";
 }
 
-std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node)
+const std::vector<double>& X3dPoints::of(const X3dNode& coordinate)
+{
+    const auto [found, isNew] = m_numbers.try_emplace(&coordinate);
+    if (isNew)
+        found->second = x3dNumbers(m_file, coordinate, "point");
+    if (found->second.size() % 3 != 0)
+        refuseX3d(m_file, coordinate, FileFault::NotNumbers, "point");
+    return found->second;
+}
+
+std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X3dPoints& points)
 {
     if (childOf(node, "GeoCoordinate"))
         return std::nullopt;
+    const auto coordinate = std::find_if(node.children.begin(), node.children.end(),
+                                         [](const X3dNode* child) { return isX3dCoordinate(child->meant()); });
+    std::span<const double> numbers;
+    if (coordinate != node.children.end())
+        numbers = points.of((*coordinate)->meant());
     X3dFaces result;
-    std::size_t points = 0;
+    std::size_t count = numbers.size() / 3;
     std::optional<std::vector<Face>> faces;
     if (node.name == "ElevationGrid") {
         Grid grid = gridOf(file, node);
-        points = grid.count;
+        count = grid.count;
         faces = std::move(grid.faces);
         result.points = std::move(grid.points);
     } else {
-        points = pointsOf(node);
-        faces = facesOf(file, node, points);
+        faces = facesOf(file, node, count);
     }
     if (!faces)
         return std::nullopt;
+    const auto isNone = [](const Face& face) { return face.size() < 3; };
+    if (!std::all_of(faces->begin(), faces->end(), isNone))
+        addColors(file, node, *faces, count, result);
+    std::erase_if(*faces, isNone);
+    if (result.points.empty())
+        keepUsed(numbers, *faces, result);
     result.coordIndex = written(*faces, node.isFalse("ccw"));
-    if (!result.coordIndex.empty())
-        addColors(file, node, *faces, points, result);
     return result;
 }
 } // namespace core::io

@@ -3,6 +3,7 @@
 #include "core/io/mesh/x3d_document.h"
 
 #include <optional>
+#include <unordered_map>
 
 namespace core::io
 {
@@ -28,9 +29,25 @@ double x3dNumber(const FileBytes& file, const X3dNode& node, std::string_view na
 /// Returns whether the node has the points of a face set.
 bool isX3dCoordinate(const X3dNode& node);
 
+/// Reads the points of Coordinate nodes, each node once: many face sets may use it.
+class X3dPoints
+{
+public:
+    /// `file`: not owned.
+    explicit X3dPoints(const FileBytes& file) : m_file(file) {}
+
+    /// Returns the numbers of such a node, three for each point. Throws FileError with its line.
+    const std::vector<double>& of(const X3dNode& coordinate);
+
+private:
+    const FileBytes& m_file;
+    std::unordered_map<const X3dNode*, std::vector<double>> m_numbers;
+};
+
 /// Returns the faces of a node that has some by lists of points: IndexedFaceSet, triangles and quads in sets, strips
-/// and fans, and ElevationGrid. They are wound anticlockwise. Faces of fewer than three corners are left out. Empty if
-/// it is no such node, or if its points are on the globe (GeoCoordinate). Throws FileError with its line, also where an
-/// index is out of range, or heights are missing.
-std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node);
+/// and fans, and ElevationGrid. They are wound anticlockwise. Faces of fewer than three corners are left out. Where
+/// they use less than half of the Coordinate's points, they have those as their own. Empty if it is no such node, or if
+/// its points are on the globe (GeoCoordinate). Throws FileError with its line, also where an index is out of range, or
+/// heights are missing.
+std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X3dPoints& points);
 } // namespace core::io

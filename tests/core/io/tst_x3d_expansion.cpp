@@ -97,6 +97,7 @@ private Q_SLOTS:
     void usesOfOtherKinds_areUnread();
     void inlines_haveAlternatives();
     void colors_areNumbers();
+    void fewPoints_areTheSetsOwn();
 };
 
 void TestX3dExpansion::uses_areThereAgain()
@@ -622,6 +623,37 @@ void TestX3dExpansion::colors_areNumbers()
     QVERIFY(expansion.text.size() < 200'000);
     const auto error = errorOf("\n" + colored("0 red 0"));
     QVERIFY(error && error->fault == FileFault::Number && error->token == "red");
+}
+
+/// Sets that use few points of a Coordinate that all of them name do not multiply it.
+void TestX3dExpansion::fewPoints_areTheSetsOwn()
+{
+    QByteArray coordinates, colors;
+    for (int i = 0; i < 9; ++i) {
+        coordinates += QByteArray::number(i) + " 0 " + QByteArray::number(i % 2) + " ";
+        colors += "0." + QByteArray::number(i) + " 1 0 ";
+    }
+    const auto set = [](const QByteArray& indices, const QByteArray& inside) {
+        return "<Shape><IndexedFaceSet coordIndex='" + indices + "'>" + inside + "</IndexedFaceSet></Shape>";
+    };
+    const QByteArray shared = "<Coordinate DEF='C' point='" + coordinates + "'/>",
+                     color = "<Color color='" + colors + "'/>";
+    const QString few = sceneOf(set("0 1 -1 8 6 2 -1 2 6 7", shared + color));
+    QCOMPARE(valueOf(few, "point"), QStringLiteral("8 0 0 6 0 0 2 0 0 7 0 1"));
+    QCOMPARE(valueOf(few, "coordIndex"), QStringLiteral("0 1 2 -1 2 1 3 -1"));
+    QCOMPARE(valueOf(few, "color"), QStringLiteral("0.8 1 0 0.6 1 0 0.2 1 0 0.7 1 0"));
+    const QString more = sceneOf(set("0 1 2 3 4", shared) + set("4 5 6 7 8", "<Coordinate USE='C'/>"));
+    QCOMPARE(more.count("<Coordinate DEF"), 1);
+    QCOMPARE(more.count("<Coordinate USE"), 1);
+    QCOMPARE(valueOf(more, "point"), QString::fromLatin1(coordinates.trimmed()));
+    const auto sizeOf = [&](int sets) {
+        QByteArray scene = set("0 1 2", "<Coordinate DEF='C' point='" + coordinates.repeated(1000) + "'/>");
+        for (int i = 1; i < sets; ++i)
+            scene += set("8 6 2", "<Coordinate USE='C'/>");
+        return expanded(scene).text.size();
+    };
+    QVERIFY(sizeOf(1) < 1000);
+    QVERIFY(sizeOf(1000) < 1000 * sizeOf(1));
 }
 
 FETTLE_TEST(TestX3dExpansion)
