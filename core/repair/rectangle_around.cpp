@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -56,15 +57,18 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points)
 Rectangle rectangleAround(std::span<const Vec3> points)
 {
     const std::vector<Vec2> hull = convexHull(flattened(points));
+    constexpr double rounding = 1e-6;
     Rectangle least;
     for (std::size_t i = 0; i < hull.size(); ++i) { // one of its sides lies along an edge of the hull
         const Vec2 along = (hull[(i + 1) % hull.size()] - hull[i]).normalized(), across(-along.y(), along.x());
         Eigen::AlignedBox2d box;
         for (const Vec2& p : hull)
             box.extend(Vec2(along.dot(p), across.dot(p)));
-        const Vec2 sides = box.sizes();
-        if (i == 0 || sides.prod() < least.length * least.width)
-            least = {sides.maxCoeff(), sides.minCoeff()};
+        const Rectangle rectangle{box.sizes().maxCoeff(), box.sizes().minCoeff()};
+        const double area = rectangle.length * rectangle.width, leastArea = least.length * least.width;
+        const bool isAsLarge = std::abs(area - leastArea) <= rounding * leastArea;
+        if (i == 0 || (isAsLarge ? rectangle.length < least.length : area < leastArea))
+            least = rectangle;
     }
     return least;
 }
