@@ -6,7 +6,9 @@
 #include "core/geometry/winding_number.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 
 namespace core::repair
 {
@@ -291,40 +293,90 @@ template <typename Visit> void forEachSample(int perSide, Visit visit)
         }
 }
 
-/// Shares of a closed part's area that other parts wind around.
+/// Winding of other parts at points of a closed part.
 struct Surroundings
 {
-    double outward = 0; ///< facing outwards, as most models do
-    double inward = 0;  ///< inside out
+    struct Sample
+    {
+        double area;
+        double outward, inward; ///< winding numbers of parts that face outwards and of those that face inwards
+    };
+
+    std::vector<Sample> samples;
+    double area = 0; ///< of all samples
+
+    /// Returns how often parts of one way wind around all of it, `way`: 1 outward, -1 inward.
+    double aroundAll(int way) const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [part, outward, inward] : samples)
+            least = std::min(least, std::round(way > 0 ? outward : -inward));
+        return least;
+    }
+
+    /// Returns the share of the area that parts of one way wind around more often than `least`.
+    double share(int way, double least) const
+    {
+        constexpr double half = 0.5;
+        double sum = 0;
+        for (const auto& [part, outward, inward] : samples)
+            sum += (way > 0 ? outward : -inward) - least > half ? part : 0;
+        return sum / area;
+    }
 };
 
-/// Looks a little inside of the faces: those of a cavity that ends in the plane of an outer face lie in others, too.
-Surroundings surroundingsOf(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
-                            const std::vector<Slot>& faces, bool facesIn)
+/// Winding numbers of the parts that face outwards, and of those that face inwards.
+class WindingByWay
 {
-    constexpr std::size_t samples = 64;
-    constexpr double depth = 16; // lattice units: more than what rounding moves
-    const double own = facesIn ? -1 : 1;
-    const std::size_t step = std::max<std::size_t>(1, faces.size() / samples);
-    const auto perSide = static_cast<int>(std::ceil(std::sqrt(samples / static_cast<double>(faces.size()))));
-    Surroundings around;
-    double area = 0;
-    for (std::size_t i = 0; i < faces.size(); i += step) {
-        const auto& [a, b, c] = surface.triangles[faces[i]];
-        const Vec3 u = points[b] - points[a], v = points[c] - points[a];
-        const Vec3 inside = points[a] - depth * own * u.cross(v).normalized();
-        const double share = u.cross(v).norm() / (perSide * perSide);
-        forEachSample(perSide, [&](double alongU, double alongV) {
-            const double others = winding.at(inside + alongU * u + alongV * v) - own;
-            around.outward += others > 0.5 ? share : 0;
-            around.inward += others < -0.5 ? share : 0;
-            area += share;
-        });
+public:
+    /// `facesIn`: by part.
+    WindingByWay(const TriangleSoup& surface, const Parts& parts, const std::vector<bool>& facesIn)
+        : m_surface(surface)
+        , m_points(surface.places())
+        , m_outward(windingOf(parts, facesIn, false))
+        , m_inward(windingOf(parts, facesIn, true))
+    {}
+
+    /// Looks a little inside of the faces: those of a cavity that ends in the plane of an outer face lie in others,
+    /// too.
+    Surroundings around(const std::vector<Slot>& faces, bool facesIn) const
+    {
+        constexpr std::size_t samples = 64;
+        constexpr double depth = 16; // lattice units: more than what rounding moves
+        const double own = facesIn ? -1 : 1;
+        const std::size_t step = std::max<std::size_t>(1, faces.size() / samples);
+        const auto perSide = static_cast<int>(std::ceil(std::sqrt(samples / static_cast<double>(faces.size()))));
+        Surroundings around;
+        for (std::size_t i = 0; i < faces.size(); i += step) {
+            const auto& [a, b, c] = m_surface.triangles[faces[i]];
+            const Vec3 u = m_points[b] - m_points[a], v = m_points[c] - m_points[a];
+            const Vec3 inside = m_points[a] - depth * own * u.cross(v).normalized();
+            const double area = u.cross(v).norm() / (perSide * perSide);
+            forEachSample(perSide, [&](double alongU, double alongV) {
+                const Vec3 p = inside + alongU * u + alongV * v;
+                around.samples.push_back(
+                    {area, m_outward.at(p) - (facesIn ? 0 : own), m_inward.at(p) - (facesIn ? own : 0)});
+                around.area += area;
+            });
+        }
+        return around;
     }
-    around.outward /= area;
-    around.inward /= area;
-    return around;
-}
+
+private:
+    WindingNumber windingOf(const Parts& parts, const std::vector<bool>& facesIn, bool way) const
+    {
+        std::vector<Triangle> triangles;
+        for (std::size_t part = 0; part < parts.faces.size(); ++part)
+            if (facesIn[part] == way)
+                for (const Slot f : parts.faces[part])
+                    triangles.push_back(m_surface.triangles[f]);
+        return {m_points, triangles};
+    }
+
+    const TriangleSoup& m_surface;
+    std::vector<Vec3> m_points;
+    WindingNumber m_outward, m_inward;
+};
 } // namespace
 
 OrientationResult orient(TriangleSoup& surface)
@@ -340,34 +392,38 @@ OrientationResult orient(TriangleSoup& surface)
 
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
 {
-    constexpr double all = 1 - 1e-9, clearlyMost = 0.85;
-    constexpr double most = 0.6;     // a beam of the wrong way that crosses the whole is half inside
-    constexpr double sampling = 1.5; // shares of the area are off by as much
+    constexpr double nearlyAll = 1 - 1e-9, most = 0.6, much = 0.4;
     OutwardResult faced;
     std::size_t turned = 0;
     const Parts parts = Flood(surface).run(turned);
-    const std::vector<Vec3> points = surface.places();
-    const bool areSeveral = parts.faces.size() > 1;
     const std::vector<bool> isClosed = closedParts(surface, parts);
-    const WindingNumber winding(points, areSeveral ? std::span<const Triangle>(surface.triangles)
-                                                   : std::span<const Triangle>());
+    std::vector<double> volumes;
+    std::vector<bool> facesIn;
+    for (const std::vector<Slot>& faces : parts.faces) {
+        volumes.push_back(volumeOf(surface, faces));
+        facesIn.push_back(isClosed[facesIn.size()] && volumes.back() < 0);
+    }
+    std::optional<WindingByWay> winding;
+    if (parts.faces.size() > 1)
+        winding.emplace(surface, parts, facesIn);
     for (std::size_t part = 0; part < parts.faces.size(); ++part) {
         if (!isClosed[part])
             continue;
         const std::vector<Slot>& faces = parts.faces[part];
-        const double volume = volumeOf(surface, faces);
-        const bool facesIn = volume < 0;
-        const Surroundings around =
-            areSeveral ? surroundingsOf(surface, points, winding, faces, facesIn) : Surroundings{};
-        const bool isInside = around.outward + around.inward > all;
-        const bool isCavity =
-            facesIn ? around.outward > most : around.inward > clearlyMost; // or breaks out of the wall
-        const bool shouldTurn = isCavity ? !facesIn : facesIn || (isInside && innerAreCavities);
-        faced.inner += isInside && !isCavity && !facesIn;
-        faced.turned += shouldTurn && !isInside;
-        if (isCavity && !isInside)
-            faced.cavitiesOutside += sampling * std::abs(volume) * (1 - around.outward - around.inward);
-        if (shouldTurn)
+        const Surroundings around = winding ? winding->around(faces, facesIn[part]) : Surroundings{{{1, 0, 0}}, 1};
+        const int way = facesIn[part] ? -1 : 1;
+        // Parts of its way that are around all of it make a hollow of what it lies in; those that cross it do not.
+        const double within = around.share(-way, around.aroundAll(way));
+        const double withinAlike = around.share(way, around.aroundAll(-way));
+        const bool isCavity = within > (facesIn[part] ? most : nearlyAll);
+        const bool isInside = isCavity || withinAlike > nearlyAll;
+        const bool shouldFaceIn = isCavity || (isInside && innerAreCavities);
+        faced.inner += isInside && !isCavity;
+        faced.turned += facesIn[part] && !isInside;
+        faced.isGuess = faced.isGuess || (within > much && !isCavity);
+        if (isCavity)
+            faced.cavitiesOutside += std::abs(volumes[part]) * (1 - within + around.share(way, around.aroundAll(way)));
+        if (shouldFaceIn != facesIn[part])
             for (const Slot f : faces)
                 turn(surface.triangles[f]);
     }

@@ -22,14 +22,15 @@ OrientationResult orient(TriangleSoup& surface);
 
 struct OutwardResult
 {
-    std::size_t turned = 0; ///< parts that faced inwards and lie in no other
-    std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
-    double cavitiesOutside = 0; ///< lattice units^3, about at most, that cavities wind around outside of the solid
+    std::size_t turned = 0;     ///< parts that faced inwards and are no cavities
+    std::size_t inner = 0;      ///< parts inside of others that are no cavities by the way they run
+    bool isGuess = false;       ///< whether some that lie in parts of the other way by 0.4 or more are no cavities
+    double cavitiesOutside = 0; ///< lattice units^3 that cavities wind around outside of the solid, or twice, roughly
 };
 
-/// Turns closed parts outwards; open ones stay as they are. Parts inside of others, or flush with them, keep their way:
-/// inwards, they are cavities, also where they break through the wall with less than 0.4 of their area. Those in a
-/// part that faced inwards are turned with it: the whole was inside out. With `innerAreCavities` parts inside of others
-/// that face outwards are turned as well.
+/// Turns closed parts outwards but for cavities; open ones stay as they are. A cavity faces inwards, and parts that
+/// face outwards wind around more than 0.6 of its area (by their winding numbers; it may cross other cavities, and
+/// break out of the wall); or it faces outwards, and lies wholly in a part that faces inwards: the whole was inside
+/// out, and it is turned with that. With `innerAreCavities` other parts inside of others face inwards as well.
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
 } // namespace core::repair

@@ -102,7 +102,8 @@ struct ClosedSurface
     bool isRefused = false; ///< a large hole is not to be filled
     bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
     TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
-    /// The same as the file has it, with all that was left out but large sheets; missing if it was closed as it was.
+    /// The same as the file has it, with all that was left out but large sheets; missing if it was closed, and
+    /// which parts face inwards is no guess.
     std::optional<TriangleSoup> whole;
     double cavitiesOutside = 0; ///< OutwardResult
     bool isFileOriented = true; ///< the faces of each edge of two run it both ways
@@ -238,7 +239,10 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     else
         result =
             stitchAndFill(surface, unit, options, report, {progress.control.part(0, afterFilling), progress.onStep});
+    TriangleSoup file = result.whole ? TriangleSoup() : surface;
     const repair::OutwardResult faced = repair::orientOutwards(surface, options.innerAreCavities);
+    if (!result.whole && faced.isGuess)
+        result.whole = std::move(file);
     if (result.whole && !result.isFileOriented)
         takeOrientation(*result.whole, surface);
     report.turnedFaces += faced.turned;
@@ -388,11 +392,13 @@ private:
             offer(std::move(surface), report, progress.part(afterCutting, 1));
     }
 
-    /// Lattice units^3, but for what cavities wind around outside of the solid: that is no space that was lost.
+    /// Lattice units^3, but for what cavities wind around outside of the solid, or twice: that is no space
+    /// that was lost.
     double insideOutVolume() const
     {
         const double volume = m_resolution.insideOutVolume;
-        return volume > m_closed.cavitiesOutside ? volume : 0;
+        constexpr double roughly = 1.5;
+        return volume > roughly * m_closed.cavitiesOutside ? volume - m_closed.cavitiesOutside : 0;
     }
 
     /// Returns whether it was resolved, and space that is wound around the other way was lost.

@@ -32,18 +32,25 @@ std::vector<Slot> facesOf(std::span<const FacePair> pairs)
     return faces;
 }
 
-/// Returns the sum, over the faces, of the squares of how many others each meets: what arrange() takes grows with it.
-std::uint64_t costOfCutting(std::size_t faces, std::span<const FacePair> pairs)
+/// Returns how many triples of faces there are that meet each other, up to about a limit: where they do, two cuts cross
+/// in a face.
+std::uint64_t triplesOf(std::size_t faces, std::span<const FacePair> pairs, std::uint64_t limit)
 {
-    std::vector<std::uint64_t> met(faces, 0);
+    std::vector<std::vector<Slot>> after(faces); // of each face, those behind it that it meets
+    for (const auto& [first, second] : pairs)
+        after[first].push_back(second);
+    for (std::vector<Slot>& others : after)
+        std::ranges::sort(others);
+    std::uint64_t triples = 0;
     for (const auto& [first, second] : pairs) {
-        ++met[first];
-        ++met[second];
+        const auto [fewer, more] =
+            std::minmax(after[first], after[second], [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        for (const Slot third : fewer)
+            triples += std::ranges::binary_search(more, third) ? 1 : 0;
+        if (triples > limit)
+            break;
     }
-    std::uint64_t sum = 0;
-    for (const std::uint64_t others : met)
-        sum += others * others;
-    return sum;
+    return triples;
 }
 
 std::vector<Slot> cornersOf(const TriangleSoup& surface, std::span<const Slot> faces)
@@ -96,7 +103,7 @@ public:
     {
         constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // few need as many
         constexpr double ofRounding = 8;                                              // tolerance, lattice units
-        constexpr std::uint64_t mostCost = 15'000'000;                                // about a minute
+        constexpr std::uint64_t mostTriples = 1'000'000;                              // about a minute
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
         m_resolution.intersections = m_met.count;
@@ -105,7 +112,7 @@ public:
         if (m_met.count > 0)
             m_resolution.unresolved = placeOf(m_met.pairs[0]);
         if (m_met.count > std::min(mostPairs, manyMoreThan(m_resolution.intersections)) ||
-            costOfCutting(m_surface.triangles.size(), m_met.pairs) > mostCost)
+            triplesOf(m_surface.triangles.size(), m_met.pairs, mostTriples) > mostTriples)
             return;
         cut(m_control.part(0, 0.5));
         std::uint64_t fewest = m_met.count;

@@ -82,6 +82,15 @@ void TestHollowSolids::volume_isKept_data()
         QTest::addRow("cavity that breaks through by %g", static_cast<double>(end - 10))
             << hollow({3, 2, 2}, {end, 8, 8}) << 1000.0 - 7 * 36;
     QTest::addRow("bore that begins and ends outside") << hollow({2, 2, -1}, {8, 8, 11}) << 640.0;
+    QTest::addRow("cavities that cross") << shapes::together(hollow({2, 2, 2}, {6, 6, 6}),
+                                                             shapes::reversed(box({4, 4, 4}, {8, 8, 8})))
+                                         << 1000.0 - 120;
+    QTest::addRow("bores that cross") << shapes::together(hollow({-1, 2, 2}, {11, 8, 8}),
+                                                          shapes::reversed(box({2, -1, 2}, {8, 11, 8})))
+                                      << 1000.0 - 360 - 144;
+    QTest::addRow("pin in a body that is inside out")
+        << shapes::together(shapes::reversed(box(Vec3f::Zero(), Vec3f::Constant(10))), box({4, 4, 0.5F}, {6, 6, 10.2F}))
+        << 1000.0 + 4 * 0.2;
     QTest::addRow("lump over the wall, inside out")
         << shapes::together(shell, shapes::reversed(box({6, 4, 4}, {14, 6, 6}))) << 936.0 + 4 + 16;
     QTest::addRow("lump over the wall, all else inside out")
