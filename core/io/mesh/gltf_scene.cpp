@@ -80,7 +80,7 @@ void GltfScene::visitInstances(const Json& node, const Eigen::Matrix4d& transfor
     if (!mesh)
         return;
     const auto skin = m_gltf.indexIn(node, "skin");
-    GltfPlace place{transform, skin ? jointsOf(*skin) : std::vector<Eigen::Matrix4d>()};
+    GltfPlace place{transform, skin ? jointsOf(*skin) : std::span<const Eigen::Matrix4d>()};
     for (const Eigen::Matrix4d& instance : gltfInstances(m_file, m_gltf, node)) {
         m_stopCheck();
         if (++m_instances > maxGltfInstances)
@@ -90,13 +90,16 @@ void GltfScene::visitInstances(const Json& node, const Eigen::Matrix4d& transfor
     }
 }
 
-std::vector<Eigen::Matrix4d> GltfScene::jointsOf(std::size_t skin)
+std::span<const Eigen::Matrix4d> GltfScene::jointsOf(std::size_t skin)
 {
+    const auto [found, isNew] = m_skins.try_emplace(skin);
+    std::vector<Eigen::Matrix4d>& transforms = found->second;
+    if (!isNew)
+        return transforms;
     const Json& from = m_gltf.element("skins", skin);
     const Json& joints = m_gltf.arrayIn(from, "joints");
     if ((m_joints += joints.size()) > maxJoints)
         throw tooMany("joints", maxJoints, errorWithToken({}, m_file, {}));
-    std::vector<Eigen::Matrix4d> transforms;
     for (const Json& joint : joints)
         transforms.push_back(worldOf(m_gltf.toIndex(joint, "joints"), 0));
     const auto accessor = m_gltf.indexIn(from, "inverseBindMatrices");

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace core::io
@@ -14,8 +15,9 @@ namespace core::io
 /// Where a mesh stands in a scene.
 struct GltfPlace
 {
-    Eigen::Matrix4d transform;           ///< from the mesh to the scene, unless joints say otherwise
-    std::vector<Eigen::Matrix4d> joints; ///< of a mesh with a skin: from the mesh to where each joint takes it
+    Eigen::Matrix4d transform; ///< from the mesh to the scene, unless joints say otherwise
+    /// Hold, of a mesh with a skin, the transforms from the mesh to where each joint takes it. Not owned.
+    std::span<const Eigen::Matrix4d> joints;
 };
 
 /// Walks the nodes of a glTF's scene that are visible, and their instances. A file without scenes has those that are no
@@ -43,7 +45,7 @@ private:
     std::vector<std::optional<std::size_t>> parents() const;
     void visitNode(std::size_t index, const Eigen::Matrix4d& above, int depth, const Visit& visit);
     void visitInstances(const Json& node, const Eigen::Matrix4d& transform, const Visit& visit);
-    std::vector<Eigen::Matrix4d> jointsOf(std::size_t skin);
+    std::span<const Eigen::Matrix4d> jointsOf(std::size_t skin);
     const Eigen::Matrix4d& worldOf(std::size_t node, int depth);
     Eigen::Matrix4d transformOf(const Json& node) const;
     template <int count>
@@ -52,9 +54,10 @@ private:
     const FileBytes& m_file;
     const GltfDocument& m_gltf;
     StopCheck& m_stopCheck;
-    std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< those so far
+    std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< those so far; joints once for each skin
     Eigen::Matrix4d m_root = Eigen::Matrix4d::Identity();
     std::vector<std::optional<std::size_t>> m_parents; ///< of the nodes, once a joint has asked for them
     std::map<std::size_t, Eigen::Matrix4d> m_worlds;   ///< of the joints and what they hang on, as far as asked for
+    std::map<std::size_t, std::vector<Eigen::Matrix4d>> m_skins; ///< the joints of each, as far as asked for
 };
 } // namespace core::io

@@ -6,6 +6,11 @@ namespace core::io
 namespace
 {
 constexpr std::size_t each = 4;
+
+bool isIndex(float joint, std::span<const Eigen::Matrix4d> joints)
+{
+    return joint >= 0 && joint < static_cast<float>(joints.size());
+}
 } // namespace
 
 GltfSkinning::GltfSkinning(const GltfDocument& gltf, const GltfPrimitive& primitive,
@@ -19,8 +24,8 @@ GltfSkinning::GltfSkinning(const GltfDocument& gltf, const GltfPrimitive& primit
                         primitive.numbersOf(weightsName, each, each).values};
         if (binding.joints.size() != each * vertices || binding.weights.size() != each * vertices)
             gltf.refuse(FileFault::WrongAccessor, jointsName);
-        for (const float joint : binding.joints.part(0, binding.joints.size()))
-            if (!(joint >= 0 && joint < static_cast<float>(joints.size())))
+        for (std::size_t i = 0; i < binding.joints.size(); ++i)
+            if (binding.weights[i] > 0 && !isIndex(binding.joints[i], joints))
                 gltf.refuse(FileFault::WrongAccessor, jointsName);
         m_bindings.push_back(std::move(binding));
     }
@@ -38,6 +43,7 @@ Eigen::Matrix4d GltfSkinning::transformOf(std::size_t vertex) const
             }
     if (weights > 0)
         return sum / weights;
-    return m_joints[static_cast<std::size_t>(m_bindings.front().joints[each * vertex])];
+    const float first = m_bindings.front().joints[each * vertex];
+    return m_joints[isIndex(first, m_joints) ? static_cast<std::size_t>(first) : 0];
 }
 } // namespace core::io

@@ -23,8 +23,8 @@ public:
 
     /// Returns whether the primitive is bound to joints.
     bool isBound() const { return !m_bindings.empty(); }
-    /// Returns the mean of the joints' transforms by the vertex's weights; where it has none, that of its first
-    /// joint. Precondition: isBound().
+    /// Returns the mean of the joints' transforms by the vertex's weights; where it has none, that of its first joint,
+    /// or of the skin's where that is none. Precondition: isBound().
     Eigen::Matrix4d transformOf(std::size_t vertex) const;
 
 private:

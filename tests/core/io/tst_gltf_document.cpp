@@ -189,6 +189,8 @@ private Q_SLOTS:
     void manyInstances_areBounded();
     void hiddenNodes_areLeftOut();
     void skinnedMeshes_standWhereJointsDo();
+    void jointsWithoutWeight_mayBeNone();
+    void skinOfManyNodes_countsOnce();
     void badSkins_areRefused_data();
     void badSkins_areRefused();
 
@@ -540,6 +542,37 @@ void TestGltfDocument::skinnedMeshes_standWhereJointsDo()
     QVERIFY(read(mirrored).triangles.front() != shapes::tetrahedron().triangles.front());
     const QByteArray plain = skinned().replace(R"(,"inverseBindMatrices":4)", "");
     QVERIFY((read(plain).points[1] - 1000 * (2 * points[1] + one)).norm() < 1e-3F);
+}
+
+/// Some programs fill up the joints of a vertex with 255.
+void TestGltfDocument::jointsWithoutWeight_mayBeNone()
+{
+    const QByteArray joints("\0\0\0\0\1\0\0\0\0\1\0\0\1\0\0\0", 16),
+        filled("\0\xff\xff\xff\1\xff\xff\xff\0\1\xff\xff\xff\xff\xff\xff", 16);
+    const QByteArray plain = skinned(), start = joints.first(15).toBase64(); // the same whatever follows
+    QVERIFY(plain.contains(start));
+    const std::vector<Vec3f> points = read(QByteArray(plain).replace(start, filled.first(15).toBase64())).points;
+    std::vector<Vec3f> wanted = read(plain).points;
+    wanted[3] = 1000 * (shapes::tetrahedron().points[3] + Vec3f(1, 0, 0)); // by the skin's first joint
+    QCOMPARE(points.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        QVERIFY((points[i] - wanted[i]).norm() < 1e-3F);
+}
+
+void TestGltfDocument::skinOfManyNodes_countsOnce()
+{
+    QByteArray roots = R"("nodes":[0,1)", joints = R"("joints":[1,2)", nodes;
+    for (int i = 3; i < 1000; ++i) {
+        roots += ',' + QByteArray::number(i);
+        nodes += R"(,{"mesh":0,"skin":0})";
+        joints += ",1";
+    }
+    const QByteArray many = skinned()
+                                .replace(R"("nodes":[0,1)", roots)
+                                .replace(R"({"scale":[2,2,2]})", R"({"scale":[2,2,2]})" + nodes)
+                                .replace(R"("joints":[1,2)", joints)
+                                .replace(R"(,"inverseBindMatrices":4)", "");
+    QCOMPARE(read(many).triangles.size(), std::size_t(4 * 998));
 }
 
 void TestGltfDocument::badSkins_areRefused_data()
