@@ -152,14 +152,25 @@ private:
         for (std::size_t before = 0; !ahead.atLineEnd(); ++before) {
             if (!is(ahead.word(), "facet"))
                 continue;
-            const std::string_view next = TextScanner(ahead).word();
-            if (!is(next, "normal") && !is(next, "outer"))
+            if (!isBehindFacet(ahead))
                 continue; // a word of a name
             for (; before > 0; --before)
                 m_text.word();
             return true;
         }
         return false;
+    }
+
+    /// Returns whether the words that follow are such as follow "facet": a normal, or the loop.
+    static bool isBehindFacet(TextScanner words)
+    {
+        std::string_view word = words.wordAnywhere();
+        if (is(word, "normal")) {
+            word = words.wordAnywhere();
+            if (word.find_first_of("+-.0123456789") == 0 || is(word, "nan") || is(word, "inf"))
+                return true;
+        }
+        return is(word, "outer") && is(words.wordAnywhere(), "loop");
     }
 
     /// Reads a solid, and those that begin where it ends, on the same line.
