@@ -1,7 +1,7 @@
 // Source: Geomview's manual, OFF files: line ends are blanks like any other, but for that of a face's colour.
 // OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a
 // line or over several, whose colour is passed over. Where there are too few lines for that, a vertex or a face begins
-// wherever the one before it ends. Comments stand anywhere. off_binary.h reads BINARY.
+// wherever the one before it ends, or only a vertex does. Comments stand anywhere. off_binary.h reads BINARY.
 
 #include "core/io/mesh/off_binary.h"
 #include "core/io/mesh/palette.h"
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace core::io
 {
@@ -23,15 +24,25 @@ constexpr std::size_t minVertex = 6, minFace = 4;
 using RawColor = std::array<float, 3>;
 constexpr RawColor noColor{-1, -1, -1};
 
+/// Says what begins a line, behind which more may stand. What does not begins where the one before it ends.
+struct Layout
+{
+    bool ofVertices, ofFaces;
+    std::size_t components = 4; ///< the components of a vertex's colour; by lines it may have 3 or 4
+};
+
+/// Lists the layouts that are tried.
+constexpr std::array<Layout, 5> layouts{
+    {{true, true}, {false, false}, {false, true}, {false, false, 3}, {false, true, 3}}};
+
 class OffReader
 {
 public:
-    /// `isByLines`: each vertex and each face begins a line, and more may stand behind it.
-    OffReader(const FileBytes& file, bool isByLines)
+    OffReader(const FileBytes& file, const Layout& lines)
         : m_file(file)
         , m_text(file, file.bytes.data(), '#')
         , m_stopCheck(file.stop)
-        , m_isByLines(isByLines)
+        , m_lines(lines)
     {}
 
     ReadResult read()
@@ -44,14 +55,16 @@ public:
         m_mesh.points.reserve(vertices);
         skipEdges();
         while (m_mesh.points.size() < vertices) {
-            toLine();
+            begin(m_lines.ofVertices);
             readVertex();
         }
         for (std::size_t i = 0; i < faces; ++i) {
-            toLine();
+            begin(m_lines.ofFaces);
             readFace(vertices);
         }
-        if (!m_isByLines && !m_text.wordAnywhere().empty())
+        if (m_lines.ofFaces)
+            m_text.nextLine();
+        if (!m_lines.ofVertices && !m_text.wordAnywhere().empty())
             m_text.fail(FileErrorKind::CutOff, {}); // something stands for other things than it was read as
         m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         makeColors();
@@ -119,11 +132,11 @@ private:
             m_text.wordAnywhere();
     }
 
-    /// To the next line with words that are not a comment, where vertices and faces begin lines.
-    void toLine()
+    /// Goes to the next line with words that are not a comment if what comes next begins a line.
+    void begin(bool line)
     {
         m_stopCheck();
-        if (!m_isByLines)
+        if (!line)
             return;
         do
             if (!m_text.nextLine())
@@ -138,9 +151,9 @@ private:
             x = m_text.toNumber(nextWord());
         for (std::size_t i = point.size(); i < m_coordinates; ++i)
             nextWord(); // whatever it is
-        if (m_hasColors && (!m_isByLines || !m_text.atLineEnd()))
+        if (m_hasColors && (!m_lines.ofVertices || !m_text.atLineEnd()))
             readColor();
-        for (int i = 0; i < 2 && m_hasTexture && !m_isByLines; ++i)
+        for (int i = 0; i < 2 && m_hasTexture && !m_lines.ofVertices; ++i)
             nextWord();
         m_mesh.points.emplace_back(point[0], point[1], point[2]);
     }
@@ -152,13 +165,13 @@ private:
         RawColor& color = m_colors.emplace_back();
         for (float& c : color)
             c = readComponent();
-        if (!m_isByLines || !m_text.atLineEnd())
+        if (m_lines.ofVertices ? !m_text.atLineEnd() : m_lines.components > color.size())
             readComponent();
     }
 
     float readComponent()
     {
-        const std::string_view word = m_isByLines ? m_text.word() : nextWord();
+        const std::string_view word = m_lines.ofVertices ? m_text.word() : nextWord();
         const float component = m_text.toNumber(word);
         m_hasFractions = m_hasFractions || word.find('.') != std::string_view::npos;
         m_largest = std::max(m_largest, component);
@@ -212,7 +225,7 @@ private:
     const FileBytes& m_file;
     TextScanner m_text;
     StopCheck m_stopCheck;
-    bool m_isByLines;
+    Layout m_lines;
     bool m_hasColors = false, m_hasTexture = false;
     std::size_t m_coordinates = 3; ///< of a vertex, before its colour
     TriangleMesh m_mesh;
@@ -226,17 +239,19 @@ private:
 
 ReadResult readOff(const FileBytes& file)
 {
-    try {
-        return OffReader(file, true).read();
-    } catch (const FileError& error) {
-        if (error.kind != FileErrorKind::CutOff)
-            throw;
+    std::optional<FileError> first;
+    for (const Layout& lines : layouts)
         try {
-            return OffReader(file, false).read();
-        } catch (const FileError&) {
-            throw error;
+            return OffReader(file, lines).read();
+        } catch (const FileError& error) {
+            const bool isWordMissing = error.fault == FileFault::Number && error.token.empty();
+            if (first)
+                continue;
+            if (error.kind != FileErrorKind::CutOff && !isWordMissing)
+                throw;
+            first = error;
         }
-    }
+    throw FileError(*first);
 }
 
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
