@@ -320,7 +320,7 @@ public:
                 meshes.insert(*id);
         for (const FbxRecord& c : connections) {
             const auto child = idOf(c, 1), parent = idOf(c, 2);
-            if (!child || !parent || c.values[0].bytes != "OO")
+            if (!child || !parent || !isOfObjects(c))
                 continue;
             if (isModel(*child))
                 m_models[*parent].below.push_back(*child);
@@ -409,6 +409,14 @@ private:
         model.inheritsVisibility = properties.number("Visibility Inheritance", 1) != 0;
         return model;
     }
+
+    /// Returns whether the connection is one of objects. As one of them Assimp takes one of a property without a name.
+    static bool isOfObjects(const FbxRecord& connection)
+    {
+        const std::string_view kind = connection.values[0].bytes;
+        return kind == "OO" || (kind == "OP" && connection.values.size() > 3 && connection.values[3].bytes.empty());
+    }
+
     static std::optional<std::int64_t> idOf(const FbxRecord& record, std::size_t value)
     {
         return value < record.values.size() ? record.values[value].whole() : std::nullopt;

@@ -136,8 +136,9 @@ public:
     std::size_t missing() const { return m_missing; }
 
 private:
-    /// Returns whether the node has that name, perhaps with a number behind it, by which Assimp tells equal ones apart,
-    /// or as much of it as Assimp keeps. Assimp passes over models that it cannot read.
+    /// Returns whether the node has that name, or begins with the first 1,000 bytes of it; there may be a number behind
+    /// it, by which Assimp tells equal ones apart. Assimp passes over models that it cannot read. A name of 1,024 bytes
+    /// or more, with what Assimp adds to it, may be missing from its node: such a file is refused.
     static bool isNamed(const aiNode& node, std::string_view name)
     {
         constexpr std::size_t kept = 1000;

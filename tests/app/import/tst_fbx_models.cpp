@@ -295,6 +295,13 @@ void TestFbxModels::models_areHandedOn()
             app::fbxForAssimp("a.fbx", fileOf(sceneOf({modelRecord(500, {})}, {connection(500, 0)}), form)).models[1];
         QVERIFY(bare.scale == Vector3d::Ones() && bare.inherit == Inherit::Usual && bare.hasActiveRotations);
     }
+    Record nameless = connection(500, 0), named = nameless; // connections of properties, which one has no name
+    nameless.values[0] = named.values[0] = std::string("OP");
+    nameless.values.emplace_back(std::string());
+    named.values.emplace_back(std::string("Visibility"));
+    const std::vector<Record> scene = sceneOf({modelRecord(500, {}), modelRecord(501, {})}, {nameless, named});
+    for (const Form form : {Form::Text, Form::Binary, Form::WideBinary})
+        QVERIFY(app::fbxForAssimp("a.fbx", fileOf(scene, form)).models[0].below == std::vector<std::size_t>{1});
     for (const auto& [is, wanted] : {std::pair(std::string("a\0\1Model", 8), "a"),
                                      {std::string("a::b\0\1Model", 11), "a::b"},
                                      {std::string("a\0\1Null", 7), "Null::a"}}) {
