@@ -386,6 +386,7 @@ private:
     std::optional<Token> m_token; ///< the present one; empty: the text is at its end
     std::vector<std::string_view> m_path;
 };
+
 std::optional<std::int64_t> wholeIn(std::string_view word)
 {
     if (const auto number = core::io::parseInteger(word))

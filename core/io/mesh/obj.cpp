@@ -51,7 +51,7 @@ private:
         else if (keyword == "mtllib" || keyword == "usemtl")
             m_remarks.materials = true;
         else if (keyword == "surf" || keyword == "bsp" || keyword == "bzp" ||
-                 keyword == "cdp") // the last three: of old
+                 keyword == "cdp") // the last three stand in old files
             ++m_remarks.unreadNodes;
         else if (keyword == "o")
             ++m_remarks.objects;

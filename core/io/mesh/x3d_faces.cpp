@@ -230,6 +230,7 @@ void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Fac
             to.colors.push_back(isKnown ? numbers[static_cast<std::size_t>(index) * each + k] : 1);
         }
 }
+
 /// Gives the faces points of their own if they use less than half of those that there are.
 void keepUsed(std::span<const double> numbers, std::vector<Face>& faces, X3dFaces& to)
 {
