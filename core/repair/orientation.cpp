@@ -311,7 +311,7 @@ struct Surroundings
         double least = std::numeric_limits<double>::infinity();
         for (const auto& [part, outward, inward] : samples)
             least = std::min(least, std::round(way > 0 ? outward : -inward));
-        return least;
+        return std::max(0.0, least); // below 0 where a sample lies beyond an edge of its own part
     }
 
     /// Returns the share of the area that parts of one way wind around more often than `least`.

@@ -43,6 +43,27 @@ TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
     mesh.triangles.push_back({last[0], last[1], static_cast<Slot>(mesh.points.size() - 1)});
     return mesh;
 }
+
+/// Raises a needle from the middle of the first face, 0.0005 wide.
+TriangleMesh withNeedle(TriangleMesh mesh)
+{
+    const Triangle face = mesh.triangles[0];
+    const auto at = [&](std::size_t i) { return mesh.points[face[i]].cast<double>(); };
+    const Vec3 middle = (at(0) + at(1) + at(2)) / 3, normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    const auto foot = static_cast<Slot>(mesh.points.size()), tip = foot + 3;
+    for (std::size_t i = 0; i < 3; ++i)
+        mesh.points.push_back((middle + 5e-4 * (at(i) - middle).normalized()).cast<float>());
+    mesh.points.push_back((middle + 2 * normal).cast<float>());
+    mesh.triangles.erase(mesh.triangles.begin());
+    for (Slot i = 0; i < 3; ++i) {
+        const Slot next = (i + 1) % 3;
+        mesh.triangles.push_back({face[i], face[next], foot + next});
+        mesh.triangles.push_back({face[i], foot + next, foot + i});
+        mesh.triangles.push_back({foot + i, foot + next, tip});
+    }
+    return mesh;
+}
+
 /// A hollow of two halves with a sheet between them: all of its walls hang on edges of three faces.
 TriangleMesh hollowWithSheetAcross()
 {
@@ -102,6 +123,10 @@ void TestHollowSolids::volume_isKept_data()
     QTest::addRow("part in a part") << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)),
                                                         box(Vec3f::Constant(3), Vec3f::Constant(7)))
                                     << 1000.0;
+    QTest::addRow("parts that cross, one with a needle")
+        << shapes::together(withNeedle(box(Vec3f::Zero(), Vec3f::Constant(10))),
+                            box(Vec3f::Constant(5), Vec3f::Constant(15)))
+        << 1875.0;
     QTest::addRow("beam that crosses, inside out")
         << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(box({3, 3, -5}, {7, 7, 15})))
         << 1160.0;
