@@ -55,7 +55,7 @@ struct ReadRemarks
     std::size_t beams = 0;           ///< beams of a lattice, left out
     std::size_t animations = 0;      ///< left out: the model stands as it does without them
     std::size_t subdivisions = 0;    ///< meshes that their program would subdivide, and that are read as they are
-    std::size_t unreadNodes = 0;     ///< what stands for a surface and cannot be read: nodes, links to files, objects
+    std::size_t unreadNodes = 0;     ///< nodes, links and objects left out: surfaces that cannot be read
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };

@@ -24,7 +24,7 @@ struct OutwardResult
 {
     std::size_t turned = 0;     ///< parts that faced inwards and are no cavities
     std::size_t inner = 0;      ///< parts inside of others that are no cavities by the way they run
-    bool isGuess = false;       ///< whether some that lie in parts of the other way by 0.4 or more are no cavities
+    bool isGuess = false;       ///< some, in parts of the other way by 0.4 or more, were taken for no cavities
     double cavitiesOutside = 0; ///< lattice units^3 that cavities wind around outside of the solid, or twice, roughly
 };
 

@@ -102,8 +102,8 @@ struct ClosedSurface
     bool isRefused = false; ///< a large hole is not to be filled
     bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
     TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
-    /// The same as the file has it, with all that was left out but large sheets; missing if it was closed, and
-    /// which parts face inwards is no guess.
+    /// The surface as the file has it, with all that was left out but large sheets. Missing if the file's surface is
+    /// closed and none of its parts could as well face the other way.
     std::optional<TriangleSoup> whole;
     double cavitiesOutside = 0; ///< OutwardResult
     bool isFileOriented = true; ///< the faces of each edge of two run it both ways

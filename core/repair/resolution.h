@@ -13,7 +13,7 @@ struct Resolution
     bool isDone = false;                    ///< no faces meet, and no points are stuck
     std::optional<LatticePoint> unresolved; ///< where faces still meet or touch
     double volume = 0;                      ///< lattice units^3, of all that the surface winds around
-    double insideOutVolume = 0;             ///< the same of all that it winds around the other way
+    double insideOutVolume = 0;             ///< lattice units^3, of all that it winds around inside out
     std::uint64_t intersections = 0;        ///< pairs of faces that met at first
     std::size_t rounds = 0;                 ///< of cutting
     std::size_t touchingEdges = 0, touchingVertices = 0;

@@ -15,7 +15,7 @@ struct WindingSolid
 {
     TriangleSoup surface;       ///< new points rounded to the lattice; equal ones are one
     double volume = 0;          ///< lattice units^3, of what is inside, before rounding
-    double insideOutVolume = 0; ///< the same of what is inside out
+    double insideOutVolume = 0; ///< lattice units^3, of what is inside out, before rounding
 };
 
 /// The boundary of all that counts as solid: what is inside of two parts is inside. `original` is the surface that was

@@ -12,7 +12,7 @@
 
 namespace core::io
 {
-/// Where a mesh stands in a scene.
+/// The place of a mesh in a scene.
 struct GltfPlace
 {
     Eigen::Matrix4d transform; ///< from the mesh to the scene, unless joints say otherwise

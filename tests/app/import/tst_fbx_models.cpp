@@ -268,8 +268,8 @@ void TestFbxModels::rightFiles_areLeft()
         QVERIFY(!app::fbxForAssimp("a.fbx", text).changed);
 }
 
-/// What a model has not of its own is by the template. The scene comes first; below it and others stand the models in
-/// the order of the connections.
+/// A model has from the template of its kind whatever it lacks. The scene comes first; below it and others stand the
+/// models in the order of the connections.
 void TestFbxModels::models_areHandedOn()
 {
     using Inherit = app::FbxModel::Inherit;

@@ -544,7 +544,7 @@ void TestGltfDocument::skinnedMeshes_standWhereJointsDo()
     QVERIFY((read(plain).points[1] - 1000 * (2 * points[1] + one)).norm() < 1e-3F);
 }
 
-/// Some programs fill up the joints of a vertex with 255.
+/// Joints of a vertex without weight may have any number: programs fill them up with 255.
 void TestGltfDocument::jointsWithoutWeight_mayBeNone()
 {
     const QByteArray joints("\0\0\0\0\1\0\0\0\0\1\0\0\1\0\0\0", 16),

@@ -204,7 +204,7 @@ void TestThreeMf::partsElsewhere_areRead()
     QCOMPARE(volume(core::readMesh(path)), 1.0);
 }
 
-/// What a component puts somewhere is in the unit of its own part, the place in that of the part of the component.
+/// The mesh that a component puts somewhere is in the unit of its own part, the place in that of the component's part.
 void TestThreeMf::partsElsewhere_haveTheirUnits()
 {
     const auto other = [](const char* name, int id, const char* at) {
