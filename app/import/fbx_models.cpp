@@ -73,12 +73,22 @@ std::optional<double> valueOf(const FbxRecord* property, std::size_t index = 0)
     return property && at < property->values.size() ? property->values[at].number() : std::nullopt;
 }
 
+bool isReal(const FbxValue& value)
+{
+    return value.type == 'F' || value.type == 'D' || value.type == 'T';
+}
+
+/// Returns three real numbers; empty where one is whole or none, which Assimp does not take for one of a vector.
 std::optional<Vector3d> vectorOf(const FbxRecord* property)
 {
-    const auto x = valueOf(property), y = valueOf(property, 1), z = valueOf(property, 2);
-    if (!x || !y || !z || !std::isfinite(*x) || !std::isfinite(*y) || !std::isfinite(*z))
-        return std::nullopt;
-    return Vector3d(*x, *y, *z);
+    Vector3d vector;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto number = valueOf(property, axis);
+        if (!number || !std::isfinite(*number) || !isReal(property->values[valuesBefore + axis]))
+            return std::nullopt;
+        vector[static_cast<Eigen::Index>(axis)] = *number;
+    }
+    return vector;
 }
 
 [[noreturn]] void refuse(const core::io::FileBytes& file, const FbxValue& word)
