@@ -1,8 +1,10 @@
 // The reader of the format that FETTLE_FORMAT names (stl, obj, ...), fed with a stranger's bytes: it returns a mesh as
 // core/io/mesh_io.h promises, or throws a FileError; nothing else. "brush": the reader of presets
-// (core/io/stroke/brush_file.h), which throws a StrokeFileError. "x3d": what Assimp is given of X3D files
-// (core/io/mesh/x3d_expansion.h). Streams of Draco are not decoded: a decoder of this program makes of their bytes
-// whatever a broken one might.
+// (core/io/stroke/brush_file.h), which throws a StrokeFileError. "x3d", "fbx": what Assimp is given of such files
+// (core/io/mesh/x3d_expansion.h, app/import/fbx_models.h). Streams of Draco are not decoded: a decoder of this program
+// makes of their bytes whatever a broken one might.
+#include "app/import/fbx_file.h"
+#include "app/import/fbx_models.h"
 #include "core/io/draco_stream.h"
 #include "core/io/mesh/x3d_expansion.h"
 #include "core/io/mesh_io.h"
@@ -34,6 +36,7 @@ public:
     ~Folder() { std::filesystem::remove_all(m_path); }
 
     bool isOfBrushes() const { return m_name == "model.brush"; }
+    bool isOfFbx() const { return m_name == "model.fbx"; }
     bool isOfX3d() const { return m_name == "model.x3d"; }
     std::filesystem::path file() const { return m_path / m_name; }
 
@@ -86,6 +89,42 @@ void checkX3d(const std::filesystem::path& path, std::string_view text)
     }
 }
 
+/// Checks that no model below that one holds itself, and that all indices are of models.
+void checkBelow(const std::vector<app::FbxModel>& models, std::size_t index, std::vector<bool>& isOnWay,
+                std::vector<bool>& isDone)
+{
+    isOnWay[index] = true;
+    for (const std::size_t child : models[index].below) {
+        require(child > 0 && child < models.size(), "indices of models in range");
+        require(!isOnWay[child], "no model that holds itself");
+        if (!isDone[child])
+            checkBelow(models, child, isOnWay, isDone);
+    }
+    isOnWay[index] = false;
+    isDone[index] = true;
+}
+
+/// Checks that what is made of an FBX file for Assimp has the same models.
+void checkFbx(const std::filesystem::path& path, std::string_view bytes)
+{
+    app::fbxVersion(bytes);
+    app::fbxSubdivisions(bytes);
+    app::fbxNurbs(bytes);
+    try {
+        const app::FbxForAssimp fbx = app::fbxForAssimp(path, bytes);
+        require(fbx.isFollowed != fbx.models.empty(), "the scene, where it was followed");
+        if (!fbx.models.empty()) {
+            std::vector<bool> isOnWay(fbx.models.size()), isDone(fbx.models.size());
+            checkBelow(fbx.models, 0, isOnWay, isDone);
+        }
+        if (!fbx.changed)
+            return;
+        const app::FbxForAssimp again = app::fbxForAssimp(path, *fbx.changed);
+        require(again.isFollowed && again.models.size() == fbx.models.size(), "what was changed is followed");
+    } catch (const core::FileError&) {
+    }
+}
+
 /// Returns a mesh whose counts, types and corners are the stream's bytes.
 std::optional<core::DracoMesh> decodedByBytes(std::string_view stream, std::span<const std::uint32_t> ids)
 {
@@ -113,6 +152,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     static_cast<void>(hasDecoder);
     if (folder.isOfBrushes()) {
         checkBrush({reinterpret_cast<const char*>(data), size});
+        return 0;
+    }
+    if (folder.isOfFbx()) {
+        checkFbx(folder.file(), {reinterpret_cast<const char*>(data), size});
         return 0;
     }
     if (folder.isOfX3d()) {
