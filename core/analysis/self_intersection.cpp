@@ -1,7 +1,9 @@
-// All pairs of faces that meet: those whose boxes meet in a tree of boxes are tested exactly.
+// All pairs of faces that meet: those whose boxes meet in a tree of boxes are tested exactly. Of faces with the same
+// corners, one is tested for all.
 
 #include "core/analysis/self_intersection.h"
 
+#include "core/analysis/equal_faces.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/triangle_intersection.h"
 #include "core/util/parallel.h"
@@ -17,44 +19,88 @@ namespace
 constexpr std::size_t facesPerPairChunk = 1 << 12;
 constexpr std::size_t blocksPerChunk = 4;
 
+/// Counts pairs of faces, and keeps the first ones.
+class Pairs
+{
+public:
+    explicit Pairs(std::size_t keep) : m_pairs(keep) {}
+
+    /// Adds the pairs of a face of one group and a face of another; both ascending.
+    void add(std::span<const Slot> a, std::span<const Slot> b)
+    {
+        m_pairs.count(a.size() * b.size());
+        std::size_t i = 0, j = 0;
+        for (std::size_t left = m_pairs.capacity(); left > 0 && i < a.size() && j < b.size();) {
+            const bool isFirstOfA = a[i] < b[j];
+            const Slot first = isFirstOfA ? a[i++] : b[j++];
+            left -= addBehind(first, isFirstOfA ? b.subspan(j) : a.subspan(i), left);
+        }
+    }
+    /// Adds the pairs of the faces of a group, which are ascending.
+    void add(std::span<const Slot> group)
+    {
+        m_pairs.count(group.size() * (group.size() - 1) / 2);
+        std::size_t left = m_pairs.capacity();
+        for (std::size_t i = 0; left > 0 && i + 1 < group.size(); ++i)
+            left -= addBehind(group[i], group.subspan(i + 1), left);
+    }
+    void add(const Pairs& other) { m_pairs.add(other.m_pairs); }
+
+    IntersectionReport report() { return {m_pairs.count(), m_pairs.take()}; }
+
+private:
+    /// Keeps the first pairs of a face with those behind it, as many as `most`. Returns how many these are.
+    std::size_t addBehind(Slot first, std::span<const Slot> behind, std::size_t most)
+    {
+        const std::span<const Slot> taken = behind.first(std::min(behind.size(), most));
+        for (const Slot second : taken)
+            m_pairs.keep({first, second});
+        return taken.size();
+    }
+
+    SmallestK<FacePair> m_pairs;
+};
+
 class PairSearch
 {
 public:
     /// Of some faces, ascending.
     template <typename Points>
-    PairSearch(const Points& points, std::span<const Triangle> triangles, std::vector<Slot> faces)
+    PairSearch(const Points& points, std::span<const Triangle> triangles, const std::vector<Slot>& faces)
         : m_triangles(triangles)
-        , m_faces(std::move(faces))
-        , m_tree(faceBoxes(points, m_faces.size(),
-                           [this](std::size_t i) -> const Triangle& { return m_triangles[m_faces[i]]; }))
+        , m_faces(triangles, faces)
+        , m_tree(faceBoxes(points, m_faces.groups(),
+                           [this](std::size_t i) -> const Triangle& { return m_triangles[m_faces.group(i).front()]; }))
     {}
 
-    /// meet(i, j) for the faces at two positions whose boxes meet.
+    /// meet(i, j) for the faces at two positions whose boxes meet; meet(i, i) where there are several at one.
     template <typename Meet> IntersectionReport find(std::size_t keep, const std::stop_token& stop, Meet meet) const
     {
-        using Pairs = SmallestK<FacePair>;
         std::vector<Pairs> found(chunksOf(m_tree.blocks(), blocksPerChunk), Pairs(keep));
         forEachChunk(m_tree.blocks(), blocksPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t block = begin; block < end && !stop.stop_requested(); ++block)
                 m_tree.forEachMeetingPair(static_cast<Slot>(block), [&](Slot i, Slot j) {
                     if (meet(i, j))
-                        found[chunk].add(orderedPair(faceAt(i), faceAt(j)));
+                        found[chunk].add(facesAt(i), facesAt(j));
                 });
         });
         Pairs all(keep);
         for (const Pairs& pairs : found)
             all.add(pairs);
-        return {all.count(), all.take()};
+        for (Slot i = 0; i < m_tree.size(); ++i)
+            if (facesAt(i).size() > 1 && meet(i, i))
+                all.add(facesAt(i));
+        return all.report();
     }
 
     /// By position, in memory: neighbours are met with again and again.
     template <typename Predicates>
     std::vector<CornerTriangle<Predicates>> inOrder(std::span<const typename Predicates::Point> points) const
     {
-        std::vector<CornerTriangle<Predicates>> result(m_faces.size());
-        forEachChunk(m_faces.size(), facesPerPairChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        std::vector<CornerTriangle<Predicates>> result(m_faces.groups());
+        forEachChunk(m_faces.groups(), facesPerPairChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const Triangle& t = m_triangles[faceAt(static_cast<Slot>(i))];
+                const Triangle& t = m_triangles[facesAt(static_cast<Slot>(i)).front()];
                 result[i] = {t, {points[t[0]], points[t[1]], points[t[2]]}};
             }
         });
@@ -62,13 +108,11 @@ public:
     }
 
 private:
-    Slot faceAt(Slot position) const { return m_faces[m_tree.at(position)]; }
-
-    static FacePair orderedPair(Slot a, Slot b) { return {std::min(a, b), std::max(a, b)}; }
+    std::span<const Slot> facesAt(Slot position) const { return m_faces.group(m_tree.at(position)); }
 
     std::span<const Triangle> m_triangles;
-    std::vector<Slot> m_faces; ///< those that take part, ascending
-    BoxTree m_tree;
+    EqualFaces m_faces; ///< those that take part
+    BoxTree m_tree;     ///< of one face of each group
 };
 
 /// Faces that are degenerate, or those that are not, ascending.
@@ -101,7 +145,7 @@ SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const
 {
     std::vector<Slot> all(triangles.size());
     std::iota(all.begin(), all.end(), Slot(0));
-    const PairSearch search(image, triangles, std::move(all));
+    const PairSearch search(image, triangles, all);
     const auto ordered = search.inOrder<FloatPredicates>(points);
     const auto orderedImage = search.inOrder<LatticePredicates>(image);
     std::atomic<bool> imageMeets = false;

@@ -172,12 +172,12 @@ Vec3 sampleIn(const std::array<Vec3, 3>& t, std::size_t i)
     return t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
 }
 
-struct Sums
+struct DistanceSums
 {
     double largest = 0, sum = 0;
     std::size_t count = 0;
 
-    void add(const Sums& other)
+    void add(const DistanceSums& other)
     {
         largest = std::max(largest, other.largest);
         sum += other.sum;
@@ -202,15 +202,15 @@ std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh, double wanted)
 
 /// `counted`: the distance that counts for a sample at a distance.
 template <typename Counted>
-Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double wanted,
-                   const JobControl& control, Counted counted)
+DistanceSums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double wanted,
+                           const JobControl& control, Counted counted)
 {
     const std::vector<std::size_t> samples = samplesUpTo(mesh, wanted);
-    std::vector<Sums> sums(chunksOf(samples.size(), perChunk));
+    std::vector<DistanceSums> sums(chunksOf(samples.size(), perChunk));
     forEachChunkWithProgress(samples.size(), perChunk, control,
                              [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                                  Measuring measuring(nearest);
-                                 Sums& here = sums[chunk];
+                                 DistanceSums& here = sums[chunk];
                                  for (std::size_t f = begin; f < end && !control.isCancelled(); ++f) {
                                      const std::size_t first = f == 0 ? 0 : samples[f - 1];
                                      here.count += samples[f] - first;
@@ -225,8 +225,8 @@ Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& 
                                      }
                                  }
                              });
-    Sums all;
-    for (const Sums& part : sums)
+    DistanceSums all;
+    for (const DistanceSums& part : sums)
         all.add(part);
     return all;
 }
@@ -266,8 +266,8 @@ SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const
     const Parts parts(b);
     const Nearest nearest(b);
     control.reportProgress(afterPreparing);
-    const Sums inside = measureInside(a, parts, nearest, sampleCount, control.part(afterPreparing, afterInside),
-                                      [](const Vec3&, double distance) { return distance; });
+    const DistanceSums inside = measureInside(a, parts, nearest, sampleCount, control.part(afterPreparing, afterInside),
+                                              [](const Vec3&, double distance) { return distance; });
     const double largest = farthestCorner(a, parts, nearest, inside.largest, control.part(afterInside, 1));
     return {largest, inside.count > 0 ? inside.sum / static_cast<double>(inside.count) : 0};
 }
@@ -283,7 +283,7 @@ double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double 
     const auto outside = [&](const Vec3& sample, double distance) {
         return distance > near && winding.at(sample) > 0.5 ? 0 : distance;
     };
-    const Sums sums = measureInside(a, Parts(b), Nearest(b), fewerSamples, control, outside);
+    const DistanceSums sums = measureInside(a, Parts(b), Nearest(b), fewerSamples, control, outside);
     return sums.count > 0 ? sums.sum / static_cast<double>(sums.count) : 0;
 }
 

@@ -6,7 +6,7 @@
 
 namespace core
 {
-/// Counts what is added, and keeps the smallest few, in bounded memory.
+/// Counts items, and keeps the smallest few, in bounded memory.
 template <typename Item> class SmallestK
 {
 public:
@@ -15,15 +15,28 @@ public:
     void add(const Item& item)
     {
         ++m_count;
-        insert(item);
+        keep(item);
+    }
+    /// Counts so many items. Those of them that may be among the smallest are to be kept, too.
+    void count(std::uint64_t items) { m_count += items; }
+    void keep(const Item& item)
+    {
+        if (m_capacity == 0)
+            return;
+        m_items.push_back(item);
+        if (m_items.size() / 2 < m_capacity)
+            return;
+        std::nth_element(m_items.begin(), m_items.begin() + static_cast<std::ptrdiff_t>(m_capacity) - 1, m_items.end());
+        m_items.resize(m_capacity);
     }
     void add(const SmallestK& other)
     {
         m_count += other.m_count;
         for (const Item& item : other.m_items)
-            insert(item);
+            keep(item);
     }
 
+    std::size_t capacity() const { return m_capacity; }
     std::uint64_t count() const { return m_count; }
     /// Ascending, each once.
     std::vector<Item> take()
@@ -35,17 +48,6 @@ public:
     }
 
 private:
-    void insert(const Item& item)
-    {
-        if (m_capacity == 0)
-            return;
-        m_items.push_back(item);
-        if (m_items.size() / 2 < m_capacity)
-            return;
-        std::nth_element(m_items.begin(), m_items.begin() + static_cast<std::ptrdiff_t>(m_capacity) - 1, m_items.end());
-        m_items.resize(m_capacity);
-    }
-
     std::size_t m_capacity;
     std::uint64_t m_count = 0;
     std::vector<Item> m_items;

@@ -3,6 +3,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/analysis/nesting.h"
 #include "core/geometry/lattice_placement.h"
+#include "core/geometry/triangle_intersection.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/effort.h"
 #include "tests/support/shapes.h"
@@ -121,6 +122,7 @@ private Q_SLOTS:
     void volumeSign_isExact();
     void orderOfElements_doesNotMatter();
     void keptPairs_areTheFirst();
+    void equalFaces_areCountedAsOthers();
     void latticeAndFloatAgree();
     void surfaceAndImage_areJudgedAsEachAlone();
     void lattice_tellsWhatImportWouldBreak();
@@ -314,6 +316,33 @@ void TestMeshCheck::keptPairs_areTheFirst()
         QCOMPARE(some.count, all.count);
         QVERIFY(std::equal(some.pairs.begin(), some.pairs.end(), all.pairs.begin(),
                            all.pairs.begin() + static_cast<std::ptrdiff_t>(keep)));
+    }
+}
+
+void TestMeshCheck::equalFaces_areCountedAsOthers()
+{
+    TriangleMesh mesh = shapes::noisy(core::icosphere(2, 1), 0.1f, seed);
+    std::mt19937 random(seed);
+    const std::size_t faces = mesh.triangles.size();
+    for (std::size_t i = 0; i < 3 * faces; ++i) { // up to some 30 of each
+        core::Triangle t = mesh.triangles[random() % (i % 2 == 0 ? faces : 20)];
+        std::shuffle(t.begin(), t.end(), random);
+        mesh.triangles.push_back(t);
+    }
+    std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
+    const auto cornersOf = [&](const core::Triangle& t) {
+        return core::CornerTriangle<FloatPredicates>{t, {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}};
+    };
+    std::vector<core::FacePair> expected;
+    for (core::Slot a = 0; a < mesh.triangles.size(); ++a)
+        for (core::Slot b = a + 1; b < mesh.triangles.size(); ++b)
+            if (core::trianglesIntersect(cornersOf(mesh.triangles[a]), cornersOf(mesh.triangles[b])))
+                expected.push_back({a, b});
+    for (const std::size_t keep : {std::size_t(0), std::size_t(7), std::size_t(1000), 2 * expected.size()}) {
+        const auto found = core::selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, keep);
+        QCOMPARE(found.count, expected.size());
+        QCOMPARE(found.pairs.size(), std::min(keep, expected.size()));
+        QVERIFY(std::equal(found.pairs.begin(), found.pairs.end(), expected.begin()));
     }
 }
 
