@@ -14,6 +14,14 @@ PlanarTriangulation::PlanarTriangulation(const ExactPoints& points, const Triang
     , m_cells{Cell{corners}}
 {
     m_cells[0].forced = {true, true, true};
+    noteCorners(0);
+}
+
+/// Keeps a cell for each of its corners.
+void PlanarTriangulation::noteCorners(Index cell)
+{
+    for (const Slot corner : m_cells[cell].corners)
+        m_cellAt[corner] = cell;
 }
 
 std::array<int, 3> PlanarTriangulation::sidesOf(const Cell& cell, Slot point) const
@@ -92,8 +100,10 @@ void PlanarTriangulation::splitCell(Index cell, Slot point)
         part.beyond = {none, parts[next(i)], parts[previous(i)]};
         part.forced = {old.forced[i], false, false};
     }
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         link(parts[i], 0, old.beyond[i], old.corners[next(i)]);
+        noteCorners(parts[i]);
+    }
 }
 
 void PlanarTriangulation::splitEdge(Edge edge, Slot point)
@@ -112,6 +122,8 @@ void PlanarTriangulation::splitEdge(Edge edge, Slot point)
         m_cells[added].beyond[2] = e.cell;
         link(e.cell, 2, old.beyond[previous(e.edge)], from);
         link(added, 1, old.beyond[next(e.edge)], apex);
+        noteCorners(e.cell);
+        noteCorners(added);
         return {e.cell, added};
     };
     const auto [before, after] = halve(edge);
@@ -151,31 +163,58 @@ void PlanarTriangulation::flip(Edge edge)
     link(edge.cell, 1, opposite.beyond[next(b)], across);
     link(other.cell, 0, opposite.beyond[previous(b)], to);
     link(other.cell, 1, cell.beyond[next(a)], apex);
+    noteCorners(edge.cell);
+    noteCorners(other.cell);
+}
+
+/// Calls visit(edge) for each edge that begins at the point, until it returns true.
+template <typename Visit> void PlanarTriangulation::forEachEdgeFrom(Slot point, Visit visit) const
+{
+    const Index start = m_cellAt.at(point);
+    Index cell = start;
+    do {
+        const int i = edgeFrom(cell, point);
+        if (visit(Edge{cell, i}))
+            return;
+        cell = m_cells[cell].beyond[previous(i)];
+    } while (cell != none && cell != start);
+    if (cell == start)
+        return;
+    for (cell = m_cells[start].beyond[edgeFrom(start, point)]; cell != none; // the other way from the border
+         cell = m_cells[cell].beyond[edgeFrom(cell, point)])
+        if (visit(Edge{cell, edgeFrom(cell, point)}))
+            return;
 }
 
 std::optional<PlanarTriangulation::Edge> PlanarTriangulation::find(Slot from, Slot to) const
 {
-    for (Index cell = 0; cell < m_cells.size(); ++cell) {
-        for (int i = 0; i < 3; ++i) {
-            if (m_cells[cell].corners[i] == from && m_cells[cell].corners[next(i)] == to)
-                return Edge{cell, i};
-        }
-    }
-    return std::nullopt;
+    std::optional<Edge> found;
+    forEachEdgeFrom(from, [&](Edge edge) {
+        if (m_cells[edge.cell].corners[next(edge.edge)] == to)
+            found = edge;
+        return found.has_value();
+    });
+    return found;
 }
 
+/// Returns the edges that the segment crosses, from its beginning to its end.
 std::vector<std::pair<Slot, Slot>> PlanarTriangulation::crossedBy(Slot from, Slot to) const
 {
+    std::optional<Edge> edge; // its beginning is to the right of the segment, its end to the left
+    forEachEdgeFrom(from, [&](Edge e) {
+        const Triangle& corners = m_cells[e.cell].corners;
+        if (side(from, to, corners[next(e.edge)]) < 0 && side(from, to, corners[previous(e.edge)]) > 0)
+            edge = {e.cell, next(e.edge)};
+        return edge.has_value();
+    });
     std::vector<std::pair<Slot, Slot>> crossed;
-    for (Index cell = 0; cell < m_cells.size(); ++cell) {
-        for (int i = 0; i < 3; ++i) {
-            const Slot a = m_cells[cell].corners[i], b = m_cells[cell].corners[next(i)];
-            const Index beyond = m_cells[cell].beyond[i];
-            if (beyond == none || beyond < cell || a == from || a == to || b == from || b == to)
-                continue;
-            if (side(from, to, a) * side(from, to, b) < 0 && side(a, b, from) * side(a, b, to) < 0)
-                crossed.emplace_back(a, b);
-        }
+    while (edge) {
+        crossed.emplace_back(m_cells[edge->cell].corners[edge->edge], m_cells[edge->cell].corners[next(edge->edge)]);
+        const Edge other = twin(*edge);
+        const Slot apex = m_cells[other.cell].corners[previous(other.edge)];
+        if (apex == to)
+            break;
+        edge = Edge{other.cell, side(from, to, apex) > 0 ? next(other.edge) : previous(other.edge)};
     }
     return crossed;
 }

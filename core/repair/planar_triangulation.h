@@ -2,6 +2,10 @@
 
 #include "core/repair/exact_point.h"
 
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
 namespace core::repair
 {
 /// A triangle with points and segments in it, cut into triangles of which those are corners and edges. Exact. Points
@@ -56,12 +60,15 @@ private:
     bool isConvex(Edge edge) const;
     void flip(Edge edge);
     bool wantsFlip(Edge edge) const;
+    void noteCorners(Index cell);
+    template <typename Visit> void forEachEdgeFrom(Slot point, Visit visit) const;
     std::vector<std::pair<Slot, Slot>> crossedBy(Slot from, Slot to) const;
     std::optional<Edge> find(Slot from, Slot to) const;
 
     const ExactPoints& m_points;
     Projection m_onto;
     std::vector<Cell> m_cells;
+    std::unordered_map<Slot, Index> m_cellAt; ///< a cell that has the point
     mutable Index m_last = 0;
 };
 } // namespace core::repair
