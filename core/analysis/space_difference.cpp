@@ -1,6 +1,7 @@
 #include "core/analysis/space_difference.h"
 
-#include "core/geometry/face_geometry.h"
+#include "core/analysis/nesting.h"
+#include "core/geometry/box_tree.h"
 #include "core/geometry/winding_number.h"
 #include "core/util/parallel.h"
 
@@ -20,13 +21,72 @@ WindingNumber windingOf(const TriangleMesh& mesh)
     return {points, mesh.triangles};
 }
 
-/// Returns a point of the unit cube, evenly spread: the R3 sequence (Roberts 2018).
-Eigen::Array3d sampleAt(std::size_t i)
+void addComponentBoxes(const TriangleMesh& mesh, std::vector<FaceBox>& boxes)
 {
-    const Eigen::Array3d steps(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
-    const Eigen::Array3d sample = 0.5 + static_cast<double>(i) * steps;
-    return sample - sample.floor();
+    const Components components = componentsOf(mesh.points.size(), mesh.triangles);
+    const std::size_t first = boxes.size();
+    boxes.resize(first + components.count);
+    for (Slot f = 0; f < mesh.triangles.size(); ++f)
+        for (const Slot v : mesh.triangles[f])
+            boxes[first + components.ofFace[f]].extend(mesh.points[v].array());
 }
+
+std::vector<FaceBox> componentBoxes(const TriangleMesh& a, const TriangleMesh& b)
+{
+    std::vector<FaceBox> boxes;
+    addComponentBoxes(a, boxes);
+    addComponentBoxes(b, boxes);
+    return boxes;
+}
+
+double volumeOf(const FaceBox& box)
+{
+    return (box.max - box.min).cast<double>().prod();
+}
+
+/// Points of two surfaces' box, most of them in the boxes of their components: these may be small and far apart.
+class SpaceSamples
+{
+public:
+    struct Sample
+    {
+        Vec3 point;
+        double space; ///< that it stands for, to some scale
+    };
+
+    SpaceSamples(const TriangleMesh& a, const TriangleMesh& b) : m_boxes(componentBoxes(a, b)), m_tree(m_boxes)
+    {
+        for (const FaceBox& box : m_boxes) {
+            m_all.extend(box);
+            m_ends.push_back(m_volume += volumeOf(box));
+        }
+    }
+
+    /// Returns points that are spread evenly: the R4 sequence (Roberts 2018).
+    Sample at(std::size_t i) const
+    {
+        constexpr double inAll = 0.25; // of the points
+        const Eigen::Array4d steps(0.8566748838545029, 0.7338918566271260, 0.6287067210378087, 0.5385972572236101);
+        const Eigen::Array4d turns = 0.5 + static_cast<double>(i) * steps, unit = turns - turns.floor();
+        const bool isInAll = unit[3] < inAll || m_volume == 0;
+        const double place = (unit[3] - inAll) / (1 - inAll) * m_volume;
+        const auto end = std::min(std::ranges::upper_bound(m_ends, place), m_ends.end() - 1);
+        const FaceBox& box = isInAll ? m_all : m_boxes[static_cast<std::size_t>(end - m_ends.begin())];
+        const Vec3 p = (box.min + unit.head<3>().cast<float>() * (box.max - box.min)).matrix().cast<double>();
+        FaceBox here;
+        here.extend(p.array().cast<float>());
+        double boxes = 0;
+        m_tree.forEachMeeting(here, [&](Slot) { ++boxes; });
+        return {p, 1 / (inAll + (m_volume > 0 ? (1 - inAll) * boxes * volumeOf(m_all) / m_volume : 0))};
+    }
+
+private:
+    std::vector<FaceBox> m_boxes; ///< of the components
+    BoxTree m_tree;
+    FaceBox m_all;
+    std::vector<double> m_ends; ///< of the boxes' volumes, laid end to end
+    double m_volume = 0;        ///< of all of these
+};
 
 /// Sums of what the points count.
 struct Sums
@@ -39,20 +99,19 @@ struct Sums
 SpaceDifference spaceDifference(const TriangleMesh& faces, const TriangleMesh& solid, const JobControl& control)
 {
     constexpr std::size_t maxSamples = 65'536, perStep = 8192, perChunk = 256;
-    constexpr std::size_t enough = 4096; // of points inside
+    constexpr std::size_t enough = 16'384; // of points inside
     const WindingNumber ofFaces = windingOf(faces), ofSolid = windingOf(solid);
-    Box box = boxOf(faces);
-    box.extend(boxOf(solid));
+    const SpaceSamples samples(faces, solid);
     Sums all;
     std::vector<Sums> sums(chunksOf(perStep, perChunk));
     for (std::size_t first = 0; first < maxSamples && all.inside < enough && !control.isCancelled(); first += perStep) {
         std::ranges::fill(sums, Sums{});
         forEachChunk(perStep, perChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const Vec3 p = box.min() + (sampleAt(first + i) * box.sizes().array()).matrix();
+                const auto [p, space] = samples.at(first + i);
                 const double winding = std::abs(ofFaces.at(p));
                 const bool wasInside = winding > 0.5, isInside = ofSolid.at(p) > 0.5;
-                const double weight = std::min(1.0, std::abs(2 * winding - 1));
+                const double weight = space * std::min(1.0, std::abs(2 * winding - 1));
                 sums[chunk].lost += wasInside && !isInside ? weight : 0;
                 sums[chunk].gained += isInside && !wasInside ? weight : 0;
                 sums[chunk].inEither += wasInside || isInside ? weight : 0;
