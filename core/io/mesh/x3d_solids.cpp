@@ -15,6 +15,9 @@ namespace core::io
 namespace
 {
 constexpr int sides = 32;
+/// The sine of a turn of the spine up to which it is straight there: the rounding of its numbers makes such turns, in
+/// any direction. Curves of fewer than 60,000 pieces a turn have larger ones.
+constexpr double straightTurn = 1e-4;
 
 /// Collects points and faces as text.
 class FaceText
@@ -143,15 +146,18 @@ std::vector<Vec3> alongSpine(const Extrusion& extrusion, bool isTurning)
     const std::size_t last = spine.size() - 1;
     std::vector<Vec3> result;
     for (std::size_t i = 0; i <= last; ++i) {
-        const bool isEnd = !extrusion.isSpineClosed && (i == 0 || i == last);
         const Vec3 &before = spine[i > 0                     ? i - 1
                                    : extrusion.isSpineClosed ? last
                                                              : 0],
                    &after = spine[i < last                  ? i + 1
                                   : extrusion.isSpineClosed ? 0
                                                             : last];
-        const Vec3 turning = isEnd ? Vec3(0, 0, 0) : Vec3((after - spine[i]).cross(before - spine[i]));
-        result.push_back((isTurning ? turning : Vec3(after - before)).normalized());
+        const Vec3 ahead = after - spine[i], back = before - spine[i], turning = ahead.cross(back); // 0 at an end
+        const bool isStraight = turning.norm() <= straightTurn * ahead.norm() * back.norm();
+        if (isTurning)
+            result.push_back(isStraight ? Vec3(0, 0, 0) : turning.normalized());
+        else
+            result.push_back((after - before).normalized());
     }
     return result;
 }

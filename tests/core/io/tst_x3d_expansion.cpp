@@ -10,6 +10,7 @@
 #include <QSet>
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -84,6 +85,8 @@ private Q_SLOTS:
     void closedExtrusions_haveNoCaps();
     void doubledEnds_haveTheirSections_data();
     void doubledEnds_haveTheirSections();
+    void straightSpines_doNotTurn_data();
+    void straightSpines_doNotTurn();
     void grids_areMadeOfQuads();
     void primitives_haveNumbers();
     void unreadSurfaces_areCounted();
@@ -384,6 +387,48 @@ void TestX3dExpansion::doubledEnds_haveTheirSections()
             QVERIFY(std::abs(of(stepped) - (of(points(plain)) + numbers[numbers.size() - 3 + i % 3].toDouble()) / 2) <
                     1e-9);
         }
+    }
+}
+
+void TestX3dExpansion::straightSpines_doNotTurn_data()
+{
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    QTest::addColumn<double>("z");
+    QTest::addColumn<int>("digits"); // of single or double precision
+    for (const auto& [x, y, z] : {std::array{0.1, 0.2, 0.3}, {0.3, 0.7, 0.2}, {1.0, 2.0, 3.0}, {0.7, -0.1, 0.0}})
+        for (const int digits : {6, 8, 16})
+            QTest::addRow("%g %g %g, %d digits", x, y, z, digits) << x << y << z << digits;
+}
+
+/// Further points on a straight piece of the spine, whose numbers are rounded, change nothing at its ends.
+void TestX3dExpansion::straightSpines_doNotTurn()
+{
+    QFETCH(double, x);
+    QFETCH(double, y);
+    QFETCH(double, z);
+    QFETCH(int, digits);
+    const QByteArray bend = "2.5 7.5 5.25";
+    const auto sections = [&](const std::vector<double>& along, bool isBent) {
+        QByteArray spine;
+        for (const double t : along)
+            for (const double component : {x, y, z})
+                spine += QByteArray::number(t * component, 'g', digits) + ' ';
+        const QString scene = sceneOf("<Shape><Extrusion crossSection='1 .2 1 -.2 -1 -.2 -1 .2' spine='" + spine +
+                                      (isBent ? bend : QByteArray()) + "'/></Shape>");
+        return valueOf(scene, "point").split(u' ');
+    };
+    constexpr qsizetype sectionNumbers = 12;
+    for (const bool isBent : {false, true}) {
+        const QStringList two = sections({0, 5}, isBent), many = sections({0, 1, 1.7, 3, 5}, isBent);
+        QCOMPARE(many.size(), two.size() + 3 * sectionNumbers);
+        for (const bool atEnd : {false, true})
+            for (qsizetype i = 0; i < sectionNumbers; ++i) {
+                const auto at = [&](const QStringList& list) {
+                    return list[atEnd ? list.size() - 1 - i : i].toDouble();
+                };
+                QVERIFY(std::abs(at(many) - at(two)) < (digits == 6 ? 1e-3 : 1e-5));
+            }
     }
 }
 
