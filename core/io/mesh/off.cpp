@@ -1,8 +1,9 @@
 // Source: Geomview's manual, OFF files: line ends are blanks like any other, but for that of a face's colour.
 // OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a
-// line or over several, whose colour is passed over. Where there are too few lines for that, a vertex or a face begins
-// wherever the one before it ends, or only a vertex does. Comments stand anywhere. off_binary.h reads BINARY.
+// line or over several, whose colour is passed over. What cannot be read so is read in other layouts: a vertex, a face
+// or both begin wherever the one before it ends. Comments stand anywhere. off_binary.h reads BINARY.
 
+#include "core/io/mesh/number_parsing.h"
 #include "core/io/mesh/off_binary.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <optional>
 
 namespace core::io
@@ -32,8 +34,27 @@ struct Layout
 };
 
 /// Lists the layouts that are tried.
-constexpr std::array<Layout, 5> layouts{
-    {{true, true}, {false, false}, {false, true}, {false, false, 3}, {false, true, 3}}};
+constexpr std::array<Layout, 6> layouts{
+    {{true, true}, {false, false}, {false, true}, {false, false, 3}, {false, true, 3}, {true, false}}};
+
+/// Tells how well a layout fits a file that cannot be read; the larger, the better.
+struct Fit
+{
+    bool hasItsLines = true;  ///< or it ran out of lines, the first of which holds more than one vertex
+    std::size_t elements = 0; ///< that were read
+    bool isWhole = true;      ///< or the file ended too early for it
+
+    auto operator<=>(const Fit&) const = default;
+};
+
+/// Returns the number of words that follow on the line.
+std::size_t wordsOnLine(TextScanner text)
+{
+    std::size_t words = 0;
+    while (!text.word().empty())
+        ++words;
+    return words;
+}
 
 class OffReader
 {
@@ -58,17 +79,26 @@ public:
             begin(m_lines.ofVertices);
             readVertex();
         }
+        if (!m_lines.ofVertices && m_lines.ofFaces && vertices > 0 && !m_text.atLineEnd())
+            m_text.fail(FileErrorKind::CutOff, {}); // the last vertex ends within a line
         for (std::size_t i = 0; i < faces; ++i) {
-            begin(m_lines.ofFaces);
+            begin(m_lines.ofFaces || (m_lines.ofVertices && i == 0));
             readFace(vertices);
         }
         if (m_lines.ofFaces)
             m_text.nextLine();
-        if (!m_lines.ofVertices && !m_text.wordAnywhere().empty())
-            m_text.fail(FileErrorKind::CutOff, {}); // something stands for other things than it was read as
+        if ((!m_lines.ofVertices || !m_lines.ofFaces) && parseDouble(m_text.wordAnywhere()))
+            m_text.fail(FileErrorKind::CutOff, {}); // a number is left: others stand for something else, too
         m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         makeColors();
         return {std::move(m_mesh), m_remarks};
+    }
+
+    /// Returns how well the layout fits, after read() failed with such an error.
+    Fit fit(const FileError& error) const
+    {
+        const bool isCut = error.kind == FileErrorKind::CutOff;
+        return {!isCut || !m_linesAreShared, m_mesh.points.size() + m_faces.faces() + m_remarks.facesOfFewer, !isCut};
     }
 
 private:
@@ -156,6 +186,8 @@ private:
         for (int i = 0; i < 2 && m_hasTexture && !m_lines.ofVertices; ++i)
             nextWord();
         m_mesh.points.emplace_back(point[0], point[1], point[2]);
+        if (m_lines.ofVertices && m_mesh.points.size() == 1)
+            m_linesAreShared = wordsOnLine(m_text) >= m_coordinates + (m_hasColors ? 3 : 0) + (m_hasTexture ? 2 : 0);
     }
 
     /// r g b, with or without a. Kept as it stands until it is known whether they go to 1 or to 255.
@@ -227,6 +259,7 @@ private:
     StopCheck m_stopCheck;
     Layout m_lines;
     bool m_hasColors = false, m_hasTexture = false;
+    bool m_linesAreShared = false; ///< the first vertex, of which a line is to begin, is followed by another there
     std::size_t m_coordinates = 3; ///< of a vertex, before its colour
     TriangleMesh m_mesh;
     std::vector<RawColor> m_colors; ///< as in the file; shorter than the points while none came since
@@ -239,19 +272,20 @@ private:
 
 ReadResult readOff(const FileBytes& file)
 {
-    std::optional<FileError> first;
-    for (const Layout& lines : layouts)
+    std::optional<FileError> error;
+    Fit best;
+    for (const Layout& lines : layouts) {
+        OffReader reader(file, lines);
         try {
-            return OffReader(file, lines).read();
-        } catch (const FileError& error) {
-            const bool isWordMissing = error.fault == FileFault::Number && error.token.empty();
-            if (first)
-                continue;
-            if (error.kind != FileErrorKind::CutOff && !isWordMissing)
-                throw;
-            first = error;
+            return reader.read();
+        } catch (const FileError& met) {
+            if (const Fit fit = reader.fit(met); !error || fit > best) {
+                error = met;
+                best = fit;
+            }
         }
-    throw FileError(*first);
+    }
+    throw FileError(*error);
 }
 
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)

@@ -293,6 +293,88 @@ std::string offOf(const std::string& keyword, const std::string& sizes, const st
     return text;
 }
 
+/// Makes an OFF of a torus in any layout: so many words of the vertices, or of the faces, on a line; 0: an element.
+struct OffLayout
+{
+    std::string keyword = "OFF", vertexMore = {}, faceMore = {};
+    std::size_t vertexWrap = 0, faceWrap = 0;
+    std::string badVertex = {}, badCorner = {}; ///< a word that stands in their middle, or none
+
+    static TriangleMesh mesh() { return shapes::moved(shapes::torus(), {0.3F, 0.4F, 0.6F}); }
+
+    std::string text() const
+    {
+        const TriangleMesh torus = mesh();
+        std::vector<std::vector<std::string>> vertices, faces;
+        for (const Vec3f& p : torus.points) {
+            auto& words = vertices.emplace_back();
+            for (const float x : p) {
+                std::array<char, 32> word;
+                words.emplace_back(word.data(), std::size_t(std::snprintf(word.data(), word.size(), "%.9g", x)));
+            }
+            words.push_back(vertexMore);
+        }
+        for (const core::Triangle& t : torus.triangles)
+            faces.push_back({"3", std::to_string(t[0]), std::to_string(t[1]), std::to_string(t[2]), faceMore});
+        if (!badVertex.empty())
+            vertices[vertices.size() / 2][1] = badVertex;
+        if (!badCorner.empty())
+            faces[faces.size() / 2][2] = badCorner;
+        return keyword + '\n' + std::to_string(vertices.size()) + ' ' + std::to_string(faces.size()) + " 0\n" +
+               lines(vertices, vertexWrap) + lines(faces, faceWrap);
+    }
+    bool linesBeginVertices() const
+    {
+        const auto blanks = static_cast<std::size_t>(std::ranges::count(vertexMore, ' '));
+        return vertexWrap % (vertexMore.empty() ? 3 : 4 + blanks) == 0;
+    }
+    std::string what() const
+    {
+        return keyword + ' ' + vertexMore + " by " + std::to_string(vertexWrap) + ", faces " + faceMore + " by " +
+               std::to_string(faceWrap);
+    }
+
+private:
+    static std::string lines(const std::vector<std::vector<std::string>>& elements, std::size_t wrap)
+    {
+        std::string all;
+        for (const auto& element : elements) {
+            for (const std::string& word : element)
+                all += word.empty() ? word : word + ' ';
+            all.back() = wrap == 0 ? '\n' : ' ';
+        }
+        std::size_t words = 0;
+        for (char& c : all)
+            if (c == ' ' && wrap != 0 && ++words % wrap == 0)
+                c = '\n';
+        all.back() = '\n';
+        return all;
+    }
+};
+
+/// Returns the layouts that OFF may have.
+std::vector<OffLayout> offLayouts()
+{
+    constexpr std::size_t allOnOne = 420'000; // a multiple of all vertices' words
+    std::vector<OffLayout> all;
+    for (const auto& [keyword, more] :
+         std::vector<std::pair<std::string, std::string>>{{"OFF", ""},
+                                                          {"NOFF", "0.5 0.5 0.7"},
+                                                          {"COFF", "200 100 50 255"},
+                                                          {"COFF", "200 100 50"},
+                                                          {"STOFF", "0.25 0.75"},
+                                                          {"STCNOFF", "0.5 0.5 0.7 200 100 50 255 0.25 0.75"}})
+        for (const std::size_t vertexWrap : std::initializer_list<std::size_t>{0, 2, 3, 4, 5, 6, 7, 8, 9, 16, allOnOne})
+            for (const std::size_t faceWrap : std::initializer_list<std::size_t>{0, 3, 7, 8, 9, allOnOne})
+                all.push_back({keyword, more, "", vertexWrap, faceWrap});
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (OffLayout colored = all[i]; colored.faceWrap == 0 && colored.faceMore.empty()) {
+            colored.faceMore = "255 0 0";
+            all.push_back(colored);
+        }
+    return all;
+}
+
 struct BinaryOff
 {
     std::endian order = std::endian::big;
@@ -642,6 +724,8 @@ private Q_SLOTS:
     void mutatedSamples_neverGetThrough();
     void whatIsLeftOut_isTold_data();
     void whatIsLeftOut_isTold();
+    void off_isReadInAnyLayout();
+    void off_faultsAreToldInAnyLayout();
     void binaryOff_keepsColors();
     void strips_faceAsTheirFirstTriangle();
     void largePolygons_areFilled_data();
@@ -806,6 +890,40 @@ void TestForeignFiles::whatIsLeftOut_isTold()
     QTEST(quint64(remarks.facesOfFewer), "fewer");
     QTEST(remarks.unannounced, "unannounced");
     QTEST(quint64(remarks.bytesBehind), "behind");
+}
+
+void TestForeignFiles::off_isReadInAnyLayout()
+{
+    const auto expected = surfaceOf(OffLayout::mesh());
+    for (const OffLayout& layout : offLayouts())
+        for (const char* const behind : {"", "the end 1 2\n"}) {
+            std::optional<TriangleMesh> mesh;
+            errorOf([&] { mesh = core::parseMesh("a.off", layout.text() + behind); });
+            QVERIFY2(mesh, layout.what().c_str());
+            QVERIFY2(surfaceOf(*mesh) == expected, layout.what().c_str());
+        }
+}
+
+/// A broken file is told by its own fault, not by what another layout makes of it.
+void TestForeignFiles::off_faultsAreToldInAnyLayout()
+{
+    const auto isTold = [](const std::string& bytes, Kind kind, std::string_view token) {
+        const auto error = errorOf([&] { core::parseMesh("a.off", bytes); });
+        return error && error->kind == kind && error->token == token;
+    };
+    for (OffLayout layout : offLayouts()) {
+        const std::string whole = layout.text();
+        QVERIFY2(isTold(whole.substr(0, whole.size() - 30), Kind::CutOff, ""), layout.what().c_str());
+        layout.badCorner = "99999";
+        QVERIFY2(isTold(layout.text(), Kind::IndexOutOfRange, "99999"), layout.what().c_str());
+        layout.badCorner.clear();
+        layout.badVertex = "abc";
+        if (layout.linesBeginVertices()) // other lines may end in a word that is passed over
+            QVERIFY2(isTold(layout.text(), Kind::NotANumber, "abc"), layout.what().c_str());
+        layout.badVertex = "1 1"; // lines that begin vertices may have words behind them
+        if (!layout.linesBeginVertices())
+            QVERIFY2(errorOf([&] { core::parseMesh("a.off", layout.text()); }), layout.what().c_str());
+    }
 }
 
 void TestForeignFiles::binaryOff_keepsColors()
