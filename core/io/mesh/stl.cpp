@@ -161,16 +161,22 @@ private:
         return false;
     }
 
-    /// Returns whether the words that follow are such as follow "facet": a normal, or the loop.
+    /// Returns whether the words that follow are such as follow "facet": a normal, if any, and the loop with its first
+    /// vertex. No name goes on like that.
     static bool isBehindFacet(TextScanner words)
     {
         std::string_view word = words.wordAnywhere();
-        if (is(word, "normal")) {
+        if (is(word, "normal"))
+            for (int i = 0; i < 4 && !is(word, "outer"); ++i)
+                word = words.wordAnywhere();
+        if (!is(word, "outer") || !is(words.wordAnywhere(), "loop"))
+            return false;
+        bool isAtEnd = false;
+        do { // passes over what stands behind "loop"
+            isAtEnd = words.atLineEnd();
             word = words.wordAnywhere();
-            if (word.find_first_of("+-.0123456789") == 0 || is(word, "nan") || is(word, "inf"))
-                return true;
-        }
-        return is(word, "outer") && is(words.wordAnywhere(), "loop");
+        } while (!isAtEnd && !is(word, "vertex") && !is(word, "facet"));
+        return is(word, "vertex");
     }
 
     /// Reads a solid, and those that begin where it ends, on the same line.

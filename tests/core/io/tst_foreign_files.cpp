@@ -563,6 +563,14 @@ std::vector<Sample> stlSamples()
         {"binary stl of unknown count, all bits", "a.stl", binaryStl(0xffffffff)},
         {"binary stl that counts too few", "a.stl", binaryStl(11)},
         {"binary stl of facets and a rest", "a.stl", binaryStl(12, "x", "solid facet normal vertex")}};
+    for (const char* const name :
+         {"facet normal 2", "facet normal -x side", "facet normal .5 mm", "facet normal 3D print", "facet normal 0 0 1",
+          "facet outer loop", "facet outer loop of a ring", "Facet NORMAL"})
+        for (const char* const lineEnd : {"\n", " "})
+            for (const char* const normal : {" normal 0 0 1", " normal a b c", " normal Infinity 0 0", ""})
+                all.push_back({name, "a.stl",
+                               replaced(TextStl{.normal = normal, .head = "solid " + std::string(name) + "\n"}.text(),
+                                        "\n", lineEnd)});
     for (const char* const head : {"box", "solid box"})
         for (const std::size_t spare : {1, 2, 49, 50, 51, 100, 1000})
             all.push_back({"binary stl with a rest", "a.stl", binaryStl(12, std::string(spare, '\0'), head)});
