@@ -72,12 +72,13 @@ bool isSound(const TriangleMesh& mesh)
     return isOnePerPoint(mesh.colors) && isOnePerPoint(mesh.masks);
 }
 
-/// Returns the text of the header's message, or an empty one if it is not printable as a whole.
+/// Returns the text of the header's message, with "?" for each byte that is not printable ASCII.
 std::string messageOf(const ImportHeader& header)
 {
-    const std::string message = header.message;
-    const bool isPrintable = std::ranges::all_of(message, [](char c) { return c >= ' ' && c <= '~'; });
-    return isPrintable ? message : std::string();
+    std::string message = header.message;
+    std::ranges::replace_if(
+        message, [](char c) { return c < ' ' || c > '~'; }, '?');
+    return message;
 }
 
 /// Returns the file that the process found faulty: the one that it was to read, or one in its folder that it names.

@@ -956,6 +956,9 @@ void TestForeignScenes::words_areWholeAndWithoutPath()
     }
     const auto known = errorOf(QStringLiteral("bad.3ds"), "this is nothing of the kind");
     QVERIFY(known && !known->token.empty());
+    const auto named = errorOf(QStringLiteral("b\u00e4d.3ds"), "abc"); // two bytes of UTF-8
+    QVERIFY(named);
+    QVERIFY2(named->token.find("b??d.3ds") != std::string::npos, named->token.c_str());
     const auto longWords =
         errorOf(QStringLiteral("a.lws"), "LWSC\n3\n\nLoadObjectLayer 1 " + QByteArray(300, 'x') + "\n");
     QVERIFY(longWords && longWords->token.size() <= 200);
