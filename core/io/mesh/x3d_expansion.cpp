@@ -422,7 +422,7 @@ private:
         }
         if (m_to.addUse(node, "IndexedFaceSet"))
             return true;
-        auto faces = facesOfX3d(m_file, node, m_points);
+        auto faces = facesOfX3d(m_file, node, m_lists);
         if (!faces)
             faces = facesOfX3dSolid(m_file, node, m_document.radians());
         if (!faces)
@@ -473,7 +473,7 @@ private:
             return;
         m_to.begin(node, "Coordinate");
         m_to.addDefinition(node, "Coordinate");
-        m_to.addNumbers("point", m_points.of(node));
+        m_to.addNumbers("point", m_lists.points(node));
         m_to.add("/>");
     }
 
@@ -502,7 +502,7 @@ private:
     const X3dDocument& m_document;
     const X3dSurroundings& m_around;
     X3dText m_to;
-    X3dPoints m_points{m_file};
+    X3dLists m_lists{m_file};
     std::size_t m_unread = 0;
     NodesWithShapes m_withShapes{m_document.scene()};
     std::unordered_set<const X3dNode*> m_open; ///< groups that are being written

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <numeric>
 #include <span>
-#include <utility>
+#include <unordered_map>
 
 namespace core::io
 {
@@ -18,6 +19,13 @@ using Face = std::vector<Index>;
 
 constexpr std::string_view blanks = " \t\r\n,";
 
+[[noreturn]] void refuseIndex(const FileBytes& file, const X3dNode& node, std::string_view index, std::size_t count)
+{
+    FileError error = withCounts(errorWithToken(FileErrorKind::IndexOutOfRange, file, index), count);
+    error.place = {FilePlace::Unit::Line, node.line};
+    throw error;
+}
+
 /// Returns the node's indices, each -1 or below `count`.
 std::vector<Index> indicesIn(const FileBytes& file, const X3dNode& node, std::string_view attribute, std::size_t count)
 {
@@ -26,11 +34,8 @@ std::vector<Index> indicesIn(const FileBytes& file, const X3dNode& node, std::st
         const auto value = parseInteger(word);
         if (!value || *value < -1)
             refuseX3d(file, node, FileFault::VertexIndex, word);
-        if (*value >= static_cast<std::int64_t>(count)) {
-            FileError error = withCounts(errorWithToken(FileErrorKind::IndexOutOfRange, file, word), count);
-            error.place = {FilePlace::Unit::Line, node.line};
-            throw error;
-        }
+        if (*value >= static_cast<std::int64_t>(count))
+            refuseIndex(file, node, word, count);
         indices.push_back(static_cast<Index>(*value));
     }
     return indices;
@@ -45,12 +50,11 @@ const X3dNode* childOf(const X3dNode& node, std::string_view name)
     return nullptr;
 }
 
-/// Returns the numbers 0, 1, 2 and so on, one for each point.
-std::vector<Index> numbersTo(std::size_t count)
+/// Returns the numbers of so many points, one after the other.
+std::vector<Index> numbersOf(std::size_t count, std::size_t first = 0)
 {
     std::vector<Index> numbers(count);
-    for (std::size_t i = 0; i < count; ++i)
-        numbers[i] = static_cast<Index>(i);
+    std::iota(numbers.begin(), numbers.end(), static_cast<Index>(first));
     return numbers;
 }
 
@@ -78,14 +82,16 @@ std::vector<Face> inPieces(const std::vector<Index>& indices, std::size_t corner
 /// Cuts the points into runs, each as long as the attribute says.
 std::vector<Face> countedRuns(const FileBytes& file, const X3dNode& node, std::string_view attribute, std::size_t count)
 {
-    const std::vector<Index> points = numbersTo(count);
     std::vector<Face> runs;
     std::size_t first = 0;
-    for (const Index length : indicesIn(file, node, attribute, count + 1)) {
-        const std::size_t last = std::min(points.size(), first + static_cast<std::size_t>(std::max(length, 0)));
-        runs.emplace_back(points.begin() + static_cast<std::ptrdiff_t>(first),
-                          points.begin() + static_cast<std::ptrdiff_t>(last));
-        first = last;
+    for (const std::string_view word : x3dWords(node.text(attribute))) {
+        const std::int64_t length = parseInteger(word).value_or(-1);
+        if (length < 0)
+            refuseX3d(file, node, FileFault::Count, word);
+        if (static_cast<std::uint64_t>(length) > count - first)
+            refuseIndex(file, node, std::to_string(count), count);
+        runs.push_back(numbersOf(static_cast<std::size_t>(length), first));
+        first += runs.back().size();
     }
     return runs;
 }
@@ -116,9 +122,9 @@ std::optional<std::vector<Face>> facesOf(const FileBytes& file, const X3dNode& n
     if (name == "IndexedQuadSet")
         return inPieces(indices(), 4);
     if (name == "TriangleSet")
-        return inPieces(numbersTo(points), 3);
+        return inPieces(numbersOf(points), 3);
     if (name == "QuadSet")
-        return inPieces(numbersTo(points), 4);
+        return inPieces(numbersOf(points), 4);
     if (name == "IndexedTriangleStripSet" || name == "IndexedTriangleFanSet")
         return trianglesOf(runsOf(indices()), name == "IndexedTriangleFanSet");
     if (name == "TriangleStripSet")
@@ -190,10 +196,10 @@ std::string written(const std::vector<Face>& faces, bool isReversed)
     return text;
 }
 
-/// Gives each point the index of a colour, or -1. An index of the node counts for one corner of a face, or for a face;
-/// the last one of a point stays.
+/// Gives each of so many points the index of a colour, or -1. An index of the node counts for one corner of a face, or
+/// for a face; the last one of a point stays. `used`: as keepUsed() returned it.
 std::vector<Index> colorsOfPoints(const FileBytes& file, const X3dNode& node, const std::vector<Face>& faces,
-                                  std::size_t points, std::size_t colors)
+                                  const std::vector<Index>& used, std::size_t points, std::size_t colors)
 {
     std::vector<Index> result(points, -1);
     const bool isOfFaces = node.isFalse("colorPerVertex");
@@ -203,7 +209,7 @@ std::vector<Index> colorsOfPoints(const FileBytes& file, const X3dNode& node, co
         for (std::size_t k = 0; k < faces[i].size() && faces[i].size() >= 3; ++k) { // others are left out
             const Index point = faces[i][k];
             if (indices.empty())
-                result[point] = isOfFaces ? static_cast<Index>(i) : point;
+                result[point] = isOfFaces ? static_cast<Index>(i) : used.empty() ? point : used[point];
             else if (isOfFaces)
                 result[point] = i < indices.size() ? indices[i] : -1;
             else if (i < corners.size() && k < corners[i].size())
@@ -212,48 +218,42 @@ std::vector<Index> colorsOfPoints(const FileBytes& file, const X3dNode& node, co
     return result;
 }
 
-void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Face>& faces, std::size_t points,
-               X3dFaces& to)
+void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Face>& faces,
+               const std::vector<Index>& used, std::size_t points, X3dLists& lists, X3dFaces& to)
 {
     const X3dNode* const plain = childOf(node, "Color");
     const X3dNode* const color = plain ? plain : childOf(node, "ColorRGBA");
     if (!color)
         return;
-    const std::vector<double> numbers = x3dNumbers(file, *color, "color");
+    const std::vector<double>& numbers = lists.colors(*color);
     to.colorNumbers = plain ? 3 : 4;
     const std::size_t each = plain ? 3 : 4, count = numbers.size() / each;
     if (count == 0)
         return;
-    for (const Index index : colorsOfPoints(file, node, faces, points, count))
+    for (const Index index : colorsOfPoints(file, node, faces, used, points, count))
         for (std::size_t k = 0; k < each; ++k) {
             const bool isKnown = index >= 0 && static_cast<std::size_t>(index) < count;
             to.colors.push_back(isKnown ? numbers[static_cast<std::size_t>(index) * each + k] : 1);
         }
 }
 
-/// Gives the faces points of their own if they use less than half of those that there are.
-void keepUsed(std::span<const double> numbers, std::vector<Face>& faces, X3dFaces& to)
+/// Numbers the points of faces anew if these use less than half of `count`, and returns the ones used. Takes no longer
+/// where there are more: many sets may share them.
+std::vector<Index> keepUsed(std::vector<Face>& faces, std::size_t count)
 {
-    std::vector<Index> own(numbers.size() / 3, -1), used;
+    std::unordered_map<Index, Index> own;
+    std::vector<Index> used;
     for (const Face& face : faces)
         for (const Index point : face)
-            if (own[point] < 0) {
-                own[point] = static_cast<Index>(used.size());
+            if (face.size() >= 3 && own.try_emplace(point, static_cast<Index>(used.size())).second)
                 used.push_back(point);
-            }
-    if (2 * used.size() >= own.size())
-        return;
+    if (2 * used.size() >= count)
+        return {};
     for (Face& face : faces)
         for (Index& point : face)
-            point = own[point];
-    const std::vector<double> colors = std::exchange(to.colors, {});
-    const auto each = static_cast<std::size_t>(to.colorNumbers);
-    for (const Index point : used) {
-        for (std::size_t k = 0; k < 3; ++k)
-            append(to.points, numbers[3 * static_cast<std::size_t>(point) + k]);
-        for (std::size_t k = 0; k < each && !colors.empty(); ++k)
-            to.colors.push_back(colors[each * static_cast<std::size_t>(point) + k]);
-    }
+            if (face.size() >= 3)
+                point = own.at(point);
+    return used;
 }
 } // namespace
 
@@ -296,17 +296,23 @@ bool isX3dCoordinate(const X3dNode& node)
     return node.name == "Coordinate" || node.name == "CoordinateDouble";
 }
 
-const std::vector<double>& X3dPoints::of(const X3dNode& coordinate)
+const std::vector<double>& X3dLists::points(const X3dNode& coordinate)
 {
-    const auto [found, isNew] = m_numbers.try_emplace(&coordinate);
-    if (isNew)
-        found->second = x3dNumbers(m_file, coordinate, "point");
-    if (found->second.size() % 3 != 0)
+    const std::vector<double>& numbers = read(coordinate, "point");
+    if (numbers.size() % 3 != 0)
         refuseX3d(m_file, coordinate, FileFault::NotNumbers, "point");
+    return numbers;
+}
+
+const std::vector<double>& X3dLists::read(const X3dNode& node, std::string_view attribute)
+{
+    const auto [found, isNew] = m_numbers.try_emplace(&node);
+    if (isNew)
+        found->second = x3dNumbers(m_file, node, attribute);
     return found->second;
 }
 
-std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X3dPoints& points)
+std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X3dLists& lists)
 {
     if (childOf(node, "GeoCoordinate"))
         return std::nullopt;
@@ -314,26 +320,27 @@ std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X
                                          [](const X3dNode* child) { return isX3dCoordinate(child->meant()); });
     std::span<const double> numbers;
     if (coordinate != node.children.end())
-        numbers = points.of((*coordinate)->meant());
+        numbers = lists.points((*coordinate)->meant());
     X3dFaces result;
     std::size_t count = numbers.size() / 3;
     std::optional<std::vector<Face>> faces;
+    std::vector<Index> used; // empty: all
     if (node.name == "ElevationGrid") {
         Grid grid = gridOf(file, node);
         count = grid.count;
         faces = std::move(grid.faces);
         result.points = std::move(grid.points);
-    } else {
-        faces = facesOf(file, node, count);
+    } else if ((faces = facesOf(file, node, count))) {
+        used = keepUsed(*faces, count);
     }
     if (!faces)
         return std::nullopt;
+    for (const Index point : used)
+        for (std::size_t k = 0; k < 3; ++k)
+            append(result.points, numbers[3 * static_cast<std::size_t>(point) + k]);
     const auto isNone = [](const Face& face) { return face.size() < 3; };
     if (!std::all_of(faces->begin(), faces->end(), isNone))
-        addColors(file, node, *faces, count, result);
-    std::erase_if(*faces, isNone);
-    if (result.points.empty())
-        keepUsed(numbers, *faces, result);
+        addColors(file, node, *faces, used, used.empty() ? count : used.size(), lists, result);
     result.coordIndex = written(*faces, node.isFalse("ccw"));
     return result;
 }

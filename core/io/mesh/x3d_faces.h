@@ -29,17 +29,21 @@ double x3dNumber(const FileBytes& file, const X3dNode& node, std::string_view na
 /// Returns whether the node has the points of a face set.
 bool isX3dCoordinate(const X3dNode& node);
 
-/// Reads the points of Coordinate nodes, each node once: many face sets may use it.
-class X3dPoints
+/// Reads the lists of Coordinate and Color nodes, each node once: many face sets may use it.
+class X3dLists
 {
 public:
     /// `file`: not owned.
-    explicit X3dPoints(const FileBytes& file) : m_file(file) {}
+    explicit X3dLists(const FileBytes& file) : m_file(file) {}
 
-    /// Returns the numbers of such a node, three for each point. Throws FileError with its line.
-    const std::vector<double>& of(const X3dNode& coordinate);
+    /// Returns the numbers of a node that isX3dCoordinate(), three for each point. Throws FileError with its line.
+    const std::vector<double>& points(const X3dNode& coordinate);
+    /// Returns the numbers of a Color or a ColorRGBA. Throws FileError with its line.
+    const std::vector<double>& colors(const X3dNode& color) { return read(color, "color"); }
 
 private:
+    const std::vector<double>& read(const X3dNode& node, std::string_view attribute);
+
     const FileBytes& m_file;
     std::unordered_map<const X3dNode*, std::vector<double>> m_numbers;
 };
@@ -49,5 +53,5 @@ private:
 /// they use less than half of the Coordinate's points, they have those as their own. Empty if it is no such node, or if
 /// its points are on the globe (GeoCoordinate). Throws FileError with its line, also where an index is out of range, or
 /// heights are missing.
-std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X3dPoints& points);
+std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X3dLists& lists);
 } // namespace core::io

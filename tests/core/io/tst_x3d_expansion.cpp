@@ -188,6 +188,7 @@ void TestX3dExpansion::faces_areWoundAnticlockwise_data()
     row("QuadSet", "", "0 1 2 3 -1");
     row("TriangleStripSet", "stripCount='4'", "0 1 2 -1 2 1 3 -1");
     row("TriangleFanSet", "fanCount='3 3'", "0 1 2 -1 3 4 5 -1");
+    row("TriangleFanSet", "fanCount='1 0 4'", "1 2 3 -1 1 3 4 -1");
 }
 
 void TestX3dExpansion::faces_areWoundAnticlockwise()
@@ -493,6 +494,12 @@ void TestX3dExpansion::badFiles_areRefused_data()
     row("no index", "\n" + set("coordIndex='0 x 2'"), FileFault::VertexIndex, "x");
     row("negative", "\n" + set("coordIndex='0 -2 2'"), FileFault::VertexIndex, "-2");
     row("beyond", "\n" + set("coordIndex='0 1 6'"), FileFault::None, "6", Kind::IndexOutOfRange);
+    const auto fans = [](const QByteArray& counts) {
+        return "<Shape><TriangleFanSet fanCount='" + counts + "'>" + points + "</TriangleFanSet></Shape>";
+    };
+    row("fan beyond", "\n" + fans("7"), FileFault::None, "6", Kind::IndexOutOfRange);
+    row("fans beyond", "\n" + fans("3 4"), FileFault::None, "6", Kind::IndexOutOfRange);
+    row("fan of less than none", "\n" + fans("3 -1"), FileFault::Count, "-1");
     row("no coordinate",
         "\n<Shape><IndexedFaceSet coordIndex='0 1 2'><Coordinate point='0 0 0 1 abc 0 1 1 0'/>" +
             QByteArray("</IndexedFaceSet></Shape>"),
@@ -699,6 +706,12 @@ void TestX3dExpansion::fewPoints_areTheSetsOwn()
     };
     QVERIFY(sizeOf(1) < 1000);
     QVERIFY(sizeOf(1000) < 1000 * sizeOf(1));
+    // sets that name its colours, too, take them once
+    QByteArray many = set("0 1 2", "<Coordinate DEF='C' point='" + coordinates.repeated(10'000) +
+                                       "'/><Color DEF='K' color='" + colors.repeated(10'000) + "'/>");
+    for (int i = 0; i < 10'000; ++i)
+        many += set("8 6 2", "<Coordinate USE='C'/><Color USE='K'/>");
+    QCOMPARE(sceneOf(many).count("<Color "), 10'001);
 }
 
 FETTLE_TEST(TestX3dExpansion)
