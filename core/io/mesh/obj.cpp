@@ -1,5 +1,5 @@
-// OBJ: the lines v (with colour, if any) and f; all others are passed over, materials and free-form surfaces with a
-// remark. Faces may name vertices that come later.
+// OBJ: the lines v (with colour, if any) and f, which is fo in old files; all others are passed over, materials,
+// free-form surfaces and calls of other files with a remark. Faces may name vertices that come later.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"
@@ -46,11 +46,11 @@ private:
         const std::string_view keyword = m_text.word();
         if (keyword == "v")
             readVertex();
-        else if (keyword == "f")
+        else if (keyword == "f" || keyword == "fo")
             readFace();
         else if (keyword == "mtllib" || keyword == "usemtl")
             m_remarks.materials = true;
-        else if (keyword == "surf" || keyword == "bsp" || keyword == "bzp" ||
+        else if (keyword == "call" || keyword == "surf" || keyword == "bsp" || keyword == "bzp" ||
                  keyword == "cdp") // the last three stand in old files
             ++m_remarks.unreadNodes;
         else if (keyword == "o")

@@ -519,6 +519,7 @@ std::vector<Sample> objSamples()
             {"obj padded", "a.obj", v + f + "\x1a\r\n" + std::string(500, '\0')},
             {"obj NUL in a name", "a.obj", "o a" + zero + "b\n" + v + f},
             {"obj repeated corners, points and edges", "a.obj", clumsy},
+            {"obj old faces", "a.obj", v + replaced(f, "f ", "fo ")},
             {"obj points, lines and edges", "a.obj", v + "p 1\nl 1 2 3\nf 1 2\n" + f + "f 3\n"}};
 }
 

@@ -647,6 +647,7 @@ void TestMeshIo::remarks_tellWhatIsLeftOut()
     core::ReadRemarks two;
     two.unreadNodes = 2;
     QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + surfaces) == two);
+    QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ncall a.obj\nf 1 2 3\ncall b.obj 7\n") == two);
     core::WriteOptions options;
     options.metadata.palette = {{1, 2, 3}};
     for (const std::string_view ending : core::writtenEndings()) { // our own hold nothing else
