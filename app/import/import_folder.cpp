@@ -78,7 +78,7 @@ Assimp::IOStream* ImportFolder::Open(const char* file, const char* mode)
     try {
         if (const std::string* const text = replacement(fs::canonical(path)))
             return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
-    } catch (const core::FileError&) {
+    } catch (...) {
         m_notes.problem = std::current_exception(); // Assimp would make another one of it
         return nullptr;
     }

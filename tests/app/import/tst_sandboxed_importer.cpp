@@ -290,16 +290,26 @@ void TestSandboxedImporter::slowReaders_areEnded()
     QVERIFY(silent.end != app::ChildResult::End::Exited); // it has closed its output, and still does not go
 }
 
-/// A few bytes that ask for a ball of four to the thirtieth triangles.
+/// A few bytes that ask for a ball of four to the thirtieth triangles; a section of many points along a spine of many.
 void TestSandboxedImporter::hungryFiles_areRefused()
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     QSKIP("sanitizers need address space without limits");
 #endif
     write(QStringLiteral("a.nff"), "tess 30\ns 0 0 0 1\n");
-    const auto error = errorOf([&] { core::readMesh(file(QStringLiteral("a.nff"))); });
-    QVERIFY(error);
-    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::ReaderOutOfMemory));
+    QByteArray spine, section;
+    for (int i = 0; i < 2000; ++i) {
+        const QByteArray number = QByteArray::number(i) + ' ', odd = QByteArray::number(i % 3) + ' ';
+        spine += number + odd + "0 ";
+        section += number + odd;
+    }
+    write(QStringLiteral("a.x3d"),
+          "<X3D><Scene><Shape><Extrusion spine='" + spine + "' crossSection='" + section + "'/></Shape></Scene></X3D>");
+    for (const char* name : {"a.nff", "a.x3d"}) {
+        const auto error = errorOf([&] { core::readMesh(file(QLatin1StringView(name))); });
+        QVERIFY2(error, name);
+        QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::ReaderOutOfMemory));
+    }
 }
 
 void TestSandboxedImporter::ownLimits_hold()
