@@ -147,6 +147,8 @@ std::size_t countIn(const FileBytes& file, const X3dNode& node, std::string_view
     const auto count = words.empty() ? 0 : parseInteger(words.front()).value_or(-1);
     if (count < 0)
         refuseX3d(file, node, FileFault::Count, words.front());
+    if (words.size() > 1)
+        refuseX3d(file, node, FileFault::NotNumbers, name);
     return static_cast<std::size_t>(count);
 }
 
@@ -286,8 +288,8 @@ std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::
 double x3dNumber(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual)
 {
     const std::vector<double> numbers = x3dNumbers(file, node, name, usual);
-    if (numbers.empty())
-        refuseX3d(file, node, FileFault::Number, {});
+    if (numbers.size() != 1)
+        refuseX3d(file, node, FileFault::NotNumbers, name);
     return numbers.front();
 }
 

@@ -23,7 +23,7 @@ std::vector<std::string_view> x3dWords(std::string_view text);
 std::vector<double> x3dNumbers(const FileBytes& file, const X3dNode& node, std::string_view name,
                                std::string_view usual = {});
 
-/// Returns the first of the numbers that x3dNumbers() returns. Throws FileError where there is none.
+/// Returns what x3dNumbers() returns. Throws FileError where it is not one number.
 double x3dNumber(const FileBytes& file, const X3dNode& node, std::string_view name, std::string_view usual);
 
 /// Returns whether the node has the points of a face set.

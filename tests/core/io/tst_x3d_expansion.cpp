@@ -518,6 +518,9 @@ void TestX3dExpansion::badFiles_areRefused_data()
     row("no numbers of triangles", shape("TriangleSet2D vertices='0 0 1 0 x 1'"), FileFault::Number, "x");
     row("two numbers for three", shape("Box size='1 2'"), FileFault::NotNumbers, "size");
     row("three numbers for two", shape("Rectangle2D size='1 2 3'"), FileFault::NotNumbers, "size");
+    row("two radii", shape("Cylinder radius='1 5'"), FileFault::NotNumbers, "radius");
+    row("two dimensions", shape("ElevationGrid xDimension='2 2' zDimension='2' height='0 0 0 0'"),
+        FileFault::NotNumbers, "xDimension");
     row("no height", shape("ElevationGrid xDimension='2' zDimension='2' height='0 0 x 0'"), FileFault::Number, "x");
     row("too few heights", shape("ElevationGrid xDimension='2' zDimension='2' height='0 0 0'"), FileFault::NotNumbers,
         "height");
