@@ -92,14 +92,26 @@ private:
         if (isNew) {
             if (m_parts.size() > maxParts)
                 throw tooMany("parts", maxParts, errorWithToken({}, m_file, {}));
-            ThreeMfPartReader reader(m_file);
-            m_package.read(m_package.find(path).value_or(path),
-                           [&reader](std::string_view piece) { reader.take(piece); });
-            found->second = reader.part();
+            found->second = readPart(path);
             m_remarks.textures = m_remarks.textures || found->second.hasTextures;
             m_remarks.beams += found->second.beams;
         }
         return found->second;
+    }
+
+    /// Throws FileError; where it names a line, it names the part, too, unless that is the first one.
+    ThreeMfPart readPart(const std::string& path)
+    {
+        ThreeMfPartReader reader(m_file);
+        try {
+            m_package.read(m_package.find(path).value_or(path),
+                           [&reader](std::string_view piece) { reader.take(piece); });
+        } catch (FileError& error) {
+            if (m_parts.size() > 1 && error.place.unit == FilePlace::Unit::Line)
+                error.path /= path;
+            throw;
+        }
+        return reader.part();
     }
 
     /// The place of a component in the build.

@@ -753,6 +753,7 @@ private Q_SLOTS:
     void faults_areTold();
     void packageFaults_areTold_data();
     void packageFaults_areTold();
+    void packageFaults_areOfTheirPart();
     void utf16_isTold_data();
     void utf16_isTold();
 
@@ -1421,6 +1422,24 @@ void TestForeignFiles::packageFaults_areTold()
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(Kind::Malformed));
     QTEST(error->fault, "fault");
     QTEST(QString::fromStdString(error->token), "token");
+}
+
+void TestForeignFiles::packageFaults_areOfTheirPart()
+{
+    const std::string root =
+        replaced(replaced(modelOf(), "<model ",
+                          "<model xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "),
+                 "<item ", "<item p:path=\"/3D/b.model\" ");
+    const std::string whole = modelOf(), broken = replaced(modelOf(), "v3", "v4");
+    const auto faulty = [&](const std::string& a, const std::string& b) {
+        packageOf(file("parts.3mf"),
+                  {{"_rels/.rels", relationships("/3D/a.model")}, {"3D/a.model", a}, {"3D/b.model", b}});
+        const auto error = errorOf([this] { core::readMesh(file("parts.3mf")); });
+        return error ? error->path : std::filesystem::path();
+    };
+    QCOMPARE(faulty(root, whole), std::filesystem::path());
+    QCOMPARE(faulty(root, broken), file("parts.3mf") / "3D/b.model");
+    QCOMPARE(faulty(replaced(root, "v3", "v4"), whole), file("parts.3mf"));
 }
 
 void TestForeignFiles::utf16_isTold_data()
