@@ -3,7 +3,6 @@
 #include "core/io/mesh/gltf_draco.h"
 
 #include <algorithm>
-#include <array>
 
 namespace core::io
 {
@@ -11,9 +10,15 @@ namespace
 {
 using Json = GltfDocument::Json;
 
-/// Lists the attributes that are decoded; streams may hold others.
-constexpr std::array<const char*, 7> readAttributes{"POSITION",  "COLOR_0",  "_MASK",    "JOINTS_0",
-                                                    "WEIGHTS_0", "JOINTS_1", "WEIGHTS_1"};
+/// Returns the attributes that are decoded; streams may hold others.
+std::vector<std::string> readAttributes()
+{
+    std::vector<std::string> names{"POSITION", "COLOR_0", "_MASK"};
+    for (std::size_t set = 0; set < maxJointSets; ++set)
+        for (const char* const kind : {"JOINTS_", "WEIGHTS_"})
+            names.push_back(kind + std::to_string(set));
+    return names;
+}
 
 std::size_t sizeOf(const DracoMesh& mesh)
 {
@@ -61,8 +66,8 @@ const DracoMesh* GltfDraco::meshOf(const Json& primitive)
         key.first = *view;
     else
         m_gltf.refuse(FileFault::Missing, "bufferView");
-    for (const char* const name : readAttributes)
-        if (const auto id = idOf(*extension, name))
+    for (const std::string& name : readAttributes())
+        if (const auto id = idOf(*extension, name.c_str()))
             key.second.push_back(*id);
     auto found = m_meshes.find(key);
     if (found == m_meshes.end())

@@ -11,6 +11,10 @@ namespace core::io
 {
 inline constexpr std::string_view dracoExtension = "KHR_draco_mesh_compression";
 
+/// The most sets of joints, JOINTS_n with WEIGHTS_n, that bind a primitive. Nothing else bounds them: all may name the
+/// same bytes.
+inline constexpr std::size_t maxJointSets = 8;
+
 /// Decodes the primitives that KHR_draco_mesh_compression packs, each stream once.
 class GltfDraco
 {

@@ -41,11 +41,11 @@ std::size_t GltfPrimitive::mode() const
     return m_decoded ? std::size_t(GltfTriangles) : m_gltf.sizeIn(m_primitive, "mode", GltfTriangles);
 }
 
-GltfPrimitive::Numbers GltfPrimitive::numbersOf(const char* attribute, int min, int max) const
+GltfPrimitive::Numbers GltfPrimitive::numbersOf(const std::string& attribute, int min, int max) const
 {
-    const std::size_t accessor = m_gltf.indexIn(m_attributes, attribute).value_or(0);
+    const std::size_t accessor = m_gltf.indexIn(m_attributes, attribute.c_str()).value_or(0);
     const DracoMesh::Attribute* const decoded =
-        m_decoded ? m_draco.attributeOf(m_primitive, *m_decoded, attribute) : nullptr;
+        m_decoded ? m_draco.attributeOf(m_primitive, *m_decoded, attribute.c_str()) : nullptr;
     if (const Json& from = m_gltf.element("accessors", accessor);
         m_decoded && !decoded && !from.contains("bufferView") && !from.contains("sparse"))
         m_gltf.refuse(FileFault::Missing, attribute); // neither the stream has it nor the accessor

@@ -19,7 +19,7 @@ public:
     bool hasTriangles() const;
     /// Returns how its corners make triangles, as glTF numbers it.
     std::size_t mode() const;
-    bool has(const char* attribute) const { return m_attributes.contains(attribute); }
+    bool has(const std::string& attribute) const { return m_attributes.contains(attribute); }
 
     struct Numbers
     {
@@ -27,7 +27,7 @@ public:
         std::size_t components = 0;
     };
     /// Returns an attribute that it has, of `min` to `max` components.
-    Numbers numbersOf(const char* attribute, int min, int max) const;
+    Numbers numbersOf(const std::string& attribute, int min, int max) const;
     /// Returns the vertices of its corners, each less than `vertices`. Without indices they follow each other.
     LargeBuffer<std::uint32_t> cornersOf(std::size_t vertices) const;
 

@@ -69,7 +69,7 @@ private:
         if (const std::size_t max = std::min(maxVertices, std::max(alwaysTaken, maxCopies * m_gltf.bytes()));
             m_mesh.points.size() + count > max)
             throw tooMany("vertices", max, errorAtByte({}, m_file, m_file.bytes.data()));
-        const GltfSkinning skinning(m_gltf, primitive, place.joints, count);
+        const GltfSkinning skinning(m_file, m_gltf, primitive, place.joints, count);
         addPoints(numbers, place.transform, skinning);
         if (primitive.has("COLOR_0"))
             addColors(first, count, primitive);

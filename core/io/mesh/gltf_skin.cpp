@@ -1,6 +1,8 @@
 // Source: Khronos, glTF 2.0 specification, section 3.7.3 (skins).
 #include "core/io/mesh/gltf_skin.h"
 
+#include <string>
+
 namespace core::io
 {
 namespace
@@ -13,13 +15,17 @@ bool isIndex(float joint, std::span<const Eigen::Matrix4d> joints)
 }
 } // namespace
 
-GltfSkinning::GltfSkinning(const GltfDocument& gltf, const GltfPrimitive& primitive,
+GltfSkinning::GltfSkinning(const FileBytes& file, const GltfDocument& gltf, const GltfPrimitive& primitive,
                            std::span<const Eigen::Matrix4d> joints, std::size_t vertices)
     : m_joints(joints)
 {
-    for (const auto& [jointsName, weightsName] : gltfBindings) {
-        if (joints.empty() || !primitive.has(jointsName) || !primitive.has(weightsName))
+    for (std::size_t set = 0; !joints.empty(); ++set) {
+        const std::string number = std::to_string(set), jointsName = "JOINTS_" + number,
+                          weightsName = "WEIGHTS_" + number;
+        if (!primitive.has(jointsName) || !primitive.has(weightsName))
             return;
+        if (set == maxJointSets)
+            throw tooMany("sets of joints", maxJointSets, errorWithToken({}, file, {}));
         Binding binding{primitive.numbersOf(jointsName, each, each).values,
                         primitive.numbersOf(weightsName, each, each).values};
         if (binding.joints.size() != each * vertices || binding.weights.size() != each * vertices)

@@ -9,17 +9,14 @@
 
 namespace core::io
 {
-/// The names of the attributes that bind a vertex to joints, four each.
-inline constexpr const char* gltfBindings[][2] = {{"JOINTS_0", "WEIGHTS_0"}, {"JOINTS_1", "WEIGHTS_1"}};
-
-/// Says where the joints of a skin take the vertices of a primitive. Throws FileError for bindings that are not as they
-/// should be.
+/// Says where the joints of a skin take the vertices of a primitive, by all of its sets of joints. Throws FileError for
+/// bindings that are not as they should be, or too many.
 class GltfSkinning
 {
 public:
     /// `joints`: the transforms from the mesh to where each joint takes it; not owned. They may be none.
-    GltfSkinning(const GltfDocument& gltf, const GltfPrimitive& primitive, std::span<const Eigen::Matrix4d> joints,
-                 std::size_t vertices);
+    GltfSkinning(const FileBytes& file, const GltfDocument& gltf, const GltfPrimitive& primitive,
+                 std::span<const Eigen::Matrix4d> joints, std::size_t vertices);
 
     /// Returns whether the primitive is bound to joints.
     bool isBound() const { return !m_bindings.empty(); }

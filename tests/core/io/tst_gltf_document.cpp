@@ -190,6 +190,7 @@ private Q_SLOTS:
     void hiddenNodes_areLeftOut();
     void skinnedMeshes_standWhereJointsDo();
     void jointsWithoutWeight_mayBeNone();
+    void furtherSetsOfJoints_areRead();
     void skinOfManyNodes_countsOnce();
     void badSkins_areRefused_data();
     void badSkins_areRefused();
@@ -557,6 +558,27 @@ void TestGltfDocument::jointsWithoutWeight_mayBeNone()
     QCOMPARE(points.size(), wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i)
         QVERIFY((points[i] - wanted[i]).norm() < 1e-3F);
+}
+
+/// Each set takes the weights that the one before has; up to eight of them are read.
+void TestGltfDocument::furtherSetsOfJoints_areRead()
+{
+    const auto sets = [](int count) {
+        QByteArray names;
+        for (int i = 0; i < count; ++i) {
+            const QByteArray set = QByteArray::number(i), accessors = i + 1 < count ? "5" : "3";
+            names += (i == 0 ? "" : ",") + ("\"JOINTS_" + set) + R"(":2,"WEIGHTS_)" + set + "\":" + accessors;
+        }
+        return skinned()
+            .replace(R"("JOINTS_0":2,"WEIGHTS_0":3)", names)
+            .replace(R"("type":"MAT4"})", R"("type":"MAT4"},{"componentType":5126,"count":4,"type":"VEC4"})");
+    };
+    const std::vector<Vec3f> wanted = read(skinned()).points;
+    for (const int count : {1, 2, 3, 8})
+        QVERIFY(read(sets(count)).points == wanted);
+    const auto error = errorOf(sets(9));
+    QVERIFY(error && error->kind == Kind::TooManyElements && error->token == "sets of joints");
+    QCOMPARE(error->expected, std::uint64_t(8));
 }
 
 void TestGltfDocument::skinOfManyNodes_countsOnce()
