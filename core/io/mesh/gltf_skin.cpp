@@ -1,6 +1,8 @@
 // Source: Khronos, glTF 2.0 specification, section 3.7.3 (skins).
 #include "core/io/mesh/gltf_skin.h"
 
+#include <array>
+#include <charconv>
 #include <string>
 
 namespace core::io
@@ -12,6 +14,12 @@ constexpr std::size_t each = 4;
 bool isIndex(float joint, std::span<const Eigen::Matrix4d> joints)
 {
     return joint >= 0 && joint < static_cast<float>(joints.size());
+}
+
+std::string textOf(float joint)
+{
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), joint).ptr};
 }
 } // namespace
 
@@ -32,7 +40,7 @@ GltfSkinning::GltfSkinning(const FileBytes& file, const GltfDocument& gltf, cons
             gltf.refuse(FileFault::WrongAccessor, jointsName);
         for (std::size_t i = 0; i < binding.joints.size(); ++i)
             if (binding.weights[i] > 0 && !isIndex(binding.joints[i], joints))
-                gltf.refuse(FileFault::WrongAccessor, jointsName);
+                gltf.refuse(FileFault::Missing, "joints/" + textOf(binding.joints[i]));
         m_bindings.push_back(std::move(binding));
     }
 }

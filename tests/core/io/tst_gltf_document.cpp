@@ -604,7 +604,7 @@ void TestGltfDocument::badSkins_areRefused_data()
     const auto row = [](const char* name, const char* from, const char* to, const char* token) {
         QTest::newRow(name) << skinned().replace(from, to) << QString(token);
     };
-    row("no such joint", R"("joints":[1,2])", R"("joints":[1])", "JOINTS_0");
+    row("no such joint", R"("joints":[1,2])", R"("joints":[1])", "joints/1");
     row("no such node", R"("joints":[1,2])", R"("joints":[1,9])", "nodes/9");
     row("no such skin", R"("skin":0)", R"("skin":1)", "skins/1");
     row("too few matrices", R"("count":2,"type":"MAT4")", R"("count":1,"type":"MAT4")", "inverseBindMatrices");
