@@ -75,9 +75,12 @@ private:
             addColors(first, count, primitive);
         if (primitive.has("_MASK"))
             addMasks(first, count, primitive);
-        const Eigen::Matrix4d transform = skinning.isBound() ? skinning.transformOf(0) : place.transform;
-        const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
-        addTriangles(primitive.cornersOf(count), primitive.mode(), first, isMirrored);
+        const LargeBuffer<std::uint32_t> corners = primitive.cornersOf(count);
+        const bool isAllMirrored = place.transform.topLeftCorner<3, 3>().determinant() < 0;
+        const auto isMirrored = [&](std::size_t a, std::size_t b, std::size_t c) {
+            return skinning.isBound() ? skinning.isMirrored(corners[a], corners[b], corners[c]) : isAllMirrored;
+        };
+        addTriangles(corners, primitive.mode(), first, isMirrored);
     }
 
     void addPoints(const LargeBuffer<float>& numbers, const Eigen::Matrix4d& transform, const GltfSkinning& skinning)
@@ -132,7 +135,10 @@ private:
                 static_cast<std::uint8_t>(numbers[i] > 0 ? std::min(numbers[i], 1.0f) * 255 + 0.5f : 0);
     }
 
-    void addTriangles(const LargeBuffer<std::uint32_t>& corners, std::size_t mode, Slot first, bool isMirrored)
+    /// `isMirrored`: asked for the places of each triangle's corners.
+    template <class IsMirrored>
+    void addTriangles(const LargeBuffer<std::uint32_t>& corners, std::size_t mode, Slot first,
+                      const IsMirrored& isMirrored)
     {
         const std::size_t before = m_mesh.triangles.size(), count = mode == GltfTriangles
                                                                         ? corners.size() / 3
@@ -142,7 +148,7 @@ private:
             throw tooMany("faces", max, errorAtByte({}, m_file, m_file.bytes.data()));
         resizeInLargePages(m_mesh.triangles, before + count);
         const auto add = [&](std::size_t at, std::size_t a, std::size_t b, std::size_t c) {
-            if (isMirrored)
+            if (isMirrored(a, b, c))
                 std::swap(b, c);
             m_mesh.triangles[before + at] = {first + corners[a], first + corners[b], first + corners[c]};
         };

@@ -16,7 +16,7 @@ namespace core::io
 struct GltfPlace
 {
     Eigen::Matrix4d transform; ///< from the mesh to the scene, unless joints say otherwise
-    /// Hold, of a mesh with a skin, the transforms from the mesh to where each joint takes it. Not owned.
+    /// Holds the transforms from a mesh with a skin to where each joint takes it. They live as long as the GltfScene.
     std::span<const Eigen::Matrix4d> joints;
 };
 

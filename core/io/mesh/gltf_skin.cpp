@@ -1,6 +1,8 @@
 // Source: Khronos, glTF 2.0 specification, section 3.7.3 (skins).
 #include "core/io/mesh/gltf_skin.h"
 
+#include <Eigen/LU>
+
 #include <array>
 #include <charconv>
 #include <string>
@@ -59,5 +61,11 @@ Eigen::Matrix4d GltfSkinning::transformOf(std::size_t vertex) const
         return sum / weights;
     const float first = m_bindings.front().joints[each * vertex];
     return m_joints[isIndex(first, m_joints) ? static_cast<std::size_t>(first) : 0];
+}
+
+bool GltfSkinning::isMirrored(std::size_t a, std::size_t b, std::size_t c) const
+{
+    const Eigen::Matrix4d sum = transformOf(a) + transformOf(b) + transformOf(c);
+    return sum.topLeftCorner<3, 3>().determinant() < 0;
 }
 } // namespace core::io

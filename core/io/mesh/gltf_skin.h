@@ -23,6 +23,8 @@ public:
     /// Returns the mean of the joints' transforms by the vertex's weights; where it has none, that of its first joint,
     /// or of the skin's where that is none. Precondition: isBound().
     Eigen::Matrix4d transformOf(std::size_t vertex) const;
+    /// Returns whether the mean of the transforms of a triangle's vertices mirrors it. Precondition: isBound().
+    bool isMirrored(std::size_t a, std::size_t b, std::size_t c) const;
 
 private:
     struct Binding

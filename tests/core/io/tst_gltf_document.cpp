@@ -192,6 +192,7 @@ private Q_SLOTS:
     void jointsWithoutWeight_mayBeNone();
     void furtherSetsOfJoints_areRead();
     void skinOfManyNodes_countsOnce();
+    void mirrors_areOfTriangles();
     void badSkins_areRefused_data();
     void badSkins_areRefused();
 
@@ -537,9 +538,7 @@ void TestGltfDocument::skinnedMeshes_standWhereJointsDo()
     QVERIFY(result.mesh.triangles == shapes::tetrahedron().triangles);
     QVERIFY(result.remarks.poses);
     QVERIFY(isTetrahedron(read(skinned().replace("JOINTS_0", "_JOINTS"))));
-    const QByteArray mirrored = skinned()
-                                    .replace(R"("scale":[2,2,2])", R"("scale":[-2,2,2])")
-                                    .replace(R"("translation":[1,0,0])", R"("scale":[-1,1,1])");
+    const QByteArray mirrored = skinned().replace(R"("translation":[1,0,0])", R"("scale":[-1,1,1])");
     QVERIFY(read(mirrored).triangles.front() != shapes::tetrahedron().triangles.front());
     const QByteArray plain = skinned().replace(R"(,"inverseBindMatrices":4)", "");
     QVERIFY((read(plain).points[1] - 1000 * (2 * points[1] + one)).norm() < 1e-3F);
@@ -579,6 +578,28 @@ void TestGltfDocument::furtherSetsOfJoints_areRead()
     const auto error = errorOf(sets(9));
     QVERIFY(error && error->kind == Kind::TooManyElements && error->token == "sets of joints");
     QCOMPARE(error->expected, std::uint64_t(8));
+}
+
+/// The joints that most of a triangle hangs on tell whether it is mirrored, whatever those of the first vertex do.
+void TestGltfDocument::mirrors_areOfTriangles()
+{
+    const QByteArray joints("\0\0\0\0\1\0\0\0\0\1\0\0\1\0\0\0", 16), firstAlone("\0\0\0\0\1\0\0\0\1\1\0\0\1\0\0\0", 16);
+    const auto volumeOf = [&](const char* first, const char* second) {
+        const TriangleMesh mesh = read(skinned()
+                                           .replace(joints.first(15).toBase64(), firstAlone.first(15).toBase64())
+                                           .replace(R"({"translation":[1,0,0],"children":[2]})", first)
+                                           .replace(R"({"scale":[2,2,2]})", second)
+                                           .replace(R"(,"inverseBindMatrices":4)", ""));
+        double six = 0;
+        for (const auto& [a, b, c] : mesh.triangles)
+            six +=
+                mesh.points[a].cast<double>().dot(mesh.points[b].cast<double>().cross(mesh.points[c].cast<double>()));
+        return six / 6e9;
+    };
+    constexpr double whole = 8.0 / 3, wanted = whole / 2; // with one vertex on the other side
+    QVERIFY(std::abs(volumeOf("{}", "{}") - whole) < 1e-3);
+    for (const auto& [first, second] : {std::pair("{}", R"({"scale":[-1,1,1]})"), {R"({"scale":[1,-1,1]})", "{}"}})
+        QVERIFY(std::abs(volumeOf(first, second) - wanted) < 1e-3);
 }
 
 void TestGltfDocument::skinOfManyNodes_countsOnce()
