@@ -335,7 +335,7 @@ public:
             if (isModel(*child))
                 m_models[*parent].below.push_back(*child);
             else if (isModel(*parent) && meshes.contains(*child))
-                m_models[*parent].hasFaces = true;
+                ++m_models[*parent].meshes;
         }
     }
 
@@ -384,7 +384,7 @@ public:
             FbxModel& to = models[indices[id]];
             if (model.record)
                 to = modelOf(*model.record, usual);
-            to.hasFaces = model.hasFaces;
+            to.meshes = model.meshes;
             for (const std::int64_t child : model.below)
                 to.below.push_back(indices[child]);
         }
@@ -398,8 +398,9 @@ private:
     {
         const FbxRecord* record = nullptr;
         std::vector<std::int64_t> below;
-        bool isOnWay = false, isDone = false, hasFaces = false;
+        bool isOnWay = false, isDone = false;
         std::size_t height = 0; ///< the generations below it; complete once it is done
+        std::size_t meshes = 0; ///< with faces
     };
 
     static FbxModel modelOf(const FbxRecord& record, const FbxRecord* usual)

@@ -132,7 +132,7 @@ public:
         }
     }
 
-    /// Returns how many models lack the mesh that they should have.
+    /// Returns how many meshes the models lack that they should have.
     std::size_t missing() const { return m_missing; }
 
 private:
@@ -151,8 +151,8 @@ private:
         const ModelPlace place = placeOf(model, transforms.local, parent);
         const aiNode* above = &endOf(first);
         if (place.isVisible && model.isShown) {
-            m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes);
-            m_missing += model.hasFaces && above->mNumMeshes == 0 ? 1 : 0;
+            m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes, model.meshes > 0);
+            m_missing += std::max<std::size_t>(model.meshes, above->mNumMeshes) - above->mNumMeshes;
         }
         while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
             above = above->mChildren[0];

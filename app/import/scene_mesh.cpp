@@ -39,15 +39,15 @@ void SceneMesh::addTree(const aiNode& node, const Eigen::Matrix4d& above)
         addTree(*node.mChildren[i], transform);
 }
 
-void SceneMesh::addMeshesOf(const aiNode& node, const Eigen::Matrix4d& transform)
+void SceneMesh::addMeshesOf(const aiNode& node, const Eigen::Matrix4d& transform, bool countsFewer)
 {
     const std::size_t before = m_polygons.faces();
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
-        addMesh(*m_scene.mMeshes[node.mMeshes[i]], transform);
+        addMesh(*m_scene.mMeshes[node.mMeshes[i]], transform, countsFewer);
     m_objects += m_polygons.faces() > before ? 1 : 0;
 }
 
-void SceneMesh::addMesh(const aiMesh& from, const Eigen::Matrix4d& transform)
+void SceneMesh::addMesh(const aiMesh& from, const Eigen::Matrix4d& transform, bool countsFewer)
 {
     if (m_mesh.points.size() + from.mNumVertices > m_limits.points)
         throw std::bad_alloc();
@@ -57,7 +57,7 @@ void SceneMesh::addMesh(const aiMesh& from, const Eigen::Matrix4d& transform)
         m_mesh.points.push_back((transform * Eigen::Vector4d(p.x, p.y, p.z, 1)).head<3>().cast<float>());
     }
     addColors(from, first);
-    addFaces(from, first, transform.topLeftCorner<3, 3>().determinant() < 0);
+    addFaces(from, first, transform.topLeftCorner<3, 3>().determinant() < 0, countsFewer);
 }
 
 void SceneMesh::addColors(const aiMesh& from, std::size_t first)
@@ -70,13 +70,15 @@ void SceneMesh::addColors(const aiMesh& from, std::size_t first)
 }
 
 /// Passes over points and lines, which Assimp has as faces, too.
-void SceneMesh::addFaces(const aiMesh& from, core::Slot first, bool isMirrored)
+void SceneMesh::addFaces(const aiMesh& from, core::Slot first, bool isMirrored, bool countsFewer)
 {
     for (unsigned i = 0; i < from.mNumFaces; ++i) {
         const aiFace& face = from.mFaces[i];
         const unsigned corners = face.mNumIndices;
-        if (corners < 3)
+        if (corners < 3) {
+            m_facesOfFewer += countsFewer ? 1 : 0;
             continue;
+        }
         if (corners > core::io::maxCorners)
             throw std::bad_alloc();
         for (unsigned k = 0; k < corners; ++k) {
@@ -112,7 +114,7 @@ core::TriangleMesh SceneMesh::take(ImportHeader& header)
     header.triangles = m_mesh.triangles.size();
     header.objects = std::max<std::uint64_t>(m_objects, 1);
     header.repeatedCorners = remarks.repeatedCorners;
-    header.facesOfFewer = remarks.facesOfFewer;
+    header.facesOfFewer = m_facesOfFewer + remarks.facesOfFewer;
     header.materials = m_scene.mNumMaterials > 1;
     header.textures = hasTextures();
     for (unsigned i = 0; i < m_scene.mNumMeshes; ++i)

@@ -153,6 +153,7 @@ private Q_SLOTS:
     void fbx_axesAndUnitAreItsOwn();
     void fbx_polygonsAreFilledExactly();
     void fbx_brokenMeshesAreTold();
+    void fbx_polygonsOfFewerCornersAreCounted();
     void fbx_numbersAreFinite_data();
     void fbx_numbersAreFinite();
     void fbx_wordsAreNumbers();
@@ -534,6 +535,15 @@ void TestForeignScenes::fbx_brokenMeshesAreTold()
         QCOMPARE(rest.mesh.triangles.size(), std::size_t(12));
         QCOMPARE(rest.remarks.unreadNodes, std::size_t(1));
     }
+    QByteArray shared = fbx({{}, {vector("Lcl Translation", {20, 0, 0})}}); // by one model
+    shared.replace("C: \"OO\",1001,2001", "C: \"OO\",1001,2000");
+    QCOMPARE(readFbx(shared).mesh.triangles.size(), std::size_t(24));
+    QCOMPARE(readFbx(shared).remarks.unreadNodes, std::size_t(0));
+    for (const qsizetype at : {shared.indexOf("3,2,1,-1,4"), shared.lastIndexOf("3,2,1,-1,4")}) {
+        const ReadResult rest = readFbx(QByteArray(shared).replace(at, 10, "3,2,99,-1,4"));
+        QCOMPARE(rest.mesh.triangles.size(), std::size_t(12));
+        QCOMPARE(rest.remarks.unreadNodes, std::size_t(1));
+    }
     const QByteArray none = meshOf("0,0,0", 3, "", 0);
     QVERIFY(errorOf(QStringLiteral("a.fbx"), fbx({{}}, {}, none))->kind == core::FileErrorKind::NoFaces);
     QCOMPARE(read(QStringLiteral("a.fbx"), fbx({{}, {}})).remarks.unreadNodes, std::size_t(0));
@@ -548,6 +558,32 @@ void TestForeignScenes::fbx_brokenMeshesAreTold()
 #else
     QVERIFY(huge && huge->kind == core::FileErrorKind::ReaderOutOfMemory);
 #endif
+}
+
+/// Polygons of one or two corners are left out, whether a mesh has others or not. Curves are none.
+void TestForeignScenes::fbx_polygonsOfFewerCornersAreCounted()
+{
+    const ReadResult within = readFbx(fbx({{}}, {}, cube().replace("*24 {\na: 3,2,1", "*27 {\na: -1,0,-2,3,2,1")));
+    QCOMPARE(within.mesh.triangles.size(), std::size_t(12));
+    QCOMPARE(within.remarks.facesOfFewer, std::size_t(2));
+    for (const auto& [corners, count] : {std::pair("-1,-2,-3", 3), {"0,-2,1,-3", 2}}) {
+        QByteArray beside = fbx({{}, {}});
+        const qsizetype at = beside.lastIndexOf("PolygonVertexIndex: *24 {\na: ");
+        const qsizetype end = beside.indexOf("\n}", at);
+        beside.replace(at, end - at,
+                       QByteArray("PolygonVertexIndex: *") + QByteArray::number(1 + QByteArray(corners).count(',')) +
+                           " {\na: " + corners);
+        const ReadResult result = readFbx(beside);
+        QCOMPARE(result.mesh.triangles.size(), std::size_t(12));
+        QCOMPARE(result.remarks.facesOfFewer, std::size_t(count));
+        QCOMPARE(result.remarks.unreadNodes, std::size_t(0));
+    }
+    QByteArray line = fbx({{}, {}});
+    const qsizetype at = line.lastIndexOf("Geometry: 1001");
+    line.replace(at, line.indexOf("Model: 2001") - at,
+                 "Geometry: 1001, \"Geometry::l\", \"Line\" {\nPoints: *6 {\na: 0,0,0,9,9,9\n}\nPointsIndex: *2 {\na: "
+                 "0,-2\n}\n}\n");
+    QVERIFY(readFbx(line).remarks == core::ReadRemarks());
 }
 
 void TestForeignScenes::fbx_numbersAreFinite_data()
