@@ -233,9 +233,9 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
         missing = addFbxScene(*scene, notes.models, mesh);
     else
         mesh.addTree(*scene->mRootNode, placeOf(path, start));
-    if (mesh.isEmpty() && !notes.outside.empty())
+    if (mesh.faces() == 0 && !notes.outside.empty())
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
-    if (mesh.isEmpty() && (missing > 0 || !log.first().empty()))
+    if (mesh.faces() == 0 && (missing > 0 || !log.first().empty()))
         return refuse(ImportHeader::Outcome::Refused, log.first().empty() ? "its meshes are broken" : log.first());
     ImportHeader header;
     header.outcome = ImportHeader::Outcome::Read;

@@ -117,12 +117,13 @@ class SceneWalk
 public:
     SceneWalk(const std::vector<FbxModel>& models, SceneMesh& mesh) : m_models(models), m_mesh(mesh) {}
 
-    /// Adds the models below one. `above`: Assimp's node whose children they are.
+    /// Adds the models below one, of levels of detail the first that shows anything. `above`: Assimp's node whose
+    /// children they are.
     void addBelow(const aiNode& above, const FbxModel& model, const ModelPlace& place)
     {
         auto next = model.below.begin();
-        const unsigned count = model.isLodGroup ? std::min(above.mNumChildren, 1U) : above.mNumChildren;
-        for (unsigned i = 0; i < count; ++i) {
+        const std::size_t before = m_mesh.faces();
+        for (unsigned i = 0; i < above.mNumChildren && !(model.isLodGroup && m_mesh.faces() > before); ++i) {
             const aiNode& first = *above.mChildren[i];
             next = std::find_if(next, model.below.end(),
                                 [&](std::size_t index) { return isNamed(endOf(first), m_models[index].name); });

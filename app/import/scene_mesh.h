@@ -27,7 +27,8 @@ public:
     /// Adds the node with all below it. `above`: the transform of its parent.
     void addTree(const aiNode& node, const Eigen::Matrix4d& above);
 
-    bool isEmpty() const { return m_polygons.faces() == 0; }
+    /// Counts the polygons that have been added.
+    std::size_t faces() const { return m_polygons.faces(); }
     /// Returns the mesh, and puts its counts and remarks into the header. Empties this.
     core::TriangleMesh take(ImportHeader& header);
 

@@ -456,6 +456,22 @@ void TestForeignScenes::fbx_finestLevelsAlone()
     QCOMPARE(finest.remarks.objects, std::size_t(3)); // the group's own mesh, the level and the one below that
     COMPARE_VECTORS(boxOf(finest.mesh).min, 100, 0, 0);
     COMPARE_VECTORS(boxOf(finest.mesh).max, 115, 10, 10);
+    // the next level stands for one that shows nothing
+    QByteArray levels = fbx({{at(100)}, {at(0), 0}, {at(5), 0}, {at(30), 0}});
+    levels.replace("\"Model::m0\", \"Mesh\"", "\"Model::m0\", \"LodGroup\"").replace("C: \"OO\",1000,2000\n", "");
+    COMPARE_VECTORS(boxOf(readFbx(levels).mesh).min, 100, 0, 0);
+    const QByteArray empty = QByteArray(levels).replace("C: \"OO\",1001,2001\n", "");
+    QByteArray broken = levels;
+    broken.replace(broken.indexOf("3,2,1,-1,4", broken.indexOf("Geometry: 1001")), 10, "3,2,99,-1,4");
+    QByteArray hidden = levels;
+    hidden.replace(hidden.indexOf("Properties70:  {\n", hidden.indexOf("Model: 2001")), 17,
+                   "Properties70:  {\n" + number("Show", 0));
+    for (const QByteArray& next : {empty, broken, hidden}) {
+        const ReadResult result = readFbx(next);
+        COMPARE_VECTORS(boxOf(result.mesh).min, 105, 0, 0);
+        COMPARE_VECTORS(boxOf(result.mesh).max, 115, 10, 10);
+        QCOMPARE(result.remarks.unreadNodes, std::size_t(next == broken ? 1 : 0));
+    }
 }
 
 void TestForeignScenes::fbx_axesAndUnitAreItsOwn_data()
