@@ -265,12 +265,18 @@ public:
         m_properties = properties;
         const bool isActive = properties.hasActiveRotations();
         const std::size_t order = orderOf(isActive);
-        if (!isActive)
-            reorder("Lcl Rotation", order);
+        reorder("Lcl Rotation", isActive ? 0 : order);
         reorder("GeometricRotation", order);
     }
 
 private:
+    [[noreturn]] void refuse(std::string_view words) const
+    {
+        core::FileError error = core::io::errorWithToken(core::FileErrorKind::ReaderRefused, {m_path, {}}, {});
+        error.token = words;
+        throw error;
+    }
+
     /// Returns the index in `orders` of the order in which Assimp applies the model's rotations. Assimp does not know
     /// SphericXYZ: it becomes XYZ where nothing turns. Throws FileError where something does.
     std::size_t orderOf(bool isActive)
@@ -280,28 +286,30 @@ private:
             return static_cast<std::size_t>(number);
         if (number != spheric)
             return 0; // no order that there is
-        if (isActive && !vectorOf(m_properties.find("Lcl Rotation")).value_or(Vector3d::Zero()).isZero(0)) {
-            core::FileError error = core::io::errorWithToken(core::FileErrorKind::ReaderRefused, {m_path, {}}, {});
-            error.token = "the rotation order SphericXYZ is not read";
-            throw error;
-        }
-        if (const FbxRecord* const own = propertyIn(m_properties.own, "RotationOrder"))
-            m_changes.set(*own, 0, 0);
+        if (isActive && !vectorOf(m_properties.find("Lcl Rotation")).value_or(Vector3d::Zero()).isZero(0))
+            refuse("the rotation order SphericXYZ is not read");
+        m_changes.set(*m_properties.find("RotationOrder"), 0, 0);
         return 0;
     }
 
-    /// Gives the angles, which stand for turns about x, then y, then z, in the other order.
+    /// Gives the angles, which stand for turns about x, then y, then z, in the other order; those of the template for
+    /// all models that have none of their own. Throws FileError where these need different ones.
     void reorder(std::string_view name, std::size_t order)
     {
-        const FbxRecord* const own = propertyIn(m_properties.own, name);
-        const auto angles = vectorOf(own);
-        if (angles && order != 0)
-            m_changes.set(*own, anglesOf(turnOf(*angles), order));
+        const FbxRecord* const property = m_properties.find(name);
+        const auto angles = vectorOf(property);
+        if (!angles)
+            return;
+        const Vector3d righted = order == 0 ? *angles : anglesOf(turnOf(*angles), order);
+        if (m_righted.try_emplace(property, righted).first->second != righted)
+            refuse("a rotation of the template is not read where models of different orders have it");
+        m_changes.set(*property, righted);
     }
 
     const std::filesystem::path& m_path;
     Changes& m_changes;
     ModelProperties m_properties;
+    std::map<const FbxRecord*, Vector3d> m_righted; ///< the angles that each rotation has got
 };
 
 const FbxRecord* modelTemplateIn(const Records& records)
@@ -465,6 +473,7 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
     const core::io::FileBytes file{path, bytes};
     if (const FbxRecord* const settings = recordIn(*records, "GlobalSettings"))
         requireNumbers(file, recordIn(settings->records, "Properties70"));
+    requireNumbers(file, usual);
     for (const FbxRecord& line : lines) {
         changes.unsign(line, 1);
         changes.unsign(line, 2);

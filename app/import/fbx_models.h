@@ -46,7 +46,8 @@ struct FbxForAssimp
 /// Assimp turns models right: geometric rotations go about x, then y, then z, whatever the order of the model's own,
 /// and so do those of a model whose rotations are not active; that it has no rotations before and behind then is left
 /// to who places it. Throws core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096
-/// deep; ReaderRefused for a rotation of the order SphericXYZ; NotANumber for a model's place, rotation or scale, the
-/// file's unit or axes, or, in text, a point or corner of a mesh that is no finite number.
+/// deep; ReaderRefused for a rotation of the order SphericXYZ, and for one of the template that would have to become
+/// different ones; NotANumber for the place, rotation or scale of a model or the template, the file's unit or axes, or,
+/// in text, a point or corner of a mesh that is no finite number.
 FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes);
 } // namespace app

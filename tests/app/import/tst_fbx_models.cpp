@@ -149,13 +149,17 @@ std::string righted(const std::string& bytes)
     return app::fbxForAssimp("a.fbx", bytes).changed.value_or(bytes);
 }
 
-/// Returns a property of the file's first model.
-std::optional<Vector3d> propertyOf(const std::string& bytes, std::string_view name)
+/// Returns a property that the records of those names, each within the one before, hold.
+std::optional<Vector3d> propertyIn(const std::string& bytes, std::initializer_list<std::string_view> path,
+                                   std::string_view name)
 {
     const auto records = app::fbxModelRecords(bytes);
-    const app::FbxRecord* const objects = records ? app::recordIn(*records, "Objects") : nullptr;
-    const app::FbxRecord* const first = objects ? app::recordIn(objects->records, "Model") : nullptr;
-    const app::FbxRecord* const properties = first ? app::recordIn(first->records, "Properties70") : nullptr;
+    const std::vector<app::FbxRecord>* within = records ? &*records : nullptr;
+    const app::FbxRecord* properties = nullptr;
+    for (const std::string_view step : path) {
+        properties = within ? app::recordIn(*within, step) : nullptr;
+        within = properties ? &properties->records : nullptr;
+    }
     if (!properties)
         return std::nullopt;
     for (const app::FbxRecord& p : properties->records)
@@ -164,6 +168,12 @@ std::optional<Vector3d> propertyOf(const std::string& bytes, std::string_view na
                             p.values.size() > 5 ? p.values[5].number().value_or(0) : 0,
                             p.values.size() > 6 ? p.values[6].number().value_or(0) : 0);
     return std::nullopt;
+}
+
+/// Returns a property of the file's first model.
+std::optional<Vector3d> propertyOf(const std::string& bytes, std::string_view name)
+{
+    return propertyIn(bytes, {"Objects", "Model", "Properties70"}, name);
 }
 
 constexpr std::array<const char*, 6> orderNames{"xyz", "xzy", "yzx", "yxz", "zxy", "zyx"};
@@ -188,6 +198,7 @@ class TestFbxModels : public QObject
 private Q_SLOTS:
     void rotations_areRighted_data();
     void rotations_areRighted();
+    void rotationsOfTheTemplate_areRighted();
     void rightFiles_areLeft();
     void models_areHandedOn();
     void carelessText_isFollowed_data();
@@ -245,6 +256,53 @@ void TestFbxModels::rotations_areRighted()
             if (form != 0)
                 QCOMPARE(after.size(), before.size()); // places in the file are by byte
         }
+}
+
+/// All models that have none of their own share the template's: it can become one other, but not two.
+void TestFbxModels::rotationsOfTheTemplate_areRighted()
+{
+    const auto rightedOf = [&](const std::vector<Record>& models, const std::vector<Record>& usual, Form form) {
+        std::vector<Record> records = sceneOf(models, {connection(500, 0)}, usual);
+        records[1].records.erase(records[1].records.begin()); // the type of geometry
+        return righted(fileOf(records, form));
+    };
+    const auto usualIn = [](const std::string& bytes, const char* name) {
+        return propertyIn(bytes, {"Definitions", "ObjectType", "PropertyTemplate", "Properties70"}, name).value();
+    };
+    const auto wordsOf = [&](const std::vector<Record>& models, const std::vector<Record>& usual) {
+        try {
+            rightedOf(models, usual, Form::Binary);
+        } catch (const FileError& error) {
+            return error.token;
+        }
+        return std::string();
+    };
+    for (const Form form : {Form::Text, Form::Binary, Form::WideBinary})
+        for (const Vector3d& angles : anglesTried)
+            for (const char* name : {"GeometricRotation", "Lcl Rotation"}) {
+                const Record own = vectorProperty(name, {1, 2, 3}), usual = vectorProperty(name, angles),
+                             off = numberProperty("RotationActive", 0), order = numberProperty("RotationOrder", 2);
+                const std::string byModels =
+                    rightedOf({modelRecord(500, {order}), modelRecord(501, {own}), modelRecord(502, {order})},
+                              {usual, off}, form);
+                QVERIFY(turnBy(usualIn(byModels, name), "yzx").isApprox(turnBy(angles, "xyz"), 1e-9));
+                const std::string byTemplate = rightedOf({modelRecord(500, {})}, {usual, off, order}, form);
+                QVERIFY(turnBy(usualIn(byTemplate, name), "yzx").isApprox(turnBy(angles, "xyz"), 1e-9));
+                const std::string words = wordsOf({modelRecord(500, {order}), modelRecord(501, {})}, {usual, off});
+                QVERIFY(turnBy(angles, "yzx").isApprox(turnBy(angles, "xyz"), 1e-9) ||
+                        words.starts_with("a rotation of the template"));
+            }
+    std::vector<Record> all;
+    for (int order = 0; order < 6; ++order)
+        all.push_back(modelRecord(500 + order, {numberProperty("RotationOrder", order)}));
+    QCOMPARE(wordsOf(all, {vectorProperty("GeometricRotation", Vector3d::Zero())}), std::string());
+    const Record spheric = numberProperty("RotationOrder", 6);
+    const std::string plain =
+        rightedOf({modelRecord(500, {vectorProperty("GeometricRotation", {1, 2, 3})})}, {spheric}, Form::Binary);
+    QVERIFY(usualIn(plain, "RotationOrder").isZero(0) && propertyOf(plain, "GeometricRotation") == Vector3d(1, 2, 3));
+    QCOMPARE(wordsOf({modelRecord(500, {vectorProperty("Lcl Rotation", {1, 2, 3})})}, {spheric}),
+             std::string("the rotation order SphericXYZ is not read"));
+    QCOMPARE(wordsOf({}, {vectorProperty("GeometricRotation", Vector3d(0, NAN, 0))}), std::string("GeometricRotation"));
 }
 
 void TestFbxModels::rightFiles_areLeft()

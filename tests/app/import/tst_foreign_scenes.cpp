@@ -300,6 +300,8 @@ void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone()
         QVERIFY(areAlike(pointsOf(geometric + ordered), turned));
         QVERIFY(areAlike(pointsOf(own + ordered + off), turned));
         QVERIFY(areAlike(pointsOf(own + ordered, usual), turned));
+        QVERIFY(areAlike(pointsOf(ordered, templateOf(geometric)), turned));
+        QVERIFY(areAlike(pointsOf({}, templateOf(own + ordered + off)), turned));
         QVERIFY(areAlike(pointsOf(own + ordered), turned) == (order == 0));
     }
 }
