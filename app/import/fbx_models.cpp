@@ -173,6 +173,13 @@ public:
             m_texts[value.at] = {value.bytes.size(), textOf(value.type, number)};
     }
     void setByte(std::size_t at, char byte) { m_texts[at] = {1, {byte}}; }
+    /// Makes a connection one of properties, over which Assimp passes, if its kind has two letters, as all have.
+    void ignore(const FbxRecord& connection)
+    {
+        constexpr std::string_view kind = "PP";
+        if (const FbxValue& value = connection.values[0]; value.bytes.size() == kind.size())
+            m_texts[value.at] = {kind.size(), std::string(kind)};
+    }
     /// Writes an id of text without a sign, as Assimp reads it.
     void unsign(const FbxRecord& record, std::size_t index)
     {
@@ -330,7 +337,8 @@ class ModelTree
 public:
     ModelTree(const Records& objects, const Records& connections)
     {
-        std::set<std::int64_t> meshes; // those with faces
+        std::set<std::int64_t> meshes;                         // those with faces
+        std::set<std::pair<std::int64_t, std::int64_t>> known; // children and parents
         for (const FbxRecord& object : objects)
             if (const auto id = idOf(object, 0); id && object.name == "Model")
                 m_models[*id].record = &object;
@@ -338,14 +346,21 @@ public:
                 meshes.insert(*id);
         for (const FbxRecord& c : connections) {
             const auto child = idOf(c, 1), parent = idOf(c, 2);
-            if (!child || !parent || !isOfObjects(c))
+            if (!child || !parent || (!isModel(*child) && !(meshes.contains(*child) && isModel(*parent))))
                 continue;
-            if (isModel(*child))
+            const Kind kind = kindOf(c);
+            if (kind == Kind::Other || (kind == Kind::Objects && !known.emplace(*child, *parent).second))
+                m_ignored.push_back(&c);
+            else if (kind == Kind::Objects && isModel(*child))
                 m_models[*parent].below.push_back(*child);
-            else if (isModel(*parent) && meshes.contains(*child))
+            else if (kind == Kind::Objects)
                 ++m_models[*parent].meshes;
         }
     }
+
+    /// Returns the connections of models and meshes that Assimp has to pass over: those that come again, and those of
+    /// no known kind, which it takes for ones of objects. Not owned.
+    const std::vector<const FbxRecord*>& ignored() const { return m_ignored; }
 
     /// Returns the first model found that holds itself, or that is too deep with what is below it; null if there is
     /// none. Only models of the scene count. Cost: linear in models and connections.
@@ -429,11 +444,15 @@ private:
         return model;
     }
 
-    /// Returns whether the connection is one of objects. As one of them Assimp takes one of a property without a name.
-    static bool isOfObjects(const FbxRecord& connection)
+    enum class Kind { Objects, Properties, Other };
+
+    /// Returns what a connection connects. One from an object to a property that has no name is one of objects.
+    static Kind kindOf(const FbxRecord& connection)
     {
         const std::string_view kind = connection.values[0].bytes;
-        return kind == "OO" || (kind == "OP" && connection.values.size() > 3 && connection.values[3].bytes.empty());
+        if (kind == "OO" || (kind == "OP" && connection.values.size() > 3 && connection.values[3].bytes.empty()))
+            return Kind::Objects;
+        return kind == "OP" || kind == "PP" ? Kind::Properties : Kind::Other;
     }
 
     static std::optional<std::int64_t> idOf(const FbxRecord& record, std::size_t value)
@@ -447,6 +466,7 @@ private:
     }
 
     std::map<std::int64_t, Model> m_models;
+    std::vector<const FbxRecord*> m_ignored;
 };
 } // namespace
 
@@ -478,6 +498,8 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
         changes.unsign(line, 1);
         changes.unsign(line, 2);
     }
+    for (const FbxRecord* const connection : tree.ignored())
+        changes.ignore(*connection);
     for (const FbxRecord& object : objects->records) {
         changes.unsign(object, 0);
         if (isMesh(object))

@@ -42,7 +42,8 @@ struct FbxForAssimp
 };
 
 /// Changes an FBX file so that Assimp reads it by the rules of FBX. Ids of text are written without a sign, modulo
-/// 2^64, and types of binary values that Assimp does not know as those that are read alike. Rotations are such that
+/// 2^64, types of binary values that Assimp does not know as those that are read alike, and connections of models and
+/// meshes that come again, or that are of no known kind, as some over which Assimp passes. Rotations are such that
 /// Assimp turns models right: geometric rotations go about x, then y, then z, whatever the order of the model's own,
 /// and so do those of a model whose rotations are not active; that it has no rotations before and behind then is left
 /// to who places it. Throws core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096

@@ -201,6 +201,7 @@ private Q_SLOTS:
     void rotationsOfTheTemplate_areRighted();
     void rightFiles_areLeft();
     void models_areHandedOn();
+    void connections_countOnce();
     void carelessText_isFollowed_data();
     void carelessText_isFollowed();
     void valuesWithoutComma_areFollowed();
@@ -367,6 +368,37 @@ void TestFbxModels::models_areHandedOn()
         model.values[1] = is;
         QCOMPARE(app::fbxForAssimp("a.fbx", fileOf(sceneOf({model}, {}), Form::Binary)).models[1].name,
                  std::string(wanted));
+    }
+}
+
+/// Connections that come again, or that are of no kind that there is, become ones over which Assimp passes.
+void TestFbxModels::connections_countOnce()
+{
+    const auto as = [](const char* kind, Record connection, std::vector<std::string> more = {}) {
+        connection.values[0] = std::string(kind);
+        connection.values.insert(connection.values.end(), more.begin(), more.end());
+        return connection;
+    };
+    const Record geometry{"Geometry",
+                          {std::int64_t(700), std::string("Geometry::g"), std::string("Mesh")},
+                          {{"PolygonVertexIndex", {std::string("*3")}}}};
+    const std::vector<Record> objects{geometry, modelRecord(500, {}), modelRecord(501, {})},
+        once{connection(500, 0), as("OP", connection(501, 500), {""}), connection(700, 501),
+             as("OP", connection(500, 501), {"Look"})};
+    for (const Form form : {Form::Text, Form::Binary, Form::WideBinary}) {
+        std::vector<Record> lines = once, wanted = once;
+        for (const Record& again : {as("OP", connection(500, 0), {""}), connection(501, 500), connection(700, 501),
+                                    as("PO", connection(500, 501), {"x"}), as("ab", connection(700, 500))}) {
+            lines.push_back(again);
+            wanted.push_back(again);
+            wanted.back().values[0] = std::string("PP");
+        }
+        const app::FbxForAssimp fbx = app::fbxForAssimp("a.fbx", fileOf(sceneOf(objects, lines), form));
+        QVERIFY(fbx.changed == fileOf(sceneOf(objects, wanted), form));
+        QCOMPARE(fbx.models.size(), std::size_t(3));
+        QVERIFY(fbx.models[0].below == std::vector<std::size_t>{1} && fbx.models[2].meshes == 1);
+        QVERIFY(fbx.models[1].below == std::vector<std::size_t>{2} && fbx.models[1].meshes == 0);
+        QVERIFY(!app::fbxForAssimp("a.fbx", fileOf(sceneOf(objects, once), form)).changed);
     }
 }
 

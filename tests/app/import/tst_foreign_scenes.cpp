@@ -146,6 +146,7 @@ private Q_SLOTS:
     void fbx_mirrorsAreScales_data();
     void fbx_mirrorsAreScales();
     void fbx_equalNamesAreToldApart();
+    void fbx_pairsStandOnce();
     void fbx_idsAreOf64Bits();
     void fbx_hiddenModelsAreLeftOut();
     void fbx_finestLevelsAlone();
@@ -406,6 +407,20 @@ void TestForeignScenes::fbx_equalNamesAreToldApart()
         end = std::max(end, static_cast<double>(point.x()));
     }
     QVERIFY(ends == (std::map<int, double>{{0, 20}, {2, 210}, {4, 420}, {6, 610}}));
+}
+
+/// A pair that is connected again, by a property without a name, too, is there once.
+void TestForeignScenes::fbx_pairsStandOnce()
+{
+    for (const char* again : {"C: \"OO\",%\n", "C: \"OP\",%, \"\"\n", "C: \"PO\",%, \"x\"\n"})
+        for (const char* pair : {"2000,0", "2001,2000", "1000,2000", "1001,2001"}) {
+            const QByteArray line = QByteArray(again).replace('%', pair);
+            for (const QByteArray& place : {QByteArray("Connections:  {\n"), QByteArray("C: \"OO\",1001,2001\n")}) {
+                const ReadResult result = readFbx(fbx({{}, {{}, 0}}).replace(place, place + line));
+                QCOMPARE(result.remarks.objects, std::size_t(2));
+                QCOMPARE(result.mesh.triangles.size(), std::size_t(24));
+            }
+        }
 }
 
 void TestForeignScenes::fbx_idsAreOf64Bits()
