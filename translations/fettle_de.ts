@@ -4763,6 +4763,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wurde repariert, hat aber nun %2 % seines Volumens.</translation>
     </message>
     <message>
+        <source>%1 was mended, but parts that could be holes were taken for parts that face the wrong way: %2 % of the space.</source>
+        <translation>%1 wurde repariert, aber Teile, die Löcher sein könnten, wurden für falsch herum stehende Teile gehalten: %2 % des Raums.</translation>
+    </message>
+    <message>
         <source>%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.</source>
         <translation>%1 wurde repariert; was es nun umschließt, weicht um %2 % von dem ab, worum seine Flächen standen.</translation>
     </message>

@@ -4748,6 +4748,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 已修复，但现在的体积为原来的 %2 %。</translation>
     </message>
     <message>
+        <source>%1 was mended, but parts that could be holes were taken for parts that face the wrong way: %2 % of the space.</source>
+        <translation>%1 已修复，但可能是孔的部分被当作了朝向错误的部分，占空间的 %2 %。</translation>
+    </message>
+    <message>
         <source>%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.</source>
         <translation>%1 已修复，但它现在所包围的空间与其面原先所围的空间相差 %2 %。</translation>
     </message>

@@ -96,7 +96,8 @@ struct Sums
 };
 } // namespace
 
-SpaceDifference spaceDifference(const TriangleMesh& faces, const TriangleMesh& solid, const JobControl& control)
+SpaceDifference spaceDifference(const TriangleMesh& faces, WoundAround counted, const TriangleMesh& solid,
+                                const JobControl& control)
 {
     constexpr std::size_t maxSamples = 65'536, perStep = 8192, perChunk = 256;
     constexpr std::size_t enough = 16'384; // of points inside
@@ -109,7 +110,8 @@ SpaceDifference spaceDifference(const TriangleMesh& faces, const TriangleMesh& s
         forEachChunk(perStep, perChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto [p, space] = samples.at(first + i);
-                const double winding = std::abs(ofFaces.at(p));
+                const double around = ofFaces.at(p),
+                             winding = counted == WoundAround::Outwards ? around : std::abs(around);
                 const bool wasInside = winding > 0.5, isInside = ofSolid.at(p) > 0.5;
                 const double weight = space * std::min(1.0, std::abs(2 * winding - 1));
                 sums[chunk].lost += wasInside && !isInside ? weight : 0;

@@ -12,10 +12,18 @@ struct SpaceDifference
     double gained = 0; ///< only the new one does
 };
 
-/// Compares the space within `solid`, which is closed and faces outwards, with the space that `faces` wind around more
-/// than half, either way (generalized winding number; Jacobson, Kavan and Sorkine-Hornung 2013). They may be open:
-/// where they wind around a point by about a half, either answer is as good, so a point counts by how far its winding
-/// number is from that. Up to 65,536 points in their box. Both have faces, in one unit. All cores; the same on any
-/// machine. If it is cancelled, the result is not usable. Cost: two WindingNumbers and 20 us a point.
-SpaceDifference spaceDifference(const TriangleMesh& faces, const TriangleMesh& solid, const JobControl& control = {});
+/// Says what space a surface encloses.
+enum class WoundAround {
+    EitherWay, ///< by more than a half, inwards or outwards
+    Outwards   ///< by more than a half, outwards
+};
+
+/// Compares the space within `solid`, which is closed and faces outwards, with the space that `faces` wind around
+/// (generalized winding number; Jacobson, Kavan and Sorkine-Hornung 2013). They may be open: where they wind around a
+/// point by about a half, either answer is as good, so a point counts by how far its winding number is from that. Up to
+/// 65,536 points, a quarter of them in the box of both, the rest in the boxes of components. Both have faces, in one
+/// unit. All cores; the same on any machine. If it is cancelled, the result is not usable. Cost: two WindingNumbers and
+/// some 20 us a point.
+SpaceDifference spaceDifference(const TriangleMesh& faces, WoundAround counted, const TriangleMesh& solid,
+                                const JobControl& control = {});
 } // namespace core

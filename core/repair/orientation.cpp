@@ -4,11 +4,11 @@
 
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/winding_number.h"
+#include "core/util/parallel.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <optional>
 
 namespace core::repair
 {
@@ -281,101 +281,193 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
-/// Calls visit(share of the first side, of the second) for the middles of the equal triangles that a triangle falls
-/// into when each side is cut into `perSide`.
-template <typename Visit> void forEachSample(int perSide, Visit visit)
+/// Returns points spread evenly over the area of some faces, a little inside of them: faces of a cavity that ends in
+/// the plane of an outer face lie in others, too. Those that lie beyond an edge of the faces, or where these cross, are
+/// left out, unless all do.
+std::vector<Vec3> samplesOf(std::span<const Vec3> points, std::span<const Triangle> faces, bool facesIn,
+                            std::size_t count)
 {
-    for (int i = 0; i < perSide; ++i)
-        for (int j = 0; i + j < perSide; ++j) {
-            visit((i + 1.0 / 3) / perSide, (j + 1.0 / 3) / perSide);
-            if (i + j + 1 < perSide)
-                visit((i + 2.0 / 3) / perSide, (j + 2.0 / 3) / perSide);
-        }
+    constexpr double depth = 16;        // lattice units: more than what rounding moves
+    constexpr double fromEdges = 0.1;   // of the way to the middle of the face, or twice the depth
+    constexpr double step = 0.61803399; // of the golden section: spreads evenly
+    constexpr double half = 0.5;
+    double area = 0;
+    std::vector<double> ends; // of the faces' areas, laid end to end
+    for (const auto& [a, b, c] : faces)
+        ends.push_back(area += (points[b] - points[a]).cross(points[c] - points[a]).norm());
+    const WindingNumber own(points, faces);
+    std::vector<Vec3> samples, all;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double at = (static_cast<double>(i) + half) / static_cast<double>(count) * area;
+        const auto end = std::min(std::ranges::upper_bound(ends, at), ends.end() - 1);
+        const auto& [a, b, c] = faces[static_cast<std::size_t>(end - ends.begin())];
+        const Vec3 u = points[b] - points[a], v = points[c] - points[a], normal = u.cross(v);
+        const double fromA = std::sqrt(std::clamp((*end - at) / normal.norm(), 0.0, 1.0));
+        const double towardsC = std::fmod(static_cast<double>(i) * step, 1.0);
+        const Vec3 onFace = fromA * ((1 - towardsC) * u + towardsC * v);
+        const Vec3 inwards = (u + v) / 3 - onFace;
+        all.push_back(points[a] + onFace + std::min(fromEdges, 2 * depth / inwards.norm()) * inwards +
+                      (facesIn ? depth : -depth) * normal.normalized());
+        if (std::abs(own.at(all.back()) - (facesIn ? -1 : 1)) < half)
+            samples.push_back(all.back());
+    }
+    return samples.empty() ? all : samples;
 }
 
-/// Winding of other parts at points of a closed part.
-struct Surroundings
+/// Holds how often parts wind around each of some points.
+struct Windings : std::vector<double>
 {
-    struct Sample
-    {
-        double area;
-        double outward, inward; ///< winding numbers of parts that face outwards and of those that face inwards
-    };
-
-    std::vector<Sample> samples;
-    double area = 0; ///< of all samples
-
-    /// Returns how often parts of one way wind around all of it, `way`: 1 outward, -1 inward.
-    double aroundAll(int way) const
-    {
-        double least = std::numeric_limits<double>::infinity();
-        for (const auto& [part, outward, inward] : samples)
-            least = std::min(least, std::round(way > 0 ? outward : -inward));
-        return std::max(0.0, least); // below 0 where a sample lies beyond an edge of its own part
-    }
-
-    /// Returns the share of the area that parts of one way wind around more often than `least`.
-    double share(int way, double least) const
+    /// Returns how often all of them are wound around.
+    double least() const { return std::max(0.0, std::round(std::ranges::min(*this))); }
+    /// Returns the share of those that are wound around more often than `least`.
+    double share(double least) const
     {
         constexpr double half = 0.5;
-        double sum = 0;
-        for (const auto& [part, outward, inward] : samples)
-            sum += (way > 0 ? outward : -inward) - least > half ? part : 0;
-        return sum / area;
+        const auto isMore = [&](double winding) { return winding - least > half; };
+        return static_cast<double>(std::ranges::count_if(*this, isMore)) / static_cast<double>(size());
     }
 };
 
-/// Winding numbers of the parts that face outwards, and of those that face inwards.
-class WindingByWay
+/// Parts that face one way.
+class PartsOfWay
 {
 public:
-    /// `facesIn`: by part.
-    WindingByWay(const TriangleSoup& surface, const Parts& parts, const std::vector<bool>& facesIn)
-        : m_surface(surface)
-        , m_points(surface.places())
-        , m_outward(windingOf(parts, facesIn, false))
-        , m_inward(windingOf(parts, facesIn, true))
+    /// `are`: by part. `way`: 1 outward, -1 inward.
+    PartsOfWay(const TriangleSoup& surface, std::span<const Vec3> points, const Parts& parts, std::vector<bool> are,
+               int way)
+        : m_are(std::move(are))
+        , m_way(way)
+        , m_winding(points, facesOf(surface, parts, m_are))
     {}
 
-    /// Looks a little inside of the faces: those of a cavity that ends in the plane of an outer face lie in others,
-    /// too.
-    Surroundings around(const std::vector<Slot>& faces, bool facesIn) const
+    /// Returns how often they wind around points of a part, which is left out.
+    Windings around(std::span<const Vec3> samples, std::size_t part) const
     {
-        constexpr std::size_t samples = 64;
-        constexpr double depth = 16; // lattice units: more than what rounding moves
-        const double own = facesIn ? -1 : 1;
-        const std::size_t step = std::max<std::size_t>(1, faces.size() / samples);
-        const auto perSide = static_cast<int>(std::ceil(std::sqrt(samples / static_cast<double>(faces.size()))));
-        Surroundings around;
-        for (std::size_t i = 0; i < faces.size(); i += step) {
-            const auto& [a, b, c] = m_surface.triangles[faces[i]];
-            const Vec3 u = m_points[b] - m_points[a], v = m_points[c] - m_points[a];
-            const Vec3 inside = m_points[a] - depth * own * u.cross(v).normalized();
-            const double area = u.cross(v).norm() / (perSide * perSide);
-            forEachSample(perSide, [&](double alongU, double alongV) {
-                const Vec3 p = inside + alongU * u + alongV * v;
-                around.samples.push_back(
-                    {area, m_outward.at(p) - (facesIn ? 0 : own), m_inward.at(p) - (facesIn ? own : 0)});
-                around.area += area;
-            });
-        }
-        return around;
+        Windings windings;
+        for (const Vec3& p : samples)
+            windings.push_back(m_way * m_winding.at(p) - (m_are[part] ? 1 : 0));
+        return windings;
     }
 
 private:
-    WindingNumber windingOf(const Parts& parts, const std::vector<bool>& facesIn, bool way) const
+    static std::vector<Triangle> facesOf(const TriangleSoup& surface, const Parts& parts, const std::vector<bool>& are)
     {
         std::vector<Triangle> triangles;
-        for (std::size_t part = 0; part < parts.faces.size(); ++part)
-            if (facesIn[part] == way)
-                for (const Slot f : parts.faces[part])
-                    triangles.push_back(m_surface.triangles[f]);
-        return {m_points, triangles};
+        for (Slot f = 0; f < surface.triangles.size(); ++f)
+            if (are[parts.ofFace[f]])
+                triangles.push_back(surface.triangles[f]);
+        return triangles;
+    }
+
+    std::vector<bool> m_are;
+    int m_way;
+    WindingNumber m_winding;
+};
+
+/// Says which way a part faces, and where it lies.
+struct Facing
+{
+    bool isClosed = false;
+    bool isInwards = false; ///< as it is; closed
+    double volume = 0;      ///< below 0 inwards; closed
+    bool isCavity = false;
+    bool isInside = false; ///< of other parts; cavities are
+    bool isGuess = false;  ///< it lies partly in parts of the other way, and is no cavity
+};
+
+/// Tells cavities from parts that are inside out.
+class CavitySearch
+{
+public:
+    CavitySearch(const TriangleSoup& surface, const Parts& parts)
+        : m_surface(surface)
+        , m_points(surface.places())
+        , m_parts(parts)
+        , m_facings(parts.faces.size())
+    {
+        const std::vector<bool> isClosed = closedParts(surface, parts);
+        for (std::size_t part = 0; part < m_facings.size(); ++part) {
+            m_facings[part].isClosed = isClosed[part];
+            m_facings[part].volume = isClosed[part] ? volumeOf(surface, parts.faces[part]) : 0;
+            m_facings[part].isInwards = m_facings[part].volume < 0;
+            m_volume += std::abs(m_facings[part].volume);
+        }
+    }
+
+    std::vector<Facing> run()
+    {
+        const std::vector<bool> meets = meetingParts();
+        const auto those = [&](auto are) {
+            std::vector<bool> result;
+            for (std::size_t part = 0; part < m_facings.size(); ++part)
+                result.push_back(meets[part] && are(m_facings[part]));
+            return result;
+        };
+        const std::vector<bool> inwardOnes = those([](const Facing& f) { return f.isInwards; });
+        const std::vector<bool> outwardOnes = those([](const Facing& f) { return !f.isInwards; });
+        const PartsOfWay outward = ofWay(outwardOnes, 1), inward = ofWay(inwardOnes, -1);
+        judge(inwardOnes, inward, outward, outward);
+        // Cavities count no more: a part in one of them is no cavity of a model that is inside out.
+        const PartsOfWay inverted = ofWay(those([](const Facing& f) { return f.isInwards && !f.isCavity; }), -1);
+        judge(outwardOnes, outward, inward, inverted);
+        return std::move(m_facings);
+    }
+
+private:
+    PartsOfWay ofWay(std::vector<bool> are, int way) const
+    {
+        return {m_surface, m_points, m_parts, std::move(are), way};
+    }
+
+    /// Returns, by part, whether its box meets that of another one.
+    std::vector<bool> meetingParts() const
+    {
+        std::vector<FaceBox> boxes(m_facings.size());
+        for (Slot f = 0; f < m_surface.triangles.size(); ++f)
+            for (const Slot v : m_surface.triangles[f])
+                boxes[m_parts.ofFace[f]].extend(m_surface.points[v].array().cast<float>());
+        const BoxTree tree(boxes);
+        std::vector<bool> meets(boxes.size(), false);
+        for (Slot block = 0; block < tree.blocks(); ++block)
+            tree.forEachMeetingPair(block, [&](Slot i, Slot j) { meets[tree.at(i)] = meets[tree.at(j)] = true; });
+        return meets;
+    }
+
+    /// Judges parts of one way. `alike`: those. `unlike`: those of the other way. `around`: of these, those in which
+    /// they may be cavities.
+    void judge(const std::vector<bool>& are, const PartsOfWay& alike, const PartsOfWay& unlike,
+               const PartsOfWay& around)
+    {
+        constexpr double nearlyAll = 1 - 1e-9, most = 0.6, some = 0.02, muchOfBody = 0.2;
+        constexpr std::size_t few = 128, many = 2048; // samples
+        forEachChunk(are.size(), 1, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t part = begin; part < end; ++part) {
+                Facing& facing = m_facings[part];
+                if (!are[part] || !facing.isClosed)
+                    continue;
+                std::vector<Triangle> faces;
+                for (const Slot f : m_parts.faces[part])
+                    faces.push_back(m_surface.triangles[f]);
+                std::vector<Vec3> samples = samplesOf(m_points, faces, facing.isInwards, few);
+                if (facing.isInwards && alike.around(samples, part).least() > 0) // unless it crosses that somewhere
+                    samples = samplesOf(m_points, faces, facing.isInwards, many);
+                const Windings ofAlike = alike.around(samples, part), ofUnlike = unlike.around(samples, part);
+                // Parts of its way that are around all of it make a hollow of what it lies in; those that cross it do
+                // not.
+                const double within = around.around(samples, part).share(ofAlike.least());
+                facing.isCavity = within > (facing.isInwards ? most : nearlyAll);
+                facing.isInside = facing.isCavity || ofAlike.share(ofUnlike.least()) > nearlyAll;
+                const bool isBody = 2 * std::abs(facing.volume) > m_volume; // small parts may cross it
+                facing.isGuess = within > (isBody ? muchOfBody : some) && !facing.isCavity;
+            }
+        });
     }
 
     const TriangleSoup& m_surface;
     std::vector<Vec3> m_points;
-    WindingNumber m_outward, m_inward;
+    const Parts& m_parts;
+    std::vector<Facing> m_facings;
+    double m_volume = 0; ///< of all closed parts, whichever way they face
 };
 } // namespace
 
@@ -392,40 +484,23 @@ OrientationResult orient(TriangleSoup& surface)
 
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
 {
-    constexpr double nearlyAll = 1 - 1e-9, most = 0.6, much = 0.4;
     OutwardResult faced;
     std::size_t turned = 0;
     const Parts parts = Flood(surface).run(turned);
-    const std::vector<bool> isClosed = closedParts(surface, parts);
-    std::vector<double> volumes;
-    std::vector<bool> facesIn;
-    for (const std::vector<Slot>& faces : parts.faces) {
-        volumes.push_back(volumeOf(surface, faces));
-        facesIn.push_back(isClosed[facesIn.size()] && volumes.back() < 0);
+    const std::vector<Facing> facings = CavitySearch(surface, parts).run();
+    for (Slot f = 0; f < surface.triangles.size(); ++f) {
+        const Facing& facing = facings[parts.ofFace[f]];
+        const bool shouldFaceIn = facing.isCavity || (facing.isInside && innerAreCavities);
+        if (facing.isClosed && shouldFaceIn != facing.isInwards)
+            turn(surface.triangles[f]);
+        if (shouldFaceIn)
+            faced.cavities.push_back(surface.triangles[f]);
+        if (facing.isGuess)
+            faced.guesses.push_back(f);
     }
-    std::optional<WindingByWay> winding;
-    if (parts.faces.size() > 1)
-        winding.emplace(surface, parts, facesIn);
-    for (std::size_t part = 0; part < parts.faces.size(); ++part) {
-        if (!isClosed[part])
-            continue;
-        const std::vector<Slot>& faces = parts.faces[part];
-        const Surroundings around = winding ? winding->around(faces, facesIn[part]) : Surroundings{{{1, 0, 0}}, 1};
-        const int way = facesIn[part] ? -1 : 1;
-        // Parts of its way that are around all of it make a hollow of what it lies in; those that cross it do not.
-        const double within = around.share(-way, around.aroundAll(way));
-        const double withinAlike = around.share(way, around.aroundAll(-way));
-        const bool isCavity = within > (facesIn[part] ? most : nearlyAll);
-        const bool isInside = isCavity || withinAlike > nearlyAll;
-        const bool shouldFaceIn = isCavity || (isInside && innerAreCavities);
-        faced.inner += isInside && !isCavity;
-        faced.turned += facesIn[part] && !isInside;
-        faced.isGuess = faced.isGuess || (within > much && !isCavity);
-        if (isCavity)
-            faced.cavitiesOutside += std::abs(volumes[part]) * (1 - within + around.share(way, around.aroundAll(way)));
-        if (shouldFaceIn != facesIn[part])
-            for (const Slot f : faces)
-                turn(surface.triangles[f]);
+    for (const Facing& facing : facings) {
+        faced.inner += facing.isInside && !facing.isCavity;
+        faced.turned += facing.isInwards && !facing.isInside;
     }
     return faced;
 }

@@ -2,8 +2,6 @@
 
 #include "core/repair/triangle_soup.h"
 
-#include "core/util/job_control.h"
-
 #include <cstddef>
 #include <vector>
 
@@ -22,15 +20,19 @@ OrientationResult orient(TriangleSoup& surface);
 
 struct OutwardResult
 {
-    std::size_t turned = 0;     ///< parts that faced inwards and are no cavities
-    std::size_t inner = 0;      ///< parts inside of others that are no cavities by the way they run
-    bool isGuess = false;       ///< some, in parts of the other way by 0.4 or more, were taken for no cavities
-    double cavitiesOutside = 0; ///< lattice units^3 that cavities wind around outside of the solid, or twice, roughly
+    std::size_t turned = 0;         ///< parts that faced inwards and are no cavities
+    std::size_t inner = 0;          ///< parts inside of others that are no cavities by the way they run
+    std::vector<Triangle> cavities; ///< faces of parts that face inwards now
+    /// Faces of parts that are taken for no cavities, though more than 0.02 of the area of each lies in parts of the
+    /// other way, or 0.2 if it has more than half of the volume of all.
+    std::vector<Slot> guesses;
 };
 
 /// Turns closed parts outwards but for cavities; open ones stay as they are. A cavity faces inwards, and parts that
-/// face outwards wind around more than 0.6 of its area (by their winding numbers; it may cross other cavities, and
-/// break out of the wall); or it faces outwards, and lies wholly in a part that faces inwards: the whole was inside
-/// out, and it is turned with that. With `innerAreCavities` other parts inside of others face inwards as well.
+/// face outwards wind around more than 0.6 of its area, by their winding numbers, more often than others that face
+/// inwards wind around all of it (it may cross other cavities, and break out of the wall); or it faces outwards, and
+/// all of it lies in a part that faces inwards and is no cavity: the whole was inside out, and it is turned with that.
+/// What lies in a cavity stays as it is. With `innerAreCavities` other parts inside of others face inwards as well. All
+/// cores. Cost: a sort, and some 15 ms for each part whose box meets that of another one.
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
 } // namespace core::repair

@@ -102,10 +102,11 @@ struct ClosedSurface
     bool isRefused = false; ///< a large hole is not to be filled
     bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
     TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
-    /// The surface as the file has it, with all that was left out but large sheets. Missing if the file's surface is
-    /// closed and none of its parts could as well face the other way.
+    /// The surface as the file has it, with all that was left out but large sheets. Missing if that is closed.
     std::optional<TriangleSoup> whole;
-    double cavitiesOutside = 0; ///< OutwardResult
+    /// The closed surface with parts turned back that could as well be cavities. Missing if there are none.
+    std::optional<TriangleSoup> otherReading;
+    TriangleSoup cavities;      ///< parts of it
     bool isFileOriented = true; ///< the faces of each edge of two run it both ways
 };
 
@@ -239,15 +240,17 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     else
         result =
             stitchAndFill(surface, unit, options, report, {progress.control.part(0, afterFilling), progress.onStep});
-    TriangleSoup file = result.whole ? TriangleSoup() : surface;
     const repair::OutwardResult faced = repair::orientOutwards(surface, options.innerAreCavities);
-    if (!result.whole && faced.isGuess)
-        result.whole = std::move(file);
     if (result.whole && !result.isFileOriented)
         takeOrientation(*result.whole, surface);
     report.turnedFaces += faced.turned;
     report.innerParts = faced.inner;
-    result.cavitiesOutside = faced.cavitiesOutside;
+    if (!faced.guesses.empty())
+        result.otherReading = surface;
+    for (const Slot f : faced.guesses)
+        std::swap(result.otherReading->triangles[f][1], result.otherReading->triangles[f][2]);
+    if (!faced.cavities.empty())
+        result.cavities = {surface.points, {}, faced.cavities};
     progress.control.reportProgress(1);
     return result;
 }
@@ -375,9 +378,9 @@ private:
         constexpr double afterCutting = 0.4;
         progress.begin(RepairStep::Resolve);
         TriangleSoup surface = m_surface;
-        m_resolution =
-            repair::resolveIntersections(surface, inside, tolerance, budget, progress.control.part(0, afterCutting));
-        const double volume = m_resolution.volume + insideOutVolume();
+        m_resolution = repair::resolveIntersections(surface, inside, m_closed.cavities, tolerance, budget,
+                                                    progress.control.part(0, afterCutting));
+        const double volume = m_resolution.volume + m_resolution.insideOutVolume;
         m_volume = std::max(m_volume, volume * std::pow(m_lattice.unit(), 3)); // it is 0 where nothing was cut
         RepairReport report = m_report;
         report.before.volume += m_volume;
@@ -392,19 +395,10 @@ private:
             offer(std::move(surface), report, progress.part(afterCutting, 1));
     }
 
-    /// Lattice units^3, but for what cavities wind around outside of the solid, or twice: that is no space
-    /// that was lost.
-    double insideOutVolume() const
-    {
-        const double volume = m_resolution.insideOutVolume;
-        constexpr double roughly = 1.5;
-        return volume > roughly * m_closed.cavitiesOutside ? volume - m_closed.cavitiesOutside : 0;
-    }
-
     /// Returns whether it was resolved, and space that is wound around the other way was lost.
     bool isInsideOut() const
     {
-        return m_resolution.isDone && insideOutVolume() > 0 &&
+        return m_resolution.isDone && m_resolution.insideOutVolume > 0 &&
                (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
     }
 
@@ -421,9 +415,13 @@ private:
             return;
         progress.begin(RepairStep::Measure);
         measure(outcome.report, m_old, outcome.mesh, measures, progress.control.part(afterCheck, afterMeasuring));
+        const JobControl comparing = progress.control.part(afterMeasuring, 1);
         if (m_closed.whole)
-            outcome.report.space = spaceDifference(meshOf(*m_closed.whole, m_lattice), outcome.mesh,
-                                                   progress.control.part(afterMeasuring, 1));
+            outcome.report.space =
+                spaceDifference(meshOf(*m_closed.whole, m_lattice), WoundAround::EitherWay, outcome.mesh, comparing);
+        if (m_closed.otherReading)
+            outcome.report.otherSpace = spaceDifference(meshOf(*m_closed.otherReading, m_lattice),
+                                                        WoundAround::Outwards, outcome.mesh, comparing);
         if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
             m_best = std::move(outcome);
     }
@@ -442,7 +440,8 @@ private:
 bool RepairReport::isFaithful() const
 {
     return !remeshedAt && keptVolume() >= leastVolume && keptVolume() <= mostVolume && lost <= mostLost * size &&
-           space.lost <= mostSpaceLost && space.gained <= mostSpaceGained;
+           space.lost <= mostSpaceLost && space.gained <= mostSpaceGained &&
+           otherSpace.lost + otherSpace.gained <= mostOtherSpace;
 }
 
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, const JobControl& control,

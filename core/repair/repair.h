@@ -61,14 +61,16 @@ struct RepairReport
     SurfaceDistance fromNew; ///< of the new surface, from the old one: what was added, and what moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
     static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005, mostSpaceLost = 0.02,
-                            mostSpaceGained = 0.1;
+                            mostSpaceGained = 0.1, mostOtherSpace = 0.02;
     double lost = 0; ///< mean distance of the old surface from the new one, where it does not lie inside of that
     /// From the old surface if that was open: from the file's faces, or as they were turned where they run both ways
     /// along an edge; without sheets of 1/100 of the area or more.
     SpaceDifference space;
+    SpaceDifference otherSpace; ///< from what it would be if parts that were turned are cavities, where that may be
     double keptVolume() const { return before.volume > 0 ? after.volume / before.volume : 1; }
     /// The model was not made anew, its volume is the same within 2 %, `lost` is at most 0.5 % of its size, and of the
-    /// space that the old and the new surface enclose together at most 2 % were lost and 10 % gained.
+    /// space that the old and the new surface enclose together at most 2 % were lost and 10 % gained, and 2 %
+    /// differ from the other reading.
     bool isFaithful() const;
 };
 

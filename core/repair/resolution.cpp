@@ -36,6 +36,8 @@ std::vector<Slot> facesOf(std::span<const FacePair> pairs)
 /// in a face.
 std::uint64_t triplesOf(std::size_t faces, std::span<const FacePair> pairs, std::uint64_t limit)
 {
+    if (pairs.empty())
+        return 0;
     std::vector<std::vector<Slot>> after(faces); // of each face, those behind it that it meets
     for (const auto& [first, second] : pairs)
         after[first].push_back(second);
@@ -88,10 +90,11 @@ class Cutting
 {
 public:
     /// `tolerance`: of the file's own floats. `budget`: of pairs of faces that are cut after the first time.
-    Cutting(TriangleSoup& surface, Inside inside, double tolerance, Resolution& resolution, std::uint64_t& budget,
-            const JobControl& control)
+    Cutting(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
+            Resolution& resolution, std::uint64_t& budget, const JobControl& control)
         : m_surface(surface)
         , m_inside(inside)
+        , m_cavities(cavities)
         , m_ofFile(tolerance)
         , m_resolution(resolution)
         , m_budget(budget)
@@ -194,7 +197,7 @@ private:
         m_resolution.rounds += m_met.count > 0;
         m_changed = boxesAround(m_surface, cornersOf(m_surface, facesOf(m_met.pairs)), reach);
         WindingSolid solid = windingSolidOf(m_surface, arrange(m_surface, m_met.pairs, control.part(0, afterCutting)),
-                                            m_inside, control.part(afterCutting, 1));
+                                            m_inside, m_cavities, control.part(afterCutting, 1));
         m_surface = std::move(solid.surface);
         m_inside = Inside::Positive; // now it bounds what was asked for; what rounding turns inside out goes
         if (m_resolution.volume + m_resolution.insideOutVolume == 0) {
@@ -207,6 +210,7 @@ private:
 
     TriangleSoup& m_surface;
     Inside m_inside;
+    const TriangleSoup& m_cavities;
     double m_ofFile;
     Resolution& m_resolution;
     std::uint64_t& m_budget;
@@ -251,15 +255,15 @@ std::size_t dropCrumbs(TriangleSoup& surface)
 }
 } // namespace
 
-Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tolerance, std::uint64_t& budget,
-                                const JobControl& control)
+Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
+                                std::uint64_t& budget, const JobControl& control)
 {
     constexpr int maxTimes = 16;
     constexpr int firstReach = 16, lastReach = 2048; // lattice units; doubled each time
     constexpr std::size_t manyTimes = 4, fewStuck = 500;
     Resolution resolution;
     std::size_t mostStuck = std::numeric_limits<std::size_t>::max();
-    Cutting(surface, inside, tolerance, resolution, budget, control).run(maxPairs);
+    Cutting(surface, inside, cavities, tolerance, resolution, budget, control).run(maxPairs);
     for (int time = 0; time < maxTimes && resolution.isDone && !control.isCancelled(); ++time) {
         const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
         if (topology.nonManifoldEdges.count + topology.nonManifoldVertices.count == 0)
@@ -284,7 +288,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tol
             coverPoints(surface, separated.stuck, reach);
         weld(surface);
         Resolution unread;
-        Cutting(surface, Inside::Positive, tolerance, unread, budget, {control.stop, {}}).run(budget);
+        Cutting(surface, Inside::Positive, cavities, tolerance, unread, budget, {control.stop, {}}).run(budget);
         resolution.isDone = unread.isDone;
         resolution.knots += unread.knots;
         resolution.widestKnot = std::max(resolution.widestKnot, unread.widestKnot);

@@ -28,11 +28,11 @@ struct Resolution
 /// rounding overlap clearly. Knots that are left after a few rounds are covered by small solids, where they are less
 /// than 1/500 of the size wide. Parts that touch at edges and vertices are then separated or joined, and crumbs that
 /// all this left, less than 64 units thick and with less than 1/10,000 of the area, are dropped. The surface is closed.
-/// Away from these places no point moves. All cores.
+/// Away from these places no point moves. `cavities`: parts that face inwards (winding_solid.h). All cores.
 /// A tangle in which over 1,000,000 triples of faces meet each other remains unresolved: it would take a minute and
 /// more. `tolerance`: in lattice units, what the surface's own places are good for: points of faces that meet and lie
 /// closer become one. `budget`: of pairs of faces that may be cut after the first time, some 5,000 a second; what was
 /// cut is taken from it, and where it is spent the surface remains unresolved.
-Resolution resolveIntersections(TriangleSoup& surface, Inside inside, double tolerance, std::uint64_t& budget,
-                                const JobControl& control = {});
+Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
+                                std::uint64_t& budget, const JobControl& control = {});
 } // namespace core::repair

@@ -41,25 +41,39 @@ double areaOf(const Arrangement& arrangement, Slot face)
     return (arrangement.points[t[1]] - a).cross(arrangement.points[t[2]] - a).norm();
 }
 
-/// What the space around a piece is wound around: more than a half is inside, less than minus a half inside out.
-struct Sides
+/// Says how the space on a side of a piece is wound around.
+struct Side
 {
-    int before = 0, behind = 0; ///< -1, 0, 1
+    int sign = 0;             ///< 1: by more than a half, inside; -1: by less than minus a half, inside out; 0: neither
+    bool isInsideOut = false; ///< not by cavities alone
 };
 
-Sides classify(const Arrangement& arrangement, const WindingNumber& winding, Slot face)
+struct Sides
 {
+    Side before, behind;
+};
+
+Sides classify(const Arrangement& arrangement, const WindingNumber& winding, const WindingNumber& ofCavities, Slot face)
+{
+    constexpr double half = 0.5, nearby = 1e-3; // lattice units
     const auto& [corners, original, jump] = arrangement.faces[face];
     const Vec3 middle =
         (arrangement.points[corners[0]] + arrangement.points[corners[1]] + arrangement.points[corners[2]]) / 3;
     std::vector<Slot> here = arrangement.upon[original];
     here.insert(std::ranges::lower_bound(here, original), original);
     const double around = winding.at(middle, here);
-    const auto sign = [](double number) { return number > 0.5 ? 1 : number < -0.5 ? -1 : 0; };
-    return {sign(around - 0.5 * jump), sign(around + 0.5 * jump)};
+    const Vec3 normal = (arrangement.points[corners[1]] - arrangement.points[corners[0]])
+                            .cross(arrangement.points[corners[2]] - arrangement.points[corners[0]])
+                            .normalized();
+    const auto sideOf = [&](double number, double way) {
+        const int sign = number > half ? 1 : number < -half ? -1 : 0;
+        return Side{sign, sign < 0 && number - ofCavities.at(middle + way * nearby * normal) < -half};
+    };
+    return {sideOf(around - half * jump, 1), sideOf(around + half * jump, -1)};
 }
 
-std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& arrangement, const JobControl& control)
+std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& arrangement,
+                               const TriangleSoup& cavities, const JobControl& control)
 {
     DisjointSets patches = patchesOf(arrangement);
     const std::size_t count = arrangement.faces.size();
@@ -73,37 +87,37 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
     for (Slot f = 0; f < count; ++f)
         if (largest[f] != noSlot)
             roots.push_back(f);
-    const std::vector<Vec3> points = original.places();
-    const WindingNumber winding(points, original.triangles);
+    const WindingNumber winding(original.places(), original.triangles);
+    const WindingNumber ofCavities(cavities.places(), cavities.triangles);
     std::vector<Sides> sides(count);
     constexpr std::size_t patchesPerChunk = 4;
     forEachChunkWithProgress(roots.size(), patchesPerChunk, control,
                              [&](std::size_t, std::size_t begin, std::size_t end) {
                                  for (std::size_t i = begin; i < end && !control.isCancelled(); ++i)
-                                     sides[roots[i]] = classify(arrangement, winding, largest[roots[i]]);
+                                     sides[roots[i]] = classify(arrangement, winding, ofCavities, largest[roots[i]]);
                              });
     for (Slot f = 0; f < count; ++f)
         sides[f] = sides[patches.root(f)];
     return sides;
 }
 
-/// Sums volumes, each counted as often as `weightOf` says of the winding number there.
-template <typename Weight>
-double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides, Weight weightOf)
+/// Sums the volumes that count by how they are wound around.
+template <typename Counts>
+double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides, Counts counts)
 {
     double sixVolumes = 0;
     for (Slot f = 0; f < sides.size(); ++f) {
-        const auto [before, behind] = sides[f];
+        const auto& [before, behind] = sides[f];
         const Triangle& t = arrangement.faces[f].corners;
         const double cone = arrangement.points[t[0]].dot(arrangement.points[t[1]].cross(arrangement.points[t[2]]));
-        sixVolumes += (weightOf(behind) - weightOf(before)) * cone;
+        sixVolumes += (counts(behind) - counts(before)) * cone;
     }
     return sixVolumes / 6;
 }
 } // namespace
 
 WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
-                            const JobControl& control)
+                            const TriangleSoup& cavities, const JobControl& control)
 {
     WindingSolid solid;
     TriangleSoup& surface = solid.surface;
@@ -111,10 +125,12 @@ WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arr
     surface.points.reserve(arrangement.points.size());
     for (const Vec3& p : arrangement.points)
         surface.points.push_back(p.array().round().cast<int>());
-    const std::vector<Sides> sides = classifyAll(original, arrangement, control);
-    solid.volume = volumeOf(arrangement, sides, [](int side) { return std::max(0, side); });
-    solid.insideOutVolume = volumeOf(arrangement, sides, [](int side) { return std::max(0, -side); });
-    const auto isSolid = [&](int side) { return side > 0 || (side < 0 && inside == Inside::NonZero); };
+    const std::vector<Sides> sides = classifyAll(original, arrangement, cavities, control);
+    solid.volume = volumeOf(arrangement, sides, [](const Side& side) { return side.sign > 0; });
+    solid.insideOutVolume = volumeOf(arrangement, sides, [](const Side& side) { return side.isInsideOut; });
+    const auto isSolid = [&](const Side& side) {
+        return side.sign > 0 || (side.sign < 0 && inside == Inside::NonZero);
+    };
     for (Slot f = 0; f < sides.size(); ++f) {
         const bool before = isSolid(sides[f].before), behind = isSolid(sides[f].behind);
         const Triangle& t = arrangement.faces[f].corners;

@@ -98,9 +98,15 @@ QString RepairMessages::doubt(const QString& file, const core::RepairReport& rep
     if (!isLost && isOfOtherVolume)
         return tr("%1 was mended, but has %2 % of its volume now.")
             .arg(file, QLocale().toString(percent * kept, 'f', 1));
+    const double space = report.space.lost + report.space.gained,
+                 otherSpace = report.otherSpace.lost + report.otherSpace.gained;
+    if (!isLost && otherSpace > core::RepairReport::mostOtherSpace)
+        return tr("%1 was mended, but parts that could be holes were taken for parts that face the wrong way: %2 % of "
+                  "the space.")
+            .arg(file, QLocale().toString(percent * otherSpace, 'f', 1));
     if (!isLost)
         return tr("%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.")
-            .arg(file, QLocale().toString(percent * (report.space.lost + report.space.gained), 'f', 1));
+            .arg(file, QLocale().toString(percent * space, 'f', 1));
     return tr("%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the "
               "size.")
         .arg(file, shortMillimetres(report.lost), QLocale().toString(percent * report.lost / report.size, 'f', 1));

@@ -6,6 +6,10 @@
 
 #include <QTest>
 
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 using namespace core;
 
 namespace
@@ -45,7 +49,7 @@ TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
 }
 
 /// Raises a needle from the middle of the first face, 0.0005 wide.
-TriangleMesh withNeedle(TriangleMesh mesh)
+TriangleMesh withNeedle(TriangleMesh mesh, double length = 2)
 {
     const Triangle face = mesh.triangles[0];
     const auto at = [&](std::size_t i) { return mesh.points[face[i]].cast<double>(); };
@@ -53,7 +57,7 @@ TriangleMesh withNeedle(TriangleMesh mesh)
     const auto foot = static_cast<Slot>(mesh.points.size()), tip = foot + 3;
     for (std::size_t i = 0; i < 3; ++i)
         mesh.points.push_back((middle + 5e-4 * (at(i) - middle).normalized()).cast<float>());
-    mesh.points.push_back((middle + 2 * normal).cast<float>());
+    mesh.points.push_back((middle + length * normal).cast<float>());
     mesh.triangles.erase(mesh.triangles.begin());
     for (Slot i = 0; i < 3; ++i) {
         const Slot next = (i + 1) % 3;
@@ -62,6 +66,54 @@ TriangleMesh withNeedle(TriangleMesh mesh)
         mesh.triangles.push_back({foot + i, foot + next, tip});
     }
     return mesh;
+}
+
+/// A closed tube through rings of as many corners each, counter-clockwise as seen from behind the last.
+TriangleMesh tube(const std::vector<std::vector<Vec3f>>& rings)
+{
+    TriangleMesh mesh;
+    for (const std::vector<Vec3f>& ring : rings)
+        mesh.points.insert(mesh.points.end(), ring.begin(), ring.end());
+    const auto sides = static_cast<Slot>(rings[0].size()), last = static_cast<Slot>(mesh.points.size()) - sides;
+    for (Slot i = 0; i < sides; ++i) {
+        const Slot next = (i + 1) % sides;
+        for (Slot ring = 0; ring < last; ring += sides) {
+            mesh.triangles.push_back({ring + i, ring + next, ring + sides + next});
+            mesh.triangles.push_back({ring + i, ring + sides + next, ring + sides + i});
+        }
+        if (i > 0 && next > 0) {
+            mesh.triangles.push_back({0, next, i});
+            mesh.triangles.push_back({last, last + i, last + next});
+        }
+    }
+    return mesh;
+}
+
+/// A body with a cavity, most of whose faces are those of a thin vent that leads out of it.
+TriangleMesh withVent()
+{
+    const auto octagon = [](double radius, double z) {
+        std::vector<Vec3f> ring;
+        for (int i = 0; i < 8; ++i) {
+            const double angle = std::numbers::pi * i / 4;
+            ring.push_back(Vec3(5 + radius * std::cos(angle), 5 + radius * std::sin(angle), z).cast<float>());
+        }
+        return ring;
+    };
+    std::vector<std::vector<Vec3f>> rings{octagon(4, 1), octagon(4, 9)};
+    for (int ring = 0; ring < 200; ++ring)
+        rings.push_back(octagon(0.3, 9.001 + 5 * ring / 199.0));
+    return shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(tube(rings)));
+}
+
+/// A block with a thin slot, cut by a part of which most lies beyond the block.
+TriangleMesh withSlotCutter()
+{
+    const auto ring = [](float width, float z) {
+        return std::vector<Vec3f>{{-8, -width, z}, {8, -width, z}, {8, width, z}, {-8, width, z}};
+    };
+    return shapes::together(box({-10, -10, -20}, {10, 10, -2}),
+                            shapes::reversed(tube({ring(0.1F, -18), ring(0.1F, 0), ring(2, 4)})));
 }
 
 /// A hollow of two halves with a sheet between them: all of its walls hang on edges of three faces.
@@ -127,6 +179,29 @@ void TestHollowSolids::volume_isKept_data()
         << shapes::together(withNeedle(box(Vec3f::Zero(), Vec3f::Constant(10))),
                             box(Vec3f::Constant(5), Vec3f::Constant(15)))
         << 1875.0;
+    QTest::addRow("core with a needle in a hollow")
+        << shapes::together(shapes::together(hollow(Vec3f::Constant(0.5F), Vec3f::Constant(9.5F)),
+                                             withNeedle(box(Vec3f::Constant(0.6F), Vec3f::Constant(9.4F)), 0.08)),
+                            box({9.8F, 4, 4}, {11, 5, 5}))
+        << 1000.0 - 729 + 681.472 + 1;
+    QTest::addRow("insert that stands proud of a pocket")
+        << shapes::together(hollow({2, 2, 4}, {8, 8, 10.5F}), box({2.1F, 2.1F, 4.1F}, {7.9F, 7.9F, 10.3F}))
+        << 1000.0 - 216 + 5.8 * 5.8 * 5.9;          // above the wall nothing is wound around
+    const double octagon = 2 * std::numbers::sqrt2; // area, of radius 1
+    QTest::addRow("cavity with a fine vent") << withVent() << 1000.0 - octagon * (8 * 16 + 0.999 * 0.09) - 0.001 * 15;
+    QTest::addRow("drain through a thin wall")
+        << shapes::together(hollow(Vec3f::Constant(0.05F), Vec3f::Constant(9.95F)),
+                            shapes::reversed(box({4.7F, 4.7F, -0.1F}, {5.3F, 5.3F, 10.1F})))
+        << 1000.0 - 9.9 * 9.9 * 9.9 - 2 * 0.05 * 0.36;
+    const std::vector<Vec3f> base{{-3, -3, 8}, {3, -3, 8}, {3, 3, 8}, {-3, 3, 8}},
+        tip{{-0.01F, -0.01F, 10.5F}, {0.01F, -0.01F, 10.5F}, {0.01F, 0.01F, 10.5F}, {-0.01F, 0.01F, 10.5F}};
+    QTest::addRow("vent that narrows") << shapes::moved(shapes::together(shapes::moved(hollow(Vec3f::Constant(0.05F),
+                                                                                              Vec3f::Constant(9.95F)),
+                                                                                       {-5, -5, 0}),
+                                                                         shapes::reversed(tube({base, tip}))),
+                                                        {5, 5, 0})
+                                       << 1000.0 - 9.9 * 9.9 * 9.9 - 0.08144;
+    QTest::addRow("cutter with a handle outside") << withSlotCutter() << 7200.0 - 0.2 * 16 * 16;
     QTest::addRow("beam that crosses, inside out")
         << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(box({3, 3, -5}, {7, 7, 15})))
         << 1160.0;
