@@ -282,17 +282,17 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
 }
 
 /// Returns points spread evenly over the area of some faces, a little inside of them: faces of a cavity that ends in
-/// the plane of an outer face lie in others, too. Those that lie beyond an edge of the faces, or where these cross, are
-/// left out, unless all do.
+/// the plane of an outer face lie in others, too. Leaves points out that lie beyond an edge of the faces, or where
+/// these cross, unless all do.
 std::vector<Vec3> samplesOf(std::span<const Vec3> points, std::span<const Triangle> faces, bool facesIn,
                             std::size_t count)
 {
     constexpr double depth = 16;        // lattice units: more than what rounding moves
-    constexpr double fromEdges = 0.1;   // of the way to the middle of the face, or twice the depth
-    constexpr double step = 0.61803399; // of the golden section: spreads evenly
+    constexpr double fromEdges = 0.1;   // share of the way to the middle of the face, at most twice the depth
+    constexpr double step = 0.61803399; // golden section: spreads evenly
     constexpr double half = 0.5;
     double area = 0;
-    std::vector<double> ends; // of the faces' areas, laid end to end
+    std::vector<double> ends; // ends of the faces' areas, laid one behind the other
     for (const auto& [a, b, c] : faces)
         ends.push_back(area += (points[b] - points[a]).cross(points[c] - points[a]).norm());
     const WindingNumber own(points, faces);
@@ -371,8 +371,8 @@ struct Facing
     bool isInwards = false; ///< as it is; closed
     double volume = 0;      ///< below 0 inwards; closed
     bool isCavity = false;
-    bool isInside = false; ///< of other parts; cavities are
-    bool isGuess = false;  ///< it lies partly in parts of the other way, and is no cavity
+    bool isInside = false; ///< lies in other parts, as cavities do
+    bool isGuess = false;  ///< lies partly in parts of the other way, and is no cavity
 };
 
 /// Tells cavities from parts that are inside out.
@@ -433,8 +433,8 @@ private:
         return meets;
     }
 
-    /// Judges parts of one way. `alike`: those. `unlike`: those of the other way. `around`: of these, those in which
-    /// they may be cavities.
+    /// Judges parts of one way. `alike`: these. `unlike`: parts of the other way. `around`: the ones among them in
+    /// which a part may be a cavity.
     void judge(const std::vector<bool>& are, const PartsOfWay& alike, const PartsOfWay& unlike,
                const PartsOfWay& around)
     {
@@ -449,12 +449,16 @@ private:
                 for (const Slot f : m_parts.faces[part])
                     faces.push_back(m_surface.triangles[f]);
                 std::vector<Vec3> samples = samplesOf(m_points, faces, facing.isInwards, few);
-                if (facing.isInwards && alike.around(samples, part).least() > 0) // unless it crosses that somewhere
+                Windings ofAlike = alike.around(samples, part);
+                if (facing.isInwards && ofAlike.least() > 0) { // unless it crosses that somewhere
                     samples = samplesOf(m_points, faces, facing.isInwards, many);
-                const Windings ofAlike = alike.around(samples, part), ofUnlike = unlike.around(samples, part);
-                // Parts of its way that are around all of it make a hollow of what it lies in; those that cross it do
-                // not.
-                const double within = around.around(samples, part).share(ofAlike.least());
+                    ofAlike = alike.around(samples, part);
+                }
+                const Windings ofUnlike = unlike.around(samples, part);
+                // Parts of its way make a hollow of the part that it lies in if they are around all of it, but not if
+                // they cross it.
+                const Windings ofAround = &around == &unlike ? ofUnlike : around.around(samples, part);
+                const double within = ofAround.share(ofAlike.least());
                 facing.isCavity = within > (facing.isInwards ? most : nearlyAll);
                 facing.isInside = facing.isCavity || ofAlike.share(ofUnlike.least()) > nearlyAll;
                 const bool isBody = 2 * std::abs(facing.volume) > m_volume; // small parts may cross it
@@ -467,7 +471,7 @@ private:
     std::vector<Vec3> m_points;
     const Parts& m_parts;
     std::vector<Facing> m_facings;
-    double m_volume = 0; ///< of all closed parts, whichever way they face
+    double m_volume = 0; ///< sum over all closed parts, whichever way they face
 };
 } // namespace
 

@@ -415,13 +415,14 @@ private:
             return;
         progress.begin(RepairStep::Measure);
         measure(outcome.report, m_old, outcome.mesh, measures, progress.control.part(afterCheck, afterMeasuring));
-        const JobControl comparing = progress.control.part(afterMeasuring, 1);
+        constexpr double afterComparing = (1 + afterMeasuring) / 2;
         if (m_closed.whole)
-            outcome.report.space =
-                spaceDifference(meshOf(*m_closed.whole, m_lattice), WoundAround::EitherWay, outcome.mesh, comparing);
+            outcome.report.space = spaceDifference(meshOf(*m_closed.whole, m_lattice), WoundAround::EitherWay,
+                                                   outcome.mesh, progress.control.part(afterMeasuring, afterComparing));
         if (m_closed.otherReading)
-            outcome.report.otherSpace = spaceDifference(meshOf(*m_closed.otherReading, m_lattice),
-                                                        WoundAround::Outwards, outcome.mesh, comparing);
+            outcome.report.otherSpace =
+                spaceDifference(meshOf(*m_closed.otherReading, m_lattice), WoundAround::Outwards, outcome.mesh,
+                                progress.control.part(afterComparing, 1));
         if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
             m_best = std::move(outcome);
     }

@@ -66,7 +66,8 @@ struct RepairReport
     /// From the old surface if that was open: from the file's faces, or as they were turned where they run both ways
     /// along an edge; without sheets of 1/100 of the area or more.
     SpaceDifference space;
-    SpaceDifference otherSpace; ///< from what it would be if parts that were turned are cavities, where that may be
+    SpaceDifference
+        otherSpace; ///< measured from what it would be if parts that were turned are cavities, where they may be
     double keptVolume() const { return before.volume > 0 ? after.volume / before.volume : 1; }
     /// The model was not made anew, its volume is the same within 2 %, `lost` is at most 0.5 % of its size, and of the
     /// space that the old and the new surface enclose together at most 2 % were lost and 10 % gained, and 2 %

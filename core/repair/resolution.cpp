@@ -38,7 +38,7 @@ std::uint64_t triplesOf(std::size_t faces, std::span<const FacePair> pairs, std:
 {
     if (pairs.empty())
         return 0;
-    std::vector<std::vector<Slot>> after(faces); // of each face, those behind it that it meets
+    std::vector<std::vector<Slot>> after(faces); // faces behind each face that it meets
     for (const auto& [first, second] : pairs)
         after[first].push_back(second);
     for (std::vector<Slot>& others : after)

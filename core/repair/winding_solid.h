@@ -20,7 +20,7 @@ struct WindingSolid
 
 /// The boundary of all that counts as solid: what is inside of two parts is inside. `original` is the surface that was
 /// arranged. It should be closed; where it is not, the outcome has borders. `cavities`: parts of it that face inwards;
-/// what they alone wind around outside of the solid does not count as inside out. All cores.
+/// space that they alone wind around outside of the solid does not count as inside out. All cores.
 WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
                             const TriangleSoup& cavities, const JobControl& control = {});
 } // namespace core::repair
