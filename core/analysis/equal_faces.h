@@ -7,7 +7,7 @@
 
 namespace core
 {
-/// Faces put together by their corners: those of a group have the same three, however they run.
+/// Faces put together by their corners: all faces of a group have three corners in common, however they run.
 class EqualFaces
 {
 public:
@@ -23,6 +23,6 @@ public:
 
 private:
     std::vector<Slot> m_faces;  ///< group by group
-    std::vector<Slot> m_begins; ///< of the groups in `m_faces`, and the end
+    std::vector<Slot> m_begins; ///< begins of the groups in `m_faces`, and the end
 };
 } // namespace core

@@ -1,5 +1,5 @@
-// All pairs of faces that meet: those whose boxes meet in a tree of boxes are tested exactly. Of faces with the same
-// corners, one is tested for all.
+// All pairs of faces that meet: pairs whose boxes meet in a tree of boxes are tested exactly. One face stands for all
+// that have its corners.
 
 #include "core/analysis/self_intersection.h"
 
@@ -111,8 +111,8 @@ private:
     std::span<const Slot> facesAt(Slot position) const { return m_faces.group(m_tree.at(position)); }
 
     std::span<const Triangle> m_triangles;
-    EqualFaces m_faces; ///< those that take part
-    BoxTree m_tree;     ///< of one face of each group
+    EqualFaces m_faces; ///< the faces that take part
+    BoxTree m_tree;     ///< boxes of one face of each group
 };
 
 /// Faces that are degenerate, or those that are not, ascending.

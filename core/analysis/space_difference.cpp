@@ -44,14 +44,14 @@ double volumeOf(const FaceBox& box)
     return (box.max - box.min).cast<double>().prod();
 }
 
-/// Points of two surfaces' box, most of them in the boxes of their components: these may be small and far apart.
+/// Gives points of two surfaces' box, most of them in the boxes of their components, which may be small and far apart.
 class SpaceSamples
 {
 public:
     struct Sample
     {
         Vec3 point;
-        double space; ///< that it stands for, to some scale
+        double space; ///< space that it stands for, to some scale
     };
 
     SpaceSamples(const TriangleMesh& a, const TriangleMesh& b) : m_boxes(componentBoxes(a, b)), m_tree(m_boxes)
@@ -62,10 +62,10 @@ public:
         }
     }
 
-    /// Returns points that are spread evenly: the R4 sequence (Roberts 2018).
+    /// Returns one of the points, which are spread evenly: the R4 sequence (Roberts 2018).
     Sample at(std::size_t i) const
     {
-        constexpr double inAll = 0.25; // of the points
+        constexpr double inAll = 0.25; // share of the points
         const Eigen::Array4d steps(0.8566748838545029, 0.7338918566271260, 0.6287067210378087, 0.5385972572236101);
         const Eigen::Array4d turns = 0.5 + static_cast<double>(i) * steps, unit = turns - turns.floor();
         const bool isInAll = unit[3] < inAll || m_volume == 0;
@@ -81,11 +81,11 @@ public:
     }
 
 private:
-    std::vector<FaceBox> m_boxes; ///< of the components
+    std::vector<FaceBox> m_boxes; ///< boxes of the components
     BoxTree m_tree;
     FaceBox m_all;
-    std::vector<double> m_ends; ///< of the boxes' volumes, laid end to end
-    double m_volume = 0;        ///< of all of these
+    std::vector<double> m_ends; ///< ends of the boxes' volumes, laid one behind the other
+    double m_volume = 0;        ///< sum of these
 };
 
 /// Sums of what the points count.
@@ -100,7 +100,7 @@ SpaceDifference spaceDifference(const TriangleMesh& faces, WoundAround counted, 
                                 const JobControl& control)
 {
     constexpr std::size_t maxSamples = 65'536, perStep = 8192, perChunk = 256;
-    constexpr std::size_t enough = 16'384; // of points inside
+    constexpr std::size_t enough = 16'384; // points inside
     const WindingNumber ofFaces = windingOf(faces), ofSolid = windingOf(solid);
     const SpaceSamples samples(faces, solid);
     Sums all;

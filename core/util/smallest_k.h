@@ -17,7 +17,7 @@ public:
         ++m_count;
         keep(item);
     }
-    /// Counts so many items. Those of them that may be among the smallest are to be kept, too.
+    /// Counts items that are not added one by one. The caller keeps the ones that may be among the smallest.
     void count(std::uint64_t items) { m_count += items; }
     void keep(const Item& item)
     {

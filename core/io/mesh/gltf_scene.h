@@ -54,7 +54,7 @@ private:
     const FileBytes& m_file;
     const GltfDocument& m_gltf;
     StopCheck& m_stopCheck;
-    std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< those so far; joints once for each skin
+    std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< numbers so far; joints once for each skin
     Eigen::Matrix4d m_root = Eigen::Matrix4d::Identity();
     std::vector<std::optional<std::size_t>> m_parents; ///< of the nodes, once a joint has asked for them
     std::map<std::size_t, Eigen::Matrix4d> m_worlds;   ///< of the joints and what they hang on, as far as asked for

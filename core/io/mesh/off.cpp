@@ -1,7 +1,7 @@
 // Source: Geomview's manual, OFF files: line ends are blanks like any other, but for that of a face's colour.
 // OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a
-// line or over several, whose colour is passed over. What cannot be read so is read in other layouts: a vertex, a face
-// or both begin wherever the one before it ends. Comments stand anywhere. off_binary.h reads BINARY.
+// line or over several, whose colour is passed over. A file that cannot be read so is read in other layouts: a
+// vertex, a face or both begin wherever the one before it ends. Comments stand anywhere. off_binary.h reads BINARY.
 
 #include "core/io/mesh/number_parsing.h"
 #include "core/io/mesh/off_binary.h"
@@ -26,7 +26,7 @@ constexpr std::size_t minVertex = 6, minFace = 4;
 using RawColor = std::array<float, 3>;
 constexpr RawColor noColor{-1, -1, -1};
 
-/// Says what begins a line, behind which more may stand. What does not begins where the one before it ends.
+/// Says what begins a line, behind which more may stand. Other elements begin where the one before them ends.
 struct Layout
 {
     bool ofVertices, ofFaces;
