@@ -337,7 +337,7 @@ class ModelTree
 public:
     ModelTree(const Records& objects, const Records& connections)
     {
-        std::set<std::int64_t> meshes;                         // those with faces
+        std::set<std::int64_t> meshes;                         // meshes with faces
         std::set<std::pair<std::int64_t, std::int64_t>> known; // children and parents
         for (const FbxRecord& object : objects)
             if (const auto id = idOf(object, 0); id && object.name == "Model")

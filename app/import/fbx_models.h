@@ -26,7 +26,7 @@ struct FbxModel
     Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< its own one, with signs
     Inherit inherit = Inherit::Usual;
     bool hasActiveRotations = true;
-    std::size_t meshes = 0;         ///< those of it that have faces, as the file says
+    std::size_t meshes = 0;         ///< number of its meshes that have faces, as the file says
     bool isLodGroup = false;        ///< whether those below it stand for each other, the finest one first
     bool isShown = true;            ///< itself
     bool isVisible = true;          ///< with those below it that inherit that

@@ -25,7 +25,7 @@ public:
     struct Notes
     {
         std::string outside;          ///< the name of a file that was asked for elsewhere
-        std::exception_ptr problem;   ///< what was thrown over a file that could not be given
+        std::exception_ptr problem;   ///< exception over a file that could not be given
         std::size_t unread = 0;       ///< nodes left out that stand for surfaces
         bool isFollowed = true;       ///< false: an FBX file was given as it is, because it could not be followed
         std::vector<FbxModel> models; ///< of an FBX file
