@@ -396,7 +396,7 @@ void TestX3dExpansion::straightSpines_doNotTurn_data()
     QTest::addColumn<double>("x");
     QTest::addColumn<double>("y");
     QTest::addColumn<double>("z");
-    QTest::addColumn<int>("digits"); // of single or double precision
+    QTest::addColumn<int>("digits"); // digits of numbers of single or double precision
     for (const auto& [x, y, z] : {std::array{0.1, 0.2, 0.3}, {0.3, 0.7, 0.2}, {1.0, 2.0, 3.0}, {0.7, -0.1, 0.0}})
         for (const int digits : {6, 8, 16})
             QTest::addRow("%g %g %g, %d digits", x, y, z, digits) << x << y << z << digits;
