@@ -281,44 +281,104 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
-/// Returns points spread evenly over the area of some faces, a little inside of them: faces of a cavity that ends in
-/// the plane of an outer face lie in others, too. Leaves points out that lie beyond an edge of the faces, or where
-/// these cross, unless all do.
-std::vector<Vec3> samplesOf(std::span<const Vec3> points, std::span<const Triangle> faces, bool facesIn,
-                            std::size_t count)
+/// Makes points a little inside or outside of a closed part: faces of a cavity that ends in the plane of an outer face
+/// lie in others, too. Leaves points out that lie beyond an edge of the part's faces, or where these cross, unless all
+/// do.
+class PartSamples
 {
-    constexpr double depth = 16;        // lattice units: more than what rounding moves
-    constexpr double fromEdges = 0.1;   // share of the way to the middle of the face, at most twice the depth
-    constexpr double step = 0.61803399; // golden section: spreads evenly
-    constexpr double half = 0.5;
-    double area = 0;
-    std::vector<double> ends; // ends of the faces' areas, laid one behind the other
-    for (const auto& [a, b, c] : faces)
-        ends.push_back(area += (points[b] - points[a]).cross(points[c] - points[a]).norm());
-    const WindingNumber own(points, faces);
-    std::vector<Vec3> samples, all;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double at = (static_cast<double>(i) + half) / static_cast<double>(count) * area;
-        const auto end = std::min(std::ranges::upper_bound(ends, at), ends.end() - 1);
-        const auto& [a, b, c] = faces[static_cast<std::size_t>(end - ends.begin())];
-        const Vec3 u = points[b] - points[a], v = points[c] - points[a], normal = u.cross(v);
-        const double fromA = std::sqrt(std::clamp((*end - at) / normal.norm(), 0.0, 1.0));
-        const double towardsC = std::fmod(static_cast<double>(i) * step, 1.0);
-        const Vec3 onFace = fromA * ((1 - towardsC) * u + towardsC * v);
-        const Vec3 inwards = (u + v) / 3 - onFace;
-        all.push_back(points[a] + onFace + std::min(fromEdges, 2 * depth / inwards.norm()) * inwards +
-                      (facesIn ? depth : -depth) * normal.normalized());
-        if (std::abs(own.at(all.back()) - (facesIn ? -1 : 1)) < half)
-            samples.push_back(all.back());
+public:
+    enum class Side { Inside, Outside };
+
+    /// Lasting references.
+    PartSamples(std::span<const Vec3> points, std::span<const Triangle> faces, bool facesIn)
+        : m_points(points)
+        , m_faces(faces)
+        , m_facesIn(facesIn)
+        , m_own(points, faces)
+    {
+        for (const auto& [a, b, c] : faces)
+            m_ends.push_back(m_area += (points[b] - points[a]).cross(points[c] - points[a]).norm());
     }
-    return samples.empty() ? all : samples;
-}
+
+    /// Returns points spread evenly over the area.
+    std::vector<Vec3> overArea(std::size_t count, Side side = Side::Inside) const
+    {
+        constexpr double step = 0.61803399; // golden section: spreads evenly
+        constexpr double half = 0.5;
+        std::vector<Vec3> samples;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double at = (static_cast<double>(i) + half) / static_cast<double>(count) * m_area;
+            const auto end = std::min(std::ranges::upper_bound(m_ends, at), m_ends.end() - 1);
+            const auto& [a, b, c] = m_faces[static_cast<std::size_t>(end - m_ends.begin())];
+            const Vec3 u = m_points[b] - m_points[a], v = m_points[c] - m_points[a];
+            const double fromA = std::sqrt(std::clamp((*end - at) / u.cross(v).norm(), 0.0, 1.0));
+            const double towardsC = std::fmod(static_cast<double>(i) * step, 1.0);
+            samples.push_back(beside(u, v, fromA * ((1 - towardsC) * u + towardsC * v), side) + m_points[a]);
+        }
+        return cleared(std::move(samples), side);
+    }
+
+    /// Returns a point for each of up to `count` of the vertices, which reach where no share of the area would: a thin
+    /// end of the part.
+    std::vector<Vec3> atVertices(std::size_t count) const
+    {
+        std::vector<Slot> corners; // 3 x face + corner
+        for (Slot f = 0; f < m_faces.size(); ++f)
+            for (Slot k = 0; k < 3; ++k)
+                corners.push_back(3 * f + k);
+        const auto vertex = [&](Slot corner) { return m_faces[corner / 3][corner % 3]; };
+        std::ranges::sort(corners, {}, vertex);
+        corners.erase(std::ranges::unique(corners, {}, vertex).begin(), corners.end());
+        const std::size_t stride = 1 + corners.size() / count;
+        std::vector<Vec3> samples;
+        for (std::size_t i = 0; i < corners.size(); i += stride) {
+            const Triangle& t = m_faces[corners[i] / 3];
+            const Slot k = corners[i] % 3;
+            const Vec3 a = m_points[t[k]];
+            samples.push_back(
+                beside(m_points[t[(k + 1) % 3]] - a, m_points[t[(k + 2) % 3]] - a, Vec3::Zero(), Side::Inside) + a);
+        }
+        return cleared(std::move(samples), Side::Inside);
+    }
+
+private:
+    static constexpr double depth = 16; ///< lattice units: more than what rounding moves
+
+    /// `u`, `v`: sides of a face. Moves a place on it off the face, and off its edges.
+    Vec3 beside(const Vec3& u, const Vec3& v, const Vec3& onFace, Side side) const
+    {
+        constexpr double fromEdges = 0.1; // share of the way to the middle of the face, at most twice the depth
+        const Vec3 inwards = (u + v) / 3 - onFace;
+        const bool isAlongNormal = m_facesIn == (side == Side::Inside);
+        return onFace + std::min(fromEdges, 2 * depth / inwards.norm()) * inwards +
+               (isAlongNormal ? depth : -depth) * u.cross(v).normalized();
+    }
+
+    std::vector<Vec3> cleared(std::vector<Vec3> all, Side side) const
+    {
+        constexpr double half = 0.5;
+        const double right = side == Side::Outside ? 0 : m_facesIn ? -1 : 1;
+        std::vector<Vec3> samples;
+        std::ranges::copy_if(all, std::back_inserter(samples),
+                             [&](const Vec3& p) { return std::abs(m_own.at(p) - right) < half; });
+        return samples.empty() ? all : samples;
+    }
+
+    std::span<const Vec3> m_points;
+    std::span<const Triangle> m_faces;
+    bool m_facesIn;
+    WindingNumber m_own;
+    std::vector<double> m_ends; ///< ends of the faces' areas, laid one behind the other
+    double m_area = 0;          ///< doubled
+};
 
 /// Holds how often parts wind around each of some points.
 struct Windings : std::vector<double>
 {
     /// Returns how often all of them are wound around.
     double least() const { return std::max(0.0, std::round(std::ranges::min(*this))); }
+    /// Returns how often any of them is wound around at most.
+    double most() const { return std::max(0.0, std::round(std::ranges::max(*this))); }
     /// Returns the share of those that are wound around more often than `least`.
     double share(double least) const
     {
@@ -340,12 +400,14 @@ public:
         , m_winding(points, facesOf(surface, parts, m_are))
     {}
 
-    /// Returns how often they wind around points of a part, which is left out.
-    Windings around(std::span<const Vec3> samples, std::size_t part) const
+    /// Returns how often they wind around points inside or outside of a part, which is left out.
+    Windings around(std::span<const Vec3> samples, std::size_t part,
+                    PartSamples::Side side = PartSamples::Side::Inside) const
     {
+        const double own = m_are[part] && side == PartSamples::Side::Inside ? 1 : 0;
         Windings windings;
         for (const Vec3& p : samples)
-            windings.push_back(m_way * m_winding.at(p) - (m_are[part] ? 1 : 0));
+            windings.push_back(m_way * m_winding.at(p) - own);
         return windings;
     }
 
@@ -438,8 +500,7 @@ private:
     void judge(const std::vector<bool>& are, const PartsOfWay& alike, const PartsOfWay& unlike,
                const PartsOfWay& around)
     {
-        constexpr double nearlyAll = 1 - 1e-9, most = 0.6, some = 0.02, muchOfBody = 0.2;
-        constexpr std::size_t few = 128, many = 2048; // samples
+        constexpr double nearlyAll = 1 - 1e-9, most = 0.6, some = 0.001, muchOfBody = 0.2;
         forEachChunk(are.size(), 1, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t part = begin; part < end; ++part) {
                 Facing& facing = m_facings[part];
@@ -448,24 +509,37 @@ private:
                 std::vector<Triangle> faces;
                 for (const Slot f : m_parts.faces[part])
                     faces.push_back(m_surface.triangles[f]);
-                std::vector<Vec3> samples = samplesOf(m_points, faces, facing.isInwards, few);
-                Windings ofAlike = alike.around(samples, part);
-                if (facing.isInwards && ofAlike.least() > 0) { // unless it crosses that somewhere
-                    samples = samplesOf(m_points, faces, facing.isInwards, many);
+                const PartSamples of(m_points, faces, facing.isInwards);
+                std::vector<Vec3> samples = of.overArea(few);
+                Windings ofAlike = alike.around(samples, part), ofAround = around.around(samples, part);
+                if (facing.isInwards && (ofAlike.least() > 0 || ofAround.share(0) < clearly)) {
+                    samples = of.overArea(many);
                     ofAlike = alike.around(samples, part);
+                    ofAround = around.around(samples, part);
                 }
-                const Windings ofUnlike = unlike.around(samples, part);
-                // Parts of its way make a hollow of the part that it lies in if they are around all of it, but not if
-                // they cross it.
-                const Windings ofAround = &around == &unlike ? ofUnlike : around.around(samples, part);
-                const double within = ofAround.share(ofAlike.least());
-                facing.isCavity = within > (facing.isInwards ? most : nearlyAll);
+                const double hollows = facing.isInwards ? hollowsAround(alike, of, ofAlike, part) : ofAlike.least();
+                const Windings ofUnlike = &around == &unlike ? ofAround : unlike.around(samples, part);
+                facing.isCavity = ofAround.share(hollows) > (facing.isInwards ? most : nearlyAll);
                 facing.isInside = facing.isCavity || ofAlike.share(ofUnlike.least()) > nearlyAll;
                 const bool isBody = 2 * std::abs(facing.volume) > m_volume; // small parts may cross it
-                facing.isGuess = within > (isBody ? muchOfBody : some) && !facing.isCavity;
+                facing.isGuess = ofAround.share(0) > (isBody ? muchOfBody : some) && !facing.isCavity;
             }
         });
     }
+
+    /// Returns how many parts of its way make a hollow of the parts that it lies in: those that are around all of it,
+    /// but not if they cross it, or are the same surface once more. `windings`: theirs around points of it.
+    static double hollowsAround(const PartsOfWay& alike, const PartSamples& of, const Windings& windings,
+                                std::size_t part)
+    {
+        constexpr auto outside = PartSamples::Side::Outside;
+        if (windings.least() == 0 || alike.around(of.overArea(few, outside), part, outside).most() == 0)
+            return 0;
+        return std::min(windings.least(), alike.around(of.atVertices(mostVertices), part).least());
+    }
+
+    static constexpr std::size_t few = 128, many = 2048, mostVertices = 16'384; ///< samples
+    static constexpr double clearly = 0.75; ///< share of a cavity's area: a few samples have told it
 
     const TriangleSoup& m_surface;
     std::vector<Vec3> m_points;

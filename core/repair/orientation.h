@@ -23,7 +23,7 @@ struct OutwardResult
     std::size_t turned = 0;         ///< parts that faced inwards and are no cavities
     std::size_t inner = 0;          ///< parts inside of others that are no cavities by the way they run
     std::vector<Triangle> cavities; ///< faces of parts that face inwards now
-    /// Faces of parts that are taken for no cavities, though more than 0.02 of the area of each lies in parts of the
+    /// Faces of parts that are taken for no cavities, though more than 0.001 of the area of each lies in parts of the
     /// other way, or 0.2 if it has more than half of the volume of all.
     std::vector<Slot> guesses;
 };
@@ -34,6 +34,6 @@ struct OutwardResult
 /// all of it lies in a part that faces inwards and is no cavity: the whole was inside out, and it is turned with that.
 /// Parts in a cavity stay as they are. With `innerAreCavities` other parts inside of others face inwards as well. All
 /// cores. Cost: a sort, and some 10 to 15 ms for each part whose box meets that of another one; some 60 ms for one that
-/// faces inwards within another that does.
+/// faces inwards and lies partly in others, up to half a second within another that faces inwards.
 OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
 } // namespace core::repair

@@ -89,17 +89,19 @@ TriangleMesh tube(const std::vector<std::vector<Vec3f>>& rings)
     return mesh;
 }
 
+std::vector<Vec3f> octagon(double radius, double z)
+{
+    std::vector<Vec3f> ring;
+    for (int i = 0; i < 8; ++i) {
+        const double angle = std::numbers::pi * i / 4;
+        ring.push_back(Vec3(5 + radius * std::cos(angle), 5 + radius * std::sin(angle), z).cast<float>());
+    }
+    return ring;
+}
+
 /// A body with a cavity, most of whose faces are those of a thin vent that leads out of it.
 TriangleMesh withVent()
 {
-    const auto octagon = [](double radius, double z) {
-        std::vector<Vec3f> ring;
-        for (int i = 0; i < 8; ++i) {
-            const double angle = std::numbers::pi * i / 4;
-            ring.push_back(Vec3(5 + radius * std::cos(angle), 5 + radius * std::sin(angle), z).cast<float>());
-        }
-        return ring;
-    };
     std::vector<std::vector<Vec3f>> rings{octagon(4, 1), octagon(4, 9)};
     for (int ring = 0; ring < 200; ++ring)
         rings.push_back(octagon(0.3, 9.001 + 5 * ring / 199.0));
@@ -186,9 +188,9 @@ void TestHollowSolids::volume_isKept_data()
         << 1000.0 - 729 + 681.472 + 1;
     QTest::addRow("insert that stands proud of a pocket")
         << shapes::together(hollow({2, 2, 4}, {8, 8, 10.5F}), box({2.1F, 2.1F, 4.1F}, {7.9F, 7.9F, 10.3F}))
-        << 1000.0 - 216 + 5.8 * 5.8 * 5.9;          // above the wall nothing is wound around
-    const double octagon = 2 * std::numbers::sqrt2; // area, of radius 1
-    QTest::addRow("cavity with a fine vent") << withVent() << 1000.0 - octagon * (8 * 16 + 0.999 * 0.09) - 0.001 * 15;
+        << 1000.0 - 216 + 5.8 * 5.8 * 5.9;       // above the wall nothing is wound around
+    const double area = 2 * std::numbers::sqrt2; // of an octagon of radius 1
+    QTest::addRow("cavity with a fine vent") << withVent() << 1000.0 - area * (8 * 16 + 0.999 * 0.09) - 0.001 * 15;
     QTest::addRow("drain through a thin wall")
         << shapes::together(hollow(Vec3f::Constant(0.05F), Vec3f::Constant(9.95F)),
                             shapes::reversed(box({4.7F, 4.7F, -0.1F}, {5.3F, 5.3F, 10.1F})))
@@ -201,6 +203,18 @@ void TestHollowSolids::volume_isKept_data()
                                                                          shapes::reversed(tube({base, tip}))),
                                                         {5, 5, 0})
                                        << 1000.0 - 9.9 * 9.9 * 9.9 - 0.08144;
+    // The bore has .04 % of the cutter's area.
+    QTest::addRow("drain with a fine bore")
+        << shapes::together(
+               hollow(Vec3f::Constant(0.05F), Vec3f::Constant(9.95F)),
+               shapes::reversed(tube({octagon(4, 1), octagon(4, 9), octagon(0.02, 9.001), octagon(0.02, 10.5)})))
+        << 1000.0 - 9.9 * 9.9 * 9.9;
+    const auto ring = [](float z) {
+        return std::vector<Vec3f>{{7, 3, z}, {7, 5, z}, {7, 7, z}, {5, 7, z},
+                                  {3, 7, z}, {3, 5, z}, {3, 3, z}, {5, 3, z}};
+    };
+    QTest::addRow("cavity that is there twice, of other triangles")
+        << shapes::together(shell, shapes::reversed(tube({ring(3), ring(5), ring(7)}))) << 936.0;
     QTest::addRow("cutter with a handle outside") << withSlotCutter() << 7200.0 - 0.2 * 16 * 16;
     QTest::addRow("beam that crosses, inside out")
         << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(box({3, 3, -5}, {7, 7, 15})))

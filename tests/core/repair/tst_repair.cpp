@@ -136,6 +136,7 @@ private Q_SLOTS:
     void roughEnds_areOnePart();
     void insideOutParts_areNotTakenAway();
     void filledHoles_areTold();
+    void partsInHollows_areTold();
     void broadGround_isNotLostSilently();
     void voidsBetweenParts_stay();
     void lossOfVolume_isNotFaithful();
@@ -588,7 +589,7 @@ void TestRepair::filledHoles_areTold()
     const TriangleMesh plate = block(60, -5, 5);
     for (const auto& [side, from, to] :
          {Hole{16, -5.1F, 5.1F}, Hole{16, -5.5F, 5.5F}, Hole{16, -6, 6}, Hole{16, -25, 25}, Hole{24, 4, 6},
-          Hole{30, 4.3F, 6.3F}, Hole{34, 4.45F, 11}, Hole{50, 3, 30}})
+          Hole{30, 4.3F, 6.3F}, Hole{34, 4.45F, 11}, Hole{50, 3, 30}, Hole{6, -600, 600}})
         for (const bool isOpen : {false, true})
             for (const float away : {0.0F, 3000.0F}) { // a part so far away that there is little in the box of both
                 TriangleMesh mesh = shapes::together(plate, shapes::reversed(block(side, from, to)));
@@ -609,6 +610,18 @@ void TestRepair::filledHoles_areTold()
                                         .arg(away)
                                         .arg(volume)));
             }
+}
+
+/// A part that faces inwards within a cavity, as that does, is a body inside out or a second cavity.
+void TestRepair::partsInHollows_areTold()
+{
+    const TriangleMesh shell = shapes::together(shapes::cube(40), shapes::reversed(shapes::cube(30)));
+    for (const float side : {6.0F, 15.0F, 29.0F}) {
+        const RepairResult result = repairMesh(shapes::together(shell, shapes::reversed(shapes::cube(side))));
+        QVERIFY(result.mesh);
+        const double share = std::pow(double(side), 3) / (40 * 40 * 40 - 30 * 30 * 30);
+        QCOMPARE(result.report.isFaithful(), share < RepairReport::mostOtherSpace);
+    }
 }
 
 /// A tower on a broad open ground is flat for its area, but no sheet that nobody misses.
