@@ -1655,6 +1655,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 is not what it was when this stroke was recorded.</source>
         <translation>%1 ist nicht mehr, was es war, als dieser Strich aufgezeichnet wurde.</translation>
     </message>
+    <message>
+        <source>alpha: &quot;%1&quot; is none of %2, and no file</source>
+        <translation>alpha: „%1“ ist keins von %2 und keine Datei</translation>
+    </message>
 </context>
 <context>
     <name>app::TimeLapse</name>
@@ -8049,10 +8053,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>das ist kein JSON</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; stands there twice</source>
-        <translation>„%1“ steht zweimal da</translation>
-    </message>
-    <message>
         <source>this is no stroke file of version 1 (%1)</source>
         <translation>das ist keine Strichdatei der Version 1 (%1)</translation>
     </message>
@@ -8103,6 +8103,19 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>this brush preset was made by a newer version of Fettle</source>
         <translation>diese Pinselvorlage stammt von einer neueren Version von Fettle</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; appears twice</source>
+        <translation>„%1“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>it has version %1; this program reads version 1</source>
+        <translation>sie hat Version %1; dieses Programm liest Version 1</translation>
+    </message>
+    <message>
+        <source>%1 is none of %2</source>
+        <extracomment>key and value, as in place: &quot;there&quot;</extracomment>
+        <translation>%1 ist keins von %2</translation>
     </message>
 </context>
 </TS>

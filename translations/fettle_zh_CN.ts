@@ -1650,6 +1650,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 is not what it was when this stroke was recorded.</source>
         <translation>%1 与录制这一笔时的内容不同。</translation>
     </message>
+    <message>
+        <source>alpha: &quot;%1&quot; is none of %2, and no file</source>
+        <translation>alpha：“%1”不是 %2 之一，也不是文件</translation>
+    </message>
 </context>
 <context>
     <name>app::TimeLapse</name>
@@ -8026,10 +8030,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>不是有效的 JSON</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; stands there twice</source>
-        <translation>“%1”重复出现</translation>
-    </message>
-    <message>
         <source>this is no stroke file of version 1 (%1)</source>
         <translation>不是版本 1 的笔触文件 (%1)</translation>
     </message>
@@ -8080,6 +8080,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>this brush preset was made by a newer version of Fettle</source>
         <translation>此笔刷预设由更新版本的 Fettle 制作</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; appears twice</source>
+        <translation>“%1”出现了两次</translation>
+    </message>
+    <message>
+        <source>it has version %1; this program reads version 1</source>
+        <translation>其版本为 %1；本程序读取版本 1</translation>
+    </message>
+    <message>
+        <source>%1 is none of %2</source>
+        <extracomment>key and value, as in place: &quot;there&quot;</extracomment>
+        <translation>%1 不是 %2 之一</translation>
     </message>
 </context>
 </TS>

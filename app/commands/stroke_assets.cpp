@@ -6,6 +6,8 @@
 #include "ui/brush/brush_files.h"
 #include "ui/util/stroke_file_messages.h"
 
+#include <QFileInfo>
+
 #include <map>
 
 namespace app
@@ -21,6 +23,7 @@ public:
 
     void read(core::Stroke& stroke, std::size_t index)
     {
+        requireAlpha(stroke.alpha.file, index);
         resolve(stroke.settings.alpha, stroke.alpha, index, m_alphas, ui::readAlpha);
         resolve(stroke.settings.model, stroke.model, index, m_models, ui::readBrushModel);
     }
@@ -35,6 +38,15 @@ private:
         const QString sentence =
             tr("%1: %2: %3", "file: place: reason").arg(m_strokes, ui::StrokeFileMessages::place(place), reason);
         CommandLine::fail(sentence);
+    }
+
+    /// Refuses a name that is neither one of the program's, which the reader has resolved, nor a file.
+    void requireAlpha(const std::string& file, std::size_t index) const
+    {
+        if (file.empty() || QFileInfo::exists(pathOf(file)))
+            return;
+        fail(index, tr("alpha: \"%1\" is none of %2, and no file")
+                        .arg(QString::fromStdString(file), ui::builtInAlphaNames().join(QStringLiteral(", "))));
     }
 
     QString pathOf(const std::string& file) const

@@ -79,6 +79,14 @@ QString faultOf(const QString& path, const core::BrushModel::Made& made)
 }
 } // namespace
 
+QStringList builtInAlphaNames()
+{
+    QStringList names;
+    for (const std::string_view name : core::builtInAlphas())
+        names << QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    return names;
+}
+
 QStringList alphaEndings()
 {
     QStringList endings;

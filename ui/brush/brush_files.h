@@ -22,6 +22,8 @@ template <class What> struct BrushFile
 BrushFile<core::Alpha> readAlpha(const QString& path);
 /// Reads an alpha from a device; `path`: what the sentence and the alpha call it.
 BrushFile<core::Alpha> decodeAlpha(QIODevice* device, const QString& path);
+/// Names of the alphas that come with the program.
+QStringList builtInAlphaNames();
 /// Of files that readAlpha takes.
 QStringList alphaEndings();
 

@@ -13,6 +13,14 @@ QString number(double value)
 {
     return QString::number(value, 'g', 6);
 }
+
+QString joined(const std::vector<std::string>& words)
+{
+    QStringList list;
+    for (const std::string& word : words)
+        list << QString::fromStdString(word);
+    return list.join(QStringLiteral(", "));
+}
 } // namespace
 
 QString StrokeFileMessages::sentence(const QString& path, const core::StrokeFileError& error)
@@ -56,8 +64,10 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
     case Kind::Syntax:
         return tr("this is not JSON");
     case Kind::DuplicateKey:
-        return tr("\"%1\" stands there twice").arg(key);
+        return tr("\"%1\" appears twice").arg(key);
     case Kind::NotStrokes:
+        if (error.version)
+            return tr("it has version %1; this program reads version 1").arg(number(*error.version));
         return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
     case Kind::NotBrush:
         return tr("this is no brush preset of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
@@ -70,7 +80,9 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
     case Kind::WrongType:
         return tr("\"%1\" is of the wrong type, or holds too few or too many values").arg(key);
     case Kind::UnknownValue:
-        return tr("unknown value, %1").arg(key);
+        return error.words.empty() ? tr("unknown value, %1").arg(key)
+                                   //: key and value, as in place: "there"
+                                   : tr("%1 is none of %2").arg(key, joined(error.words));
     case Kind::NotANumber:
         return tr("\"%1\" is not a finite number").arg(key);
     case Kind::OutOfRange:

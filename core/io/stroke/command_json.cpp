@@ -43,23 +43,32 @@ constexpr CommandRow commandTable[] = {
          return MaskOperation{d.how, s.color};
      }},
 };
+constexpr auto commandNames = [] {
+    std::array<std::string_view, std::size(commandTable)> names;
+    std::ranges::transform(commandTable, names.begin(), &CommandRow::name);
+    return names;
+}();
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
 } // namespace
 
 /// False if the key does not have that word.
-bool StrokeJsonReader::commandWord(const std::string& word)
+bool StrokeJsonReader::commandWord(const std::string& typed)
 {
+    const std::string word = m_key == WhereKey && typed == "center" ? "centre" : typed;
     const auto take = [&](const auto& names, auto& value) {
+        m_words = names;
         const auto place = std::ranges::find(names, word) - names.begin();
         value = static_cast<std::remove_reference_t<decltype(value)>>(place);
         return place < std::ssize(names);
     };
     switch (m_key) {
     case CommandKey:
-        m_command.name = word;
-        return std::ranges::find(commandTable, word, &CommandRow::name) != std::end(commandTable);
+        m_words = commandNames;
+        m_command.name = word == "recenter" ? "recentre" : word;
+        return std::ranges::find(commandNames, m_command.name) != commandNames.end();
     case PlaneKey:
+        m_words = std::span(valueNames<Symmetry>).subspan(1); // all but none
         m_command.plane = named<Symmetry>(word).value_or(Symmetry::None);
         return m_command.plane != Symmetry::None;
     case KeepKey:

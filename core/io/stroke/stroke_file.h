@@ -41,7 +41,7 @@ namespace core
 ///     {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]}
 ///
 /// "keep": positive (the default) or negative. Without "detail_length": 4/3 of the mean edge. "where": beside (the
-/// default), as_it_is, or centre, and only then with "centre".
+/// default), as_it_is, or centre, and only then with "centre". "recenter" and "center" are taken as well.
 struct StrokeFileError : std::runtime_error
 {
     enum class Kind {
@@ -70,6 +70,8 @@ struct StrokeFileError : std::runtime_error
     std::size_t byte = 0;              ///< counted from 1; 0: unknown
     std::optional<double> min, max;    ///< with OutOfRange, where there is a range
     bool orZero = false;               ///< with OutOfRange: 0 is taken, too
+    std::vector<std::string> words;    ///< with UnknownValue: the words that the key has; empty: it may be any word
+    std::optional<double> version;     ///< with NotStrokes: the version of the file, if it has another one
     int systemError = 0;               ///< errno, with CannotRead, where it is known
 };
 

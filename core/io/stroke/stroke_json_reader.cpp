@@ -70,7 +70,7 @@ bool StrokeJsonReader::key(string_t& name)
         noteKey(fileKeys, name);
         break;
     case Level::Stroke:
-        noteKey(strokeKeys, name);
+        noteKey(strokeKeys, name == "center" ? "centre" : name);
         break;
     default:
         noteKey(sampleKeys, name);

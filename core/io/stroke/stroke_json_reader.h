@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <span>
+
 namespace core
 {
 /// What the keys of a command say, in whatever order they come.
@@ -64,7 +66,7 @@ private:
     void endSample();
     void endStroke();
     bool isCommand() const { return m_seen & bit(CommandKey); }
-    bool commandWord(const std::string& word);
+    bool commandWord(const std::string& typed);
     void endCommand();
     void requireNoneOf(KeySet keys);
     /// The entry that is being read: a stroke until it ends, its color and detail_length those of a command, too.
@@ -74,8 +76,9 @@ private:
     std::vector<FileEntry> m_entries;
     CommandDraft m_command;
     Level m_level = Level::Start;
-    int m_key = -1;    ///< in the level's keys
-    KeySet m_seen = 0; ///< of the innermost object
+    int m_key = -1;                            ///< in the level's keys
+    std::span<const std::string_view> m_words; ///< words of the key whose word is being read; empty: any
+    KeySet m_seen = 0;                         ///< of the innermost object
     KeySet m_seenOuter = 0, m_seenStroke = 0;
     bool m_inVector = false; ///< between the brackets of a list of numbers
     std::size_t m_count = 0; ///< of them so far

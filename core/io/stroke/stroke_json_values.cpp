@@ -119,7 +119,9 @@ bool StrokeJsonReader::number(double value)
     } else if (m_level != Level::File || m_key != Version) {
         refuse(Kind::WrongType);
     } else if (value != 1) {
-        refuse(Kind::NotStrokes);
+        StrokeFileError error = errorHere(Kind::NotStrokes, std::string(keyName()));
+        error.version = value;
+        throw error;
     }
     return true;
 }
@@ -233,7 +235,9 @@ bool StrokeJsonReader::string(string_t& value)
 void StrokeJsonReader::strokeWord(const std::string& word)
 {
     StrokeSettings& settings = stroke().settings;
+    m_words = {};
     const auto take = [&]<class Value>(Value& setting) {
+        m_words = valueNames<Value>;
         const std::optional<Value> value = named<Value>(word);
         setting = value.value_or(setting);
         return value.has_value();
@@ -275,8 +279,11 @@ void StrokeJsonReader::strokeWord(const std::string& word)
     default:
         known = commandWord(word);
     }
-    if (!known)
-        refuse(Kind::UnknownValue, "\"" + word + "\"");
+    if (known)
+        return;
+    StrokeFileError error = errorHere(Kind::UnknownValue, std::string(keyName()) + ": \"" + word.substr(0, 60) + '"');
+    error.words.assign(m_words.begin(), m_words.end());
+    throw error;
 }
 
 void StrokeJsonReader::endStroke()

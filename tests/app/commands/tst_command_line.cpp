@@ -1098,8 +1098,24 @@ void TestCommandLine::replay_refusals_data()
     QTest::addColumn<QString>("with");
     QTest::newRow("no JSON") << QByteArray("pull the nose") << QStringLiteral("line 1");
     QTest::newRow("empty") << QByteArray() << QStringLiteral("JSON");
-    QTest::newRow("tool") << strokes(R"("tool":"melt","radius":1)") << QStringLiteral("melt");
-    QTest::newRow("plane") << strokes(R"("tool":"pull","radius":1,"symmetry":"w")") << QStringLiteral("\"w\"");
+    QTest::newRow("tool") << strokes(R"("tool":"melt","radius":1)")
+                          << QStringLiteral("tool: \"melt\" is none of pull, push, inflate, ");
+    QTest::newRow("plane") << strokes(R"("tool":"pull","radius":1,"symmetry":"w")")
+                           << QStringLiteral("symmetry: \"w\" is none of none, x, y, z");
+    QTest::newRow("placement") << strokes(R"("tool":"pull","radius":1,"place":"there")")
+                               << QStringLiteral("place: \"there\" is none of point, nearest, ray");
+    QTest::newRow("command") << QByteArray(R"({"format":"fettle-strokes","version":1,"strokes":[{"command":"melt"}]})")
+                             << QStringLiteral("command: \"melt\" is none of move, rotate, scale, ");
+    QTest::newRow("plane of a command")
+        << QByteArray(R"({"format":"fettle-strokes","version":1,"strokes":[{"command":"mirror","plane":"none"}]})")
+        << QStringLiteral("plane: \"none\" is none of x, y, z");
+    QTest::newRow("mask") << QByteArray(
+                                 R"({"format":"fettle-strokes","version":1,"strokes":[{"command":"mask","how":"x"}]})")
+                          << QStringLiteral("how: \"x\" is none of invert, clear, blur, ");
+    QTest::newRow("alpha") << strokes(R"("tool":"pull","radius":1,"alpha":"bogus")")
+                           << QStringLiteral("stroke 1 (strokes[0]): alpha: \"bogus\" is none of pores, scales, ");
+    QTest::newRow("version") << QByteArray(R"({"format":"fettle-strokes","version":2,"strokes":[]})")
+                             << QStringLiteral("it has version 2; this program reads version 1");
     QTest::newRow("sectors") << strokes(R"("tool":"pull","radius":1,"radial":33)") << QStringLiteral("radial");
     QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
     QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");

@@ -281,7 +281,8 @@ void TestReplayCommand::badShapes_areBadInput_data()
     QTest::addColumn<QByteArray>("key");
     QTest::addColumn<QByteArray>("value");
     QTest::addColumn<QByteArray>("reason");
-    QTest::newRow("no such alpha") << QByteArray("alpha") << QByteArray("spots") << QByteArray("there is no such file");
+    QTest::newRow("no such alpha") << QByteArray("alpha") << QByteArray("spots")
+                                   << QByteArray("none of pores, scales,");
     QTest::newRow("no image") << QByteArray("alpha") << QByteArray("text.png") << QByteArray("not an image");
     QTest::newRow("changed") << QByteArray("alpha") << QByteArray("white.png") << QByteArray("not what it was");
     QTest::newRow("no such model") << QByteArray("model") << QByteArray("none.stl") << QByteArray("none.stl");
