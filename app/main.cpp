@@ -1,6 +1,7 @@
 #include "app/classroom/class_file.h"
 #include "app/classroom/classroom_mode.h"
 #include "app/commands/command_line.h"
+#include "app/commit.h"
 #include "app/document/document.h"
 #include "app/headset/simulator_controller.h"
 #include "app/import/assimp_import.h"
@@ -38,7 +39,9 @@ void nameProgram()
 {
     QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
     QCoreApplication::setApplicationName(QStringLiteral("Fettle"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(FETTLE_VERSION));
+    const QString commit = QStringLiteral(FETTLE_COMMIT);
+    QCoreApplication::setApplicationVersion(QStringLiteral(FETTLE_VERSION) +
+                                            (commit.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(commit)));
 }
 
 /// The window's words and numbers, as chosen; the command line goes by the system.
@@ -133,7 +136,7 @@ int runCommand(int argc, char* argv[], bool needsFonts)
     const auto application =
         needsFonts ? applicationWithFonts(argc, argv) : std::make_unique<QCoreApplication>(argc, argv);
     loadTranslations(*application);
-    return app::CommandLine::run(QCoreApplication::arguments().mid(1));
+    return app::CommandLine::run(QCoreApplication::arguments().mid(1), QStringLiteral(FETTLE_OPENXR_VERSION));
 }
 
 /// When the model is there.
@@ -262,6 +265,6 @@ int main(int argc, char* argv[])
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
-    return app::CommandLine::isCommand(arguments) ? runCommand(argc, argv, app::CommandLine::needsFonts(arguments))
-                                                  : runWindow(argc, argv);
+    return app::CommandLine::opensWindow(arguments) ? runWindow(argc, argv)
+                                                    : runCommand(argc, argv, app::CommandLine::needsFonts(arguments));
 }

@@ -31,24 +31,8 @@
         <translation>druckfertig</translation>
     </message>
     <message>
-        <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are; 1: not all.</source>
-        <translation>Sagt, ob Modelle geschlossen, mannigfaltig, einheitlich orientiert und frei von Selbstdurchdringungen sind und einen Körper umschließen. Status 0: alle; 1: nicht alle.</translation>
-    </message>
-    <message>
-        <source>Models, or folders of models.</source>
-        <translation>Modelle oder Ordner mit Modellen.</translation>
-    </message>
-    <message>
         <source>One JSON object per file, each on its line.</source>
         <translation>Ein JSON-Objekt je Datei, jedes in einer eigenen Zeile.</translation>
-    </message>
-    <message>
-        <source>Comma-separated values, with a head line.</source>
-        <translation>Durch Kommas getrennte Werte mit Kopfzeile.</translation>
-    </message>
-    <message>
-        <source>check: --json and --csv exclude each other.</source>
-        <translation>check: --json und --csv schließen einander aus.</translation>
     </message>
     <message>
         <source>wall, mm</source>
@@ -67,40 +51,56 @@
         <translation>passt</translation>
     </message>
     <message>
-        <source>check: --nozzle %1 is no width in mm up to 5.</source>
-        <translation>check: --nozzle %1 ist keine Breite in mm bis 5.</translation>
+        <source>it does not fit the bed</source>
+        <translation>es passt nicht auf das Druckbett</translation>
     </message>
     <message>
-        <source>Walls are to be two lines of this width thick; else of 0.4.</source>
-        <translation>Wände sollen zwei Linien dieser Breite dick sein; sonst von 0.4.</translation>
+        <source>%1 of its surface is thinner than %2 mm</source>
+        <translation>%1 seiner Oberfläche sind dünner als %2 mm</translation>
     </message>
     <message>
-        <source>Width, depth and height that the printer holds.</source>
-        <translation>Breite, Tiefe und Höhe, die der Drucker fasst.</translation>
+        <source>%1 of its surface overhangs by more than %2 degrees</source>
+        <translation>%1 seiner Oberfläche hängen um mehr als %2 Grad über</translation>
     </message>
     <message>
-        <source>check: --nozzle, --overhang and --bed need --print.</source>
-        <translation>check: --nozzle, --overhang und --bed brauchen --print.</translation>
+        <source>it stands on a point or an edge</source>
+        <translation>es steht auf einem Punkt oder einer Kante</translation>
     </message>
     <message>
-        <source>check: --overhang %1 is no angle from 0 to 90 degrees.</source>
-        <translation>check: --overhang %1 ist kein Winkel von 0 bis 90 Grad.</translation>
+        <source>%1 is watertight, but: %2.</source>
+        <translation>%1 ist wasserdicht, aber: %2.</translation>
     </message>
     <message>
-        <source>What the files are measured in; else mm.</source>
-        <translation>Worin die Dateien gemessen sind; sonst mm.</translation>
+        <source>check: --bed must be three lengths in mm, as in 250,210,220, not &quot;%1&quot;.</source>
+        <translation>check: --bed muss drei Längen in mm nennen, wie in 250,210,220, nicht „%1“.</translation>
     </message>
     <message>
-        <source>Measures walls, overhangs, and what stands on the bed, too.</source>
-        <translation>Misst auch Wände, Überhänge und was auf dem Druckbett steht.</translation>
+        <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are, whatever --print finds; 1: not all.</source>
+        <translation>Sagt, ob Modelle geschlossen, mannigfaltig, einheitlich orientiert und frei von Selbstdurchdringungen sind und einen Körper umschließen. Status 0: alle, was immer --print findet; 1: nicht alle.</translation>
     </message>
     <message>
-        <source>So far faces may lean out from the vertical; else 45.</source>
-        <translation>So weit dürfen Flächen aus der Senkrechten überhängen; sonst 45.</translation>
+        <source>Models, or folders of models; or -.</source>
+        <translation>Modelle oder Ordner mit Modellen; oder -.</translation>
     </message>
     <message>
-        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
-        <translation>check: --bed braucht drei Längen in mm, wie in 250,210,220, und nicht %1.</translation>
+        <source>CSV with a header row.</source>
+        <translation>CSV mit Kopfzeile.</translation>
+    </message>
+    <message>
+        <source>Also measure wall thickness, overhangs and bed contact.</source>
+        <translation>Auch Wandstärken, Überhänge und die Auflage auf dem Druckbett messen.</translation>
+    </message>
+    <message>
+        <source>Nozzle width in mm; walls should be two lines thick (default: 0.4).</source>
+        <translation>Düsenbreite in mm; Wände sollen zwei Linien dick sein (Vorgabe: 0.4).</translation>
+    </message>
+    <message>
+        <source>Steepest overhang that prints without support, in degrees from the vertical (default: 45).</source>
+        <translation>Stärkster Überhang, der sich ohne Stützen druckt, in Grad aus der Senkrechten (Vorgabe: 45).</translation>
+    </message>
+    <message>
+        <source>Width, depth and height that the printer holds, in mm (default: not looked at).</source>
+        <translation>Breite, Tiefe und Höhe, die der Drucker fasst, in mm (Vorgabe: wird nicht geprüft).</translation>
     </message>
 </context>
 <context>
@@ -239,10 +239,6 @@
         <source>There is not enough memory for this.</source>
         <translation>Dafür reicht der Speicher nicht.</translation>
     </message>
-    <message>
-        <source>Unknown option %1; fettle --help lists them.</source>
-        <translation>Unbekannte Option %1; fettle --help zählt alle auf.</translation>
-    </message>
     <message numerus="yes">
         <source>One file at a time can be opened, but %n were given; fettle --help says more.</source>
         <translation>
@@ -251,16 +247,8 @@
         </translation>
     </message>
     <message>
-        <source>Says this.</source>
-        <translation>Zeigt diese Hilfe.</translation>
-    </message>
-    <message>
         <source>The answer cannot be written to the standard output (%1).</source>
         <translation>Die Antwort kann nicht auf die Standardausgabe geschrieben werden (%1).</translation>
-    </message>
-    <message>
-        <source>%1: its ending does not say a format that is written; %2 are.</source>
-        <translation>%1: Die Endung nennt kein Format, das geschrieben wird; das sind %2.</translation>
     </message>
     <message>
         <source>--classroom needs the file of a class, which Edit › Classroom writes.</source>
@@ -271,16 +259,60 @@
         <translation>%1 kann in einer Klasse nicht geöffnet werden: Sie beginnt mit ihren eigenen Modellen.</translation>
     </message>
     <message>
-        <source>The file to write.</source>
-        <translation>Die Datei, die geschrieben wird.</translation>
+        <source>write a starting shape: a ball, a cube, a vase and others</source>
+        <translation>eine Ausgangsform schreiben: eine Kugel, einen Würfel, eine Vase und andere</translation>
     </message>
     <message>
-        <source>%1: the file to write is missing; -o names it.</source>
-        <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
+        <source>say whether models are in order, and will print; several files or a folder: a table</source>
+        <translation>sagen, ob Modelle in Ordnung sind und sich drucken lassen; mehrere Dateien oder ein Ordner: eine Tabelle</translation>
     </message>
     <message>
-        <source>There is no help on %1: the commands are brush, check, convert, lesson, replay, report and sheet.</source>
-        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind brush, check, convert, lesson, replay, report und sheet.</translation>
+        <source>write a model in another format or size, mended, or with fewer triangles</source>
+        <translation>ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken</translation>
+    </message>
+    <message>
+        <source>play recorded strokes on a model</source>
+        <translation>aufgezeichnete Striche auf einem Modell abspielen</translation>
+    </message>
+    <message>
+        <source>write a class report: picture, size, print-ready or why not, strokes and time of each model</source>
+        <translation>einen Klassenbericht schreiben: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit</translation>
+    </message>
+    <message>
+        <source>draw models or folders of models to scale, a page each</source>
+        <translation>Modelle oder Ordner mit Modellen maßstäblich zeichnen, je eine Seite</translation>
+    </message>
+    <message>
+        <source>check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps</source>
+        <translation>eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte</translation>
+    </message>
+    <message>
+        <source>say what a brush preset holds, or why it is none</source>
+        <translation>sagen, was eine Pinselvorlage enthält, oder warum es keine ist</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;: the commands are %2.</source>
+        <translation>Es gibt keinen Befehl „%1“: Die Befehle sind %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no option.</source>
+        <translation>„%1“ ist keine Option.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a command nor a file.</source>
+        <translation>„%1“ ist weder ein Befehl noch eine Datei.</translation>
+    </message>
+    <message>
+        <source>%1 fettle --help lists what there is.</source>
+        <translation>%1 fettle --help zählt auf, was es gibt.</translation>
+    </message>
+    <message>
+        <source>%1 Did you mean %2? fettle --help lists what there is.</source>
+        <translation>%1 Meinten Sie %2? fettle --help zählt auf, was es gibt.</translation>
+    </message>
+    <message>
+        <source>%1: cannot tell the format: the ending must be one of %2.</source>
+        <translation>%1: Das Format ist nicht zu erkennen: Die Endung muss eine von %2 sein.</translation>
     </message>
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
@@ -289,25 +321,6 @@
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   play recorded strokes on a model
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   a class report: picture, size, print-ready or why not, strokes and time of each model
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   drawings of models or folders to scale, a page each
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
-  fettle brush [PRESET] [--picture OUT.png]
-                                   say what a brush preset holds, or why it is none
-  fettle help COMMAND              the options of one of them
-  fettle --version
-
-Formats: %1. Lengths are in millimetres.
-Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
 </source>
         <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
 
@@ -315,26 +328,25 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
   fettle --vr-simulator [FILE]     dasselbe ohne VR-Brille: ein Fenster zeigt ihr Bild, Maus und Tasten sind Kopf und Controller
   fettle [--vr] --classroom CLASS.ini
                                    eine Klasse beginnen, wie ihre Lehrkraft sie eingerichtet hat (Bearbeiten &gt; Klassenraum)
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   aufgezeichnete Striche auf einem Modell abspielen
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   ein Klassenbericht: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   maßstäbliche Zeichnungen von Modellen oder Ordnern, je eine Seite
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte
-  fettle brush [VORLAGE] [--picture OUT.png]
-                                   sagen, was eine Pinselvorlage enthält, oder warum es keine ist
-  fettle help COMMAND              die Optionen eines dieser Befehle
-  fettle --version
+</translation>
+    </message>
+    <message>
+        <source>  fettle help COMMAND              show the options of one of them
+  fettle --version                 show the version, and those of the libraries
 
-Formate: %1. Längen in Millimetern.
+Formats: %1. Lengths are in millimetres. The file - is the standard input or output.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>  fettle help COMMAND              die Optionen eines dieser Befehle zeigen
+  fettle --version                 die Version zeigen, auch die der Bibliotheken
+
+Formate: %1. Längen in Millimetern. Die Datei - ist die Standardeingabe oder -ausgabe.
 Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
 </translation>
+    </message>
+    <message>
+        <source>MIT License: free to use, change and pass on, without warranty</source>
+        <translation>MIT-Lizenz: frei zu nutzen, zu ändern und weiterzugeben, ohne Gewähr</translation>
     </message>
 </context>
 <context>
@@ -347,8 +359,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::CommandUnit</name>
     <message>
-        <source>%1: --unit is mm, cm, m or in, not %2.</source>
-        <translation>%1: --unit ist mm, cm, m oder in, nicht %2.</translation>
+        <source>Unit of the files that are read (default: mm).</source>
+        <translation>Einheit der Dateien, die gelesen werden (Vorgabe: mm).</translation>
     </message>
 </context>
 <context>
@@ -362,83 +374,59 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Mit weniger fand sich keine Fläche, deren Dreiecke einander nicht schneiden und deren Löcher offen bleiben. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
-        <translation>convert: --size ist eine Länge in Millimetern, größer als 0, nicht %1.</translation>
-    </message>
-    <message>
-        <source>Writes a model in another format, unit or size.</source>
-        <translation>Schreibt ein Modell in anderem Format, anderer Einheit oder Größe.</translation>
-    </message>
-    <message>
-        <source>The model to read.</source>
-        <translation>Das Modell, das gelesen wird.</translation>
-    </message>
-    <message>
-        <source>Where it goes; the ending says the format.</source>
-        <translation>Wohin es kommt; die Endung bestimmt das Format.</translation>
-    </message>
-    <message>
-        <source>What IN is measured in; OUT is in mm.</source>
-        <translation>Die Einheit von IN; OUT ist in mm.</translation>
-    </message>
-    <message>
-        <source>How long the longest side becomes.</source>
-        <translation>Wie lang die längste Seite wird.</translation>
-    </message>
-    <message>
-        <source>Which axis of IN points up; else z for STL, 3MF and AMF, y for others.</source>
-        <translation>Welche Achse von IN nach oben zeigt; sonst z bei STL, 3MF und AMF, y bei anderen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>convert: two files are needed, IN and OUT, but %n were given.</source>
-        <translation>
-            <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurde %n.</numerusform>
-            <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurden %n.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>convert: --up is y or z, not %1.</source>
-        <translation>convert: --up ist y oder z, nicht %1.</translation>
-    </message>
-    <message>
-        <source>OUT has at most so many triangles; where they go, shape and colours lose least.</source>
-        <translation>OUT hat höchstens so viele Dreiecke; sie gehen dort, wo Form und Farben am wenigsten verlieren.</translation>
-    </message>
-    <message>
-        <source>convert: --triangles is a whole number, at least 4, not %1.</source>
-        <translation>convert: --triangles ist eine ganze Zahl, mindestens 4, nicht %1.</translation>
-    </message>
-    <message>
-        <source>convert: --%1 is %2 or %3, not %4.</source>
-        <translation>convert: --%1 ist %2 oder %3, nicht %4.</translation>
-    </message>
-    <message>
-        <source>Mends a model that is not in order, and says what changed.</source>
-        <translation>Repariert ein Modell, das nicht in Ordnung ist, und sagt, was sich geändert hat.</translation>
-    </message>
-    <message>
-        <source>With --legalise: holes longer than a quarter of the model; else fill.</source>
-        <translation>Mit --legalise: Löcher, die länger als ein Viertel des Modells sind; sonst fill.</translation>
-    </message>
-    <message>
-        <source>With --legalise: parts inside of others that face outwards; else fill.</source>
-        <translation>Mit --legalise: Teile im Innern anderer, die nach außen zeigen; sonst fill.</translation>
-    </message>
-    <message>
-        <source>convert: --wrap, --large-holes and --inner-parts are for --legalise.</source>
-        <translation>convert: --wrap, --large-holes und --inner-parts gehören zu --legalise.</translation>
-    </message>
-    <message>
         <source>--legalise may mend it.</source>
         <translation>Vielleicht repariert --legalise es.</translation>
     </message>
     <message>
-        <source>With --legalise: makes the whole surface anew where nothing else keeps it; detail is lost.</source>
-        <translation>Mit --legalise: baut die ganze Oberfläche neu auf, wo nichts anderes sie erhält; Einzelheiten gehen verloren.</translation>
-    </message>
-    <message>
         <source>--wrap may make its surface anew.</source>
         <translation>Vielleicht baut --wrap die Oberfläche neu auf.</translation>
+    </message>
+    <message>
+        <source>Writes a model in another format, unit or size. OUT is in mm.</source>
+        <translation>Schreibt ein Modell in anderem Format, anderer Einheit oder Größe. OUT ist in mm.</translation>
+    </message>
+    <message>
+        <source>The model to read; or -.</source>
+        <translation>Das Modell, das gelesen wird; oder -.</translation>
+    </message>
+    <message>
+        <source>The file to write, in the format of its ending; or -.</source>
+        <translation>Die Datei, die geschrieben wird, im Format ihrer Endung; oder -.</translation>
+    </message>
+    <message>
+        <source>Length of the longest side in mm (default: as it is).</source>
+        <translation>Länge der längsten Seite in mm (Vorgabe: wie sie ist).</translation>
+    </message>
+    <message>
+        <source>Axis of IN that points up (default: z for STL, 3MF and AMF, y for others).</source>
+        <translation>Achse von IN, die nach oben zeigt (Vorgabe: z bei STL, 3MF und AMF, y bei anderen).</translation>
+    </message>
+    <message>
+        <source>Most triangles of OUT, 4 or more (default: as many as it has); they go where shape and colors lose least.</source>
+        <translation>So viele Dreiecke hat OUT höchstens, 4 oder mehr (Vorgabe: so viele, wie es sind); sie gehen dort, wo Form und Farben am wenigsten verlieren.</translation>
+    </message>
+    <message>
+        <source>Mend a model that is not in order, and say what changed.</source>
+        <translation>Ein Modell reparieren, das nicht in Ordnung ist, und sagen, was sich geändert hat.</translation>
+    </message>
+    <message>
+        <source>With --legalise: make the whole surface anew where nothing else keeps it; detail is lost.</source>
+        <translation>Mit --legalise: die ganze Oberfläche neu aufbauen, wo nichts anderes sie erhält; Einzelheiten gehen verloren.</translation>
+    </message>
+    <message>
+        <source>With --legalise: what to do with holes longer than a quarter of the model (default: fill).</source>
+        <translation>Mit --legalise: was mit Löchern geschieht, die länger als ein Viertel des Modells sind (Vorgabe: fill).</translation>
+    </message>
+    <message>
+        <source>With --legalise: what to do with parts inside of others that face outwards (default: fill).</source>
+        <translation>Mit --legalise: was mit Teilen im Innern anderer geschieht, die nach außen zeigen (Vorgabe: fill).</translation>
+    </message>
+    <message numerus="yes">
+        <source>convert: needs two files, IN and OUT; %n were given.</source>
+        <translation>
+            <numerusform>convert: braucht zwei Dateien, IN und OUT; angegeben wurde %n.</numerusform>
+            <numerusform>convert: braucht zwei Dateien, IN und OUT; angegeben wurden %n.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -569,26 +557,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Ein Ordner oder ein Zip, oder der Name einer Lektion des Programms.</translation>
     </message>
     <message>
-        <source>Of the lesson&apos;s titles; else as the system has it.</source>
-        <translation>Der Titel der Lektion; sonst die des Systems.</translation>
-    </message>
-    <message>
-        <source>Judges this model, a pupil&apos;s, instead of playing.</source>
-        <translation>Beurteilt dieses Modell, das eines Schülers, statt abzuspielen.</translation>
-    </message>
-    <message>
-        <source>By which step&apos;s checkpoint; else the last.</source>
-        <translation>Nach dem Prüfpunkt welches Schritts; sonst des letzten.</translation>
-    </message>
-    <message>
-        <source>Where the lesson goes as one file, if all is well.</source>
-        <translation>Wohin die Lektion als eine Datei kommt, wenn alles gut ist.</translation>
-    </message>
-    <message>
-        <source>Where the lesson goes as a folder that can be changed.</source>
-        <translation>Wohin die Lektion als Ordner kommt, der sich ändern lässt.</translation>
-    </message>
-    <message>
         <source>lesson: %1 does not end in .zip.</source>
         <translation>lesson: %1 endet nicht auf .zip.</translation>
     </message>
@@ -597,28 +565,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>lesson: %1 soll ein Ordner werden, endet aber auf .zip.</translation>
     </message>
     <message>
-        <source>Where a picture of what each step leaves goes, as step-1.png and so on.</source>
-        <translation>Wohin von dem, was jeder Schritt hinterlässt, ein Bild kommt, als step-1.png und so weiter.</translation>
-    </message>
-    <message>
-        <source>Where the model goes that the last step leaves.</source>
-        <translation>Wohin das Modell kommt, das der letzte Schritt hinterlässt.</translation>
-    </message>
-    <message>
         <source>lesson: one lesson at a time can be played, not %1 as well.</source>
         <translation>lesson: Es kann nur eine Lektion auf einmal abgespielt werden, nicht auch noch %1.</translation>
     </message>
     <message>
         <source>lesson: no lesson was given.</source>
         <translation>lesson: Es wurde keine Lektion angegeben.</translation>
-    </message>
-    <message>
-        <source>lesson: --model excludes --pack, --unpack, --pictures and --out.</source>
-        <translation>lesson: --model schließt --pack, --unpack, --pictures und --out aus.</translation>
-    </message>
-    <message>
-        <source>lesson: --step needs --model, and a step&apos;s number, from 1.</source>
-        <translation>lesson: --step braucht --model und die Nummer eines Schritts, von 1 an.</translation>
     </message>
     <message>
         <source>yes</source>
@@ -647,6 +599,50 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>lesson: step %1 has no checkpoint.</source>
         <translation>lesson: Schritt %1 hat keinen Prüfpunkt.</translation>
+    </message>
+    <message>
+        <source>Language of the lesson&apos;s titles (default: the system&apos;s).</source>
+        <translation>Sprache der Titel der Lektion (Vorgabe: die des Systems).</translation>
+    </message>
+    <message>
+        <source>Judge this model, a pupil&apos;s, instead of playing; or -.</source>
+        <translation>Dieses Modell beurteilen, das eines Schülers, statt abzuspielen; oder -.</translation>
+    </message>
+    <message>
+        <source>Step whose checkpoint judges the model, from 1 (default: the last).</source>
+        <translation>Schritt, nach dessen Prüfpunkt das Modell beurteilt wird, von 1 an (Vorgabe: der letzte).</translation>
+    </message>
+    <message>
+        <source>File for the whole lesson, if all is well.</source>
+        <translation>Datei für die ganze Lektion, wenn alles gut ist.</translation>
+    </message>
+    <message>
+        <source>Folder for the lesson, where it can be changed.</source>
+        <translation>Ordner für die Lektion, in dem sie sich ändern lässt.</translation>
+    </message>
+    <message>
+        <source>Folder for pictures of what each step leaves, step-1.png and so on.</source>
+        <translation>Ordner für Bilder von dem, was jeder Schritt hinterlässt, step-1.png und so weiter.</translation>
+    </message>
+    <message>
+        <source>File for the model that the last step leaves.</source>
+        <translation>Datei für das Modell, das der letzte Schritt hinterlässt.</translation>
+    </message>
+    <message>
+        <source>One JSON object.</source>
+        <translation>Ein JSON-Objekt.</translation>
+    </message>
+    <message>
+        <source>CSV with a header row: a row for each goal.</source>
+        <translation>CSV mit Kopfzeile: eine Zeile für jedes Ziel.</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder.</source>
+        <translation>%1 ist kein Ordner.</translation>
+    </message>
+    <message>
+        <source>lesson: &quot;%1&quot; is no lesson: neither one of %2 nor a folder or zip.</source>
+        <translation>lesson: „%1“ ist keine Lektion: weder eine von %2 noch ein Ordner oder Zip.</translation>
     </message>
 </context>
 <context>
@@ -1371,32 +1367,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ReplayCommand</name>
     <message>
-        <source>replay: --verify is local, full or none, not %1.</source>
-        <translation>replay: --verify ist local, full oder none, nicht %1.</translation>
-    </message>
-    <message>
         <source>Plays recorded strokes on a model, or on the paper&apos;s sphere.</source>
         <translation>Spielt aufgezeichnete Striche auf einem Modell ab oder auf der Kugel der Veröffentlichung.</translation>
-    </message>
-    <message>
-        <source>The strokes, JSON.</source>
-        <translation>Die Striche, JSON.</translation>
-    </message>
-    <message>
-        <source>The model; without it, a sphere of 2562 vertices, radius 1.</source>
-        <translation>Das Modell; ohne Angabe eine Kugel mit 2562 Eckpunkten und Radius 1.</translation>
-    </message>
-    <message>
-        <source>Where the sculpted model goes.</source>
-        <translation>Wohin das geformte Modell kommt.</translation>
-    </message>
-    <message>
-        <source>Where cost and outcome of each dab go, JSON.</source>
-        <translation>Wohin Aufwand und Ergebnis jedes Tupfers kommen, JSON.</translation>
-    </message>
-    <message>
-        <source>local: what changed (as in the window); full: the whole mesh after each dab as well; none: for measurements, excludes --out.</source>
-        <translation>local: was sich geändert hat (wie im Fenster); full: nach jedem Tupfer auch das ganze Netz; none: für Messungen, schließt --out aus.</translation>
     </message>
     <message>
         <source>replay: %1 is no option; the model is given with --in.</source>
@@ -1411,10 +1383,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>replay: %1 und %2 nennen dieselbe Datei, %3.</translation>
     </message>
     <message>
-        <source>replay: --verify none and --out exclude each other: what is not verified is not kept.</source>
-        <translation>replay: --verify none und --out schließen einander aus: Was nicht geprüft ist, wird nicht aufbewahrt.</translation>
-    </message>
-    <message>
         <source>replay: the mesh is not in order in dab %1.</source>
         <translation>replay: Das Netz ist in Tupfer %1 nicht in Ordnung.</translation>
     </message>
@@ -1423,20 +1391,45 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>replay: strokes[%1]: %2</translation>
     </message>
     <message>
-        <source>A folder for pictures of the model, PNG, at the start and after each stroke.</source>
-        <translation>Ein Ordner für Bilder des Modells, PNG, am Anfang und nach jedem Strich.</translation>
+        <source>The strokes, JSON; or -.</source>
+        <translation>Die Striche, JSON; oder -.</translation>
     </message>
     <message>
-        <source>Strokes from one picture to the next.</source>
-        <translation>Striche von einem Bild zum nächsten.</translation>
+        <source>The model; or - (default: a sphere of 2562 vertices, radius 1).</source>
+        <translation>Das Modell; oder - (Vorgabe: eine Kugel mit 2562 Eckpunkten und Radius 1).</translation>
     </message>
     <message>
-        <source>replay: --every says how many strokes there are to a picture, and needs --frames.</source>
-        <translation>replay: --every sagt, wie viele Striche auf ein Bild kommen, und braucht --frames.</translation>
+        <source>File for the sculpted model; or -.</source>
+        <translation>Datei für das geformte Modell; oder -.</translation>
     </message>
     <message>
-        <source>replay: --every is a whole number from 1 on, not %1.</source>
-        <translation>replay: --every ist eine ganze Zahl ab 1, nicht %1.</translation>
+        <source>File for cost and outcome of each dab, JSON; or -.</source>
+        <translation>Datei für Aufwand und Ergebnis jedes Tupfers, JSON; oder -.</translation>
+    </message>
+    <message>
+        <source>Folder for pictures of the model, PNG, at the start and after each stroke.</source>
+        <translation>Ordner für Bilder des Modells, PNG, am Anfang und nach jedem Strich.</translation>
+    </message>
+    <message>
+        <source>Strokes from one picture to the next (default: 1).</source>
+        <translation>Striche von einem Bild zum nächsten (Vorgabe: 1).</translation>
+    </message>
+    <message>
+        <source>local: what changed (as in the window, the default); full: the whole mesh after each dab as well; none: for measurements, without --out.</source>
+        <translation>local: was sich geändert hat (wie im Fenster, die Vorgabe); full: nach jedem Tupfer auch das ganze Netz; none: für Messungen, ohne --out.</translation>
+    </message>
+    <message>
+        <source>replay: --verify none and --out cannot be used together: what is not verified is not kept.</source>
+        <translation>replay: --verify none und --out lassen sich nicht zusammen verwenden: Was nicht geprüft ist, wird nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1: %2: %3</translation>
+    </message>
+    <message>
+        <source>Strokes: %1, commands: %2, dabs: %3. Size: %4 x %5 x %6 mm, triangles: %7. Time: %8 s.</source>
+        <translation>Striche: %1, Befehle: %2, Tupfer: %3. Größe: %4 x %5 x %6 mm, Dreiecke: %7. Zeit: %8 s.</translation>
     </message>
 </context>
 <context>
@@ -1446,19 +1439,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit.</translation>
     </message>
     <message>
-        <source>What the files are measured in; else mm.</source>
-        <translation>Worin die Dateien gemessen sind; sonst mm.</translation>
-    </message>
-    <message numerus="yes">
-        <source>report: one folder is needed, but %n were given.</source>
-        <translation>
-            <numerusform>report: Ein Ordner ist nötig, angegeben wurde %n.</numerusform>
-            <numerusform>report: Ein Ordner ist nötig, angegeben wurden %n.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>The models; of folders further down only the works of a class in turns are looked at.</source>
         <translation>Die Modelle; von Unterordnern werden nur die Arbeiten einer Klasse beachtet, in der eins nach dem anderen drankommt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>report: needs one folder; %n were given.</source>
+        <translation>
+            <numerusform>report: braucht einen Ordner; angegeben wurde %n.</numerusform>
+            <numerusform>report: braucht einen Ordner; angegeben wurden %n.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1494,24 +1483,20 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Schreibt maßstäbliche Zeichnungen von Modellen, je eine Seite A4, nach Namen geordnet. Status 1: nicht alle haben eine.</translation>
     </message>
     <message>
-        <source>Models, or folders of models.</source>
-        <translation>Modelle oder Ordner mit Modellen.</translation>
-    </message>
-    <message>
-        <source>What the files are measured in; else mm.</source>
-        <translation>Worin die Dateien gemessen sind; sonst mm.</translation>
-    </message>
-    <message>
-        <source>Colours under the lines.</source>
-        <translation>Farben unter den Linien.</translation>
-    </message>
-    <message>
         <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>
         <translation>%1 bekommt kein Blatt, weil seine Fläche nichts umschließt (%2).</translation>
     </message>
     <message>
         <source>%1 was not written: there is no model that has a sheet.</source>
         <translation>%1 wurde nicht geschrieben: Kein Modell bekommt ein Blatt.</translation>
+    </message>
+    <message>
+        <source>Models, or folders of models; or -.</source>
+        <translation>Modelle oder Ordner mit Modellen; oder -.</translation>
+    </message>
+    <message>
+        <source>Colors under the lines.</source>
+        <translation>Farben unter den Linien.</translation>
     </message>
 </context>
 <context>
@@ -1663,10 +1648,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::TimeLapse</name>
     <message>
-        <source>%1 is no folder, so no pictures can be written there.</source>
-        <translation>%1 ist kein Ordner, also können dort keine Bilder geschrieben werden.</translation>
-    </message>
-    <message>
         <source>%1 has a %2 already, and nothing was written over it: choose an empty folder.</source>
         <translation>In %1 gibt es schon %2, und nichts wurde überschrieben: Wählen Sie einen leeren Ordner.</translation>
     </message>
@@ -1677,6 +1658,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>The earlier steps of the model cannot be read any more, so there is no time-lapse of them.</source>
         <translation>Die früheren Schritte des Modells können nicht mehr gelesen werden, also gibt es keinen Zeitraffer davon.</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder.</source>
+        <translation>%1 ist kein Ordner.</translation>
     </message>
 </context>
 <context>
@@ -8116,6 +8101,115 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 is none of %2</source>
         <extracomment>key and value, as in place: &quot;there&quot;</extracomment>
         <translation>%1 ist keins von %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::CommandOptions</name>
+    <message>
+        <source>Show this help.</source>
+        <translation>Diese Hilfe zeigen.</translation>
+    </message>
+    <message>
+        <source>%1: --%2 must be %3, not &quot;%4&quot;.</source>
+        <translation>%1: --%2 muss %3 sein, nicht „%4“.</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eins von %1</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number, %1 or more</source>
+        <translation>eine ganze Zahl, mindestens %1</translation>
+    </message>
+    <message>
+        <source>%1: --%2 and --%3 cannot be used together.</source>
+        <translation>%1: --%2 und --%3 lassen sich nicht zusammen verwenden.</translation>
+    </message>
+    <message>
+        <source>%1: %2 can only be used with --%3.</source>
+        <translation>%1: %2 lässt sich nur mit --%3 verwenden.</translation>
+    </message>
+    <message>
+        <source>Write over no file that is there: status 2 instead.</source>
+        <translation>Keine vorhandene Datei überschreiben: stattdessen Status 2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is there already, and stays as it is because of --no-clobber.</source>
+        <translation>%1: %2 ist schon da und bleibt wegen --no-clobber, wie es ist.</translation>
+    </message>
+    <message>
+        <source>The file to write.</source>
+        <translation>Die Datei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1: the file to write is missing; -o names it.</source>
+        <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
+    </message>
+</context>
+<context>
+    <name>app::NewCommand</name>
+    <message>
+        <source>Writes one of the program&apos;s starting shapes: %1.</source>
+        <translation>Schreibt eine der Ausgangsformen des Programms: %1.</translation>
+    </message>
+    <message>
+        <source>The shape.</source>
+        <translation>Die Form.</translation>
+    </message>
+    <message>
+        <source>The file to write, in the format of its ending; or -.</source>
+        <translation>Die Datei, die geschrieben wird, im Format ihrer Endung; oder -.</translation>
+    </message>
+    <message>
+        <source>Length of its longest side in mm (default: 100).</source>
+        <translation>Länge der längsten Seite in mm (Vorgabe: 100).</translation>
+    </message>
+    <message>
+        <source>new: needs a shape and a file, as in new ball ball.glb; the shapes are %1.</source>
+        <translation>new: braucht eine Form und eine Datei, wie in new ball ball.glb; die Formen sind %1.</translation>
+    </message>
+    <message>
+        <source>new: the shape must be one of %1, not &quot;%2&quot;.</source>
+        <translation>new: Die Form muss eine von %1 sein, nicht „%2“.</translation>
+    </message>
+</context>
+<context>
+    <name>app::StandardFiles</name>
+    <message>
+        <source>Format of a model that is read from the standard input, -.</source>
+        <translation>Format eines Modells, das von der Standardeingabe, -, gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Format of a model that is written to the standard output, -.</source>
+        <translation>Format eines Modells, das auf die Standardausgabe, -, geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1: --%2 must say the format of -: one of %3.</source>
+        <translation>%1: --%2 muss das Format von - nennen: eins von %3.</translation>
+    </message>
+    <message>
+        <source>The standard input cannot be read (%1).</source>
+        <translation>Die Standardeingabe kann nicht gelesen werden (%1).</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no text, and is not shown in a terminal: send the standard output to a file or a program.</source>
+        <translation>%1: %2 ist kein Text und wird nicht auf einem Terminal gezeigt: Leiten Sie die Standardausgabe in eine Datei oder ein Programm.</translation>
+    </message>
+    <message>
+        <source>The standard output cannot be written (%1).</source>
+        <translation>Auf die Standardausgabe kann nicht geschrieben werden (%1).</translation>
+    </message>
+    <message>
+        <source>(standard input)</source>
+        <translation>(Standardeingabe)</translation>
+    </message>
+    <message>
+        <source>(standard output)</source>
+        <translation>(Standardausgabe)</translation>
     </message>
 </context>
 </TS>

@@ -24,10 +24,10 @@
 <context>
     <name>app::ConvertCommand</name>
     <message numerus="yes">
-        <source>convert: two files are needed, IN and OUT, but %n were given.</source>
+        <source>convert: needs two files, IN and OUT; %n were given.</source>
         <translation>
-            <numerusform>convert: two files are needed, IN and OUT, but %n was given.</numerusform>
-            <numerusform>convert: two files are needed, IN and OUT, but %n were given.</numerusform>
+            <numerusform>convert: needs two files, IN and OUT; %n was given.</numerusform>
+            <numerusform>convert: needs two files, IN and OUT; %n were given.</numerusform>
         </translation>
     </message>
 </context>
@@ -44,10 +44,10 @@
 <context>
     <name>app::ReportCommand</name>
     <message numerus="yes">
-        <source>report: one folder is needed, but %n were given.</source>
+        <source>report: needs one folder; %n were given.</source>
         <translation>
-            <numerusform>report: one folder is needed, but %n was given.</numerusform>
-            <numerusform>report: one folder is needed, but %n were given.</numerusform>
+            <numerusform>report: needs one folder; %n was given.</numerusform>
+            <numerusform>report: needs one folder; %n were given.</numerusform>
         </translation>
     </message>
 </context>

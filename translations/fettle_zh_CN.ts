@@ -31,24 +31,8 @@
         <translation>可打印</translation>
     </message>
     <message>
-        <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are; 1: not all.</source>
-        <translation>检查模型是否封闭、是流形、朝向一致、无自相交，并围成实体。状态 0：全部符合；1：并非全部符合。</translation>
-    </message>
-    <message>
-        <source>Models, or folders of models.</source>
-        <translation>模型，或存放模型的文件夹。</translation>
-    </message>
-    <message>
         <source>One JSON object per file, each on its line.</source>
         <translation>每个文件一个 JSON 对象，各占一行。</translation>
-    </message>
-    <message>
-        <source>Comma-separated values, with a head line.</source>
-        <translation>逗号分隔值，带表头。</translation>
-    </message>
-    <message>
-        <source>check: --json and --csv exclude each other.</source>
-        <translation>check：--json 和 --csv 不能同时使用。</translation>
     </message>
     <message>
         <source>wall, mm</source>
@@ -67,40 +51,56 @@
         <translation>放得下</translation>
     </message>
     <message>
-        <source>check: --nozzle %1 is no width in mm up to 5.</source>
-        <translation>check：--nozzle %1 不是 5 以内的毫米宽度。</translation>
+        <source>it does not fit the bed</source>
+        <translation>放不进打印床</translation>
     </message>
     <message>
-        <source>Walls are to be two lines of this width thick; else of 0.4.</source>
-        <translation>壁厚应为两条此宽度的线；默认 0.4。</translation>
+        <source>%1 of its surface is thinner than %2 mm</source>
+        <translation>其表面的 %1 薄于 %2 毫米</translation>
     </message>
     <message>
-        <source>Width, depth and height that the printer holds.</source>
-        <translation>打印机能容纳的宽、深、高。</translation>
+        <source>%1 of its surface overhangs by more than %2 degrees</source>
+        <translation>其表面的 %1 悬垂超过 %2 度</translation>
     </message>
     <message>
-        <source>check: --nozzle, --overhang and --bed need --print.</source>
-        <translation>check：--nozzle、--overhang 和 --bed 需要 --print。</translation>
+        <source>it stands on a point or an edge</source>
+        <translation>它立在一个点或一条边上</translation>
     </message>
     <message>
-        <source>check: --overhang %1 is no angle from 0 to 90 degrees.</source>
-        <translation>check：--overhang %1 不是 0 到 90 度的角度。</translation>
+        <source>%1 is watertight, but: %2.</source>
+        <translation>%1 是水密的，但是：%2。</translation>
     </message>
     <message>
-        <source>What the files are measured in; else mm.</source>
-        <translation>文件所用的单位；默认为 mm。</translation>
+        <source>check: --bed must be three lengths in mm, as in 250,210,220, not &quot;%1&quot;.</source>
+        <translation>check：--bed 必须是三个毫米长度，如 250,210,220，而不是“%1”。</translation>
     </message>
     <message>
-        <source>Measures walls, overhangs, and what stands on the bed, too.</source>
-        <translation>还测量壁厚、悬垂和立在打印床上的部分。</translation>
+        <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are, whatever --print finds; 1: not all.</source>
+        <translation>检查模型是否封闭、是流形、朝向一致、无自相交，并围成实体。状态 0：全部符合，无论 --print 发现什么；1：并非全部符合。</translation>
     </message>
     <message>
-        <source>So far faces may lean out from the vertical; else 45.</source>
-        <translation>面可以偏离竖直方向多少度；默认为 45。</translation>
+        <source>Models, or folders of models; or -.</source>
+        <translation>模型，或存放模型的文件夹；或 -。</translation>
     </message>
     <message>
-        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
-        <translation>check：--bed 需要三个毫米长度，如 250,210,220，而不是 %1。</translation>
+        <source>CSV with a header row.</source>
+        <translation>CSV，带表头。</translation>
+    </message>
+    <message>
+        <source>Also measure wall thickness, overhangs and bed contact.</source>
+        <translation>还测量壁厚、悬垂以及与打印床的接触。</translation>
+    </message>
+    <message>
+        <source>Nozzle width in mm; walls should be two lines thick (default: 0.4).</source>
+        <translation>喷嘴宽度（毫米）；壁厚应为两条线宽（默认 0.4）。</translation>
+    </message>
+    <message>
+        <source>Steepest overhang that prints without support, in degrees from the vertical (default: 45).</source>
+        <translation>无需支撑即可打印的最大悬垂，以偏离竖直方向的度数表示（默认 45）。</translation>
+    </message>
+    <message>
+        <source>Width, depth and height that the printer holds, in mm (default: not looked at).</source>
+        <translation>打印机能容纳的宽、深、高，单位毫米（默认不检查）。</translation>
     </message>
 </context>
 <context>
@@ -238,10 +238,6 @@
         <source>There is not enough memory for this.</source>
         <translation>内存不足，无法完成。</translation>
     </message>
-    <message>
-        <source>Unknown option %1; fettle --help lists them.</source>
-        <translation>未知选项 %1；可用选项见 fettle --help。</translation>
-    </message>
     <message numerus="yes">
         <source>One file at a time can be opened, but %n were given; fettle --help says more.</source>
         <translation>
@@ -249,16 +245,8 @@
         </translation>
     </message>
     <message>
-        <source>Says this.</source>
-        <translation>显示此帮助。</translation>
-    </message>
-    <message>
         <source>The answer cannot be written to the standard output (%1).</source>
         <translation>无法将结果写入标准输出（%1）。</translation>
-    </message>
-    <message>
-        <source>%1: its ending does not say a format that is written; %2 are.</source>
-        <translation>%1：其扩展名不是可写入的格式；可写入的格式为 %2。</translation>
     </message>
     <message>
         <source>--classroom needs the file of a class, which Edit › Classroom writes.</source>
@@ -269,16 +257,60 @@
         <translation>课堂中无法打开 %1：课堂从自己的模型开始。</translation>
     </message>
     <message>
-        <source>The file to write.</source>
-        <translation>要写入的文件。</translation>
+        <source>write a starting shape: a ball, a cube, a vase and others</source>
+        <translation>写出一个起始形状：球、立方体、花瓶等</translation>
     </message>
     <message>
-        <source>%1: the file to write is missing; -o names it.</source>
-        <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
+        <source>say whether models are in order, and will print; several files or a folder: a table</source>
+        <translation>检查模型是否完好、能否打印；多个文件或文件夹则输出表格</translation>
     </message>
     <message>
-        <source>There is no help on %1: the commands are brush, check, convert, lesson, replay, report and sheet.</source>
-        <translation>没有关于 %1 的帮助：可用命令为 brush、check、convert、lesson、replay、report 和 sheet。</translation>
+        <source>write a model in another format or size, mended, or with fewer triangles</source>
+        <translation>以其他格式或尺寸写出模型，可修复，也可减少三角形</translation>
+    </message>
+    <message>
+        <source>play recorded strokes on a model</source>
+        <translation>在模型上回放录制的笔触</translation>
+    </message>
+    <message>
+        <source>write a class report: picture, size, print-ready or why not, strokes and time of each model</source>
+        <translation>写出班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时</translation>
+    </message>
+    <message>
+        <source>draw models or folders of models to scale, a page each</source>
+        <translation>按比例绘制模型或文件夹中的模型，每个模型一页</translation>
+    </message>
+    <message>
+        <source>check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps</source>
+        <translation>播放课程到底来检查它，或按其中一步评判学生的模型</translation>
+    </message>
+    <message>
+        <source>say what a brush preset holds, or why it is none</source>
+        <translation>说明笔刷预设的内容，或为何不是预设</translation>
+    </message>
+    <message>
+        <source>There is no command &quot;%1&quot;: the commands are %2.</source>
+        <translation>没有命令“%1”：可用命令为 %2。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no option.</source>
+        <translation>“%1”不是选项。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a command nor a file.</source>
+        <translation>“%1”既不是命令，也不是文件。</translation>
+    </message>
+    <message>
+        <source>%1 fettle --help lists what there is.</source>
+        <translation>%1可用内容见 fettle --help。</translation>
+    </message>
+    <message>
+        <source>%1 Did you mean %2? fettle --help lists what there is.</source>
+        <translation>%1您是否想输入 %2？可用内容见 fettle --help。</translation>
+    </message>
+    <message>
+        <source>%1: cannot tell the format: the ending must be one of %2.</source>
+        <translation>%1：无法判断格式：扩展名必须是 %2 之一。</translation>
     </message>
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
@@ -287,25 +319,6 @@
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   play recorded strokes on a model
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   a class report: picture, size, print-ready or why not, strokes and time of each model
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   drawings of models or folders to scale, a page each
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
-  fettle brush [PRESET] [--picture OUT.png]
-                                   say what a brush preset holds, or why it is none
-  fettle help COMMAND              the options of one of them
-  fettle --version
-
-Formats: %1. Lengths are in millimetres.
-Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
 </source>
         <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
 
@@ -313,26 +326,25 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
   fettle --vr-simulator [FILE]     同上，但不需要头显：由一个窗口显示画面，鼠标和键盘充当头部和手柄
   fettle [--vr] --classroom CLASS.ini
                                    按教师的设置开始课堂（编辑 &gt; 课堂）
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   检查模型是否完好；多个文件或文件夹则输出表格
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   以其他格式或尺寸写出模型，可修复，也可减少三角形
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   在模型上回放录制的笔触
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   按比例写出模型或文件夹的图纸，每个模型一页
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   播放课程到底来检查它，或按其中一步评判学生的模型
-  fettle brush [预设] [--picture OUT.png]
-                                   说明笔刷预设的内容，或为何不是预设
-  fettle help COMMAND              以上某一命令的选项
-  fettle --version
+</translation>
+    </message>
+    <message>
+        <source>  fettle help COMMAND              show the options of one of them
+  fettle --version                 show the version, and those of the libraries
 
-格式：%1。长度单位为毫米。
+Formats: %1. Lengths are in millimetres. The file - is the standard input or output.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>  fettle help COMMAND              显示以上某一命令的选项
+  fettle --version                 显示版本，包括各个库的版本
+
+格式：%1。长度单位为毫米。文件 - 表示标准输入或标准输出。
 状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
 </translation>
+    </message>
+    <message>
+        <source>MIT License: free to use, change and pass on, without warranty</source>
+        <translation>MIT 许可证：可自由使用、修改和分发，不提供担保</translation>
     </message>
 </context>
 <context>
@@ -345,8 +357,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::CommandUnit</name>
     <message>
-        <source>%1: --unit is mm, cm, m or in, not %2.</source>
-        <translation>%1：--unit 可以是 mm、cm、m 或 in，不能是 %2。</translation>
+        <source>Unit of the files that are read (default: mm).</source>
+        <translation>所读文件的单位（默认 mm）。</translation>
     </message>
 </context>
 <context>
@@ -360,82 +372,58 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：更少时，找不到面互不相交且孔洞保持敞开的曲面。未写入任何文件。</translation>
     </message>
     <message>
-        <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
-        <translation>convert：--size 应为大于 0 的长度（毫米），而不是 %1。</translation>
-    </message>
-    <message>
-        <source>Writes a model in another format, unit or size.</source>
-        <translation>以其他格式、单位或尺寸写出模型。</translation>
-    </message>
-    <message>
-        <source>The model to read.</source>
-        <translation>要读取的模型。</translation>
-    </message>
-    <message>
-        <source>Where it goes; the ending says the format.</source>
-        <translation>输出位置；扩展名决定格式。</translation>
-    </message>
-    <message>
-        <source>What IN is measured in; OUT is in mm.</source>
-        <translation>IN 的单位；OUT 以毫米为单位。</translation>
-    </message>
-    <message>
-        <source>How long the longest side becomes.</source>
-        <translation>最长边的目标长度。</translation>
-    </message>
-    <message>
-        <source>Which axis of IN points up; else z for STL, 3MF and AMF, y for others.</source>
-        <translation>IN 的哪个轴朝上；默认 STL、3MF 和 AMF 为 z，其他为 y。</translation>
-    </message>
-    <message numerus="yes">
-        <source>convert: two files are needed, IN and OUT, but %n were given.</source>
-        <translation>
-            <numerusform>convert：需要 IN 和 OUT 两个文件，但指定了 %n 个。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>convert: --up is y or z, not %1.</source>
-        <translation>convert：--up 应为 y 或 z，而不是 %1。</translation>
-    </message>
-    <message>
-        <source>OUT has at most so many triangles; where they go, shape and colours lose least.</source>
-        <translation>OUT 最多有这么多三角形；在形状和颜色损失最小处减少。</translation>
-    </message>
-    <message>
-        <source>convert: --triangles is a whole number, at least 4, not %1.</source>
-        <translation>convert：--triangles 必须是不小于 4 的整数，而不是 %1。</translation>
-    </message>
-    <message>
-        <source>convert: --%1 is %2 or %3, not %4.</source>
-        <translation>convert：--%1 是 %2 或 %3，而不是 %4。</translation>
-    </message>
-    <message>
-        <source>Mends a model that is not in order, and says what changed.</source>
-        <translation>修复有问题的模型，并说明改动了什么。</translation>
-    </message>
-    <message>
-        <source>With --legalise: holes longer than a quarter of the model; else fill.</source>
-        <translation>与 --legalise 一起：长于模型四分之一的孔；默认为 fill。</translation>
-    </message>
-    <message>
-        <source>With --legalise: parts inside of others that face outwards; else fill.</source>
-        <translation>与 --legalise 一起：位于其他部分内部且朝外的部分；默认为 fill。</translation>
-    </message>
-    <message>
-        <source>convert: --wrap, --large-holes and --inner-parts are for --legalise.</source>
-        <translation>convert：--wrap、--large-holes 和 --inner-parts 须与 --legalise 一起使用。</translation>
-    </message>
-    <message>
         <source>--legalise may mend it.</source>
         <translation>用 --legalise 或许可以修复。</translation>
     </message>
     <message>
-        <source>With --legalise: makes the whole surface anew where nothing else keeps it; detail is lost.</source>
+        <source>--wrap may make its surface anew.</source>
+        <translation>用 --wrap 或许可以重新生成其表面。</translation>
+    </message>
+    <message>
+        <source>Writes a model in another format, unit or size. OUT is in mm.</source>
+        <translation>以其他格式、单位或尺寸写出模型。OUT 以毫米为单位。</translation>
+    </message>
+    <message>
+        <source>The model to read; or -.</source>
+        <translation>要读取的模型；或 -。</translation>
+    </message>
+    <message>
+        <source>The file to write, in the format of its ending; or -.</source>
+        <translation>要写入的文件，格式由扩展名决定；或 -。</translation>
+    </message>
+    <message>
+        <source>Length of the longest side in mm (default: as it is).</source>
+        <translation>最长边的长度，单位毫米（默认保持原样）。</translation>
+    </message>
+    <message>
+        <source>Axis of IN that points up (default: z for STL, 3MF and AMF, y for others).</source>
+        <translation>IN 中朝上的轴（默认 STL、3MF 和 AMF 为 z，其他为 y）。</translation>
+    </message>
+    <message>
+        <source>Most triangles of OUT, 4 or more (default: as many as it has); they go where shape and colors lose least.</source>
+        <translation>OUT 最多有这么多三角形，至少 4 个（默认不减少）；在形状和颜色损失最小处减少。</translation>
+    </message>
+    <message>
+        <source>Mend a model that is not in order, and say what changed.</source>
+        <translation>修复有问题的模型，并说明改动了什么。</translation>
+    </message>
+    <message>
+        <source>With --legalise: make the whole surface anew where nothing else keeps it; detail is lost.</source>
         <translation>与 --legalise 一起使用：别无他法时重新生成整个表面；细节会丢失。</translation>
     </message>
     <message>
-        <source>--wrap may make its surface anew.</source>
-        <translation>用 --wrap 或许可以重新生成其表面。</translation>
+        <source>With --legalise: what to do with holes longer than a quarter of the model (default: fill).</source>
+        <translation>与 --legalise 一起使用：如何处理长于模型四分之一的孔（默认 fill）。</translation>
+    </message>
+    <message>
+        <source>With --legalise: what to do with parts inside of others that face outwards (default: fill).</source>
+        <translation>与 --legalise 一起使用：如何处理位于其他部分内部且朝外的部分（默认 fill）。</translation>
+    </message>
+    <message numerus="yes">
+        <source>convert: needs two files, IN and OUT; %n were given.</source>
+        <translation>
+            <numerusform>convert：需要 IN 和 OUT 两个文件，但指定了 %n 个。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -566,26 +554,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>一个文件夹或 zip，或程序自带课程的名称。</translation>
     </message>
     <message>
-        <source>Of the lesson&apos;s titles; else as the system has it.</source>
-        <translation>课程标题的语言；否则用系统的语言。</translation>
-    </message>
-    <message>
-        <source>Judges this model, a pupil&apos;s, instead of playing.</source>
-        <translation>不播放，而是评判这个（学生的）模型。</translation>
-    </message>
-    <message>
-        <source>By which step&apos;s checkpoint; else the last.</source>
-        <translation>按哪一步的检查点评判；否则按最后一步。</translation>
-    </message>
-    <message>
-        <source>Where the lesson goes as one file, if all is well.</source>
-        <translation>一切正常时，课程打包成一个文件的去处。</translation>
-    </message>
-    <message>
-        <source>Where the lesson goes as a folder that can be changed.</source>
-        <translation>课程作为可修改的文件夹写到何处。</translation>
-    </message>
-    <message>
         <source>lesson: %1 does not end in .zip.</source>
         <translation>lesson：%1 不以 .zip 结尾。</translation>
     </message>
@@ -594,28 +562,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>lesson：%1 应是文件夹，但以 .zip 结尾。</translation>
     </message>
     <message>
-        <source>Where a picture of what each step leaves goes, as step-1.png and so on.</source>
-        <translation>每一步结果的图片的去处，名为 step-1.png 等。</translation>
-    </message>
-    <message>
-        <source>Where the model goes that the last step leaves.</source>
-        <translation>最后一步留下的模型的去处。</translation>
-    </message>
-    <message>
         <source>lesson: one lesson at a time can be played, not %1 as well.</source>
         <translation>lesson：一次只能播放一堂课，不能再加上 %1。</translation>
     </message>
     <message>
         <source>lesson: no lesson was given.</source>
         <translation>lesson：没有给出课程。</translation>
-    </message>
-    <message>
-        <source>lesson: --model excludes --pack, --unpack, --pictures and --out.</source>
-        <translation>lesson：--model 不能与 --pack、--unpack、--pictures 和 --out 同用。</translation>
-    </message>
-    <message>
-        <source>lesson: --step needs --model, and a step&apos;s number, from 1.</source>
-        <translation>lesson：--step 需要 --model，以及从 1 开始的步骤编号。</translation>
     </message>
     <message>
         <source>yes</source>
@@ -644,6 +596,50 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>lesson: step %1 has no checkpoint.</source>
         <translation>lesson：第 %1 步没有检查点。</translation>
+    </message>
+    <message>
+        <source>Language of the lesson&apos;s titles (default: the system&apos;s).</source>
+        <translation>课程标题的语言（默认为系统语言）。</translation>
+    </message>
+    <message>
+        <source>Judge this model, a pupil&apos;s, instead of playing; or -.</source>
+        <translation>不播放，而是评判这个（学生的）模型；或 -。</translation>
+    </message>
+    <message>
+        <source>Step whose checkpoint judges the model, from 1 (default: the last).</source>
+        <translation>按哪一步的检查点评判，从 1 开始（默认最后一步）。</translation>
+    </message>
+    <message>
+        <source>File for the whole lesson, if all is well.</source>
+        <translation>一切正常时，整堂课写入的文件。</translation>
+    </message>
+    <message>
+        <source>Folder for the lesson, where it can be changed.</source>
+        <translation>存放课程的文件夹，可在其中修改。</translation>
+    </message>
+    <message>
+        <source>Folder for pictures of what each step leaves, step-1.png and so on.</source>
+        <translation>存放每一步结果图片的文件夹，名为 step-1.png 等。</translation>
+    </message>
+    <message>
+        <source>File for the model that the last step leaves.</source>
+        <translation>最后一步留下的模型写入的文件。</translation>
+    </message>
+    <message>
+        <source>One JSON object.</source>
+        <translation>一个 JSON 对象。</translation>
+    </message>
+    <message>
+        <source>CSV with a header row: a row for each goal.</source>
+        <translation>CSV，带表头：每个目标一行。</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder.</source>
+        <translation>%1 不是文件夹。</translation>
+    </message>
+    <message>
+        <source>lesson: &quot;%1&quot; is no lesson: neither one of %2 nor a folder or zip.</source>
+        <translation>lesson：“%1”不是课程：既不是 %2 之一，也不是文件夹或 zip。</translation>
     </message>
 </context>
 <context>
@@ -1367,32 +1363,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ReplayCommand</name>
     <message>
-        <source>replay: --verify is local, full or none, not %1.</source>
-        <translation>replay：--verify 应为 local、full 或 none，而不是 %1。</translation>
-    </message>
-    <message>
         <source>Plays recorded strokes on a model, or on the paper&apos;s sphere.</source>
         <translation>在模型或论文所用的球体上回放录制的笔触。</translation>
-    </message>
-    <message>
-        <source>The strokes, JSON.</source>
-        <translation>笔触，JSON 格式。</translation>
-    </message>
-    <message>
-        <source>The model; without it, a sphere of 2562 vertices, radius 1.</source>
-        <translation>模型；省略时为半径 1、有 2562 个顶点的球体。</translation>
-    </message>
-    <message>
-        <source>Where the sculpted model goes.</source>
-        <translation>雕刻后模型的输出位置。</translation>
-    </message>
-    <message>
-        <source>Where cost and outcome of each dab go, JSON.</source>
-        <translation>每个笔点的开销和结果的输出位置，JSON 格式。</translation>
-    </message>
-    <message>
-        <source>local: what changed (as in the window); full: the whole mesh after each dab as well; none: for measurements, excludes --out.</source>
-        <translation>local：检查有变化之处（与窗口中相同）；full：每个笔点后还检查整个网格；none：仅供测量，不能与 --out 同用。</translation>
     </message>
     <message>
         <source>replay: %1 is no option; the model is given with --in.</source>
@@ -1407,10 +1379,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>replay：%1 与 %2 指的是同一个文件 %3。</translation>
     </message>
     <message>
-        <source>replay: --verify none and --out exclude each other: what is not verified is not kept.</source>
-        <translation>replay：--verify none 和 --out 不能同时使用：未经检查的结果不予保存。</translation>
-    </message>
-    <message>
         <source>replay: the mesh is not in order in dab %1.</source>
         <translation>replay：网格在笔点 %1 处出错。</translation>
     </message>
@@ -1419,20 +1387,45 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>replay: strokes[%1]: %2</translation>
     </message>
     <message>
-        <source>A folder for pictures of the model, PNG, at the start and after each stroke.</source>
+        <source>The strokes, JSON; or -.</source>
+        <translation>笔触，JSON 格式；或 -。</translation>
+    </message>
+    <message>
+        <source>The model; or - (default: a sphere of 2562 vertices, radius 1).</source>
+        <translation>模型；或 -（默认为半径 1、有 2562 个顶点的球体）。</translation>
+    </message>
+    <message>
+        <source>File for the sculpted model; or -.</source>
+        <translation>雕刻后模型写入的文件；或 -。</translation>
+    </message>
+    <message>
+        <source>File for cost and outcome of each dab, JSON; or -.</source>
+        <translation>每个笔点的开销和结果写入的文件，JSON 格式；或 -。</translation>
+    </message>
+    <message>
+        <source>Folder for pictures of the model, PNG, at the start and after each stroke.</source>
         <translation>存放模型图片（PNG）的文件夹，开始时和每一笔之后各一张。</translation>
     </message>
     <message>
-        <source>Strokes from one picture to the next.</source>
-        <translation>两张图片之间的笔数。</translation>
+        <source>Strokes from one picture to the next (default: 1).</source>
+        <translation>两张图片之间的笔数（默认 1）。</translation>
     </message>
     <message>
-        <source>replay: --every says how many strokes there are to a picture, and needs --frames.</source>
-        <translation>replay：--every 指定每张图片的笔数，需要 --frames。</translation>
+        <source>local: what changed (as in the window, the default); full: the whole mesh after each dab as well; none: for measurements, without --out.</source>
+        <translation>local：检查有变化之处（与窗口中相同，默认）；full：每个笔点后还检查整个网格；none：仅供测量，不能与 --out 同用。</translation>
     </message>
     <message>
-        <source>replay: --every is a whole number from 1 on, not %1.</source>
-        <translation>replay：--every 是从 1 开始的整数，不是 %1。</translation>
+        <source>replay: --verify none and --out cannot be used together: what is not verified is not kept.</source>
+        <translation>replay：--verify none 和 --out 不能同时使用：未经检查的结果不予保存。</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1：%2：%3</translation>
+    </message>
+    <message>
+        <source>Strokes: %1, commands: %2, dabs: %3. Size: %4 x %5 x %6 mm, triangles: %7. Time: %8 s.</source>
+        <translation>笔触：%1，命令：%2，笔点：%3。尺寸：%4 x %5 x %6 毫米，三角形：%7。用时：%8 秒。</translation>
     </message>
 </context>
 <context>
@@ -1442,18 +1435,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。</translation>
     </message>
     <message>
-        <source>What the files are measured in; else mm.</source>
-        <translation>文件所用的单位；默认为 mm。</translation>
+        <source>The models; of folders further down only the works of a class in turns are looked at.</source>
+        <translation>存放模型的文件夹；下级文件夹中只查看轮流上课的作品。</translation>
     </message>
     <message numerus="yes">
-        <source>report: one folder is needed, but %n were given.</source>
+        <source>report: needs one folder; %n were given.</source>
         <translation>
             <numerusform>report：需要一个文件夹，但指定了 %n 个。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The models; of folders further down only the works of a class in turns are looked at.</source>
-        <translation>存放模型的文件夹；下级文件夹中只查看轮流上课的作品。</translation>
     </message>
 </context>
 <context>
@@ -1489,24 +1478,20 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>按比例写出模型的图纸，每个模型一页 A4，按名称排序。状态 1：并非每个模型都有图纸。</translation>
     </message>
     <message>
-        <source>Models, or folders of models.</source>
-        <translation>模型或存放模型的文件夹。</translation>
-    </message>
-    <message>
-        <source>What the files are measured in; else mm.</source>
-        <translation>文件所用的单位；默认为 mm。</translation>
-    </message>
-    <message>
-        <source>Colours under the lines.</source>
-        <translation>在线条下着色。</translation>
-    </message>
-    <message>
         <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>
         <translation>%1 没有图纸，因为其表面没有围成任何空间（%2）。</translation>
     </message>
     <message>
         <source>%1 was not written: there is no model that has a sheet.</source>
         <translation>%1 未写入：没有可出图纸的模型。</translation>
+    </message>
+    <message>
+        <source>Models, or folders of models; or -.</source>
+        <translation>模型或存放模型的文件夹；或 -。</translation>
+    </message>
+    <message>
+        <source>Colors under the lines.</source>
+        <translation>在线条下着色。</translation>
     </message>
 </context>
 <context>
@@ -1658,10 +1643,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::TimeLapse</name>
     <message>
-        <source>%1 is no folder, so no pictures can be written there.</source>
-        <translation>%1 不是文件夹，因此无法在那里写入图片。</translation>
-    </message>
-    <message>
         <source>%1 has a %2 already, and nothing was written over it: choose an empty folder.</source>
         <translation>%1 中已有 %2，没有覆盖任何文件：请选择一个空文件夹。</translation>
     </message>
@@ -1672,6 +1653,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>The earlier steps of the model cannot be read any more, so there is no time-lapse of them.</source>
         <translation>无法再读取模型较早的步骤，因此没有它们的延时图片。</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder.</source>
+        <translation>%1 不是文件夹。</translation>
     </message>
 </context>
 <context>
@@ -8093,6 +8078,115 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 is none of %2</source>
         <extracomment>key and value, as in place: &quot;there&quot;</extracomment>
         <translation>%1 不是 %2 之一</translation>
+    </message>
+</context>
+<context>
+    <name>app::CommandOptions</name>
+    <message>
+        <source>Show this help.</source>
+        <translation>显示此帮助。</translation>
+    </message>
+    <message>
+        <source>%1: --%2 must be %3, not &quot;%4&quot;.</source>
+        <translation>%1：--%2 必须是 %3，而不是“%4”。</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>%1 到 %2 的数</translation>
+    </message>
+    <message>
+        <source>a whole number, %1 or more</source>
+        <translation>不小于 %1 的整数</translation>
+    </message>
+    <message>
+        <source>%1: --%2 and --%3 cannot be used together.</source>
+        <translation>%1：--%2 和 --%3 不能同时使用。</translation>
+    </message>
+    <message>
+        <source>%1: %2 can only be used with --%3.</source>
+        <translation>%1：%2 只能与 --%3 一起使用。</translation>
+    </message>
+    <message>
+        <source>Write over no file that is there: status 2 instead.</source>
+        <translation>不覆盖已有的文件：改为返回状态 2。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is there already, and stays as it is because of --no-clobber.</source>
+        <translation>%1：%2 已存在，因 --no-clobber 而保持原样。</translation>
+    </message>
+    <message>
+        <source>The file to write.</source>
+        <translation>要写入的文件。</translation>
+    </message>
+    <message>
+        <source>%1: the file to write is missing; -o names it.</source>
+        <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
+    </message>
+</context>
+<context>
+    <name>app::NewCommand</name>
+    <message>
+        <source>Writes one of the program&apos;s starting shapes: %1.</source>
+        <translation>写出程序的一个起始形状：%1。</translation>
+    </message>
+    <message>
+        <source>The shape.</source>
+        <translation>形状。</translation>
+    </message>
+    <message>
+        <source>The file to write, in the format of its ending; or -.</source>
+        <translation>要写入的文件，格式由扩展名决定；或 -。</translation>
+    </message>
+    <message>
+        <source>Length of its longest side in mm (default: 100).</source>
+        <translation>最长边的长度，单位毫米（默认 100）。</translation>
+    </message>
+    <message>
+        <source>new: needs a shape and a file, as in new ball ball.glb; the shapes are %1.</source>
+        <translation>new：需要一个形状和一个文件，如 new ball ball.glb；形状有 %1。</translation>
+    </message>
+    <message>
+        <source>new: the shape must be one of %1, not &quot;%2&quot;.</source>
+        <translation>new：形状必须是 %1 之一，而不是“%2”。</translation>
+    </message>
+</context>
+<context>
+    <name>app::StandardFiles</name>
+    <message>
+        <source>Format of a model that is read from the standard input, -.</source>
+        <translation>从标准输入（-）读取的模型的格式。</translation>
+    </message>
+    <message>
+        <source>Format of a model that is written to the standard output, -.</source>
+        <translation>写到标准输出（-）的模型的格式。</translation>
+    </message>
+    <message>
+        <source>%1: --%2 must say the format of -: one of %3.</source>
+        <translation>%1：--%2 必须说明 - 的格式：%3 之一。</translation>
+    </message>
+    <message>
+        <source>The standard input cannot be read (%1).</source>
+        <translation>无法读取标准输入（%1）。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no text, and is not shown in a terminal: send the standard output to a file or a program.</source>
+        <translation>%1：%2 不是文本，不会显示在终端上：请将标准输出重定向到文件或程序。</translation>
+    </message>
+    <message>
+        <source>The standard output cannot be written (%1).</source>
+        <translation>无法写入标准输出（%1）。</translation>
+    </message>
+    <message>
+        <source>(standard input)</source>
+        <translation>（标准输入）</translation>
+    </message>
+    <message>
+        <source>(standard output)</source>
+        <translation>（标准输出）</translation>
     </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 // brush: what a preset file says, or one sentence why it is none; and a picture of what its brush does.
 #include "app/commands/command_line.h"
+#include "app/commands/command_options.h"
 
 #include "ui/brush/preset_file.h"
 
@@ -77,15 +78,18 @@ ExitStatus brushCommand(const QStringList& arguments)
     parser.addOption({QStringLiteral("picture"),
                       BrushCommandMessages::tr("Where a picture of one stroke of the brush goes, PNG."),
                       QStringLiteral("OUT.png")});
-    if (!CommandLine::parse(parser, QStringLiteral("brush"), arguments))
+    CommandOptions::addNoClobber(parser);
+    const CommandOptions options(parser, QStringLiteral("brush"), arguments);
+    if (options.isAnswered())
         return Done;
-    const QStringList presets = parser.positionalArguments();
-    const QString picture = parser.value(QStringLiteral("picture"));
+    const QStringList presets = options.files();
+    const QString picture = options.text(QStringLiteral("picture"));
     if (presets.size() > 1)
         CommandLine::fail(
             BrushCommandMessages::tr("brush: one preset at a time can be read, not %1 as well.").arg(presets.at(1)));
     if (presets.isEmpty() && !picture.isEmpty())
         CommandLine::fail(BrushCommandMessages::tr("brush: no preset was given."));
+    options.requireFree(picture);
     if (presets.isEmpty()) {
         for (const QString& path : ui::bundledPresets())
             CommandLine::print(QStringLiteral("%1  %2").arg(wordFor(path), -14).arg(lineOf(read(path))));

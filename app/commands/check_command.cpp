@@ -2,14 +2,13 @@
 // line.
 #include "app/commands/command_models.h"
 #include "app/commands/command_unit.h"
+#include "app/commands/standard_files.h"
 #include "app/commands/text_table.h"
 
 #include "core/analysis/print_check.h"
 #include "core/io/mesh_io.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
-
-#include <QRegularExpression>
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +23,7 @@ namespace
 using core::PrintBed; // lupdate would lose its place at a function that returns a core::PrintBed
 using Json = nlohmann::ordered_json;
 
-constexpr double minLength = 1e-6; ///< mm, of what is typed
+constexpr double minLength = 0.001, maxSide = 1e5; ///< mm, of what is typed
 
 class CheckMessages
 {
@@ -132,6 +131,13 @@ Json unknown(const CheckOptions& options, const QString& file)
     return json;
 }
 
+/// To three decimals, and of what is small to three digits: as exact as a person reads it.
+QString rounded(double value)
+{
+    return std::abs(value) < 0.1 ? QString::number(value, 'g', 3)
+                                 : QString::number(std::round(value * 1000) / 1000, 'g', 15);
+}
+
 QString word(const Json& value)
 {
     if (value.is_null())
@@ -139,25 +145,17 @@ QString word(const Json& value)
     if (value.is_boolean())
         return value.get<bool>() ? QStringLiteral("yes") : QStringLiteral("no");
     if (value.is_number_float())
-        return QString::number(value.get<double>(), 'g', 7);
+        return rounded(value.get<double>());
     if (value.is_array())
         return value[0].is_null() ? word(value[0])
                                   : QStringLiteral("%1 x %2 x %3").arg(word(value[0]), word(value[1]), word(value[2]));
     return QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
-QString quoted(QString field)
-{
-    static const QRegularExpression special(QStringLiteral("[\",\\r\\n]"));
-    if (!field.contains(special))
-        return field;
-    return QLatin1Char('"') + field.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
-}
-
-QString csvField(const Json& value)
+QString fieldOf(const Json& value)
 {
     if (value.is_string())
-        return quoted(QString::fromStdString(value.get<std::string>()));
+        return csvField(QString::fromStdString(value.get<std::string>()));
     return value.is_null() ? QString() : QString::fromStdString(value.dump());
 }
 
@@ -167,23 +165,54 @@ QString csvLine(const Json& report, bool isHeader)
     QStringList fields;
     for (const auto& [key, value] : report.items()) {
         if (!value.is_array())
-            fields << (isHeader ? QString::fromStdString(key) : csvField(value));
+            fields << (isHeader ? QString::fromStdString(key) : fieldOf(value));
         else
             for (std::size_t i = 0; i < value.size(); ++i)
-                fields << (isHeader ? QStringLiteral("size_%1_mm").arg(QLatin1Char("xyz"[i])) : csvField(value[i]));
+                fields << (isHeader ? QStringLiteral("size_%1_mm").arg(QLatin1Char("xyz"[i])) : fieldOf(value[i]));
     }
     return fields.join(QLatin1Char(',')) + QLatin1Char('\n');
 }
 
-QString page(const QString& file, const Json& json, const core::MeshReport& report)
+QString percent(double share)
+{
+    return QString::number(100 * share, 'f', 1) + QStringLiteral(" %");
+}
+
+/// Lists the obstacles to a good print of a sound model.
+QStringList obstacles(const CheckOptions& options, const core::PrintReport& print)
+{
+    QStringList found;
+    if (options.hasBed && print.fit == core::BedFit::Not)
+        found << CheckMessages::tr("it does not fit the bed");
+    if (print.thin.count > 0)
+        found << CheckMessages::tr("%1 of its surface is thinner than %2 mm")
+                     .arg(percent(print.thin.area / print.area), rounded(options.print->minWall));
+    if (print.overhangs.count > 0)
+        found << CheckMessages::tr("%1 of its surface overhangs by more than %2 degrees")
+                     .arg(percent(print.overhangs.area / print.area), rounded(options.print->overhang));
+    if (print.baseArea == 0)
+        found << CheckMessages::tr("it stands on a point or an edge");
+    return found;
+}
+
+QString verdict(const CheckOptions& options, const QString& file, const Checked& checked)
+{
+    if (!checked.report.printReady())
+        return ui::ErrorMessages::refusal(file, checked.report);
+    const QStringList found = checked.print ? obstacles(options, *checked.print) : QStringList();
+    return found.isEmpty()
+               ? CheckMessages::tr("%1 is in fine fettle.").arg(file)
+               : CheckMessages::tr("%1 is watertight, but: %2.").arg(file, found.join(QStringLiteral("; ")));
+}
+
+QString page(const CheckOptions& options, const QString& file, const Json& json, const Checked& checked)
 {
     QString text;
     for (const auto& [key, value] : json.items())
         text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(word(value));
-    text += report.printReady() ? CheckMessages::tr("%1 is in fine fettle.").arg(file)
-                                : ui::ErrorMessages::refusal(file, report);
-    if (report.volume)
-        if (const QString doubt = ui::ErrorMessages::unitDoubt(*report.volume); !doubt.isEmpty())
+    text += verdict(options, file, checked);
+    if (checked.report.volume)
+        if (const QString doubt = ui::ErrorMessages::unitDoubt(*checked.report.volume); !doubt.isEmpty())
             text += QLatin1Char('\n') + doubt;
     return text + QLatin1Char('\n');
 }
@@ -208,27 +237,34 @@ QStringList tableFields(const CheckOptions& options, const QString& file, const 
 {
     QStringList fields = {shortened(file, options.nameColumns), word(json["faces"]), word(json["size_mm"]),
                           word(json["print_ready"])};
-    const auto rounded = [](const Json& value, int decimals) {
+    const auto toDecimals = [](const Json& value, int decimals) {
         return value.is_null() ? QStringLiteral("-") : QString::number(value.get<double>(), 'f', decimals);
     };
-    const auto percent = [](const Json& share) {
-        return share.is_null() ? QStringLiteral("-")
-                               : QString::number(100 * share.get<double>(), 'f', 1) + QStringLiteral(" %");
-    };
-    if (options.print)
-        fields << rounded(json["min_wall_balls_mm"], 2) << percent(json["overhang_share"])
-               << rounded(json["base_area_mm2"], 1);
+    if (options.print) {
+        const Json& share = json["overhang_share"];
+        fields << toDecimals(json["min_wall_balls_mm"], 2)
+               << (share.is_null() ? QStringLiteral("-") : percent(share.get<double>()))
+               << toDecimals(json["base_area_mm2"], 1);
+    }
     if (options.print && options.hasBed)
         fields << word(json["fits_bed"]);
     return fields;
 }
 
-/// Writes what was found of one file; the first is preceded by the table's head.
-void printReport(const CheckOptions& options, const QString& file, const Json& json, bool isFirst)
+QString jsonLine(const Json& report, const QString& problem)
+{
+    Json line{{"format", "fettle-check"}, {"version", 1}};
+    line.update(report);
+    line["error"] = problem.isEmpty() ? Json(nullptr) : Json(problem.toStdString());
+    return QString::fromStdString(line.dump(-1, ' ', false, Json::error_handler_t::replace)) + QLatin1Char('\n');
+}
+
+/// Writes what was found of one file; the first is preceded by the table's head. `problem`: why it cannot be read.
+void printReport(const CheckOptions& options, const QString& file, const Json& json, bool isFirst,
+                 const QString& problem = {})
 {
     if (options.json)
-        CommandLine::print(QString::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace)) +
-                           QLatin1Char('\n'));
+        CommandLine::print(jsonLine(json, problem));
     else if (options.csv)
         CommandLine::print((isFirst ? csvLine(json, true) : QString()) + csvLine(json, false));
     else
@@ -252,47 +288,36 @@ Checked check(const CheckOptions& options, const std::filesystem::path& file)
     return checked;
 }
 
-double numberOf(const QString& text, double min, double max, const QString& problem)
-{
-    bool ok = false;
-    const double number = text.toDouble(&ok);
-    if (!ok || !(number >= min && number <= max))
-        CommandLine::fail(problem.arg(text));
-    return number;
-}
-
 PrintBed bedOf(const QString& text)
 {
-    constexpr double maxSide = 1e5;
-    const QString problem = CheckMessages::tr("check: --bed needs three lengths in mm, as in 250,210,220, and not %1.");
-    const QStringList sides = text.split(QLatin1Char(','));
-    if (sides.size() != 3)
-        CommandLine::fail(problem.arg(text));
-    return {numberOf(sides[0], minLength, maxSide, problem), numberOf(sides[1], minLength, maxSide, problem),
-            numberOf(sides[2], minLength, maxSide, problem)};
+    const QStringList sides = text.split(u',');
+    double lengths[3] = {};
+    bool areLengths = sides.size() == std::ssize(lengths);
+    for (qsizetype i = 0; areLengths && i < sides.size(); ++i) {
+        lengths[i] = sides[i].toDouble(&areLengths);
+        areLengths = areLengths && lengths[i] >= minLength && lengths[i] <= maxSide;
+    }
+    if (!areLengths)
+        CommandLine::fail(
+            CheckMessages::tr("check: --bed must be three lengths in mm, as in 250,210,220, not \"%1\".").arg(text));
+    return {lengths[0], lengths[1], lengths[2]};
 }
 
-std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
+std::optional<core::PrintLimits> printLimits(const CommandOptions& options)
 {
     constexpr double maxNozzle = core::PrintLimits::maxWall / core::PrintLimits::linesPerWall;
-    const QString nozzle = parser.value(QStringLiteral("nozzle")), bed = parser.value(QStringLiteral("bed")),
-                  overhang = parser.value(QStringLiteral("overhang"));
-    if (!parser.isSet(QStringLiteral("print"))) {
-        if (parser.isSet(QStringLiteral("nozzle")) || parser.isSet(QStringLiteral("bed")) ||
-            parser.isSet(QStringLiteral("overhang")))
-            CommandLine::fail(CheckMessages::tr("check: --nozzle, --overhang and --bed need --print."));
+    const QString print = QStringLiteral("print"), nozzle = QStringLiteral("nozzle"), bed = QStringLiteral("bed"),
+                  overhang = QStringLiteral("overhang");
+    options.requireWith({nozzle, overhang, bed}, print);
+    if (!options.has(print))
         return std::nullopt;
-    }
     core::PrintLimits limits;
-    if (parser.isSet(QStringLiteral("nozzle")))
-        limits.minWall =
-            core::PrintLimits::linesPerWall *
-            numberOf(nozzle, minLength, maxNozzle, CheckMessages::tr("check: --nozzle %1 is no width in mm up to 5."));
-    if (parser.isSet(QStringLiteral("overhang")))
-        limits.overhang =
-            numberOf(overhang, 0, 90, CheckMessages::tr("check: --overhang %1 is no angle from 0 to 90 degrees."));
-    if (parser.isSet(QStringLiteral("bed")))
-        limits.bed = bedOf(bed);
+    if (options.has(nozzle))
+        limits.minWall = core::PrintLimits::linesPerWall * options.number(nozzle, minLength, maxNozzle);
+    if (options.has(overhang))
+        limits.overhang = options.number(overhang, 0, 90);
+    if (options.has(bed))
+        limits.bed = bedOf(options.text(bed));
     return limits;
 }
 
@@ -300,19 +325,24 @@ void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(
         CheckMessages::tr("Says whether models are closed, manifold, oriented, free of self-intersections, "
-                          "and bound a solid. Status 0: all are; 1: not all."));
-    parser.addPositionalArgument(QStringLiteral("FILE..."), CheckMessages::tr("Models, or folders of models."));
+                          "and bound a solid. Status 0: all are, whatever --print finds; 1: not all."));
+    parser.addPositionalArgument(QStringLiteral("FILE..."), CheckMessages::tr("Models, or folders of models; or -."));
+    CommandUnit::addTo(parser);
     parser.addOptions(
-        {{QStringLiteral("unit"), CheckMessages::tr("What the files are measured in; else mm."), CommandUnit::words()},
-         {QStringLiteral("json"), CheckMessages::tr("One JSON object per file, each on its line.")},
-         {QStringLiteral("csv"), CheckMessages::tr("Comma-separated values, with a head line.")},
-         {QStringLiteral("print"), CheckMessages::tr("Measures walls, overhangs, and what stands on the bed, too.")},
-         {QStringLiteral("nozzle"), CheckMessages::tr("Walls are to be two lines of this width thick; else of 0.4."),
+        {{QStringLiteral("json"), CheckMessages::tr("One JSON object per file, each on its line.")},
+         {QStringLiteral("csv"), CheckMessages::tr("CSV with a header row.")},
+         {QStringLiteral("print"), CheckMessages::tr("Also measure wall thickness, overhangs and bed contact.")},
+         {QStringLiteral("nozzle"),
+          CheckMessages::tr("Nozzle width in mm; walls should be two lines thick (default: 0.4)."),
           QStringLiteral("MM")},
-         {QStringLiteral("overhang"), CheckMessages::tr("So far faces may lean out from the vertical; else 45."),
+         {QStringLiteral("overhang"),
+          CheckMessages::tr("Steepest overhang that prints without support, in degrees from "
+                            "the vertical (default: 45)."),
           QStringLiteral("DEGREES")},
-         {QStringLiteral("bed"), CheckMessages::tr("Width, depth and height that the printer holds."),
+         {QStringLiteral("bed"),
+          CheckMessages::tr("Width, depth and height that the printer holds, in mm (default: not looked at)."),
           QStringLiteral("X,Y,Z")}});
+    StandardFiles::addFrom(parser);
 }
 
 /// As many as the longest name needs, but few enough that the rest is seen, too.
@@ -327,20 +357,20 @@ int nameColumns(const QList<std::filesystem::path>& files)
 
 std::optional<CheckOptions> parseCheckOptions(const QStringList& arguments)
 {
+    const QString json = QStringLiteral("json"), csv = QStringLiteral("csv");
     QCommandLineParser parser;
     addOptions(parser);
-    if (!CommandLine::parse(parser, QStringLiteral("check"), arguments))
+    const CommandOptions given(parser, QStringLiteral("check"), arguments);
+    if (given.isAnswered())
         return std::nullopt;
+    given.requireOneOf(json, csv);
     CheckOptions options;
-    options.json = parser.isSet(QStringLiteral("json"));
-    options.csv = parser.isSet(QStringLiteral("csv"));
-    if (options.json && options.csv)
-        CommandLine::fail(CheckMessages::tr("check: --json and --csv exclude each other."));
-    if (parser.isSet(QStringLiteral("unit")))
-        options.unit = CommandUnit::named(QStringLiteral("check"), parser.value(QStringLiteral("unit")));
-    options.print = printLimits(parser);
-    options.hasBed = parser.isSet(QStringLiteral("bed"));
-    options.models = commandModels(QStringLiteral("check"), parser.positionalArguments());
+    options.json = given.has(json);
+    options.csv = given.has(csv);
+    options.unit = CommandUnit::of(given);
+    options.print = printLimits(given);
+    options.hasBed = given.has(QStringLiteral("bed"));
+    options.models = commandModels(given);
     options.table = options.models.hasFolder || options.models.files.size() > 1;
     options.nameColumns = nameColumns(options.models.files);
     return options;
@@ -355,21 +385,22 @@ ExitStatus checkCommand(const QStringList& arguments)
     ExitStatus status = options->models.status;
     bool isFirst = true;
     for (const std::filesystem::path& path : options->models.files) {
-        const QString file = ui::displayName(path);
+        const QString file = StandardFiles::named(ui::displayName(path));
         try {
             const Checked checked = check(*options, path);
             const Json json = jsonOf(*options, file, checked);
             if (options->isPage())
-                CommandLine::print(page(file, json, checked.report));
+                CommandLine::print(page(*options, file, json, checked));
             else
                 printReport(*options, file, json, std::exchange(isFirst, false));
             if (const QString left = ui::ErrorMessages::remarks(file, checked.remarks); !left.isEmpty())
                 CommandLine::printError(left);
             status = std::max(status, checked.report.printReady() ? Done : AnswerIsNo);
         } catch (const core::FileError& error) {
-            CommandLine::printError(ui::ErrorMessages::sentence(error));
-            if (options->table && !options->json)
-                printReport(*options, file, unknown(*options, file), std::exchange(isFirst, false));
+            const QString problem = StandardFiles::named(ui::ErrorMessages::sentence(error));
+            CommandLine::printError(problem);
+            if (options->table)
+                printReport(*options, file, unknown(*options, file), std::exchange(isFirst, false), problem);
             status = BadInput;
         }
     }

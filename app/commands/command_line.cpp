@@ -1,49 +1,161 @@
 #include "app/commands/command_line.h"
 
+#include "app/commands/standard_files.h"
 #include "app/model/model_loader.h"
 #include "app/platform/terminal.h"
 
+#include "core/mesh/openmesh_version.h"
 #include "ui/util/format_filters.h"
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <new>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace app
 {
 namespace
 {
-using Command = ExitStatus (*)(const QStringList&);
-
-Command commandNamed(const QString& word)
+struct CommandRow
 {
-    if (word == QLatin1String("brush"))
-        return brushCommand;
-    if (word == QLatin1String("check"))
-        return checkCommand;
-    if (word == QLatin1String("convert"))
-        return convertCommand;
-    if (word == QLatin1String("lesson"))
-        return lessonCommand;
-    if (word == QLatin1String("replay"))
-        return replayCommand;
-    if (word == QLatin1String("report"))
-        return reportCommand;
-    if (word == QLatin1String("sheet"))
-        return sheetCommand;
-    return nullptr;
+    const char* name;
+    ExitStatus (*run)(const QStringList&);
+    const char *usage, *summary;
+};
+constexpr CommandRow commandTable[] = {
+    {"new", newCommand, "new STARTER OUT",
+     QT_TRANSLATE_NOOP("app::CommandLine", "write a starting shape: a ball, a cube, a vase and others")},
+    {"check", checkCommand, "check FILE...",
+     QT_TRANSLATE_NOOP("app::CommandLine",
+                       "say whether models are in order, and will print; several files or a folder: a table")},
+    {"convert", convertCommand, "convert IN OUT",
+     QT_TRANSLATE_NOOP("app::CommandLine", "write a model in another format or size, mended, or with fewer triangles")},
+    {"replay", replayCommand, "replay --strokes S.json",
+     QT_TRANSLATE_NOOP("app::CommandLine", "play recorded strokes on a model")},
+    {"report", reportCommand, "report FOLDER -o OUT",
+     QT_TRANSLATE_NOOP("app::CommandLine", "write a class report: picture, size, print-ready or why not, strokes and "
+                                           "time of each model")},
+    {"sheet", sheetCommand, "sheet FILE... -o OUT",
+     QT_TRANSLATE_NOOP("app::CommandLine", "draw models or folders of models to scale, a page each")},
+    {"lesson", lessonCommand, "lesson [LESSON]",
+     QT_TRANSLATE_NOOP("app::CommandLine",
+                       "check a lesson by playing it to its end, or a pupil's model by one of its steps")},
+    {"brush", brushCommand, "brush [PRESET]",
+     QT_TRANSLATE_NOOP("app::CommandLine", "say what a brush preset holds, or why it is none")},
+};
+
+/// Null if there is no such command.
+const CommandRow* commandNamed(const QString& word)
+{
+    const auto* const found =
+        std::ranges::find_if(commandTable, [&](const CommandRow& row) { return word == QLatin1String(row.name); });
+    return found == std::end(commandTable) ? nullptr : found;
+}
+
+QStringList commandNames()
+{
+    QStringList names;
+    for (const CommandRow& row : commandTable)
+        names << QString::fromLatin1(row.name);
+    return names;
+}
+
+QStringList windowOptions()
+{
+    return {QStringLiteral("--vr"), QString::fromLatin1(simulatorOption), QStringLiteral("--classroom"),
+            QStringLiteral("--help"), QStringLiteral("--version")};
 }
 
 bool isHelp(const QString& word)
 {
-    return word == QLatin1String("--help") || word == QLatin1String("-h") || word == QLatin1String("help");
+    return word == QLatin1String("--help") || word == QLatin1String("-h");
 }
 
 bool isVersion(const QString& word)
 {
     return word == QLatin1String("--version") || word == QLatin1String("-v");
+}
+
+/// Whether one of the options is such, before "--" and file names after it.
+bool hasOption(const QStringList& arguments, bool (*is)(const QString&))
+{
+    const auto end = std::ranges::find(arguments, QStringLiteral("--"));
+    return std::any_of(arguments.begin(), end, is);
+}
+
+/// Whether the arguments are for run(), right or wrong.
+bool isCommand(const QStringList& arguments)
+{
+    if (arguments.isEmpty())
+        return false;
+    return commandNamed(arguments.first()) || arguments.first() == QLatin1String("help") ||
+           hasOption(arguments, isHelp) || hasOption(arguments, isVersion);
+}
+
+/// Leaves out what QApplication takes for itself (QGuiApplication's documentation lists it).
+QStringList withoutQtOptions(const QStringList& arguments)
+{
+    static const QStringList alone{QStringLiteral("reverse"), QStringLiteral("nograb"), QStringLiteral("dograb"),
+                                   QStringLiteral("sync"), QStringLiteral("widgetcount")};
+    static const QStringList withValue{QStringLiteral("platform"),        QStringLiteral("platformpluginpath"),
+                                       QStringLiteral("platformtheme"),   QStringLiteral("plugin"),
+                                       QStringLiteral("qwindowgeometry"), QStringLiteral("geometry"),
+                                       QStringLiteral("qwindowicon"),     QStringLiteral("icon"),
+                                       QStringLiteral("qwindowtitle"),    QStringLiteral("title"),
+                                       QStringLiteral("session"),         QStringLiteral("display"),
+                                       QStringLiteral("fontengine"),      QStringLiteral("style"),
+                                       QStringLiteral("stylesheet"),      QStringLiteral("qmljsdebugger")};
+    QStringList ours;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        if (arguments[i] == QLatin1String("--"))
+            return ours + arguments.sliced(i);
+        const bool isOption = arguments[i].startsWith(u'-');
+        const QString word = arguments[i].sliced(arguments[i].startsWith(QLatin1String("--")) ? 2 : isOption ? 1 : 0);
+        if (isOption && withValue.contains(word))
+            ++i;
+        else if (!isOption || (!alone.contains(word) && !withValue.contains(word.section(u'=', 0, 0))))
+            ours << arguments[i];
+    }
+    return ours;
+}
+
+/// Counts the letters that are typed wrong, too much or too few; two that are swapped count as one.
+int typingErrors(const QString& typed, const QString& meant)
+{
+    const qsizetype n = meant.size();
+    std::vector<int> before, row(static_cast<std::size_t>(n + 1)), next(row.size());
+    std::iota(row.begin(), row.end(), 0);
+    for (qsizetype i = 0; i < typed.size(); ++i) {
+        next[0] = static_cast<int>(i) + 1;
+        for (qsizetype j = 0; j < n; ++j) {
+            const auto at = static_cast<std::size_t>(j);
+            next[at + 1] = std::min({row[at] + (typed[i] == meant[j] ? 0 : 1), row[at + 1] + 1, next[at] + 1});
+            if (i > 0 && j > 0 && typed[i] == meant[j - 1] && typed[i - 1] == meant[j])
+                next[at + 1] = std::min(next[at + 1], before[at - 1] + 1);
+        }
+        before = std::exchange(row, next);
+    }
+    return row.back();
+}
+
+/// Returns the one of the words that was meant, whatever dashes it has; empty if none is near.
+QString nearest(const QString& typed, const QStringList& words)
+{
+    const auto bare = [](const QString& word) { return word.toLower().remove(u'-'); };
+    const int most = bare(typed).size() < 5 ? 1 : 2;
+    QString best;
+    int fewest = most + 1;
+    for (const QString& word : words)
+        if (const int errors = typingErrors(bare(typed), bare(word)); errors < fewest) {
+            fewest = errors;
+            best = word;
+        }
+    return best;
 }
 
 bool write(std::FILE* stream, const QString& text)
@@ -54,23 +166,28 @@ bool write(std::FILE* stream, const QString& text)
 }
 } // namespace
 
-bool CommandLine::isCommand(const QStringList& arguments)
+bool CommandLine::opensWindow(const QStringList& arguments)
 {
-    if (arguments.isEmpty())
-        return false;
-    return commandNamed(arguments.first()) || isHelp(arguments.first()) || isVersion(arguments.first());
+    try {
+        if (isCommand(arguments))
+            return false;
+        windowStart(arguments);
+        return true;
+    } catch (const CommandFailure&) {
+        return false; // run() tells of it, in the language of the system, before a display is asked for
+    }
 }
 
 bool CommandLine::needsFonts(const QStringList& arguments)
 {
-    const Command command = arguments.isEmpty() ? nullptr : commandNamed(arguments.first());
-    return command == reportCommand || command == sheetCommand;
+    const CommandRow* const row = arguments.isEmpty() ? nullptr : commandNamed(arguments.first());
+    return row && (row->run == reportCommand || row->run == sheetCommand);
 }
 
-ExitStatus CommandLine::run(const QStringList& arguments)
+ExitStatus CommandLine::run(const QStringList& arguments, const QString& openXr)
 {
     try {
-        return dispatch(arguments);
+        return dispatch(arguments, openXr);
     } catch (const CommandFailure& failure) {
         printError(failure.sentence);
         return failure.status;
@@ -80,23 +197,33 @@ ExitStatus CommandLine::run(const QStringList& arguments)
     }
 }
 
-ExitStatus CommandLine::dispatch(const QStringList& arguments)
+ExitStatus CommandLine::dispatch(const QStringList& arguments, const QString& openXr)
 {
-    const QString& word = arguments.first();
-    if (const Command command = commandNamed(word))
-        return command(arguments.mid(1));
-    if (isVersion(word)) {
-        print(QStringLiteral("fettle " FETTLE_VERSION "\n"));
+    if (!isCommand(arguments)) {
+        windowStart(arguments);
         return Done;
     }
-    if (arguments.size() > 1) {
-        if (const Command command = commandNamed(arguments.at(1)))
-            return command({QStringLiteral("--help")});
-        fail(tr("There is no help on %1: the commands are brush, check, convert, lesson, replay, report and sheet.")
-                 .arg(arguments.at(1)));
-    }
-    print(help());
+    const QString& word = arguments.first();
+    if (const CommandRow* const row = commandNamed(word))
+        return row->run(arguments.mid(1));
+    if (word == QLatin1String("help") || isHelp(word))
+        return helpOn(arguments.value(1));
+    print(hasOption(arguments, isHelp) ? help() : versionText(openXr));
     return Done;
+}
+
+/// All commands, if the word is empty.
+ExitStatus CommandLine::helpOn(const QString& word)
+{
+    if (word.isEmpty()) {
+        print(help());
+        return Done;
+    }
+    const CommandRow* const row = commandNamed(word);
+    if (!row)
+        fail(tr("There is no command \"%1\": the commands are %2.")
+                 .arg(word, commandNames().join(QStringLiteral(", "))));
+    return row->run({QStringLiteral("--help")});
 }
 
 /// Takes `--classroom FILE` out of the arguments.
@@ -115,6 +242,7 @@ QString CommandLine::classFileIn(QStringList& arguments)
 
 WindowStart CommandLine::windowStart(QStringList arguments)
 {
+    arguments = withoutQtOptions(arguments);
     WindowStart start;
     start.classFile = classFileIn(arguments);
     QStringList files;
@@ -127,9 +255,13 @@ WindowStart CommandLine::windowStart(QStringList arguments)
         else if (!onlyFiles && argument == QLatin1String(simulatorOption))
             start.entersVr = start.simulatesVr = true;
         else if (!onlyFiles && argument.size() > 1 && argument.startsWith(QLatin1Char('-')))
-            fail(tr("Unknown option %1; fettle --help lists them.").arg(argument));
-        else
+            failAt(tr("\"%1\" is no option.").arg(argument), nearest(argument, windowOptions()));
+        else if (QFileInfo::exists(argument))
             files << argument;
+        else
+            failAt(
+                tr("\"%1\" is neither a command nor a file.").arg(argument),
+                nearest(argument, commandNames() + QStringList{QStringLiteral("help"), QStringLiteral("--version")}));
     }
     if (files.size() > 1)
         fail(tr("One file at a time can be opened, but %n were given; fettle --help says more.", nullptr,
@@ -141,33 +273,11 @@ WindowStart CommandLine::windowStart(QStringList arguments)
     return start;
 }
 
-bool CommandLine::parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments)
+/// `meant`: what may have been meant instead; may be empty.
+void CommandLine::failAt(const QString& sentence, const QString& meant)
 {
-    parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
-    parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, tr("Says this.")});
-    if (!parser.parse(QStringList(QStringLiteral("fettle ") + command) + arguments))
-        fail(QStringLiteral("%1: %2").arg(command, parser.errorText()));
-    if (!parser.isSet(QStringLiteral("help")))
-        return true;
-    QString text = parser.helpText(); // its first line names the program as it was called, and no command
-    const QString called = QCoreApplication::arguments().constFirst();
-    if (const qsizetype at = text.indexOf(called); at >= 0)
-        text.replace(at, called.size(), QStringLiteral("fettle ") + command);
-    print(text);
-    return false;
-}
-
-void CommandLine::addOutput(QCommandLineParser& parser, const QString& word)
-{
-    parser.addOption({{QStringLiteral("o"), QStringLiteral("output")}, tr("The file to write."), word});
-}
-
-QString CommandLine::output(const QCommandLineParser& parser, const QString& command)
-{
-    const QString path = parser.value(QStringLiteral("output"));
-    if (path.isEmpty())
-        fail(tr("%1: the file to write is missing; -o names it.").arg(command));
-    return path;
+    fail(meant.isEmpty() ? tr("%1 fettle --help lists what there is.").arg(sentence)
+                         : tr("%1 Did you mean %2? fettle --help lists what there is.").arg(sentence, meant));
 }
 
 void CommandLine::fail(const QString& sentence)
@@ -178,7 +288,8 @@ void CommandLine::fail(const QString& sentence)
 void CommandLine::requireMeshEnding(const QString& path)
 {
     if (!ui::isWritten(path))
-        fail(tr("%1: its ending does not say a format that is written; %2 are.").arg(path, ui::writtenFormats()));
+        fail(tr("%1: cannot tell the format: the ending must be one of %2.")
+                 .arg(path, ui::writtenEndings().join(QStringLiteral(", "))));
 }
 
 void CommandLine::print(const QString& text)
@@ -188,11 +299,19 @@ void CommandLine::print(const QString& text)
         fail(tr("The answer cannot be written to the standard output (%1).").arg(qt_error_string(errno)));
 }
 
+void CommandLine::printRemark(const QString& text)
+{
+    if (StandardFiles::hasOutput())
+        write(stderr, text);
+    else
+        print(text);
+}
+
 /// One line, whatever a file's name holds.
 void CommandLine::printError(const QString& sentence)
 {
     QString line;
-    for (const QChar c : sentence)
+    for (const QChar c : StandardFiles::named(sentence))
         line += c.isPrint() || c.isSurrogate() ? c : QLatin1Char(' ');
     write(stderr, QStringLiteral("fettle: %1\n").arg(line.trimmed()));
 }
@@ -206,38 +325,35 @@ void CommandLine::printProgress(const QString& what)
 
 QString CommandLine::help()
 {
-    return tr("Fettle sculpts closed models that stay ready to print.\n"
-              "\n"
-              "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR "
-              "with it\n"
-              "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and "
-              "keys are head and wands\n"
-              "  fettle [--vr] --classroom CLASS.ini\n"
-              "                                   begin a class in turns, as its teacher set it up (Edit > Classroom)\n"
-              "  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]\n"
-              "                                   say whether models are in order; several files or a folder: a table\n"
-              "  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]\n"
-              "                                   write a model in another format or size, mended, or with fewer "
-              "triangles\n"
-              "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify "
-              "local|full|none]\n"
-              "                                   play recorded strokes on a model\n"
-              "  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]\n"
-              "                                   a class report: picture, size, print-ready or why not, strokes and "
-              "time of each model\n"
-              "  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]\n"
-              "                                   drawings of models or folders to scale, a page each\n"
-              "  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures "
-              "FOLDER] [--out FILE]\n"
-              "                                   check a lesson by playing it to its end, or a pupil's model by one "
-              "of its steps\n"
-              "  fettle brush [PRESET] [--picture OUT.png]\n"
-              "                                   say what a brush preset holds, or why it is none\n"
-              "  fettle help COMMAND              the options of one of them\n"
-              "  fettle --version\n"
-              "\n"
-              "Formats: %1. Lengths are in millimetres.\n"
-              "Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).\n")
-        .arg(ui::modelFormats());
+    constexpr int usageColumns = 31;
+    QString text =
+        tr("Fettle sculpts closed models that stay ready to print.\n"
+           "\n"
+           "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters "
+           "VR with it\n"
+           "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse "
+           "and keys are head and wands\n"
+           "  fettle [--vr] --classroom CLASS.ini\n"
+           "                                   begin a class in turns, as its teacher set it up (Edit > "
+           "Classroom)\n");
+    for (const CommandRow& row : commandTable)
+        text += QStringLiteral("  fettle %1  %2\n")
+                    .arg(QString::fromLatin1(row.usage), 7 - usageColumns)
+                    .arg(tr(row.summary));
+    return text + tr("  fettle help COMMAND              show the options of one of them\n"
+                     "  fettle --version                 show the version, and those of the libraries\n"
+                     "\n"
+                     "Formats: %1. Lengths are in millimetres. The file - is the standard input or output.\n"
+                     "Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).\n")
+                      .arg(ui::modelFormats());
+}
+
+/// The commit is in the application's version, if it is known.
+QString CommandLine::versionText(const QString& openXr)
+{
+    return QStringLiteral("fettle %1\nQt %2, OpenXR %3, OpenMesh %4\n")
+               .arg(QCoreApplication::applicationVersion(), QString::fromLatin1(qVersion()), openXr,
+                    QString::fromStdString(core::openMeshVersion())) +
+           tr("MIT License: free to use, change and pass on, without warranty") + u'\n';
 }
 } // namespace app

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -33,39 +32,40 @@ class CommandLine
     Q_DECLARE_TR_FUNCTIONS(app::CommandLine)
 
 public:
-    /// Whether the arguments (without the program's name) name a subcommand, --help or --version. These words win over
-    /// file names.
-    static bool isCommand(const QStringList& arguments);
+    /// Whether the arguments (without the program's name) open the window: they neither name a subcommand, which wins
+    /// over file names, nor ask for help or the version, nor are wrong.
+    static bool opensWindow(const QStringList& arguments);
     /// Whether it draws letters on pages: run() needs a QGuiApplication then, on whatever platform.
     static bool needsFonts(const QStringList& arguments);
-    /// Runs it. Needs a QCoreApplication.
-    static ExitStatus run(const QStringList& arguments);
-    /// For `fettle` without a subcommand. Throws CommandFailure.
+    /// Does what needs no window. Needs a QCoreApplication. `openXr`: version of the loader that it was built with.
+    static ExitStatus run(const QStringList& arguments, const QString& openXr);
+    /// For arguments that are no subcommand. Throws CommandFailure.
     static WindowStart windowStart(QStringList arguments);
 
-    /// Throws CommandFailure with usage when the arguments do not fit. --help is answered.
-    static bool parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments);
-    /// -o, and what was given there. output() throws CommandFailure if nothing was. `word`: how usage calls it.
-    static void addOutput(QCommandLineParser& parser, const QString& word);
-    static QString output(const QCommandLineParser& parser, const QString& command);
     [[noreturn]] static void fail(const QString& sentence);
     /// Throws CommandFailure unless a mesh can be written under that name, by its ending.
     static void requireMeshEnding(const QString& path);
     static void print(const QString& text);
+    /// Prints what is no answer of its own where the standard output carries a file: to standard error then.
+    static void printRemark(const QString& text);
     static void printError(const QString& sentence);
     /// Shows what goes on, in place of what was shown before; only at a terminal. Empty: clears the line.
     static void printProgress(const QString& what);
 
 private:
     static QString classFileIn(QStringList& arguments);
-    static ExitStatus dispatch(const QStringList& arguments);
+    static ExitStatus dispatch(const QStringList& arguments, const QString& openXr);
+    static ExitStatus helpOn(const QString& word);
     static QString help();
+    static QString versionText(const QString& openXr);
+    [[noreturn]] static void failAt(const QString& sentence, const QString& meant);
 };
 
 ExitStatus brushCommand(const QStringList& arguments);
 ExitStatus checkCommand(const QStringList& arguments);
 ExitStatus convertCommand(const QStringList& arguments);
 ExitStatus lessonCommand(const QStringList& arguments);
+ExitStatus newCommand(const QStringList& arguments);
 ExitStatus replayCommand(const QStringList& arguments);
 ExitStatus reportCommand(const QStringList& arguments);
 ExitStatus sheetCommand(const QStringList& arguments);

@@ -1,5 +1,6 @@
 #include "app/commands/command_models.h"
 
+#include "app/commands/standard_files.h"
 #include "app/model/model_loader.h"
 
 #include "ui/util/error_messages.h"
@@ -17,14 +18,14 @@ class CommandModelsMessages
 };
 } // namespace
 
-CommandModels commandModels(const QString& command, const QStringList& arguments)
+CommandModels commandModels(const CommandOptions& options)
 {
-    if (arguments.isEmpty())
-        CommandLine::fail(CommandModelsMessages::tr("%1: no file was given.").arg(command));
+    if (options.files().isEmpty())
+        CommandLine::fail(CommandModelsMessages::tr("%1: no file was given.").arg(options.command()));
     CommandModels models;
-    for (const QString& name : arguments) {
+    for (const QString& name : options.files()) {
         if (!QFileInfo(name).isDir()) {
-            models.files << toPath(name);
+            models.files << toPath(StandardFiles::input(options, name));
             continue;
         }
         models.hasFolder = true;

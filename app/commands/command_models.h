@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/commands/command_line.h"
+#include "app/commands/command_options.h"
 
 #include <QList>
 
@@ -17,6 +18,7 @@ struct CommandModels
     ExitStatus status = Done;
 };
 
-/// A folder stands for the models in it, by name. Throws CommandFailure if no argument was given.
-CommandModels commandModels(const QString& command, const QStringList& arguments);
+/// A folder stands for the models in it, by name, and "-" for the standard input. Throws CommandFailure if no file was
+/// given.
+CommandModels commandModels(const CommandOptions& options);
 } // namespace app

@@ -10,19 +10,25 @@ namespace app
 namespace
 {
 constexpr std::pair<const char*, double> units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+const QString unitOption = QStringLiteral("unit");
+
+QStringList words()
+{
+    QStringList words;
+    for (const auto& [word, millimetres] : units)
+        words << QString::fromLatin1(word);
+    return words;
+}
 } // namespace
 
-double CommandUnit::named(const QString& command, const QString& word)
+void CommandUnit::addTo(QCommandLineParser& parser)
 {
-    for (const auto& [name, millimetres] : units)
-        if (word == QLatin1String(name))
-            return millimetres;
-    CommandLine::fail(tr("%1: --unit is mm, cm, m or in, not %2.").arg(command, word));
+    parser.addOption({unitOption, tr("Unit of the files that are read (default: mm)."), words().join(u'|')});
 }
 
-QString CommandUnit::words()
+double CommandUnit::of(const CommandOptions& options)
 {
-    return QStringLiteral("mm|cm|m|in");
+    return units[options.choice(unitOption, words())].second;
 }
 
 void CommandUnit::scale(const QString& file, core::TriangleMesh& mesh, double factor)

@@ -1,22 +1,20 @@
 #pragma once
 
-#include "core/io/mesh_io.h"
+#include "app/commands/command_options.h"
 
-#include <QCoreApplication>
-#include <QString>
+#include "core/io/mesh_io.h"
 
 namespace app
 {
-/// --unit of the subcommands: what a model's file is measured in. Throws CommandFailure.
+/// --unit of the subcommands: what models' files are measured in. Throws CommandFailure.
 class CommandUnit
 {
     Q_DECLARE_TR_FUNCTIONS(app::CommandUnit)
 
 public:
-    /// Millimetres a unit.
-    static double named(const QString& command, const QString& word);
-    /// The words that there are, as usage shows them.
-    static QString words();
+    static void addTo(QCommandLineParser& parser);
+    /// Millimetres a unit; 1 if the option is not set.
+    static double of(const CommandOptions& options);
     /// Each coordinate rounded once. `file`: for the sentence, if the coordinates become no numbers.
     static void scale(const QString& file, core::TriangleMesh& mesh, double factor);
 };

@@ -2,6 +2,7 @@
 // if asked to.
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
+#include "app/commands/standard_files.h"
 #include "app/model/model_loader.h"
 
 #include "core/analysis/mesh_check.h"
@@ -15,10 +16,6 @@
 #include "ui/util/number_format.h"
 #include "ui/util/repair_messages.h"
 
-#include <QLocale>
-
-#include <cmath>
-
 namespace app
 {
 namespace
@@ -30,102 +27,107 @@ class ConvertMessages
     Q_DECLARE_TR_FUNCTIONS(app::ConvertCommand)
 };
 
+constexpr double minSize = 0.001, maxSize = 1e6; ///< mm, of what is typed
+constexpr unsigned fewestTriangles = 4;          ///< of any solid
+const QString legalise = QStringLiteral("legalise"), wrap = QStringLiteral("wrap"),
+              largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts");
+
 struct ConvertOptions
 {
     QString in, out;
-    std::optional<double> unit; ///< of IN, in mm
+    double unit = 1;            ///< of IN, in mm
     std::optional<double> size; ///< of OUT's longest side, mm
     std::optional<UpAxis> up;   ///< of IN
     std::size_t triangles = 0;  ///< OUT has at most so many; 0: all
     std::optional<core::RepairOptions> repair;
 };
 
-double sizeFrom(const QString& word)
+// The words of options, the default first.
+QStringList holeWords()
 {
-    bool isNumber = false;
-    const double size = QLocale::c().toDouble(word, &isNumber);
-    if (!isNumber || !std::isfinite(size) || size <= 0)
-        CommandLine::fail(
-            ConvertMessages::tr("convert: --size is a length in millimetres, more than 0, not %1.").arg(word));
-    return size;
+    return {QStringLiteral("fill"), QStringLiteral("refuse")};
 }
 
-unsigned trianglesFrom(const QString& word)
+QStringList partWords()
 {
-    bool isNumber = false;
-    const unsigned triangles = QLocale::c().toUInt(word, &isNumber);
-    if (!isNumber || triangles < 4)
-        CommandLine::fail(ConvertMessages::tr("convert: --triangles is a whole number, at least 4, not %1.").arg(word));
-    return triangles;
+    return {QStringLiteral("fill"), QStringLiteral("hollow")};
 }
 
-UpAxis upNamed(const QString& word)
+QStringList upWords()
 {
-    if (word != QLatin1String("y") && word != QLatin1String("z"))
-        CommandLine::fail(ConvertMessages::tr("convert: --up is y or z, not %1.").arg(word));
-    return word == QLatin1String("y") ? UpAxis::Y : UpAxis::Z;
+    return {QStringLiteral("y"), QStringLiteral("z")};
 }
 
-/// True for the first word.
-bool isFirstOf(const QString& option, const QString& first, const QString& second, const QString& word)
+void addConvertOptions(QCommandLineParser& parser)
 {
-    if (word != first && word != second)
-        CommandLine::fail(ConvertMessages::tr("convert: --%1 is %2 or %3, not %4.").arg(option, first, second, word));
-    return word == first;
+    parser.setApplicationDescription(
+        ConvertMessages::tr("Writes a model in another format, unit or size. OUT is in mm."));
+    parser.addPositionalArgument(QStringLiteral("IN"), ConvertMessages::tr("The model to read; or -."));
+    parser.addPositionalArgument(QStringLiteral("OUT"),
+                                 ConvertMessages::tr("The file to write, in the format of its ending; or -."));
+    CommandUnit::addTo(parser);
+    parser.addOptions(
+        {{QStringLiteral("size"), ConvertMessages::tr("Length of the longest side in mm (default: as it is)."),
+          QStringLiteral("MM")},
+         {QStringLiteral("up"),
+          ConvertMessages::tr("Axis of IN that points up (default: z for STL, 3MF and AMF, y for others)."),
+          upWords().join(u'|')},
+         {QStringLiteral("triangles"),
+          ConvertMessages::tr("Most triangles of OUT, 4 or more (default: as many as it has); they go where shape and "
+                              "colors lose least."),
+          QStringLiteral("N")},
+         {{legalise, QStringLiteral("legalize")},
+          ConvertMessages::tr("Mend a model that is not in order, and say what changed.")},
+         {wrap, ConvertMessages::tr("With --legalise: make the whole surface anew where nothing else keeps it; detail "
+                                    "is lost.")},
+         {largeHoles,
+          ConvertMessages::tr("With --legalise: what to do with holes longer than a quarter of the model (default: "
+                              "fill)."),
+          holeWords().join(u'|')},
+         {innerParts,
+          ConvertMessages::tr("With --legalise: what to do with parts inside of others that face outwards (default: "
+                              "fill)."),
+          partWords().join(u'|')}});
+    StandardFiles::addFrom(parser);
+    StandardFiles::addTo(parser);
+    CommandOptions::addNoClobber(parser);
+}
+
+std::optional<core::RepairOptions> repairFrom(const CommandOptions& given)
+{
+    given.requireWith({wrap, largeHoles, innerParts}, legalise);
+    if (!given.has(legalise))
+        return std::nullopt;
+    core::RepairOptions repair;
+    repair.canWrap = given.has(wrap);
+    repair.fillLargeHoles = given.choice(largeHoles, holeWords()) == 0;
+    repair.innerAreCavities = given.choice(innerParts, partWords()) == 1;
+    return repair;
 }
 
 std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
 {
-    const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
-                  triangles = QStringLiteral("triangles"), legaliseOption = QStringLiteral("legalise"),
-                  wrap = QStringLiteral("wrap"), largeHoles = QStringLiteral("large-holes"),
-                  innerParts = QStringLiteral("inner-parts"), fill = QStringLiteral("fill"),
-                  refuse = QStringLiteral("refuse"), hollow = QStringLiteral("hollow");
+    const QString size = QStringLiteral("size"), up = QStringLiteral("up"), triangles = QStringLiteral("triangles");
     QCommandLineParser parser;
-    parser.setApplicationDescription(ConvertMessages::tr("Writes a model in another format, unit or size."));
-    parser.addPositionalArgument(QStringLiteral("IN"), ConvertMessages::tr("The model to read."));
-    parser.addPositionalArgument(QStringLiteral("OUT"),
-                                 ConvertMessages::tr("Where it goes; the ending says the format."));
-    parser.addOptions(
-        {{unit, ConvertMessages::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
-         {size, ConvertMessages::tr("How long the longest side becomes."), QStringLiteral("MM")},
-         {up, ConvertMessages::tr("Which axis of IN points up; else z for STL, 3MF and AMF, y for others."),
-          QStringLiteral("y|z")},
-         {triangles,
-          ConvertMessages::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
-          QStringLiteral("N")},
-         {legaliseOption, ConvertMessages::tr("Mends a model that is not in order, and says what changed.")},
-         {wrap, ConvertMessages::tr("With --legalise: makes the whole surface anew where nothing else keeps it; detail "
-                                    "is lost.")},
-         {largeHoles, ConvertMessages::tr("With --legalise: holes longer than a quarter of the model; else fill."),
-          QStringLiteral("fill|refuse")},
-         {innerParts, ConvertMessages::tr("With --legalise: parts inside of others that face outwards; else fill."),
-          QStringLiteral("fill|hollow")}});
-    if (!CommandLine::parse(parser, QStringLiteral("convert"), arguments))
+    addConvertOptions(parser);
+    const CommandOptions given(parser, QStringLiteral("convert"), arguments);
+    if (given.isAnswered())
         return std::nullopt;
-    const QStringList files = parser.positionalArguments();
+    const QStringList files = given.files();
     if (files.size() != 2)
-        CommandLine::fail(ConvertMessages::tr("convert: two files are needed, IN and OUT, but %n were given.", nullptr,
+        CommandLine::fail(ConvertMessages::tr("convert: needs two files, IN and OUT; %n were given.", nullptr,
                                               static_cast<int>(files.size())));
-    ConvertOptions options{files[0], files[1], {}, {}, {}, 0, {}};
-    if (parser.isSet(unit))
-        options.unit = CommandUnit::named(QStringLiteral("convert"), parser.value(unit));
-    if (parser.isSet(size))
-        options.size = sizeFrom(parser.value(size));
-    if (parser.isSet(up))
-        options.up = upNamed(parser.value(up));
-    if (parser.isSet(triangles))
-        options.triangles = trianglesFrom(parser.value(triangles));
-    if (parser.isSet(legaliseOption))
-        options.repair.emplace();
-    else if (parser.isSet(wrap) || parser.isSet(largeHoles) || parser.isSet(innerParts))
-        CommandLine::fail(ConvertMessages::tr("convert: --wrap, --large-holes and --inner-parts are for --legalise."));
-    if (parser.isSet(wrap))
-        options.repair->canWrap = true;
-    if (parser.isSet(largeHoles))
-        options.repair->fillLargeHoles = isFirstOf(largeHoles, fill, refuse, parser.value(largeHoles));
-    if (parser.isSet(innerParts))
-        options.repair->innerAreCavities = !isFirstOf(innerParts, fill, hollow, parser.value(innerParts));
+    ConvertOptions options{{}, {}, CommandUnit::of(given), {}, {}, 0, repairFrom(given)};
+    if (given.has(size))
+        options.size = given.number(size, minSize, maxSize);
+    if (given.has(up))
+        options.up = given.choice(up, upWords()) == 0 ? UpAxis::Y : UpAxis::Z;
+    if (given.has(triangles))
+        options.triangles = given.wholeNumber(triangles, fewestTriangles);
+    given.requireFree(files[1]);
+    options.out = StandardFiles::output(given, files[1]);
+    CommandLine::requireMeshEnding(options.out);
+    options.in = StandardFiles::input(given, files[0]);
     return options;
 }
 
@@ -186,13 +188,13 @@ void measureAgain(const QString& file, Repaired& repaired, core::TriangleMesh me
 void printRepair(const core::RepairReport& report)
 {
     const QStringList steps = ui::RepairMessages::steps(report) + ui::RepairMessages::losses(report);
-    CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
+    CommandLine::printRemark(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
 }
 
 double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
 {
     if (!options.size)
-        return options.unit.value_or(1);
+        return options.unit;
     return *options.size / core::boxOf(mesh).sizes().maxCoeff();
 }
 
@@ -230,7 +232,6 @@ ExitStatus convertCommand(const QStringList& arguments)
     const std::optional<ConvertOptions> options = parseConvertOptions(arguments);
     if (!options)
         return Done;
-    CommandLine::requireMeshEnding(options->out);
     try {
         auto [mesh, remarks] = core::readModel(toPath(options->in), {options->up});
         if (!options->repair)
@@ -251,6 +252,7 @@ ExitStatus convertCommand(const QStringList& arguments)
         if (repaired)
             printRepair(repaired->report);
         core::writeMesh(toPath(options->out), mesh);
+        StandardFiles::flush();
         if (const QString left = ui::ErrorMessages::remarks(options->in, remarks); !left.isEmpty())
             CommandLine::printError(left);
         if (repaired && !repaired->doubt.isEmpty())

@@ -1,6 +1,8 @@
 // lesson: a lesson played to its end without a window, and each of its checkpoints evaluated; or one of them on a
 // pupil's model.
 #include "app/commands/command_line.h"
+#include "app/commands/lesson_results.h"
+#include "app/commands/standard_files.h"
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_messages.h"
 #include "app/lesson/lesson_saving.h"
@@ -27,10 +29,13 @@ class LessonCommandMessages
     Q_DECLARE_TR_FUNCTIONS(app::LessonCommand)
 };
 
+const QString picturesName = QStringLiteral("step-%1.png");
+
 struct LessonOptions
 {
     QString lesson, language, model, pack, unpack, pictures, out;
-    std::optional<std::size_t> step; ///< from 0
+    std::optional<std::size_t> step;         ///< from 0
+    std::optional<LessonResults::Form> form; ///< for scripts; none: for people
 };
 
 void addLessonOptions(QCommandLineParser& parser)
@@ -43,58 +48,74 @@ void addLessonOptions(QCommandLineParser& parser)
         LessonCommandMessages::tr("A folder or a zip, or the name of a lesson of the program."),
         QStringLiteral("[LESSON]"));
     parser.addOptions(
-        {{QStringLiteral("language"), LessonCommandMessages::tr("Of the lesson's titles; else as the system has it."),
+        {{QStringLiteral("language"),
+          LessonCommandMessages::tr("Language of the lesson's titles (default: the system's)."),
           QStringLiteral("CODE")},
-         {QStringLiteral("model"), LessonCommandMessages::tr("Judges this model, a pupil's, instead of playing."),
+         {QStringLiteral("model"), LessonCommandMessages::tr("Judge this model, a pupil's, instead of playing; or -."),
           QStringLiteral("FILE")},
-         {QStringLiteral("step"), LessonCommandMessages::tr("By which step's checkpoint; else the last."),
+         {QStringLiteral("step"),
+          LessonCommandMessages::tr("Step whose checkpoint judges the model, from 1 (default: the last)."),
           QStringLiteral("N")},
-         {QStringLiteral("pack"), LessonCommandMessages::tr("Where the lesson goes as one file, if all is well."),
+         {QStringLiteral("pack"), LessonCommandMessages::tr("File for the whole lesson, if all is well."),
           QStringLiteral("OUT.zip")},
-         {QStringLiteral("unpack"), LessonCommandMessages::tr("Where the lesson goes as a folder that can be changed."),
+         {QStringLiteral("unpack"), LessonCommandMessages::tr("Folder for the lesson, where it can be changed."),
           QStringLiteral("FOLDER")},
          {QStringLiteral("pictures"),
-          LessonCommandMessages::tr("Where a picture of what each step leaves goes, as step-1.png and so on."),
+          LessonCommandMessages::tr("Folder for pictures of what each step leaves, step-1.png and so on."),
           QStringLiteral("FOLDER")},
-         {QStringLiteral("out"), LessonCommandMessages::tr("Where the model goes that the last step leaves."),
-          QStringLiteral("FILE")}});
+         {QStringLiteral("out"), LessonCommandMessages::tr("File for the model that the last step leaves."),
+          QStringLiteral("FILE")},
+         {QStringLiteral("json"), LessonCommandMessages::tr("One JSON object.")},
+         {QStringLiteral("csv"), LessonCommandMessages::tr("CSV with a header row: a row for each goal.")}});
+    StandardFiles::addFrom(parser);
+    CommandOptions::addNoClobber(parser);
 }
 
 std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     addLessonOptions(parser);
-    if (!CommandLine::parse(parser, QStringLiteral("lesson"), arguments))
+    const CommandOptions given(parser, QStringLiteral("lesson"), arguments);
+    if (given.isAnswered())
         return std::nullopt;
-    const QStringList lessons = parser.positionalArguments();
+    const QString model = QStringLiteral("model"), step = QStringLiteral("step"), json = QStringLiteral("json"),
+                  csv = QStringLiteral("csv");
+    const QStringList lessons = given.files();
     if (lessons.size() > 1)
         CommandLine::fail(LessonCommandMessages::tr("lesson: one lesson at a time can be played, not %1 as well.")
                               .arg(lessons.at(1)));
     LessonOptions options{lessons.value(0),
-                          parser.value(QStringLiteral("language")),
-                          parser.value(QStringLiteral("model")),
-                          parser.value(QStringLiteral("pack")),
-                          parser.value(QStringLiteral("unpack")),
-                          parser.value(QStringLiteral("pictures")),
-                          parser.value(QStringLiteral("out")),
+                          given.text(QStringLiteral("language")),
+                          given.text(model),
+                          given.text(QStringLiteral("pack")),
+                          given.text(QStringLiteral("unpack")),
+                          given.text(QStringLiteral("pictures")),
+                          given.text(QStringLiteral("out")),
+                          {},
                           {}};
     if (options.language.isEmpty())
         options.language = QLocale().name();
     const QStringList ofPlaying{QStringLiteral("pack"), QStringLiteral("unpack"), QStringLiteral("pictures"),
                                 QStringLiteral("out")};
-    const bool plays = std::ranges::any_of(ofPlaying, [&](const QString& option) { return parser.isSet(option); });
-    if (options.lesson.isEmpty() &&
-        (plays || parser.isSet(QStringLiteral("model")) || parser.isSet(QStringLiteral("step"))))
+    for (const QString& option : ofPlaying)
+        given.requireOneOf(model, option);
+    const bool plays = std::ranges::any_of(ofPlaying, [&](const QString& option) { return given.has(option); });
+    if (options.lesson.isEmpty() && (plays || given.has(model) || given.has(step)))
         CommandLine::fail(LessonCommandMessages::tr("lesson: no lesson was given."));
-    if (plays && !options.model.isEmpty())
-        CommandLine::fail(
-            LessonCommandMessages::tr("lesson: --model excludes --pack, --unpack, --pictures and --out."));
-    if (parser.isSet(QStringLiteral("step"))) {
-        const uint number = parser.value(QStringLiteral("step")).toUInt();
-        if (number == 0 || options.model.isEmpty())
-            CommandLine::fail(LessonCommandMessages::tr("lesson: --step needs --model, and a step's number, from 1."));
-        options.step = number - 1;
-    }
+    given.requireWith({step}, model);
+    if (given.has(step))
+        options.step = given.wholeNumber(step, 1) - 1;
+    given.requireOneOf(json, csv);
+    if (given.has(json) || given.has(csv))
+        options.form = given.has(json) ? LessonResults::Form::Json : LessonResults::Form::Csv;
+    if (!options.pictures.isEmpty() && !QFileInfo(options.pictures).isDir())
+        CommandLine::fail(LessonCommandMessages::tr("%1 is not a folder.").arg(options.pictures));
+    for (const QString& path : {options.pack, options.unpack, options.out})
+        given.requireFree(path);
+    for (const QString& picture : QDir(options.pictures).entryList({picturesName.arg(QStringLiteral("*"))}))
+        if (!options.pictures.isEmpty())
+            given.requireFree(QDir(options.pictures).filePath(picture));
+    options.model = StandardFiles::input(given, options.model);
     if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
         CommandLine::fail(LessonCommandMessages::tr("lesson: %1 does not end in .zip.").arg(options.pack));
     if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
@@ -110,12 +131,18 @@ QString inLanguage(const core::LessonText& text, const LessonOptions& options)
 
 void list(const LessonOptions& options)
 {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const QString& name : bundledLessons()) {
         const core::Lesson lesson = readLesson(name);
-        CommandLine::print(QStringLiteral("%1  %2: %3\n")
-                               .arg(name, -12)
-                               .arg(inLanguage(lesson.title, options), inLanguage(lesson.summary, options)));
+        const QString title = inLanguage(lesson.title, options), summary = inLanguage(lesson.summary, options);
+        rows.push_back(
+            {{"lesson", name.toStdString()}, {"title", title.toStdString()}, {"summary", summary.toStdString()}});
+        if (!options.form)
+            CommandLine::print(QStringLiteral("%1  %2. %3\n").arg(name, -12).arg(title, summary));
     }
+    if (options.form)
+        CommandLine::print(*options.form == LessonResults::Form::Csv ? csvOf(rows)
+                                                                     : QString::fromStdString(rows.dump()) + u'\n');
 }
 
 /// Says the verdict; whether it is met.
@@ -153,20 +180,45 @@ void draw(const core::TriangleMesh& mesh, const QString& path)
         CommandLine::fail(LessonCommandMessages::tr("%1: this picture cannot be written.").arg(path));
 }
 
-ExitStatus play(const core::Lesson& lesson, core::LessonPlayback& playback, const LessonOptions& options)
+/// A lesson that is played or judged.
+struct Session
 {
-    CommandLine::print(QStringLiteral("%1\n").arg(inLanguage(lesson.title, options)));
+    const core::Lesson& lesson;
+    core::LessonPlayback& playback;
+    const LessonOptions& options;
+    std::optional<LessonResults> results; ///< for scripts
+};
+
+/// Says what the checkpoint of the step that playback is at finds in the model. Returns whether it is met.
+bool judge(Session& session, std::size_t index, const core::TriangleMesh& model)
+{
+    const core::LessonStep& step = session.playback.step();
+    const core::TriangleMesh target = step.checkpoint.target ? session.playback.target() : core::TriangleMesh();
+    const core::CheckpointVerdict verdict =
+        core::evaluate(step.checkpoint, model, step.checkpoint.target ? &target : nullptr);
+    if (session.results) {
+        session.results->add(index, inLanguage(step.title, session.options), step, verdict);
+        return verdict.isMet();
+    }
+    printHead(step, index, session.options);
+    return print(verdict);
+}
+
+ExitStatus play(Session& session)
+{
+    const LessonOptions& options = session.options;
+    const core::Lesson& lesson = session.lesson;
+    core::LessonPlayback& playback = session.playback;
+    if (!session.results)
+        CommandLine::print(QStringLiteral("%1\n").arg(inLanguage(lesson.title, options)));
     bool isMet = true;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         playback.goTo(i);
         playback.finish();
         const core::TriangleMesh mesh = core::extractMesh(playback.mesh());
-        const core::Checkpoint& checkpoint = playback.step().checkpoint;
-        printHead(playback.step(), i, options);
-        const core::TriangleMesh target = checkpoint.target ? playback.target() : core::TriangleMesh();
-        isMet = print(core::evaluate(checkpoint, mesh, checkpoint.target ? &target : nullptr)) && isMet;
+        isMet = judge(session, i, mesh) && isMet;
         if (!options.pictures.isEmpty())
-            draw(mesh, QDir(options.pictures).filePath(QStringLiteral("step-%1.png").arg(i + 1)));
+            draw(mesh, QDir(options.pictures).filePath(picturesName.arg(i + 1)));
     }
     if (!options.out.isEmpty())
         core::writeMesh(toPath(options.out), core::extractMesh(playback.mesh()));
@@ -177,21 +229,42 @@ ExitStatus play(const core::Lesson& lesson, core::LessonPlayback& playback, cons
     return isMet ? Done : AnswerIsNo;
 }
 
-ExitStatus checkModel(const core::Lesson& lesson, core::LessonPlayback& playback, const LessonOptions& options)
+ExitStatus checkModel(Session& session)
 {
-    const std::size_t step = options.step.value_or(lesson.steps.size() - 1);
+    const core::Lesson& lesson = session.lesson;
+    const std::size_t step = session.options.step.value_or(lesson.steps.size() - 1);
     if (step >= lesson.steps.size())
         CommandLine::fail(LessonCommandMessages::tr("lesson: there is no step %1: the lesson has %2.")
                               .arg(step + 1)
                               .arg(lesson.steps.size()));
     if (lesson.steps[step].checkpoint.asksNothing())
         CommandLine::fail(LessonCommandMessages::tr("lesson: step %1 has no checkpoint.").arg(step + 1));
-    const core::TriangleMesh model = core::readMesh(toPath(options.model));
-    playback.goTo(step);
-    printHead(playback.step(), step, options);
-    const bool hasTarget = playback.step().checkpoint.target.has_value();
-    const core::TriangleMesh target = hasTarget ? playback.target() : core::TriangleMesh();
-    return print(core::evaluate(playback.step().checkpoint, model, hasTarget ? &target : nullptr)) ? Done : AnswerIsNo;
+    const core::TriangleMesh model = core::readMesh(toPath(session.options.model));
+    session.playback.goTo(step);
+    return judge(session, step, model) ? Done : AnswerIsNo;
+}
+
+/// Refuses a word that names no lesson of ours, and no file or folder.
+void requireLesson(const QString& word)
+{
+    if (!QFileInfo::exists(word) && !bundledLessons().contains(word))
+        CommandLine::fail(
+            LessonCommandMessages::tr("lesson: \"%1\" is no lesson: neither one of %2 nor a folder or zip.")
+                .arg(word, bundledLessons().join(QStringLiteral(", "))));
+}
+
+ExitStatus run(const LessonOptions& options)
+{
+    const auto lesson = std::make_shared<const core::Lesson>(readLesson(options.lesson));
+    core::LessonPlayback playback(lesson, toPath(options.lesson));
+    Session session{*lesson, playback, options, {}};
+    if (options.form)
+        session.results.emplace(*options.form, options.lesson, inLanguage(lesson->title, options),
+                                StandardFiles::named(options.model));
+    const ExitStatus status = options.model.isEmpty() ? play(session) : checkModel(session);
+    if (session.results)
+        CommandLine::print(session.results->text());
+    return status;
 }
 } // namespace
 
@@ -207,9 +280,8 @@ ExitStatus lessonCommand(const QStringList& arguments)
             list(*options);
             return Done;
         }
-        const auto lesson = std::make_shared<const core::Lesson>(readLesson(options->lesson));
-        core::LessonPlayback playback(lesson, toPath(options->lesson));
-        return options->model.isEmpty() ? play(*lesson, playback, *options) : checkModel(*lesson, playback, *options);
+        requireLesson(options->lesson);
+        return run(*options);
     } catch (const core::LessonError& error) {
         CommandLine::fail(LessonMessages::sentence(error));
     } catch (const core::FileError& error) {

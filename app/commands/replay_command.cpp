@@ -3,6 +3,7 @@
 // is written when anything is wrong.
 #include "app/commands/command_line.h"
 #include "app/commands/replay_stats.h"
+#include "app/commands/standard_files.h"
 #include "app/commands/stroke_assets.h"
 #include "app/document/time_lapse.h"
 #include "app/model/command_names.h"
@@ -18,10 +19,12 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/stroke_coordinates.h"
 #include "ui/util/error_messages.h"
+#include "ui/util/number_format.h"
 #include "ui/util/stroke_file_messages.h"
 
 #include <QFile>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -32,6 +35,8 @@ namespace
 {
 constexpr double paperRadius = 1;
 constexpr int frameWidth = 1280, frameHeight = 720;
+constexpr unsigned maxEvery = 1000000; ///< strokes from picture to picture; more are as many
+constexpr const char* standardInput = "/dev/stdin";
 
 class ReplayMessages
 {
@@ -49,83 +54,26 @@ struct ReplayOptions
     Verify verify = Verify::Local;
 };
 
-Verify verifyNamed(const QString& word)
-{
-    if (word == QLatin1String("full"))
-        return Verify::Full;
-    if (word == QLatin1String("none"))
-        return Verify::None;
-    if (word != QLatin1String("local"))
-        CommandLine::fail(ReplayMessages::tr("replay: --verify is local, full or none, not %1.").arg(word));
-    return Verify::Local;
-}
-
-int everyNamed(const QString& word)
-{
-    bool isNumber = true;
-    const int every = word.isEmpty() ? 1 : word.toInt(&isNumber);
-    if (!isNumber || every < 1)
-        CommandLine::fail(ReplayMessages::tr("replay: --every is a whole number from 1 on, not %1.").arg(word));
-    return every;
-}
-
-std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
-{
-    QCommandLineParser parser;
-    parser.setApplicationDescription(
-        ReplayMessages::tr("Plays recorded strokes on a model, or on the paper's sphere."));
-    parser.addOptions(
-        {{QStringLiteral("strokes"), ReplayMessages::tr("The strokes, JSON."), QStringLiteral("S.json")},
-         {QStringLiteral("in"), ReplayMessages::tr("The model; without it, a sphere of 2562 vertices, radius 1."),
-          QStringLiteral("FILE")},
-         {QStringLiteral("out"), ReplayMessages::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
-         {QStringLiteral("stats"), ReplayMessages::tr("Where cost and outcome of each dab go, JSON."),
-          QStringLiteral("T.json")},
-         {QStringLiteral("frames"),
-          ReplayMessages::tr("A folder for pictures of the model, PNG, at the start and after each stroke."),
-          QStringLiteral("FOLDER")},
-         {QStringLiteral("every"), ReplayMessages::tr("Strokes from one picture to the next."), QStringLiteral("N")},
-         {QStringLiteral("verify"),
-          ReplayMessages::tr(
-              "local: what changed (as in the window); full: the whole mesh after each dab as well; none: "
-              "for measurements, excludes --out."),
-          QStringLiteral("local|full|none"), QStringLiteral("local")}});
-    if (!CommandLine::parse(parser, QStringLiteral("replay"), arguments))
-        return std::nullopt;
-    ReplayOptions options{parser.value(QStringLiteral("strokes")),
-                          parser.value(QStringLiteral("in")),
-                          parser.value(QStringLiteral("out")),
-                          parser.value(QStringLiteral("stats")),
-                          parser.value(QStringLiteral("frames")),
-                          everyNamed(parser.value(QStringLiteral("every"))),
-                          verifyNamed(parser.value(QStringLiteral("verify")))};
-    if (!parser.positionalArguments().isEmpty())
-        CommandLine::fail(ReplayMessages::tr("replay: %1 is no option; the model is given with --in.")
-                              .arg(parser.positionalArguments().first()));
-    if (options.strokes.isEmpty())
-        CommandLine::fail(ReplayMessages::tr("replay: --strokes is missing."));
-    if (options.frames.isEmpty() && parser.isSet(QStringLiteral("every")))
-        CommandLine::fail(
-            ReplayMessages::tr("replay: --every says how many strokes there are to a picture, and needs --frames."));
-    if (options.verify == Verify::None && parser.isSet(QStringLiteral("out")))
-        CommandLine::fail(ReplayMessages::tr(
-            "replay: --verify none and --out exclude each other: what is not verified is not kept."));
-    return options;
-}
-
 /// A slip that would cost the strokes or the model.
 void requireDifferentFiles(const ReplayOptions& options)
 {
-    const std::pair<QString, QString> files[] = {{QStringLiteral("--strokes"), options.strokes},
-                                                 {QStringLiteral("--in"), options.in},
-                                                 {QStringLiteral("--out"), options.out},
-                                                 {QStringLiteral("--stats"), options.stats}};
+    struct Use
+    {
+        QString option, file;
+        bool isRead;
+    };
+    const Use files[] = {{QStringLiteral("--strokes"), options.strokes, true},
+                         {QStringLiteral("--in"), options.in, true},
+                         {QStringLiteral("--out"), options.out, false},
+                         {QStringLiteral("--stats"), options.stats, false}};
     std::map<std::filesystem::path, QString> seen;
-    for (const auto& [option, file] : files) {
+    for (const auto& [option, file, isRead] : files) {
         if (file.isEmpty())
             continue;
         std::error_code problem; // then the path is empty: what is wrong with it is told where it is used
-        const std::filesystem::path path = std::filesystem::weakly_canonical(toPath(file), problem);
+        const std::filesystem::path path = StandardFiles::isStandard(file)
+                                               ? std::filesystem::path(isRead ? "-, read" : "-, written")
+                                               : std::filesystem::weakly_canonical(toPath(file), problem);
         const auto [other, isNew] = seen.emplace(path, option);
         if (!isNew && !path.empty())
             CommandLine::fail(
@@ -133,10 +81,66 @@ void requireDifferentFiles(const ReplayOptions& options)
     }
 }
 
+std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
+{
+    const QString strokes = QStringLiteral("strokes"), in = QStringLiteral("in"), out = QStringLiteral("out"),
+                  stats = QStringLiteral("stats"), frames = QStringLiteral("frames"), every = QStringLiteral("every"),
+                  verify = QStringLiteral("verify");
+    const QStringList verifications{QStringLiteral("local"), QStringLiteral("full"), QStringLiteral("none")};
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        ReplayMessages::tr("Plays recorded strokes on a model, or on the paper's sphere."));
+    parser.addOptions(
+        {{strokes, ReplayMessages::tr("The strokes, JSON; or -."), QStringLiteral("S.json")},
+         {in, ReplayMessages::tr("The model; or - (default: a sphere of 2562 vertices, radius 1)."),
+          QStringLiteral("FILE")},
+         {out, ReplayMessages::tr("File for the sculpted model; or -."), QStringLiteral("FILE")},
+         {stats, ReplayMessages::tr("File for cost and outcome of each dab, JSON; or -."), QStringLiteral("T.json")},
+         {frames, ReplayMessages::tr("Folder for pictures of the model, PNG, at the start and after each stroke."),
+          QStringLiteral("FOLDER")},
+         {every, ReplayMessages::tr("Strokes from one picture to the next (default: 1)."), QStringLiteral("N")},
+         {verify,
+          ReplayMessages::tr("local: what changed (as in the window, the default); full: the whole mesh after each dab "
+                             "as well; none: for measurements, without --out."),
+          verifications.join(u'|')}});
+    StandardFiles::addFrom(parser);
+    StandardFiles::addTo(parser);
+    CommandOptions::addNoClobber(parser);
+    const CommandOptions given(parser, QStringLiteral("replay"), arguments);
+    if (given.isAnswered())
+        return std::nullopt;
+    ReplayOptions options{given.text(strokes),
+                          given.text(in),
+                          given.text(out),
+                          given.text(stats),
+                          given.text(frames),
+                          static_cast<int>(std::min(given.wholeNumber(every, 1), maxEvery)),
+                          static_cast<Verify>(given.choice(verify, verifications))};
+    if (!given.files().isEmpty())
+        CommandLine::fail(
+            ReplayMessages::tr("replay: %1 is no option; the model is given with --in.").arg(given.files().first()));
+    if (options.strokes.isEmpty())
+        CommandLine::fail(ReplayMessages::tr("replay: --strokes is missing."));
+    given.requireWith({every}, frames);
+    if (options.verify == Verify::None && given.has(out))
+        CommandLine::fail(ReplayMessages::tr("replay: --verify none and --out cannot be used together: what is not "
+                                             "verified is not kept."));
+    requireDifferentFiles(options);
+    given.requireFree(options.out);
+    given.requireFree(options.stats);
+    options.out = StandardFiles::output(given, options.out);
+    options.stats = StandardFiles::output(given, options.stats, QStringLiteral("json"));
+    if (!options.out.isEmpty())
+        CommandLine::requireMeshEnding(options.out);
+    options.in = StandardFiles::input(given, options.in);
+    return options;
+}
+
 std::vector<core::FileEntry> readStrokes(const QString& path)
 {
     try {
-        return core::readStrokes(QFile::encodeName(path).toStdString());
+        return core::readStrokes(StandardFiles::isStandard(path) ? standardInput
+                                                                 : QFile::encodeName(path).toStdString());
     } catch (const core::StrokeFileError& error) {
         throw CommandFailure{ui::StrokeFileMessages::sentence(path, error)};
     }
@@ -147,10 +151,20 @@ using Entries = std::vector<core::FileEntry>;
 /// Reads the models to be inserted; their paths start from the stroke file.
 void readInserted(Entries& entries, const QString& strokes)
 {
-    for (core::FileEntry& entry : entries) {
-        auto* const command = std::get_if<core::FileCommand>(&entry);
-        if (auto* const insertion = command ? std::get_if<core::Insert>(&command->command) : nullptr)
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        auto* const command = std::get_if<core::FileCommand>(&entries[i]);
+        auto* const insertion = command ? std::get_if<core::Insert>(&command->command) : nullptr;
+        if (!insertion)
+            continue;
+        try {
             insertion->model = core::readMesh(toPath(strokes).parent_path() / command->file);
+        } catch (const core::FileError& error) {
+            core::StrokeFileError place(core::StrokeFileError::Kind::CannotRead);
+            place.stroke = i;
+            CommandLine::fail(
+                ReplayMessages::tr("%1: %2: %3", "file: place: reason")
+                    .arg(strokes, ui::StrokeFileMessages::place(place), ui::ErrorMessages::sentence(error)));
+        }
     }
 }
 
@@ -270,6 +284,25 @@ void writeFrames(const ReplayOptions& options, const core::Mesh& mesh, std::vect
         CommandLine::fail(outcome.problem);
 }
 
+/// Says in a line what was done. The time is that of the dabs.
+QString summary(const Entries& entries, const std::vector<ReplayedDab>& dabs, const core::TriangleMesh& mesh)
+{
+    const auto strokes = std::ranges::count_if(
+        entries, [](const core::FileEntry& entry) { return std::holds_alternative<core::Stroke>(entry); });
+    double seconds = 0;
+    for (const ReplayedDab& dab : dabs)
+        seconds += dab.report.totalMs / 1000;
+    const core::Vec3 size = core::boxOf(mesh).sizes();
+    return ReplayMessages::tr("Strokes: %1, commands: %2, dabs: %3. Size: %4 x %5 x %6 mm, triangles: %7. Time: %8 s.")
+               .arg(strokes)
+               .arg(std::ssize(entries) - strokes)
+               .arg(dabs.size())
+               .arg(ui::millimetres(size.x()), ui::millimetres(size.y()), ui::millimetres(size.z()))
+               .arg(mesh.triangles.size())
+               .arg(QString::number(seconds, 'f', 1)) +
+           u'\n';
+}
+
 void run(const ReplayOptions& options, Entries& entries)
 {
     readInserted(entries, options.strokes);
@@ -308,6 +341,9 @@ void run(const ReplayOptions& options, Entries& entries)
         stats->commit();
     if (!options.frames.isEmpty())
         writeFrames(options, model.sculptor->mesh(), replayed.changes, box.extend(core::boxOf(mesh)));
+    if (!StandardFiles::hasOutput())
+        CommandLine::print(summary(entries, replayed.dabs, mesh));
+    StandardFiles::flush();
 }
 } // namespace
 
@@ -316,9 +352,6 @@ ExitStatus replayCommand(const QStringList& arguments)
     const std::optional<ReplayOptions> options = parseReplayOptions(arguments);
     if (!options)
         return Done;
-    requireDifferentFiles(*options);
-    if (!options->out.isEmpty())
-        CommandLine::requireMeshEnding(options->out);
     std::vector<core::FileEntry> entries = readStrokes(options->strokes);
     try {
         run(*options, entries);

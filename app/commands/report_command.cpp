@@ -20,7 +20,6 @@ class ReportCommandMessages
 
 std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
 {
-    const QString name = QStringLiteral("report"), unit = QStringLiteral("unit");
     QCommandLineParser parser;
     parser.setApplicationDescription(ReportCommandMessages::tr(
         "Writes a class report: of each model in a folder its picture, size and volume, whether it is "
@@ -29,21 +28,21 @@ std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
         QStringLiteral("FOLDER"),
         ReportCommandMessages::tr(
             "The models; of folders further down only the works of a class in turns are looked at."));
-    CommandLine::addOutput(parser, QStringLiteral("OUT.html|OUT.pdf"));
-    parser.addOption(
-        {unit, ReportCommandMessages::tr("What the files are measured in; else mm."), CommandUnit::words()});
-    if (!CommandLine::parse(parser, name, arguments))
+    CommandOptions::addOutput(parser, QStringLiteral("OUT.html|OUT.pdf"));
+    CommandUnit::addTo(parser);
+    CommandOptions::addNoClobber(parser);
+    const CommandOptions options(parser, QStringLiteral("report"), arguments);
+    if (options.isAnswered())
         return std::nullopt;
-    if (parser.positionalArguments().size() != 1)
-        CommandLine::fail(ReportCommandMessages::tr("report: one folder is needed, but %n were given.", nullptr,
-                                                    static_cast<int>(parser.positionalArguments().size())));
-    const QString out = CommandLine::output(parser, name);
+    if (options.files().size() != 1)
+        CommandLine::fail(ReportCommandMessages::tr("report: needs one folder; %n were given.", nullptr,
+                                                    static_cast<int>(options.files().size())));
+    const QString out = options.output();
     if (!ui::reportEndings().contains(QFileInfo(out).suffix().toLower()))
         CommandLine::fail(ui::ErrorMessages::notAReport(out));
-    ReportRequest request{toPath(parser.positionalArguments().constFirst()), toPath(out)};
-    if (parser.isSet(unit))
-        request.unit = CommandUnit::named(name, parser.value(unit));
-    return request;
+    const double unit = CommandUnit::of(options);
+    options.requireFree(out);
+    return ReportRequest{toPath(options.files().constFirst()), toPath(out), unit};
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // sheet: the drawings of models for a printer, a page each.
 #include "app/commands/command_models.h"
 #include "app/commands/command_unit.h"
+#include "app/commands/standard_files.h"
 #include "app/model/model_loader.h"
 
 #include "core/analysis/mesh_check.h"
@@ -34,25 +35,29 @@ struct SheetOptions
 
 std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
 {
-    const QString name = QStringLiteral("sheet"), unit = QStringLiteral("unit"), shaded = QStringLiteral("shaded");
+    const QString shaded = QStringLiteral("shaded");
     QCommandLineParser parser;
     parser.setApplicationDescription(
         SheetMessages::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. "
                           "Status 1: not all of them have one."));
-    parser.addPositionalArgument(QStringLiteral("FILE..."), SheetMessages::tr("Models, or folders of models."));
-    CommandLine::addOutput(parser, QStringLiteral("OUT.pdf"));
-    parser.addOptions({{unit, SheetMessages::tr("What the files are measured in; else mm."), CommandUnit::words()},
-                       {shaded, SheetMessages::tr("Colours under the lines.")}});
-    if (!CommandLine::parse(parser, name, arguments))
+    parser.addPositionalArgument(QStringLiteral("FILE..."), SheetMessages::tr("Models, or folders of models; or -."));
+    CommandOptions::addOutput(parser, QStringLiteral("OUT.pdf"));
+    CommandUnit::addTo(parser);
+    parser.addOption({shaded, SheetMessages::tr("Colors under the lines.")});
+    StandardFiles::addFrom(parser);
+    CommandOptions::addNoClobber(parser);
+    const CommandOptions given(parser, QStringLiteral("sheet"), arguments);
+    if (given.isAnswered())
         return std::nullopt;
     SheetOptions options;
-    options.out = CommandLine::output(parser, name);
+    options.unit = CommandUnit::of(given);
+    options.shaded = given.has(shaded);
+    options.out = given.output();
+    given.requireFree(options.out);
+    options.out = StandardFiles::output(given, options.out, QStringLiteral("pdf"));
     if (QFileInfo(options.out).suffix().toLower() != QLatin1String("pdf"))
         CommandLine::fail(ui::ErrorMessages::notABook(options.out));
-    if (parser.isSet(unit))
-        options.unit = CommandUnit::named(name, parser.value(unit));
-    options.shaded = parser.isSet(shaded);
-    options.models = commandModels(name, parser.positionalArguments());
+    options.models = commandModels(given);
     ui::sortByName(options.models.files);
     return options;
 }
@@ -105,6 +110,7 @@ ExitStatus sheetCommand(const QStringList& arguments)
             CommandLine::fail(SheetMessages::tr("%1 was not written: there is no model that has a sheet.")
                                   .arg(QDir::toNativeSeparators(options->out)));
         book.commit();
+        StandardFiles::flush();
         return status;
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::ErrorMessages::sentence(error));

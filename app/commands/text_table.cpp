@@ -1,5 +1,7 @@
 #include "app/commands/text_table.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -76,5 +78,13 @@ QString tableLine(const QStringList& fields, const std::vector<int>& widths)
     while (text.endsWith(QLatin1Char(' ')))
         text.chop(1);
     return text + QLatin1Char('\n');
+}
+
+QString csvField(QString text)
+{
+    static const QRegularExpression special(QStringLiteral("[\",\\r\\n]"));
+    if (!text.contains(special))
+        return text;
+    return QLatin1Char('"') + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
 }
 } // namespace app

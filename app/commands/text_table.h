@@ -17,4 +17,7 @@ QString shortened(const QString& text, int columns);
 /// A line break follows. `widths`: so many columns; below 0: words begin at the left; else figures end at the right.
 /// What is longer stays whole and moves the rest.
 QString tableLine(const QStringList& fields, const std::vector<int>& widths);
+
+/// Quotes what a field of CSV must have quoted (RFC 4180).
+QString csvField(QString text);
 } // namespace app

@@ -66,7 +66,7 @@ QStringList TimeLapse::frameNames(int first, int last, int every)
 QString TimeLapse::obstacle(const QString& folder, const QStringList& frames)
 {
     if (!QFileInfo(folder).isDir())
-        return tr("%1 is no folder, so no pictures can be written there.").arg(QDir::toNativeSeparators(folder));
+        return tr("%1 is not a folder.").arg(QDir::toNativeSeparators(folder));
     for (const QString& name : frames)
         if (QFileInfo::exists(QDir(folder).filePath(name)))
             return tr("%1 has a %2 already, and nothing was written over it: choose an empty folder.")

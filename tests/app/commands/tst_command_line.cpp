@@ -3,6 +3,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
+#include "core/operations/starter_models.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -109,6 +110,17 @@ private Q_SLOTS:
     void usage_isRefused_data();
     void usage_isRefused();
     void words_winOverFileNames();
+    void words_thatAreNothingAreToldAsSuch_data();
+    void words_thatAreNothingAreToldAsSuch();
+    void words_thatAreOneOfSomeAreListed_data();
+    void words_thatAreOneOfSomeAreListed();
+    void spellings_ofBothKindsAreTaken();
+    void new_writesEachStarter();
+    void standardFiles_carryModels();
+    void standardFiles_areNamedInErrors();
+    void standardOutput_isNoTerminalForBinaries();
+    void noClobber_keepsWhatIsThere_data();
+    void noClobber_keepsWhatIsThere();
     void window_withoutADisplaySaysSo();
     void window_withADeadDisplaySaysSo();
     void window_startsInVrIfAsked();
@@ -155,6 +167,7 @@ private Q_SLOTS:
     void replay_refusals();
     void replay_extremesHaveAnAnswer();
     void replay_refusalWritesNothing();
+    void replay_oddStrokesAreTaken();
     void replay_radiusHasToFitTheLattice();
     void numbers_haveNoLocale();
 
@@ -175,10 +188,14 @@ void TestCommandLine::version_andHelp()
 {
     const Answer version = fettle({QStringLiteral("--version")});
     QCOMPARE(version.status, 0);
-    QVERIFY(version.out.startsWith("fettle ") && version.out.count('\n') == 1 && version.err.isEmpty());
+    QVERIFY2(version.out.startsWith("fettle " FETTLE_VERSION) && version.err.isEmpty(), version.out.constData());
+    for (const char* told : {"\nQt ", ", OpenXR ", ", OpenMesh ", "\nMIT License"})
+        QVERIFY2(version.out.contains(told), told);
     for (const QStringList& arguments : {QStringList{QStringLiteral("--help")},
                                          {QStringLiteral("help")},
                                          {QStringLiteral("help"), QStringLiteral("replay")},
+                                         {QStringLiteral("--vr"), QStringLiteral("--help")},
+                                         {QStringLiteral("help"), QStringLiteral("new")},
                                          {QStringLiteral("check"), QStringLiteral("--help")},
                                          {QStringLiteral("convert"), QStringLiteral("--help")},
                                          {QStringLiteral("help"), QStringLiteral("report")},
@@ -252,7 +269,23 @@ void TestCommandLine::usage_isRefused_data()
                              "replay --strokes s.json --verify none --out a.stl",
                              "replay --strokes s.json --stats ./s.json",
                              "replay --strokes s.json --in a.stl --out b/../a.stl",
+                             "replay --strokes - --in - --from stl",
+                             "replay --strokes s.json --out - --stats - --to stl",
+                             "replay --strokes s.json --every 2",
                              "help me",
+                             "new",
+                             "new ball",
+                             "new bal a.stl",
+                             "new ball a.xyz",
+                             "new ball -",
+                             "new ball - --to xyz",
+                             "new ball a.stl --size 0",
+                             "new ball a.stl b.stl",
+                             "check -",
+                             "check - --from xyz",
+                             "convert - b.stl",
+                             "lesson first-clay --json --csv",
+                             "lesson first-clay --pictures none",
                              "report",
                              "report .",
                              "report . . -o a.html",
@@ -281,20 +314,242 @@ void TestCommandLine::words_winOverFileNames()
     VERIFY_REFUSED(fettle({QStringLiteral("check")}, {}, m_folder->path()), "check: no file");
 }
 
+/// Before a display is asked for, and with what may have been meant.
+void TestCommandLine::words_thatAreNothingAreToldAsSuch_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("answer");
+    const auto row = [](const char* line, const char* answer) {
+        QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(answer);
+    };
+    row("chekc a.obj", "\"chekc\" is neither a command nor a file. Did you mean check?");
+    row("version", "\"version\" is neither a command nor a file. Did you mean --version?");
+    row("nofile.stl", "\"nofile.stl\" is neither a command nor a file. fettle --help");
+    row("--bogus", "\"--bogus\" is no option. fettle --help");
+    row("--vr --clasroom a.ini", "\"--clasroom\" is no option. Did you mean --classroom?");
+    row("-platform offscreen --bogus", "\"--bogus\" is no option.");
+    row("a.obj nofile.stl", "\"nofile.stl\" is neither");
+    row("a.obj a.obj", "One file at a time");
+    row("help chekc", "no command \"chekc\": the commands are new, check, ");
+    row("a.obj", "there is no display");
+    row("-style fusion a.obj", "there is no display");
+    row("-- a.obj", "there is no display");
+}
+
+void TestCommandLine::words_thatAreNothingAreToldAsSuch()
+{
+    QFETCH(const QString, line);
+    QFETCH(const QString, answer);
+    write(at("a.obj"), cube);
+    const Answer refusal = fettle(line.split(u' '), {}, m_folder->path());
+    QVERIFY2(refusal.isRefusal(answer), refusal.err.constData());
+}
+
+void TestCommandLine::words_thatAreOneOfSomeAreListed_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("answer");
+    const auto row = [](const char* line, const char* answer) {
+        QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(answer);
+    };
+    row("check a.obj --unit ft", "check: --unit must be one of mm, cm, m, in, not \"ft\".");
+    row("sheet a.obj -o a.pdf --unit ft", "sheet: --unit must be one of mm, cm, m, in, not \"ft\".");
+    row("convert a.obj b.stl --up x", "convert: --up must be one of y, z, not \"x\".");
+    row("convert a.obj b.stl --legalise --large-holes all", "--large-holes must be one of fill, refuse, not \"all\".");
+    row("convert a.obj b.stl --size 0", "convert: --size must be a number from 0.001 to 1000000, not \"0\".");
+    row("convert a.obj b.stl --triangles 3", "convert: --triangles must be a whole number, 4 or more, not \"3\".");
+    row("convert a.obj b.stl --wrap", "convert: --wrap can only be used with --legalise.");
+    row("convert a.obj b.xyz",
+        "b.xyz: cannot tell the format: the ending must be one of stl, obj, ply, off, glb, 3mf.");
+    row("convert a.obj", "convert: needs two files, IN and OUT; 1 was given.");
+    row("convert a.obj - --to x", "convert: --to must be one of stl, obj, ply, off, glb, 3mf, not \"x\".");
+    row("check a.obj --json --csv", "check: --json and --csv cannot be used together.");
+    row("replay --strokes s.json --verify most", "replay: --verify must be one of local, full, none, not \"most\".");
+    row("replay --strokes s.json --frames . --every 0",
+        "replay: --every must be a whole number, 1 or more, not \"0\".");
+    row("new bal b.stl", "new: the shape must be one of ball, cube, torus, slab, vase, head, tablet, not \"bal\".");
+    row("lesson nonsense", "\"nonsense\" is no lesson: neither one of first-clay, mug, creature nor a folder or zip.");
+}
+
+void TestCommandLine::words_thatAreOneOfSomeAreListed()
+{
+    QFETCH(const QString, line);
+    QFETCH(const QString, answer);
+    write(at("a.obj"), cube);
+    const Answer refusal = fettle(line.split(u' '), {}, m_folder->path());
+    QVERIFY2(refusal.isRefusal(answer), refusal.err.constData());
+    QCOMPARE(left(), QStringList{QStringLiteral("a.obj")});
+}
+
+void TestCommandLine::spellings_ofBothKindsAreTaken()
+{
+    core::TriangleMesh open = core::icosphere(3, 10);
+    open.triangles.resize(open.triangles.size() - 3);
+    core::writeMesh(at("open.ply").toStdString(), open);
+    write(at("ball.obj"), cube);
+    for (const char* option : {"--legalise", "--legalize"})
+        QCOMPARE(fettle({QStringLiteral("convert"), at("open.ply"), at("out.stl"), QLatin1String(option)}).status, 0);
+    QList<QByteArray> models;
+    for (const QByteArray& centre : {QByteArrayLiteral("centre"), QByteArrayLiteral("center")}) {
+        const QByteArray recentre = centre == "center" ? "recenter" : "recentre";
+        write(at("s.json"), R"({"format":"fettle-strokes","version":1,"strokes":[{"command":"move","by":[1,0,0]},)"
+                            R"({"command":")" +
+                                recentre + R"("},{"command":"insert","file":"ball.obj","where":")" + centre + R"(",")" +
+                                centre + R"(":[0,3,0]}]})");
+        const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"),
+                                      QStringLiteral("--out"), at("out.ply")});
+        QVERIFY2(answer.status == 0, answer.err.constData());
+        models << read(at("out.ply"));
+    }
+    QCOMPARE(models[0], models[1]);
+}
+
+void TestCommandLine::new_writesEachStarter()
+{
+    for (const core::Starter starter : core::starters) {
+        const QString word = QString::fromUtf8(core::name(starter));
+        const Answer answer = fettle({QStringLiteral("new"), word, at("a.ply")});
+        QVERIFY2(answer.status == 0 && answer.out.isEmpty() && answer.err.isEmpty(), answer.err.constData());
+        QVERIFY(core::readMesh(at("a.ply").toStdString()).points == core::starterModel(starter).points);
+    }
+    QCOMPARE(fettle({QStringLiteral("new"), QStringLiteral("vase"), at("a.stl"), QStringLiteral("--size"),
+                     QStringLiteral("80")})
+                 .status,
+             0);
+    QCOMPARE(core::boxOf(core::readMesh(at("a.stl").toStdString())).sizes().maxCoeff(), 80.0);
+}
+
+void TestCommandLine::standardFiles_carryModels()
+{
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
+    const auto shell = [&](const char* script) {
+        return run(
+            QStringLiteral("sh"),
+            {QStringLiteral("-c"), QString::fromLatin1(script), QStringLiteral("sh"), QStringLiteral(FETTLE_PROGRAM)},
+            m_folder->path());
+    };
+    const Answer check = shell("\"$1\" new torus - --to glb | \"$1\" convert - - --from glb --to off --unit cm | "
+                               "\"$1\" check - --from off --json");
+    QVERIFY2(check.status == 0 && check.err.isEmpty(), check.err.constData());
+    QCOMPARE(check.json()[QStringLiteral("file")].toString(), QStringLiteral("(standard input)"));
+    QCOMPARE(check.json()[QStringLiteral("genus")].toInt(), 1);
+    QCOMPARE(check.json()[QStringLiteral("size_mm")].toArray()[0].toDouble(), 1000.0);
+
+    for (const char* format : {"stl", "obj", "ply", "off", "glb", "3mf"}) {
+        const QByteArray to =
+            QByteArray("\"$1\" new cube a.") + format + " && \"$1\" new cube - --to " + format + " | cmp - a." + format;
+        QVERIFY2(shell(to.constData()).status == 0, format);
+    }
+    QCOMPARE(shell("\"$1\" replay --strokes - --out a.ply < s.json && "
+                   "\"$1\" replay --strokes s.json --out - --to ply | cmp - a.ply")
+                 .status,
+             0);
+    QCOMPARE(shell("cat a.ply | \"$1\" replay --strokes s.json --in - --from ply --out b.ply && "
+                   "\"$1\" replay --strokes s.json --in a.ply --out c.ply && cmp b.ply c.ply")
+                 .status,
+             0);
+    QCOMPARE(shell("\"$1\" replay --strokes s.json --stats -").json()[QStringLiteral("dabs")].toArray().size(), 1);
+    QVERIFY(shell("\"$1\" new vase - --to stl | \"$1\" sheet - --from stl -o -").out.startsWith("%PDF"));
+
+    // What convert says of a repair is beside the model then, not in it.
+    write(at("open.obj"), QByteArray(cube).chopped(10)); // without its last face
+    const Answer mended = shell("\"$1\" convert open.obj - --to off --legalise");
+    QVERIFY2(mended.status == 0 && mended.out.startsWith("OFF") && mended.err.contains("Holes filled: 1\n"),
+             mended.err.constData());
+}
+
+void TestCommandLine::standardFiles_areNamedInErrors()
+{
+    const auto shell = [&](const char* script) {
+        return run(
+            QStringLiteral("sh"),
+            {QStringLiteral("-c"), QString::fromLatin1(script), QStringLiteral("sh"), QStringLiteral(FETTLE_PROGRAM)},
+            m_folder->path());
+    };
+    for (const char* script : {"\"$1\" check - --from stl < /dev/null", "\"$1\" convert - b.stl --from obj < /dev/null",
+                               "\"$1\" replay --strokes s.json --in - --from stl < /dev/null"}) {
+        write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
+        VERIFY_REFUSED(shell(script), "fettle: (standard input) is empty");
+    }
+    VERIFY_REFUSED(shell("\"$1\" replay --strokes - < /dev/null"), "JSON");
+    VERIFY_REFUSED(shell("\"$1\" new ball - --to stl > /dev/full"), "standard output");
+    QCOMPARE(left(), QStringList{QStringLiteral("s.json")});
+}
+
+void TestCommandLine::standardOutput_isNoTerminalForBinaries()
+{
+#ifndef Q_OS_LINUX
+    QSKIP("The program that makes a terminal is Linux's.");
+#endif
+    const auto atTerminal = [&](const char* format) {
+        return run(
+            QStringLiteral("script"),
+            {QStringLiteral("-qec"),
+             QStringLiteral("\"%1\" new cube - --to %2").arg(QStringLiteral(FETTLE_PROGRAM), QLatin1String(format)),
+             QStringLiteral("/dev/null")},
+            m_folder->path());
+    };
+    const Answer binary = atTerminal("stl");
+    QCOMPARE(binary.status, 2);
+    QVERIFY2(binary.out.contains("new: STL is no text") && binary.out.count('\n') == 1, binary.out.constData());
+    QVERIFY(atTerminal("obj").out.startsWith("v "));
+}
+
+void TestCommandLine::noClobber_keepsWhatIsThere_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("file");
+    const auto row = [](const char* line, const char* file) {
+        QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(file);
+    };
+    row("new ball out.stl", "out.stl");
+    row("convert a.obj out.stl", "out.stl");
+    row("convert a.obj a.obj", "a.obj");
+    row("replay --strokes s.json --out out.stl", "out.stl");
+    row("replay --strokes s.json --stats t.json", "t.json");
+    row("sheet a.obj -o out.pdf", "out.pdf");
+    row("report . -o out.html", "out.html");
+    row("brush pores --picture out.png", "out.png");
+    row("lesson first-clay --out out.stl", "out.stl");
+    row("lesson first-clay --pack out.zip", "out.zip");
+    row("lesson first-clay --unpack folder", "folder");
+    row("lesson first-clay --pictures folder", "folder/step-3.png");
+}
+
+void TestCommandLine::noClobber_keepsWhatIsThere()
+{
+    QFETCH(const QString, line);
+    QFETCH(const QString, file);
+    write(at("a.obj"), cube);
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("folder")));
+    const QString path = m_folder->filePath(file);
+    if (!QFile::exists(path))
+        write(path, "what was there");
+    const QByteArray before = read(path);
+    const QStringList files = left();
+    const Answer answer = fettle(line.split(u' ') + QStringList{QStringLiteral("--no-clobber")}, {}, m_folder->path());
+    QVERIFY2(answer.isRefusal(file + QStringLiteral(" is there already")), answer.err.constData());
+    QCOMPARE(read(path), before);
+    QCOMPARE(left(), files);
+}
+
 void TestCommandLine::window_withoutADisplaySaysSo()
 {
+    write(at("model.stl"), cube);
     VERIFY_REFUSED(fettle({}), "display");
-    VERIFY_REFUSED(fettle({QStringLiteral("model.stl")}), "display");
+    VERIFY_REFUSED(fettle({at("model.stl")}), "display");
 }
 
 void TestCommandLine::class_isRefusedWithItsReason()
 {
     using app::CommandLine;
     const QString word = QStringLiteral("--classroom"), file = at("5b.ini");
+    write(file, "");
     const auto start = [](const QStringList& arguments) { return CommandLine::windowStart(arguments); };
     QCOMPARE(start({word, file}).classFile, file);
     QVERIFY(start({QStringLiteral("--vr"), word, file}).entersVr && start({file}).classFile.isEmpty());
-    QCOMPARE(start({QStringLiteral("--"), word}).classFile, QString());
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), word})); // no file of that name
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, at("a.stl")}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, word, file}));
@@ -310,17 +565,23 @@ void TestCommandLine::window_startsInVrIfAsked()
 {
     using app::CommandLine;
     const QString vr = QStringLiteral("--vr"), file = at("a.stl");
+    write(file, "");
     const auto start = [](const QStringList& arguments) { return CommandLine::windowStart(arguments); };
     QVERIFY(start({}).file.isEmpty() && !start({}).entersVr);
     QVERIFY(start({vr}).file.isEmpty() && start({vr}).entersVr);
     QVERIFY(start({file}).file == file && !start({file}).entersVr);
     for (const QStringList& arguments : {QStringList{vr, file}, {file, vr}})
         QVERIFY(start(arguments).file == file && start(arguments).entersVr);
+    const QString before = QDir::currentPath();
+    write(at("--vr"), "");
+    QVERIFY(QDir::setCurrent(m_folder->path()));
     const app::WindowStart named = start({QStringLiteral("--"), vr}); // a file of that name
+    QVERIFY(QDir::setCurrent(before));
     QVERIFY(named.file.endsWith(vr) && !named.entersVr);
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--vr2")}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({file, vr, file}));
-    QVERIFY(!CommandLine::isCommand({vr}));
+    QVERIFY(CommandLine::opensWindow({vr}) && CommandLine::opensWindow({}) && CommandLine::opensWindow({file}));
+    QVERIFY(!CommandLine::opensWindow({QStringLiteral("check")}) && !CommandLine::opensWindow({at("b.stl")}));
     QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr"));
     VERIFY_REFUSED(fettle({vr}), "display");
 }
@@ -328,6 +589,7 @@ void TestCommandLine::window_startsInVrIfAsked()
 void TestCommandLine::window_startsInTheSimulatorIfAsked()
 {
     const QString simulator = QString::fromLatin1(app::simulatorOption), file = at("a.stl");
+    write(file, "");
     const auto start = [](const QStringList& arguments) { return app::CommandLine::windowStart(arguments); };
     for (const QStringList& arguments : {QStringList{simulator, file}, {file, simulator}}) {
         const app::WindowStart asked = start(arguments);
@@ -335,7 +597,8 @@ void TestCommandLine::window_startsInTheSimulatorIfAsked()
     }
     const app::WindowStart lesson = start({simulator, QStringLiteral("--classroom"), file});
     QVERIFY(lesson.simulatesVr && lesson.classFile == file);
-    QVERIFY(!start({QStringLiteral("--vr")}).simulatesVr && !start({QStringLiteral("--"), simulator}).simulatesVr);
+    QVERIFY(!start({QStringLiteral("--vr")}).simulatesVr);
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), simulator})); // no file of that name
     QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr-simulator [FILE]"));
     VERIFY_REFUSED(fettle({simulator}), "display");
     const QMap<QString, QString> quiet{{QStringLiteral("XDG_RUNTIME_DIR"), m_folder->path()}};
@@ -362,8 +625,10 @@ void TestCommandLine::check_cube()
                            QStringLiteral("closed"),
                            QStringLiteral("components"),
                            QStringLiteral("degenerate_faces"),
+                           QStringLiteral("error"),
                            QStringLiteral("faces"),
                            QStringLiteral("file"),
+                           QStringLiteral("format"),
                            QStringLiteral("genus"),
                            QStringLiteral("lattice_ok"),
                            QStringLiteral("manifold"),
@@ -375,10 +640,14 @@ void TestCommandLine::check_cube()
                            QStringLiteral("size_mm"),
                            QStringLiteral("strokes"),
                            QStringLiteral("time_spent_s"),
+                           QStringLiteral("version"),
                            QStringLiteral("vertices"),
                            QStringLiteral("volume_mm3")};
     QCOMPARE(json.keys(), keys);
     QCOMPARE(json[QStringLiteral("file")].toString(), at("cube.obj"));
+    QCOMPARE(json[QStringLiteral("format")].toString(), QStringLiteral("fettle-check"));
+    QCOMPARE(json[QStringLiteral("version")].toInt(), 1);
+    QVERIFY(json[QStringLiteral("error")].isNull());
     QCOMPARE(json[QStringLiteral("vertices")].toInt(), 8);
     QCOMPARE(json[QStringLiteral("faces")].toInt(), 12);
     QCOMPARE(json[QStringLiteral("components")].toInt(), 1);
@@ -543,7 +812,7 @@ void TestCommandLine::check_print()
         fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--bed"), QStringLiteral("25,15,10")});
     QCOMPARE(answer.status, 0); // it is in fine fettle, thin as it is
     const QJsonObject json = answer.json();
-    QCOMPARE(json.size(), 20 + 8);
+    QCOMPARE(json.size(), 23 + 8);
     QCOMPARE(json[QStringLiteral("wall_limit_mm")].toDouble(), 0.8);
     for (const char* key : {"min_wall_rays_mm", "min_wall_balls_mm"})
         QVERIFY2(std::abs(json[QLatin1String(key)].toDouble() - 0.5) < 1e-6, key);
@@ -552,6 +821,18 @@ void TestCommandLine::check_print()
     QCOMPARE(json[QStringLiteral("base_area_mm2")].toDouble(), 400.0);
     QVERIFY(!json[QStringLiteral("fits_bed")].toBool(true));
     QVERIFY(json[QStringLiteral("unit_doubt")].isNull());
+
+    const auto lastLine = [&](const QStringList& options) {
+        const Answer page = fettle(asked + options);
+        return page.status == 0 ? page.out.trimmed().split('\n').constLast() : QByteArray();
+    };
+    QVERIFY(lastLine({}).endsWith("plate.obj is watertight, but: 95.2 % of its surface is thinner than 0.8 mm."));
+    QVERIFY(lastLine({QStringLiteral("--nozzle"), QStringLiteral("0.2"), QStringLiteral("--bed"),
+                      QStringLiteral("25,15,10")})
+                .endsWith("plate.obj is watertight, but: it does not fit the bed."));
+    QVERIFY(lastLine({QStringLiteral("--nozzle"), QStringLiteral("0.2"), QStringLiteral("--bed"),
+                      QStringLiteral("25,25,10")})
+                .endsWith("plate.obj is in fine fettle."));
 
     const QJsonObject fine =
         fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--nozzle"), QStringLiteral("0.2")}).json();
@@ -622,7 +903,7 @@ void TestCommandLine::check_unit()
         fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("in"), at("cube.obj")});
     QVERIFY(page.status == 0 && !page.out.contains("inches")); // nobody doubts what was told
     VERIFY_REFUSED(fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("ft"), at("cube.obj")}),
-                   "not ft");
+                   "not \"ft\"");
 }
 
 void TestCommandLine::check_printRefusals_data()
@@ -636,12 +917,14 @@ void TestCommandLine::check_printRefusals_data()
     for (const QString& wrong :
          {QStringLiteral("-1"), QStringLiteral("90.5"), QStringLiteral("nan"), QStringLiteral("steep")})
         QTest::addRow("overhang %s", qPrintable(wrong))
-            << QStringList{print, overhang, wrong} << QStringLiteral("--overhang ") + wrong;
+            << QStringList{print, overhang, wrong}
+            << QStringLiteral("--overhang must be a number from 0 to 90, not \"%1\".").arg(wrong);
     QTest::newRow("bed alone") << QStringList{bed, QStringLiteral("1,2,3")} << QStringLiteral("--print");
     for (const QString& wrong : {QStringLiteral("0"), QStringLiteral("-1"), QStringLiteral("six"),
                                  QStringLiteral("nan"), QStringLiteral("0,4")})
         QTest::addRow("nozzle %s", qPrintable(wrong))
-            << QStringList{print, nozzle, wrong} << QStringLiteral("--nozzle ") + wrong;
+            << QStringList{print, nozzle, wrong}
+            << QStringLiteral("--nozzle must be a number from 0.001 to 5, not \"%1\".").arg(wrong);
     for (const QString& wrong : {QStringLiteral("200"), QStringLiteral("200,200"), QStringLiteral("200,200,0"),
                                  QStringLiteral("1,2,3,4"), QStringLiteral("a,b,c")})
         QTest::addRow("bed %s", qPrintable(wrong)) << QStringList{print, bed, wrong} << QStringLiteral("--bed");
@@ -700,8 +983,13 @@ void TestCommandLine::check_goesOnAfterABadFile()
     write(at("a.obj"), cube);
     const Answer answer = fettle({QStringLiteral("check"), QStringLiteral("--json"), at("missing.stl"), at("a.obj")});
     QCOMPARE(answer.status, 2);
-    QCOMPARE(answer.out.count('\n'), 1);
     QCOMPARE(answer.err.count('\n'), 1);
+    const QList<QByteArray> rows = answer.out.trimmed().split('\n');
+    QCOMPARE(rows.size(), 2);
+    const QJsonObject bad = QJsonDocument::fromJson(rows[0]).object(), good = QJsonDocument::fromJson(rows[1]).object();
+    QCOMPARE(bad.keys(), good.keys());
+    QCOMPARE(QByteArray("fettle: " + bad[QStringLiteral("error")].toString().toUtf8() + '\n'), answer.err);
+    QVERIFY(bad[QStringLiteral("faces")].isNull() && good[QStringLiteral("error")].isNull());
 }
 
 void TestCommandLine::convert_keepsCoordinates()
@@ -994,7 +1282,9 @@ void TestCommandLine::replay_statsHaveTheFields()
     const Answer answer = fettle(
         {QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"), at("t.json")});
     QCOMPARE(answer.status, 0);
-    QVERIFY2(answer.err.isEmpty() && answer.out.isEmpty(), answer.err.constData());
+    QVERIFY2(answer.err.isEmpty() && answer.out.startsWith("Strokes: 1, commands: 0, dabs: 3. Size: 2.0") &&
+                 answer.out.count('\n') == 1,
+             answer.out.constData());
     const QJsonObject stats = QJsonDocument::fromJson(read(at("t.json"))).object();
     for (const char* key :
          {"vertices", "faces", "euler", "components", "genus", "splits", "collapses", "flips", "fusions", "separations",
@@ -1116,6 +1406,9 @@ void TestCommandLine::replay_refusals_data()
                            << QStringLiteral("stroke 1 (strokes[0]): alpha: \"bogus\" is none of pores, scales, ");
     QTest::newRow("version") << QByteArray(R"({"format":"fettle-strokes","version":2,"strokes":[]})")
                              << QStringLiteral("it has version 2; this program reads version 1");
+    QTest::newRow("inserted file")
+        << QByteArray(R"({"format":"fettle-strokes","version":1,"strokes":[{"command":"insert","file":"no.stl"}]})")
+        << QStringLiteral("stroke 1 (strokes[0]): ");
     QTest::newRow("sectors") << strokes(R"("tool":"pull","radius":1,"radial":33)") << QStringLiteral("radial");
     QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
     QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");
@@ -1197,6 +1490,20 @@ void TestCommandLine::replay_refusalWritesNothing()
         fettle(replay + QStringList{QStringLiteral("--in"), at("open.obj"), QStringLiteral("--out"), at("o.stl")}),
         "open.obj");
     QCOMPARE(left(), QStringList({QStringLiteral("open.obj"), QStringLiteral("s.json")}));
+}
+
+/// Time may run backwards, and a stroke without samples does nothing.
+void TestCommandLine::replay_oddStrokesAreTaken()
+{
+    const QStringList replay{QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"),
+                             QStringLiteral("--out"), at("o.ply")};
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", ""));
+    const Answer empty = fettle(replay);
+    QVERIFY2(empty.status == 0 && empty.out.startsWith("Strokes: 1, commands: 0, dabs: 0."), empty.out.constData());
+    QCOMPARE(core::readMesh(at("o.ply").toStdString()).points.size(), std::size_t(2562));
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25,"turntable_deg_per_s":90)",
+                                R"({"t":1,"position":[1,0,0]},{"t":0,"position":[1,0,0]})"));
+    QCOMPARE(fettle(replay).status, 0);
 }
 
 void TestCommandLine::replay_radiusHasToFitTheLattice()

@@ -5,6 +5,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -118,6 +121,44 @@ private Q_SLOTS:
         QVERIFY(shape.out.contains(QStringLiteral("mm apart")));
         QCOMPARE(checked(ball, "5").status, 2);
         QCOMPARE(checked(ball, "0").status, 2);
+    }
+
+    /// For scripts: what is asked and measured, as numbers and without a language.
+    void results_areJsonAndCsv()
+    {
+        const QTemporaryDir folder;
+        const QString ball = folder.filePath(QStringLiteral("ball.stl"));
+        core::writeMesh(ball.toStdString(), core::starterModel(core::Starter::Ball));
+        const LessonAnswer played = lesson({QStringLiteral("first-clay"), QStringLiteral("--json")});
+        QCOMPARE(played.status, 0);
+        const QJsonObject all = QJsonDocument::fromJson(played.out.toUtf8()).object();
+        QCOMPARE(all[QStringLiteral("format")].toString(), QStringLiteral("fettle-lesson-results"));
+        QCOMPARE(all[QStringLiteral("steps")].toArray().size(), 4);
+        QVERIFY(all[QStringLiteral("met")].toBool() && all[QStringLiteral("model")].isNull());
+
+        const QStringList judge{QStringLiteral("first-clay"), QStringLiteral("--model"), ball, QStringLiteral("--step"),
+                                QStringLiteral("1")};
+        const LessonAnswer json = lesson(judge + QStringList{QStringLiteral("--json")});
+        QCOMPARE(json.status, 1);
+        const QJsonObject judged = QJsonDocument::fromJson(json.out.toUtf8()).object();
+        QVERIFY(!judged[QStringLiteral("met")].toBool(true));
+        QCOMPARE(judged[QStringLiteral("model")].toString(), ball);
+        const QJsonObject height =
+            judged[QStringLiteral("steps")].toArray()[0].toObject()[QStringLiteral("goals")].toArray()[1].toObject();
+        QCOMPARE(height[QStringLiteral("goal")].toString(), QStringLiteral("height_mm"));
+        QCOMPARE(height[QStringLiteral("least")].toDouble(), 115.0);
+        QCOMPARE(height[QStringLiteral("measured")].toDouble(), 100.0);
+        QVERIFY(height[QStringLiteral("most")].isNull() && !height[QStringLiteral("met")].toBool(true));
+
+        const QStringList rows =
+            lesson(judge + QStringList{QStringLiteral("--csv")}).out.trimmed().split(QLatin1Char('\n'));
+        QCOMPARE(rows.size(), 3);
+        QCOMPARE(rows[0], QStringLiteral("lesson,model,step,title,goal,least,most,measured,met"));
+        QVERIFY2(rows[2].startsWith(QStringLiteral("first-clay,") + ball) &&
+                     rows[2].endsWith(QStringLiteral(",height_mm,115.0,,100.0,false")),
+                 qPrintable(rows[2]));
+        QCOMPARE(QJsonDocument::fromJson(lesson({QStringLiteral("--json")}).out.toUtf8()).array().size(), 3);
+        QCOMPARE(lesson({QStringLiteral("--csv")}).out.count(QLatin1Char('\n')), 4);
     }
 
     void badInput_isOneSentence_data()

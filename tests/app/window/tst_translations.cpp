@@ -391,9 +391,9 @@ void TestTranslations::theProgram_countsInEnglish()
 {
     const QStringList one{QStringLiteral("convert"), QStringLiteral("a")},
         three = one + QStringList{QStringLiteral("b"), QStringLiteral("c")};
-    QVERIFY(fettle(one, QStringLiteral("en")).contains(QStringLiteral("but 1 was given")));
-    QVERIFY(fettle(three, QStringLiteral("en")).contains(QStringLiteral("but 3 were given")));
-    QVERIFY(fettle(one, QStringLiteral("en:de")).contains(QStringLiteral("but 1 was given")));
+    QVERIFY(fettle(one, QStringLiteral("en")).contains(QStringLiteral("OUT; 1 was given")));
+    QVERIFY(fettle(three, QStringLiteral("en")).contains(QStringLiteral("OUT; 3 were given")));
+    QVERIFY(fettle(one, QStringLiteral("en:de")).contains(QStringLiteral("OUT; 1 was given")));
 }
 
 FETTLE_TEST(TestTranslations, QApplication)

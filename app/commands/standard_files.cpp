@@ -1,0 +1,147 @@
+#include "app/commands/standard_files.h"
+
+#include "app/commands/command_line.h"
+#include "app/platform/terminal.h"
+
+#include "core/io/mesh_io.h"
+#include "ui/util/format_filters.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <cerrno>
+#include <cstdio>
+#include <optional>
+
+namespace app
+{
+namespace
+{
+constexpr qint64 chunkSize = 1 << 20;
+
+/// Paths within a folder that goes with the process; empty: not used.
+struct Files
+{
+    std::optional<QTemporaryDir> folder;
+    QString input, output;
+
+    QString pathOf(const QString& name)
+    {
+        if (!folder)
+            folder.emplace(QDir::tempPath() + QStringLiteral("/fettle-XXXXXX"));
+        return folder->filePath(name);
+    }
+};
+
+Files& files()
+{
+    static Files files;
+    return files;
+}
+
+QStringList readFormats()
+{
+    QStringList formats;
+    for (const std::string_view ending : core::meshEndings())
+        formats << QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
+    return formats;
+}
+
+bool isText(const QString& ending)
+{
+    return ending == QLatin1String("obj") || ending == QLatin1String("off") || ending == QLatin1String("json");
+}
+
+[[noreturn]] void failToCopy(const QString& sentence)
+{
+    CommandLine::fail(sentence.arg(qt_error_string(errno)));
+}
+
+/// Copies all from one file to the other. Returns false, with errno, if that cannot be done.
+bool copy(QFile& from, QFile& to)
+{
+    errno = 0;
+    for (;;) {
+        const QByteArray bytes = from.read(chunkSize);
+        if (bytes.isEmpty())
+            return from.error() == QFileDevice::NoError && to.flush();
+        if (to.write(bytes) != bytes.size())
+            return false;
+    }
+}
+} // namespace
+
+void StandardFiles::addFrom(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("from"), tr("Format of a model that is read from the standard input, -."),
+                      readFormats().join(u'|')});
+}
+
+void StandardFiles::addTo(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("to"), tr("Format of a model that is written to the standard output, -."),
+                      ui::writtenEndings().join(u'|')});
+}
+
+QString StandardFiles::input(const CommandOptions& options, const QString& name)
+{
+    const QString from = QStringLiteral("from");
+    if (!isStandard(name))
+        return name;
+    if (!options.has(from))
+        CommandLine::fail(tr("%1: --%2 must say the format of -: one of %3.")
+                              .arg(options.command(), from, readFormats().join(QStringLiteral(", "))));
+    const QString ending = readFormats()[options.choice(from, readFormats())];
+    if (!files().input.isEmpty())
+        return files().input;
+    const QString problem = tr("The standard input cannot be read (%1).");
+    files().input = files().pathOf(QStringLiteral("input.") + ending);
+    QFile standard, file(files().input);
+    if (!standard.open(stdin, QFile::ReadOnly) || !file.open(QFile::WriteOnly) || !copy(standard, file))
+        failToCopy(problem);
+    return files().input;
+}
+
+QString StandardFiles::output(const CommandOptions& options, const QString& name, const QString& ending)
+{
+    const QString to = QStringLiteral("to");
+    if (!isStandard(name))
+        return name;
+    if (ending.isEmpty() && !options.has(to))
+        CommandLine::fail(tr("%1: --%2 must say the format of -: one of %3.")
+                              .arg(options.command(), to, ui::writtenEndings().join(QStringLiteral(", "))));
+    const QString format = ending.isEmpty() ? ui::writtenEndings()[options.choice(to, ui::writtenEndings())] : ending;
+    if (isTerminal(stdout) && !isText(format))
+        CommandLine::fail(tr("%1: %2 is no text, and is not shown in a terminal: send the standard output to a file or "
+                             "a program.")
+                              .arg(options.command(), format.toUpper()));
+    files().output = files().pathOf(QStringLiteral("output.") + format);
+    return files().output;
+}
+
+bool StandardFiles::hasOutput()
+{
+    return !files().output.isEmpty();
+}
+
+void StandardFiles::flush()
+{
+    if (!hasOutput())
+        return;
+    QFile file(files().output), standard;
+    const bool isOpen = file.open(QFile::ReadOnly);
+    files().folder.reset(); // whoever reads may go away, which ends this process; an open file can still be read
+    if (!isOpen || !standard.open(stdout, QFile::WriteOnly) || !copy(file, standard))
+        failToCopy(tr("The standard output cannot be written (%1)."));
+}
+
+QString StandardFiles::named(QString sentence)
+{
+    if (!files().input.isEmpty())
+        sentence.replace(files().input, tr("(standard input)"));
+    if (!files().output.isEmpty())
+        sentence.replace(files().output, tr("(standard output)"));
+    return sentence;
+}
+} // namespace app
