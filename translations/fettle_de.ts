@@ -152,12 +152,12 @@
         <translation>%1: %2 fehlt.</translation>
     </message>
     <message>
-        <source>nothing stands there.</source>
-        <translation>Dort steht nichts.</translation>
+        <source>it is empty.</source>
+        <translation>das ist leer.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no whole number from 0 to %2.</source>
-        <translation>„%1“ ist keine ganze Zahl von 0 bis %2.</translation>
+        <source>must be a whole number from 0 to %2, not &quot;%1&quot;.</source>
+        <translation>muss eine ganze Zahl von 0 bis %2 sein, nicht „%1“.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is none of %2.</source>
@@ -214,15 +214,15 @@
         <translation>%1 Die Arbeit bleibt offen (%2), und nichts davon geht verloren.</translation>
     </message>
     <message>
-        <source>This ends the class. The work of the present turn is kept.</source>
-        <translation>Das beendet die Klasse. Die Arbeit, die gerade offen ist, wird aufgehoben.</translation>
+        <source>End the class? The current pupil&apos;s work will be saved.</source>
+        <translation>Die Klasse beenden? Die Arbeit, die gerade offen ist, wird gespeichert.</translation>
     </message>
     <message>
-        <source>The time is up. Finish what you are doing; then it is the next one&apos;s turn.</source>
+        <source>Time is up. Please finish: it is the next pupil&apos;s turn.</source>
         <translation>Die Zeit ist um. Mach noch fertig, was du gerade tust; dann kommt das nächste Kind dran.</translation>
     </message>
     <message numerus="yes">
-        <source>%n minutes are left: come to an end soon.</source>
+        <source>%n minutes left. Please finish soon.</source>
         <translation>
             <numerusform>Noch %n Minute: Komm bald zum Ende.</numerusform>
             <numerusform>Noch %n Minuten: Komm bald zum Ende.</numerusform>
@@ -779,8 +779,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>ihre lesson.json ist tiefer verschachtelt, als eine Lektion es ist</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; stands there twice</source>
-        <translation>„%1“ steht zweimal da</translation>
+        <source>&quot;%1&quot; appears twice</source>
+        <translation>„%1“ kommt zweimal vor</translation>
     </message>
     <message>
         <source>unknown key %1</source>
@@ -2160,7 +2160,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Hintergrund</translation>
     </message>
     <message>
-        <source>&amp;Drag the Radius</source>
+        <source>Set Radius by &amp;Dragging</source>
         <translation>R&amp;adius ziehen</translation>
     </message>
     <message>
@@ -2168,7 +2168,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ändert den Radius, wie der Zeiger sich bewegt; Klick oder Eingabe behält ihn, Esc oder rechte Taste geht zurück.</translation>
     </message>
     <message>
-        <source>Dra&amp;g the Strength</source>
+        <source>Set Strength by Draggin&amp;g</source>
         <translation>S&amp;tärke ziehen</translation>
     </message>
     <message>
@@ -3131,10 +3131,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Weiter mit %1</translation>
     </message>
     <message numerus="yes">
-        <source>%n works wait on this computer</source>
+        <source>%n models not yet in the class folder</source>
         <translation>
-            <numerusform>%n Arbeit wartet auf diesem Rechner</numerusform>
-            <numerusform>%n Arbeiten warten auf diesem Rechner</numerusform>
+            <numerusform>%n Modell noch nicht im Ordner der Klasse</numerusform>
+            <numerusform>%n Modelle noch nicht im Ordner der Klasse</numerusform>
         </translation>
     </message>
 </context>
@@ -3208,12 +3208,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klassenraum</translation>
     </message>
     <message>
-        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Nobody gets at other files, and leaving takes your PIN.</source>
+        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
         <translation>In einer Klasse ist eins nach dem anderen an der Reihe: Jedes Kind beginnt mit frischem Ton, und Nächstes Kind hebt die Arbeit im Ordner der Klasse auf. Niemand kommt an andere Dateien, und das Verlassen braucht Ihre PIN.</translation>
     </message>
     <message>
-        <source>To begin with</source>
-        <translation>Zum Anfangen</translation>
+        <source>Starting shapes</source>
+        <translation>Ausgangsformen</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -3240,7 +3240,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Wählen …</translation>
     </message>
     <message>
-        <source>&amp;Folder for the works:</source>
+        <source>&amp;Folder for pupils&apos; work:</source>
         <translation>&amp;Ordner für die Arbeiten:</translation>
     </message>
     <message>
@@ -3260,7 +3260,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>keine</translation>
     </message>
     <message>
-        <source>So long before the end a word is said, in the headset, too.</source>
+        <source>So long before the end a notice appears, in the headset, too.</source>
         <translation>So lange vor dem Ende wird ein Wort gesagt, auch im Headset.</translation>
     </message>
     <message>
@@ -3296,7 +3296,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;PIN:</translation>
     </message>
     <message>
-        <source>PIN once &amp;more:</source>
+        <source>&amp;Repeat PIN:</source>
         <translation>PIN &amp;noch einmal:</translation>
     </message>
     <message>
@@ -3304,12 +3304,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die Klasse hat noch keinen Titel.</translation>
     </message>
     <message>
-        <source>There is no such folder for the works.</source>
-        <translation>Diesen Ordner für die Arbeiten gibt es nicht.</translation>
+        <source>This folder does not exist.</source>
+        <translation>Diesen Ordner gibt es nicht.</translation>
     </message>
     <message>
-        <source>Choose at least one model to begin with.</source>
-        <translation>Wählen Sie mindestens ein Modell zum Anfangen.</translation>
+        <source>Choose at least one starting shape.</source>
+        <translation>Wählen Sie mindestens eine Ausgangsform.</translation>
     </message>
     <message>
         <source>Choose at least one tool.</source>
@@ -4858,12 +4858,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist zu groß: Die Datei hat %2, gelesen werden höchstens %3.</translation>
     </message>
     <message>
-        <source>%1 does not hold what its ending says.</source>
-        <translation>%1 enthält nicht, was die Endung sagt.</translation>
+        <source>%1 is no %2 file.</source>
+        <translation>%1 ist keine %2-Datei.</translation>
     </message>
     <message>
-        <source>%1 does not hold what its ending says: it looks like %2.</source>
-        <translation>%1 enthält nicht, was die Endung sagt: Es sieht nach %2 aus.</translation>
+        <source>%1 is no %2 file; it looks like %3.</source>
+        <translation>%1 ist keine %2-Datei; es sieht nach %3 aus.</translation>
+    </message>
+    <message>
+        <source>plain text</source>
+        <translation>reinem Text</translation>
     </message>
     <message>
         <source>%1: the file is cut off here.</source>
@@ -5538,8 +5542,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Fuß abflachen</translation>
     </message>
     <message>
-        <source>What lies below a level cut goes, and the model stands flat. How high above its lowest point is the cut?</source>
-        <translation>Was unter einem waagrechten Schnitt liegt, fällt weg, und das Modell steht flach. Wie hoch über dem tiefsten Punkt liegt der Schnitt?</translation>
+        <source>Cuts the bottom off level, so that the model stands. Height of the cut above the lowest point:</source>
+        <translation>Schneidet das untere Ende waagrecht ab, sodass das Modell steht. Höhe des Schnitts über dem tiefsten Punkt:</translation>
     </message>
     <message>
         <source>Height</source>
@@ -5838,15 +5842,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>PIN der Lehrkraft</translation>
     </message>
     <message>
-        <source>&amp;Go On</source>
-        <translation>&amp;Weiter</translation>
+        <source>End &amp;Class</source>
+        <translation>Klasse &amp;beenden</translation>
     </message>
     <message>
         <source>This is not the PIN.</source>
         <translation>Das ist nicht die PIN.</translation>
     </message>
     <message numerus="yes">
-        <source>Too often wrong: the next try is possible in %n seconds.</source>
+        <source>Too many wrong PINs. Try again in %n seconds.</source>
         <translation>
             <numerusform>Zu oft falsch: Der nächste Versuch ist in %n Sekunde möglich.</numerusform>
             <numerusform>Zu oft falsch: Der nächste Versuch ist in %n Sekunden möglich.</numerusform>

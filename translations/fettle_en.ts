@@ -4,10 +4,10 @@
 <context>
     <name>app::ClassroomMode</name>
     <message numerus="yes">
-        <source>%n minutes are left: come to an end soon.</source>
+        <source>%n minutes left. Please finish soon.</source>
         <translation>
-            <numerusform>%n minute is left: come to an end soon.</numerusform>
-            <numerusform>%n minutes are left: come to an end soon.</numerusform>
+            <numerusform>%n minute left. Please finish soon.</numerusform>
+            <numerusform>%n minutes left. Please finish soon.</numerusform>
         </translation>
     </message>
 </context>
@@ -71,10 +71,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n works wait on this computer</source>
+        <source>%n models not yet in the class folder</source>
         <translation>
-            <numerusform>%n work waits on this computer</numerusform>
-            <numerusform>%n works wait on this computer</numerusform>
+            <numerusform>%n model not yet in the class folder</numerusform>
+            <numerusform>%n models not yet in the class folder</numerusform>
         </translation>
     </message>
 </context>
@@ -158,10 +158,10 @@
 <context>
     <name>ui::PinDialog</name>
     <message numerus="yes">
-        <source>Too often wrong: the next try is possible in %n seconds.</source>
+        <source>Too many wrong PINs. Try again in %n seconds.</source>
         <translation>
-            <numerusform>Too often wrong: the next try is possible in %n second.</numerusform>
-            <numerusform>Too often wrong: the next try is possible in %n seconds.</numerusform>
+            <numerusform>Too many wrong PINs. Try again in %n second.</numerusform>
+            <numerusform>Too many wrong PINs. Try again in %n seconds.</numerusform>
         </translation>
     </message>
 </context>

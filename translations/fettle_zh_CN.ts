@@ -152,12 +152,12 @@
         <translation>%1：缺少 %2。</translation>
     </message>
     <message>
-        <source>nothing stands there.</source>
+        <source>it is empty.</source>
         <translation>内容为空。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no whole number from 0 to %2.</source>
-        <translation>“%1”不是 0 到 %2 之间的整数。</translation>
+        <source>must be a whole number from 0 to %2, not &quot;%1&quot;.</source>
+        <translation>必须是 0 到 %2 的整数，而不是“%1”。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is none of %2.</source>
@@ -214,15 +214,15 @@
         <translation>%1 作品（%2）保持打开，不会丢失。</translation>
     </message>
     <message>
-        <source>This ends the class. The work of the present turn is kept.</source>
-        <translation>这将结束课堂。当前的作品会被保存。</translation>
+        <source>End the class? The current pupil&apos;s work will be saved.</source>
+        <translation>结束课堂？当前学生的作品会被保存。</translation>
     </message>
     <message>
-        <source>The time is up. Finish what you are doing; then it is the next one&apos;s turn.</source>
+        <source>Time is up. Please finish: it is the next pupil&apos;s turn.</source>
         <translation>时间到了。请完成手头的操作，然后轮到下一位。</translation>
     </message>
     <message numerus="yes">
-        <source>%n minutes are left: come to an end soon.</source>
+        <source>%n minutes left. Please finish soon.</source>
         <translation>
             <numerusform>还剩 %n 分钟：请准备结束。</numerusform>
         </translation>
@@ -776,7 +776,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>其中的 lesson.json 嵌套得比课程更深</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; stands there twice</source>
+        <source>&quot;%1&quot; appears twice</source>
         <translation>“%1”重复出现</translation>
     </message>
     <message>
@@ -2154,7 +2154,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>背景(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Drag the Radius</source>
+        <source>Set Radius by &amp;Dragging</source>
         <translation>拖动半径(&amp;D)</translation>
     </message>
     <message>
@@ -2162,7 +2162,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>随指针移动改变半径；单击或回车保留，Esc 或右键恢复原值。</translation>
     </message>
     <message>
-        <source>Dra&amp;g the Strength</source>
+        <source>Set Strength by Draggin&amp;g</source>
         <translation>拖动强度(&amp;G)</translation>
     </message>
     <message>
@@ -3124,9 +3124,9 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>继续 %1 的作品(&amp;R)</translation>
     </message>
     <message numerus="yes">
-        <source>%n works wait on this computer</source>
+        <source>%n models not yet in the class folder</source>
         <translation>
-            <numerusform>%n 件作品在本机等待</numerusform>
+            <numerusform>%n 个模型尚未存入课堂文件夹</numerusform>
         </translation>
     </message>
 </context>
@@ -3200,12 +3200,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>课堂</translation>
     </message>
     <message>
-        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Nobody gets at other files, and leaving takes your PIN.</source>
+        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
         <translation>课堂按轮次进行：每个学生从新的黏土开始，“下一位”把作品保存到课堂文件夹。无人能接触其他文件，离开需要您的 PIN。</translation>
     </message>
     <message>
-        <source>To begin with</source>
-        <translation>起始模型</translation>
+        <source>Starting shapes</source>
+        <translation>起始形状</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -3232,7 +3232,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>选择(&amp;C)…</translation>
     </message>
     <message>
-        <source>&amp;Folder for the works:</source>
+        <source>&amp;Folder for pupils&apos; work:</source>
         <translation>作品文件夹(&amp;F)：</translation>
     </message>
     <message>
@@ -3252,7 +3252,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>无</translation>
     </message>
     <message>
-        <source>So long before the end a word is said, in the headset, too.</source>
+        <source>So long before the end a notice appears, in the headset, too.</source>
         <translation>在结束前这么久给出提示，头显中也会显示。</translation>
     </message>
     <message>
@@ -3288,7 +3288,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>&amp;PIN：</translation>
     </message>
     <message>
-        <source>PIN once &amp;more:</source>
+        <source>&amp;Repeat PIN:</source>
         <translation>再次输入 PIN(&amp;M)：</translation>
     </message>
     <message>
@@ -3296,12 +3296,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>课堂还没有标题。</translation>
     </message>
     <message>
-        <source>There is no such folder for the works.</source>
-        <translation>没有这个作品文件夹。</translation>
+        <source>This folder does not exist.</source>
+        <translation>该文件夹不存在。</translation>
     </message>
     <message>
-        <source>Choose at least one model to begin with.</source>
-        <translation>请至少选择一个起始模型。</translation>
+        <source>Choose at least one starting shape.</source>
+        <translation>请至少选择一个起始形状。</translation>
     </message>
     <message>
         <source>Choose at least one tool.</source>
@@ -4841,12 +4841,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 过大：文件大小为 %2，最多可读取 %3。</translation>
     </message>
     <message>
-        <source>%1 does not hold what its ending says.</source>
-        <translation>%1 的内容与扩展名不符。</translation>
+        <source>%1 is no %2 file.</source>
+        <translation>%1 不是 %2 文件。</translation>
     </message>
     <message>
-        <source>%1 does not hold what its ending says: it looks like %2.</source>
-        <translation>%1 的内容与扩展名不符：看起来是 %2。</translation>
+        <source>%1 is no %2 file; it looks like %3.</source>
+        <translation>%1 不是 %2 文件；看起来像 %3。</translation>
+    </message>
+    <message>
+        <source>plain text</source>
+        <translation>纯文本</translation>
     </message>
     <message>
         <source>%1: the file is cut off here.</source>
@@ -5520,8 +5524,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>压平底部</translation>
     </message>
     <message>
-        <source>What lies below a level cut goes, and the model stands flat. How high above its lowest point is the cut?</source>
-        <translation>水平切面以下的部分被去掉，模型便能平稳站立。切面高出最低点多少？</translation>
+        <source>Cuts the bottom off level, so that the model stands. Height of the cut above the lowest point:</source>
+        <translation>水平切去底部，使模型能够站立。切口距最低点的高度：</translation>
     </message>
     <message>
         <source>Height</source>
@@ -5820,15 +5824,15 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>教师 PIN</translation>
     </message>
     <message>
-        <source>&amp;Go On</source>
-        <translation>继续(&amp;G)</translation>
+        <source>End &amp;Class</source>
+        <translation>结束课堂(&amp;C)</translation>
     </message>
     <message>
         <source>This is not the PIN.</source>
         <translation>PIN 不正确。</translation>
     </message>
     <message numerus="yes">
-        <source>Too often wrong: the next try is possible in %n seconds.</source>
+        <source>Too many wrong PINs. Try again in %n seconds.</source>
         <translation>
             <numerusform>错误次数过多：%n 秒后可再试。</numerusform>
         </translation>

@@ -145,7 +145,7 @@ private:
         if (m_line == 0)
             fail(ClassFile::tr("%1: %2 is missing.").arg(QDir::toNativeSeparators(m_path), QLatin1StringView(key)));
         if (value.isEmpty())
-            failAt(key, ClassFile::tr("nothing stands there."));
+            failAt(key, ClassFile::tr("it is empty."));
         return value;
     }
 
@@ -157,7 +157,8 @@ private:
         if (m_line == 0)
             return otherwise;
         if (!isNumber || number < 0 || number > max)
-            failAt(key, ClassFile::tr("\"%1\" is no whole number from 0 to %2.").arg(value, QString::number(max)));
+            failAt(key,
+                   ClassFile::tr("must be a whole number from 0 to %2, not \"%1\".").arg(value, QString::number(max)));
         return number;
     }
 

@@ -284,7 +284,7 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
 
 void ClassroomMode::leave()
 {
-    m_pinPrompt->ask(tr("This ends the class. The work of the present turn is kept."), [this] {
+    m_pinPrompt->ask(tr("End the class? The current pupil's work will be saved."), [this] {
         m_canLeave = true;
         m_questions.finish();
         if (m_stage != Stage::Sculpting)
@@ -314,9 +314,9 @@ void ClassroomMode::tick()
     if (m_stage == Stage::Sculpting && m_clock.hasEnd()) {
         const TurnClock::Notice notice = m_clock.takeNotice();
         if (notice == TurnClock::Notice::Over)
-            Q_EMIT noticed(tr("The time is up. Finish what you are doing; then it is the next one's turn."));
+            Q_EMIT noticed(tr("Time is up. Please finish: it is the next pupil's turn."));
         else if (notice == TurnClock::Notice::Warning)
-            Q_EMIT noticed(tr("%n minutes are left: come to an end soon.", nullptr,
+            Q_EMIT noticed(tr("%n minutes left. Please finish soon.", nullptr,
                               static_cast<int>((m_clock.remainingMs() + minuteMs - 1) / minuteMs)));
     }
     show();

@@ -68,7 +68,7 @@ QString LessonMessages::json(const core::LessonError& error)
     case Kind::TooDeep:
         return tr("its lesson.json nests deeper than a lesson does");
     case Kind::DuplicateKey:
-        return tr("\"%1\" stands there twice").arg(key);
+        return tr("\"%1\" appears twice").arg(key);
     case Kind::UnknownKey:
         return tr("unknown key %1").arg(key);
     case Kind::MissingKey:

@@ -164,10 +164,10 @@ public:
          QT_TR_NOOP("Makes the brush's radius a tenth smaller."), "[", "smaller", true},
         {MenuId::Sculpt, "brush.larger", QT_TR_NOOP("&Larger Brush"),
          QT_TR_NOOP("Makes the brush's radius a tenth larger."), "]", "larger"},
-        {MenuId::Sculpt, "brush.radius", QT_TR_NOOP("&Drag the Radius"),
+        {MenuId::Sculpt, "brush.radius", QT_TR_NOOP("Set Radius by &Dragging"),
          QT_TR_NOOP("Changes the radius as the pointer moves; a click or Return keeps it, Esc or the right button goes "
                     "back."), "F", "radius"},
-        {MenuId::Sculpt, "brush.strength", QT_TR_NOOP("Dra&g the Strength"),
+        {MenuId::Sculpt, "brush.strength", QT_TR_NOOP("Set Strength by Draggin&g"),
          QT_TR_NOOP("Changes the strength as the pointer moves; a click or Return keeps it, Esc or the right button "
                     "goes back."), "Shift+F", "strength"},
         {MenuId::Sculpt, "brush.steady", QT_TR_NOOP("S&teady Stroke"),

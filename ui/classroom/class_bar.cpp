@@ -105,7 +105,7 @@ void ClassBar::setResumable(const std::optional<QString>& pupil)
 
 void ClassBar::setUndelivered(int works, const QString& tip)
 {
-    m_undelivered->setText(works == 0 ? QString() : tr("%n works wait on this computer", nullptr, works));
+    m_undelivered->setText(works == 0 ? QString() : tr("%n models not yet in the class folder", nullptr, works));
     m_undelivered->setToolTip(tip);
 }
 

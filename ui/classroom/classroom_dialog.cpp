@@ -40,7 +40,7 @@ public:
         QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
         column->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
                                         "the work in the class's folder. "
-                                        "Nobody gets at other files, and leaving takes your PIN."),
+                                        "Pupils cannot reach other files; leaving asks for your PIN."),
                                      textWidth));
         auto* form = new QFormLayout;
         form->setSpacing(dialogGap);
@@ -48,7 +48,7 @@ public:
         addTimes(form);
         addPin(form);
         column->addLayout(form);
-        column->addWidget(choices(tr("To begin with"), actions, MenuId::New));
+        column->addWidget(choices(tr("Starting shapes"), actions, MenuId::New));
         column->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
         m_word = dialogText({}, textWidth);
         m_word->setObjectName(QStringLiteral("classroomWord"));
@@ -109,7 +109,7 @@ private:
         row->setContentsMargins(0, 0, 0, 0);
         row->addWidget(m_folder, 1);
         row->addWidget(choose);
-        form->addRow(tr("&Folder for the works:"), both);
+        form->addRow(tr("&Folder for pupils' work:"), both);
     }
 
     void addTimes(QFormLayout* form)
@@ -126,7 +126,7 @@ private:
         m_turn = minutes("classTurn", defaults.turnMinutes, tr("no limit"),
                          tr("So long is a turn. Nothing is taken away when it is over."));
         m_warning = minutes("classWarning", defaults.warningMinutes, tr("none"),
-                            tr("So long before the end a word is said, in the headset, too."));
+                            tr("So long before the end a notice appears, in the headset, too."));
         m_fullScreen = named(new QCheckBox(tr("Full &screen")), "classFullScreen",
                              tr("Nothing else is to be seen on the screen."));
         m_fullScreen->setChecked(defaults.fullScreen);
@@ -155,7 +155,7 @@ private:
             field->setMaxLength(maxPinLength);
         }
         form->addRow(tr("&PIN:"), m_pin);
-        form->addRow(tr("PIN once &more:"), m_pinRepeated);
+        form->addRow(tr("&Repeat PIN:"), m_pinRepeated);
     }
 
     QWidget* choices(const QString& title, const Actions& actions, MenuId menu)
@@ -183,9 +183,9 @@ private:
         if (draft.classroom.title.isEmpty())
             return tr("The class has no title yet.");
         if (!QDir::isAbsolutePath(draft.classroom.folder) || !QFileInfo(draft.classroom.folder).isDir())
-            return tr("There is no such folder for the works.");
+            return tr("This folder does not exist.");
         if (draft.classroom.starters.isEmpty())
-            return tr("Choose at least one model to begin with.");
+            return tr("Choose at least one starting shape.");
         if (draft.classroom.tools.isEmpty())
             return tr("Choose at least one tool.");
         if (draft.pin.size() < minPinLength)

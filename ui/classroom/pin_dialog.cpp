@@ -44,7 +44,7 @@ public:
         m_word->setObjectName(QStringLiteral("pinWord"));
         column->addWidget(m_pin);
         column->addWidget(m_word);
-        m_accept = addDialogButtons(this, tr("&Go On"));
+        m_accept = addDialogButtons(this, tr("End &Class"));
         auto* tick = new QTimer(this);
         connect(tick, &QTimer::timeout, this, &PinDialog::showLockout);
         tick->start(tickMs);
@@ -69,7 +69,7 @@ private:
         m_pin->setEnabled(lockout == 0);
         m_accept->setEnabled(lockout == 0);
         if (lockout > 0)
-            m_word->setText(tr("Too often wrong: the next try is possible in %n seconds.", nullptr, lockout));
+            m_word->setText(tr("Too many wrong PINs. Try again in %n seconds.", nullptr, lockout));
         if (!lockoutEnded)
             return;
         m_word->clear();

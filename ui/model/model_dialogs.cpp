@@ -252,8 +252,8 @@ void askForBase(QWidget* parent, const ModelInfo& modelInfo, const CommandCallba
     constexpr double defaultShare = 0.02; ///< of the height
     const double height = modelInfo.size.y(), min = std::min(0.001, height / 2);
     auto* dialog = new CommandDialog(parent, "baseDialog", ModelDialogs::tr("Flatten the Base"),
-                                     ModelDialogs::tr("What lies below a level cut goes, and the model stands flat. "
-                                                      "How high above its lowest point is the cut?"));
+                                     ModelDialogs::tr("Cuts the bottom off level, so that the model stands. "
+                                                      "Height of the cut above the lowest point:"));
     const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"),
                                         millimetreField(defaultShare * height, min, std::max(height - min, min)));
     dialog->openFor(ModelDialogs::tr("Flatten"), callback, [cut] { return core::FlattenBase{cut->value()}; });

@@ -42,6 +42,12 @@ QString token(const core::FileError& error)
     return QString::fromLatin1(error.token);
 }
 
+/// Returns "STL" of a.stl, and of a.stl~1, an earlier version of it.
+QString formatOf(const std::filesystem::path& path)
+{
+    return displayName(path.extension()).sliced(1).section(u'~', 0, 0).toUpper();
+}
+
 /// Lists what was left out and another program would show.
 QStringList leftOut(const core::ReadRemarks& remarks)
 {
@@ -270,9 +276,10 @@ QString ErrorMessages::reading(const core::FileError& error)
                    ? tr("%1 has no ending that says its format: %2 can be used.").arg(path, modelFormats())
                    : tr("%1: the format \"%2\" is not known; %3 can be used.").arg(path, token(error), modelFormats());
     case FileErrorKind::NotWhatItsEndingSays:
-        return error.token.empty()
-                   ? tr("%1 does not hold what its ending says.").arg(path)
-                   : tr("%1 does not hold what its ending says: it looks like %2.").arg(path, token(error).toUpper());
+        return error.token.empty() ? tr("%1 is no %2 file.").arg(path, formatOf(error.path))
+                                   : tr("%1 is no %2 file; it looks like %3.")
+                                         .arg(path, formatOf(error.path),
+                                              error.token == "text" ? tr("plain text") : token(error).toUpper());
     case FileErrorKind::Utf16:
         return tr("%1 is text in UTF-16, which is not read: save it as UTF-8.").arg(path);
     default:

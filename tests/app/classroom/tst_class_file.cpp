@@ -109,11 +109,13 @@ private Q_SLOTS:
         row("unknown key", "full_screen", "fullscreen", "line 9: fullscreen is no key of a class file.");
         row("no pair", "tools = smooth, pull", "tools", "line 6: a line says key = value, or begins with #.");
         row("twice", "language = de", "title = x", "line 10: title stands there for the second time.");
-        row("no title", "title = Klasse 5b, Ton & Töne", "title =", "line 3: title: nothing stands there.");
-        row("no number", "= 30", "= thirty", "line 7: turn_minutes: \"thirty\" is no whole number from 0 to 240.");
-        row("too long", "= 30", "= 241", "line 7: turn_minutes: \"241\" is no whole number from 0 to 240.");
-        row("negative", "=5", "=-1", "line 8: warning_minutes: \"-1\" is no whole number from 0 to 30.");
-        row("warning before the turn", "=5", "=31", "line 8: warning_minutes: \"31\" is no whole number from 0 to 30.");
+        row("no title", "title = Klasse 5b, Ton & Töne", "title =", "line 3: title: it is empty.");
+        row("no number", "= 30", "= thirty",
+            "line 7: turn_minutes: must be a whole number from 0 to 240, not \"thirty\".");
+        row("too long", "= 30", "= 241", "line 7: turn_minutes: must be a whole number from 0 to 240, not \"241\".");
+        row("negative", "=5", "=-1", "line 8: warning_minutes: must be a whole number from 0 to 30, not \"-1\".");
+        row("warning before the turn", "=5", "=31",
+            "line 8: warning_minutes: must be a whole number from 0 to 30, not \"31\".");
         row("unknown tool", "smooth, pull", "smooth, melt", "line 6: tools: \"melt\" is none of pull, push, inflate");
         row("tool twice", "smooth, pull", "pull,pull", "line 6: tools: pull stands there for the second time.");
         row("empty in a list", "vase, ball", "vase,,ball",

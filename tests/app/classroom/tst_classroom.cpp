@@ -501,10 +501,10 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     QCOMPARE(at(17 * minute), QStringLiteral("3 minutes left"));
     QVERIFY(c.part<QLabel>("classTime")->font().bold() &&
             !c.part<QLabel>("classClock")->pixmap(Qt::ReturnByValue).isNull());
-    QVERIFY(notice(c.program).contains(QStringLiteral("3 minutes are left")));
+    QVERIFY(notice(c.program).contains(QStringLiteral("3 minutes left")));
     QVERIFY(caption.text().time == QStringLiteral("3 min") && caption.text().isNearEnd);
     QCOMPARE(at(20 * minute), QStringLiteral("Time is up"));
-    QVERIFY(notice(c.program).contains(QStringLiteral("The time is up")));
+    QVERIFY(notice(c.program).contains(QStringLiteral("Time is up")));
     QCOMPARE(caption.text().time, QStringLiteral("Time is up"));
     QCOMPARE(at(25 * minute), QStringLiteral("Time is up"));
     c.sculpt({30, -20});
@@ -530,7 +530,7 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     c.next();
     QTRY_VERIFY2(notice(c.program).contains(QStringLiteral("there is no folder ") + home.works),
                  qPrintable(notice(c.program)));
-    QCOMPARE(c.text("classWaiting"), QStringLiteral("1 works wait on this computer"));
+    QCOMPARE(c.text("classWaiting"), QStringLiteral("1 models not yet in the class folder"));
     QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.outbox));
     QCOMPARE(foldersIn(home.places.outbox).size(), 1);
     QVERIFY(QDir().mkpath(home.works)); // it is back
@@ -711,7 +711,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     };
     QCOMPARE(fault(), QStringLiteral("The class has no title yet."));
     type("classTitleField", QStringLiteral("5b"));
-    QCOMPARE(fault(), QStringLiteral("There is no such folder for the works."));
+    QCOMPARE(fault(), QStringLiteral("This folder does not exist."));
     type("classFolderField", root.path());
     QVERIFY(fault().startsWith(QStringLiteral("The PIN needs at least 4")));
     type("classPin", pin);

@@ -114,6 +114,7 @@ private Q_SLOTS:
     void words_thatAreNothingAreToldAsSuch();
     void words_thatAreOneOfSomeAreListed_data();
     void words_thatAreOneOfSomeAreListed();
+    void files_ofAnotherFormatAreToldAsSuch();
     void spellings_ofBothKindsAreTaken();
     void new_writesEachStarter();
     void standardFiles_carryModels();
@@ -379,6 +380,15 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed()
     const Answer refusal = fettle(line.split(u' '), {}, m_folder->path());
     QVERIFY2(refusal.isRefusal(answer), refusal.err.constData());
     QCOMPARE(left(), QStringList{QStringLiteral("a.obj")});
+}
+
+/// By the name of the format that the ending stands for.
+void TestCommandLine::files_ofAnotherFormatAreToldAsSuch()
+{
+    write(at("a.stl"), "this is plain text, and long enough to be no cut header of a binary file: it goes on and on");
+    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("a.stl")}), "a.stl is no STL file; it looks like plain text.");
+    write(at("b.ply"), "\x89PNG\r\n\x1a\n");
+    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("b.ply")}), "b.ply is no PLY file; it looks like PNG.");
 }
 
 void TestCommandLine::spellings_ofBothKindsAreTaken()

@@ -508,7 +508,7 @@ void TestHeadsetPartner::classTime_isToldInBoth()
     const int still = differences(before, fixture.hand.picture());
     now = 17 * minute;
     mode.tick();
-    QVERIFY(notice(fixture.program).contains(QStringLiteral("3 minutes are left")));
+    QVERIFY(notice(fixture.program).contains(QStringLiteral("3 minutes left")));
     fixture.hand.waitForPanels();
     fixture.hand.frames(20);
     const int told = differences(before, fixture.hand.picture());
