@@ -601,8 +601,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>lesson: Schritt %1 hat keinen Prüfpunkt.</translation>
     </message>
     <message>
-        <source>Language of the lesson&apos;s titles (default: the system&apos;s).</source>
-        <translation>Sprache der Titel der Lektion (Vorgabe: die des Systems).</translation>
+        <source>Language of the lesson and of the answer (default: the system&apos;s).</source>
+        <translation>Sprache der Lektion und der Antwort (Vorgabe: die des Systems).</translation>
+    </message>
+    <message>
+        <source>Print what pupils read, instead of playing.</source>
+        <translation>Zeigen, was Schüler lesen, statt abzuspielen.</translation>
     </message>
     <message>
         <source>Judge this model, a pupil&apos;s, instead of playing; or -.</source>

@@ -598,8 +598,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>lesson：第 %1 步没有检查点。</translation>
     </message>
     <message>
-        <source>Language of the lesson&apos;s titles (default: the system&apos;s).</source>
-        <translation>课程标题的语言（默认为系统语言）。</translation>
+        <source>Language of the lesson and of the answer (default: the system&apos;s).</source>
+        <translation>课程和输出的语言（默认为系统语言）。</translation>
+    </message>
+    <message>
+        <source>Print what pupils read, instead of playing.</source>
+        <translation>不播放，而是输出学生读到的文字。</translation>
     </message>
     <message>
         <source>Judge this model, a pupil&apos;s, instead of playing; or -.</source>

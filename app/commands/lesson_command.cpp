@@ -17,6 +17,7 @@
 #include <QDir>
 #include <QImage>
 #include <QLocale>
+#include <QTranslator>
 
 #include <algorithm>
 
@@ -36,6 +37,7 @@ struct LessonOptions
     QString lesson, language, model, pack, unpack, pictures, out;
     std::optional<std::size_t> step;         ///< from 0
     std::optional<LessonResults::Form> form; ///< for scripts; none: for people
+    bool printsTexts = false;
 };
 
 void addLessonOptions(QCommandLineParser& parser)
@@ -49,7 +51,7 @@ void addLessonOptions(QCommandLineParser& parser)
         QStringLiteral("[LESSON]"));
     parser.addOptions(
         {{QStringLiteral("language"),
-          LessonCommandMessages::tr("Language of the lesson's titles (default: the system's)."),
+          LessonCommandMessages::tr("Language of the lesson and of the answer (default: the system's)."),
           QStringLiteral("CODE")},
          {QStringLiteral("model"), LessonCommandMessages::tr("Judge this model, a pupil's, instead of playing; or -."),
           QStringLiteral("FILE")},
@@ -65,10 +67,44 @@ void addLessonOptions(QCommandLineParser& parser)
           QStringLiteral("FOLDER")},
          {QStringLiteral("out"), LessonCommandMessages::tr("File for the model that the last step leaves."),
           QStringLiteral("FILE")},
+         {QStringLiteral("texts"), LessonCommandMessages::tr("Print what pupils read, instead of playing.")},
          {QStringLiteral("json"), LessonCommandMessages::tr("One JSON object.")},
          {QStringLiteral("csv"), LessonCommandMessages::tr("CSV with a header row: a row for each goal.")}});
     StandardFiles::addFrom(parser);
     CommandOptions::addNoClobber(parser);
+}
+
+/// Has the program's own words in that language, too, if it speaks it.
+void answerIn(const QString& language)
+{
+    const QLocale locale(language);
+    auto translator = std::make_unique<QTranslator>();
+    if (!translator->load(locale, QStringLiteral("fettle"), QStringLiteral("_"), QStringLiteral(":/i18n")))
+        return;
+    QCoreApplication* const application = QCoreApplication::instance();
+    qDeleteAll(application->findChildren<QTranslator*>()); // English has few words of its own: no others behind them
+    translator->setParent(application);
+    QCoreApplication::installTranslator(translator.release());
+    QLocale::setDefault(locale);
+}
+
+/// Refuses files and folders that the lesson cannot be written to.
+void requireFit(const LessonOptions& options, const CommandOptions& given)
+{
+    if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
+        CommandLine::fail(LessonCommandMessages::tr("lesson: %1 does not end in .zip.").arg(options.pack));
+    if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
+        CommandLine::fail(
+            LessonCommandMessages::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
+    for (const QString& path : {options.pack, options.unpack, options.out})
+        given.requireFree(path);
+    if (options.pictures.isEmpty())
+        return;
+    if (!QFileInfo(options.pictures).isDir())
+        CommandLine::fail(LessonCommandMessages::tr("%1 is not a folder.").arg(options.pictures));
+    const QDir folder(options.pictures);
+    for (const QString& picture : folder.entryList({picturesName.arg(QStringLiteral("*"))}))
+        given.requireFree(folder.filePath(picture));
 }
 
 std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
@@ -79,7 +115,7 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
     if (given.isAnswered())
         return std::nullopt;
     const QString model = QStringLiteral("model"), step = QStringLiteral("step"), json = QStringLiteral("json"),
-                  csv = QStringLiteral("csv");
+                  csv = QStringLiteral("csv"), texts = QStringLiteral("texts");
     const QStringList lessons = given.files();
     if (lessons.size() > 1)
         CommandLine::fail(LessonCommandMessages::tr("lesson: one lesson at a time can be played, not %1 as well.")
@@ -95,12 +131,19 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
                           {}};
     if (options.language.isEmpty())
         options.language = QLocale().name();
+    else
+        answerIn(options.language);
     const QStringList ofPlaying{QStringLiteral("pack"), QStringLiteral("unpack"), QStringLiteral("pictures"),
                                 QStringLiteral("out")};
-    for (const QString& option : ofPlaying)
+    options.printsTexts = given.has(texts);
+    for (const QString& option : ofPlaying) {
         given.requireOneOf(model, option);
+        given.requireOneOf(texts, option);
+    }
+    for (const QString& option : {model, json, csv})
+        given.requireOneOf(texts, option);
     const bool plays = std::ranges::any_of(ofPlaying, [&](const QString& option) { return given.has(option); });
-    if (options.lesson.isEmpty() && (plays || given.has(model) || given.has(step)))
+    if (options.lesson.isEmpty() && (plays || given.has(model) || given.has(step) || options.printsTexts))
         CommandLine::fail(LessonCommandMessages::tr("lesson: no lesson was given."));
     given.requireWith({step}, model);
     if (given.has(step))
@@ -108,19 +151,8 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
     given.requireOneOf(json, csv);
     if (given.has(json) || given.has(csv))
         options.form = given.has(json) ? LessonResults::Form::Json : LessonResults::Form::Csv;
-    if (!options.pictures.isEmpty() && !QFileInfo(options.pictures).isDir())
-        CommandLine::fail(LessonCommandMessages::tr("%1 is not a folder.").arg(options.pictures));
-    for (const QString& path : {options.pack, options.unpack, options.out})
-        given.requireFree(path);
-    for (const QString& picture : QDir(options.pictures).entryList({picturesName.arg(QStringLiteral("*"))}))
-        if (!options.pictures.isEmpty())
-            given.requireFree(QDir(options.pictures).filePath(picture));
+    requireFit(options, given);
     options.model = StandardFiles::input(given, options.model);
-    if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
-        CommandLine::fail(LessonCommandMessages::tr("lesson: %1 does not end in .zip.").arg(options.pack));
-    if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
-        CommandLine::fail(
-            LessonCommandMessages::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
     return options;
 }
 
@@ -178,6 +210,16 @@ void draw(const core::TriangleMesh& mesh, const QString& path)
 {
     if (!lessonPicture(mesh).save(path))
         CommandLine::fail(LessonCommandMessages::tr("%1: this picture cannot be written.").arg(path));
+}
+
+void printTexts(const core::Lesson& lesson, const LessonOptions& options)
+{
+    QString text = inLanguage(lesson.title, options) + u'\n' + inLanguage(lesson.summary, options) + u'\n';
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+        text += QStringLiteral("\n%1. %2\n%3\n")
+                    .arg(i + 1)
+                    .arg(inLanguage(lesson.steps[i].title, options), inLanguage(lesson.steps[i].text, options));
+    CommandLine::print(text);
 }
 
 /// A lesson that is played or judged.
@@ -256,6 +298,10 @@ void requireLesson(const QString& word)
 ExitStatus run(const LessonOptions& options)
 {
     const auto lesson = std::make_shared<const core::Lesson>(readLesson(options.lesson));
+    if (options.printsTexts) {
+        printTexts(*lesson, options);
+        return Done;
+    }
     core::LessonPlayback playback(lesson, toPath(options.lesson));
     Session session{*lesson, playback, options, {}};
     if (options.form)

@@ -1,5 +1,6 @@
 // `fettle lesson` as a teacher's script has it.
 #include "core/io/mesh_io.h"
+#include "core/lesson/lesson_file.h"
 #include "core/operations/starter_models.h"
 #include "tests/support/test_main.h"
 
@@ -11,6 +12,8 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <tuple>
 
 namespace
 {
@@ -161,6 +164,29 @@ private Q_SLOTS:
         QCOMPARE(lesson({QStringLiteral("--csv")}).out.count(QLatin1Char('\n')), 4);
     }
 
+    void language_isThatOfTheWholeAnswer()
+    {
+        const QStringList judge{QStringLiteral("first-clay"), QStringLiteral("--language")};
+        for (const auto& [language, strokes, yes] : {std::tuple("de", "(Striche: 1; Werkzeuge: pull)", "\n   ja "),
+                                                     std::tuple("zh_CN", "（笔触：1；工具：pull）", "\n   是 "),
+                                                     std::tuple("en", "(strokes: 1; tools: pull)", "\n   yes ")}) {
+            const QString out = lesson(judge + QStringList{QString::fromLatin1(language)}).out;
+            QVERIFY2(out.contains(QString::fromUtf8(strokes)) && out.contains(QString::fromUtf8(yes)), qPrintable(out));
+        }
+    }
+
+    void texts_arePrinted()
+    {
+        const LessonAnswer german = lesson(
+            {QStringLiteral("mug"), QStringLiteral("--texts"), QStringLiteral("--language"), QStringLiteral("de")});
+        QCOMPARE(german.status, 0);
+        QVERIFY(german.out.startsWith(QStringLiteral("Eine Tasse mit Henkel\n")));
+        const core::Lesson mug = core::readLesson((lessonsFolder + QStringLiteral("mug")).toStdString());
+        for (const core::LessonStep& step : mug.steps)
+            QVERIFY(
+                german.out.contains(QString::fromStdString(step.title.in("de") + '\n' + step.text.in("de") + '\n')));
+    }
+
     void badInput_isOneSentence_data()
     {
         QTest::addColumn<QByteArray>("from");
@@ -202,6 +228,8 @@ private Q_SLOTS:
              QList<QStringList>{{QStringLiteral("nothing-of-ours")},
                                 {QStringLiteral("mug"), QStringLiteral("creature")},
                                 {QStringLiteral("mug"), QStringLiteral("--step"), QStringLiteral("1")},
+                                {QStringLiteral("--texts")},
+                                {QStringLiteral("mug"), QStringLiteral("--texts"), QStringLiteral("--json")},
                                 {QStringLiteral("mug"), QStringLiteral("--pack"), QStringLiteral("mug.rar")},
                                 {QStringLiteral("mug"), QStringLiteral("--unpack"), QStringLiteral("mug.zip")},
                                 {QStringLiteral("--out"), QStringLiteral("a.stl")},
