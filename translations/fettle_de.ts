@@ -8150,8 +8150,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: %2 ist schon da und bleibt wegen --no-clobber, wie es ist.</translation>
     </message>
     <message>
-        <source>The file to write.</source>
-        <translation>Die Datei, die geschrieben wird.</translation>
+        <source>The file to write, in the format of its ending; or -.</source>
+        <translation>Die Datei, die geschrieben wird, im Format ihrer Endung; oder -.</translation>
     </message>
     <message>
         <source>%1: the file to write is missing; -o names it.</source>
@@ -8192,8 +8192,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Format eines Modells, das von der Standardeingabe, -, gelesen wird.</translation>
     </message>
     <message>
-        <source>Format of a model that is written to the standard output, -.</source>
-        <translation>Format eines Modells, das auf die Standardausgabe, -, geschrieben wird.</translation>
+        <source>Format of what is written to the standard output, -.</source>
+        <translation>Format dessen, was auf die Standardausgabe, -, geschrieben wird.</translation>
     </message>
     <message>
         <source>%1: --%2 must say the format of -: one of %3.</source>

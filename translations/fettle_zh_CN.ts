@@ -8127,8 +8127,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1：%2 已存在，因 --no-clobber 而保持原样。</translation>
     </message>
     <message>
-        <source>The file to write.</source>
-        <translation>要写入的文件。</translation>
+        <source>The file to write, in the format of its ending; or -.</source>
+        <translation>要写入的文件，格式由扩展名决定；或 -。</translation>
     </message>
     <message>
         <source>%1: the file to write is missing; -o names it.</source>
@@ -8169,8 +8169,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>从标准输入（-）读取的模型的格式。</translation>
     </message>
     <message>
-        <source>Format of a model that is written to the standard output, -.</source>
-        <translation>写到标准输出（-）的模型的格式。</translation>
+        <source>Format of what is written to the standard output, -.</source>
+        <translation>写到标准输出（-）的内容的格式。</translation>
     </message>
     <message>
         <source>%1: --%2 must say the format of -: one of %3.</source>

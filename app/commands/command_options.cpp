@@ -102,7 +102,9 @@ void CommandOptions::requireFree(const QString& path) const
 
 void CommandOptions::addOutput(QCommandLineParser& parser, const QString& word)
 {
-    parser.addOption({{QStringLiteral("o"), QStringLiteral("output")}, tr("The file to write."), word});
+    parser.addOption({{QStringLiteral("o"), QStringLiteral("out"), QStringLiteral("output")},
+                      tr("The file to write, in the format of its ending; or -."),
+                      word});
 }
 
 QString CommandOptions::output() const

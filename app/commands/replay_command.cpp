@@ -94,7 +94,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
         {{strokes, ReplayMessages::tr("The strokes, JSON; or -."), QStringLiteral("S.json")},
          {in, ReplayMessages::tr("The model; or - (default: a sphere of 2562 vertices, radius 1)."),
           QStringLiteral("FILE")},
-         {out, ReplayMessages::tr("File for the sculpted model; or -."), QStringLiteral("FILE")},
+         {{QStringLiteral("o"), out}, ReplayMessages::tr("File for the sculpted model; or -."), QStringLiteral("FILE")},
          {stats, ReplayMessages::tr("File for cost and outcome of each dab, JSON; or -."), QStringLiteral("T.json")},
          {frames, ReplayMessages::tr("Folder for pictures of the model, PNG, at the start and after each stroke."),
           QStringLiteral("FOLDER")},
@@ -129,7 +129,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
     given.requireFree(options.out);
     given.requireFree(options.stats);
     options.out = StandardFiles::output(given, options.out);
-    options.stats = StandardFiles::output(given, options.stats, QStringLiteral("json"));
+    options.stats = StandardFiles::output(given, options.stats, {QStringLiteral("json")});
     if (!options.out.isEmpty())
         CommandLine::requireMeshEnding(options.out);
     options.in = StandardFiles::input(given, options.in);

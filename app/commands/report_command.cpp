@@ -2,6 +2,7 @@
 #include "app/classroom/report_writer.h"
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
+#include "app/commands/standard_files.h"
 #include "app/model/model_loader.h"
 
 #include "ui/util/error_messages.h"
@@ -30,6 +31,7 @@ std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
             "The models; of folders further down only the works of a class in turns are looked at."));
     CommandOptions::addOutput(parser, QStringLiteral("OUT.html|OUT.pdf"));
     CommandUnit::addTo(parser);
+    StandardFiles::addTo(parser, ui::reportEndings());
     CommandOptions::addNoClobber(parser);
     const CommandOptions options(parser, QStringLiteral("report"), arguments);
     if (options.isAnswered())
@@ -37,11 +39,11 @@ std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
     if (options.files().size() != 1)
         CommandLine::fail(ReportCommandMessages::tr("report: needs one folder; %n were given.", nullptr,
                                                     static_cast<int>(options.files().size())));
-    const QString out = options.output();
+    options.requireFree(options.output());
+    const QString out = StandardFiles::output(options, options.output(), ui::reportEndings());
     if (!ui::reportEndings().contains(QFileInfo(out).suffix().toLower()))
         CommandLine::fail(ui::ErrorMessages::notAReport(out));
     const double unit = CommandUnit::of(options);
-    options.requireFree(out);
     return ReportRequest{toPath(options.files().constFirst()), toPath(out), unit};
 }
 } // namespace
@@ -53,6 +55,7 @@ ExitStatus reportCommand(const QStringList& arguments)
         return Done;
     try {
         ReportWriter::run(*request);
+        StandardFiles::flush();
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::ErrorMessages::sentence(error));
     }

@@ -54,7 +54,7 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     options.shaded = given.has(shaded);
     options.out = given.output();
     given.requireFree(options.out);
-    options.out = StandardFiles::output(given, options.out, QStringLiteral("pdf"));
+    options.out = StandardFiles::output(given, options.out, {QStringLiteral("pdf")});
     if (QFileInfo(options.out).suffix().toLower() != QLatin1String("pdf"))
         CommandLine::fail(ui::ErrorMessages::notABook(options.out));
     options.models = commandModels(given);

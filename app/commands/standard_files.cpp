@@ -4,7 +4,6 @@
 #include "app/platform/terminal.h"
 
 #include "core/io/mesh_io.h"
-#include "ui/util/format_filters.h"
 
 #include <QDir>
 #include <QFile>
@@ -50,7 +49,8 @@ QStringList readFormats()
 
 bool isText(const QString& ending)
 {
-    return ending == QLatin1String("obj") || ending == QLatin1String("off") || ending == QLatin1String("json");
+    return ending == QLatin1String("obj") || ending == QLatin1String("off") || ending == QLatin1String("json") ||
+           ending == QLatin1String("html");
 }
 
 [[noreturn]] void failToCopy(const QString& sentence)
@@ -78,10 +78,10 @@ void StandardFiles::addFrom(QCommandLineParser& parser)
                       readFormats().join(u'|')});
 }
 
-void StandardFiles::addTo(QCommandLineParser& parser)
+void StandardFiles::addTo(QCommandLineParser& parser, const QStringList& formats)
 {
-    parser.addOption({QStringLiteral("to"), tr("Format of a model that is written to the standard output, -."),
-                      ui::writtenEndings().join(u'|')});
+    parser.addOption(
+        {QStringLiteral("to"), tr("Format of what is written to the standard output, -."), formats.join(u'|')});
 }
 
 QString StandardFiles::input(const CommandOptions& options, const QString& name)
@@ -103,15 +103,15 @@ QString StandardFiles::input(const CommandOptions& options, const QString& name)
     return files().input;
 }
 
-QString StandardFiles::output(const CommandOptions& options, const QString& name, const QString& ending)
+QString StandardFiles::output(const CommandOptions& options, const QString& name, const QStringList& formats)
 {
     const QString to = QStringLiteral("to");
     if (!isStandard(name))
         return name;
-    if (ending.isEmpty() && !options.has(to))
+    if (formats.size() > 1 && !options.has(to))
         CommandLine::fail(tr("%1: --%2 must say the format of -: one of %3.")
-                              .arg(options.command(), to, ui::writtenEndings().join(QStringLiteral(", "))));
-    const QString format = ending.isEmpty() ? ui::writtenEndings()[options.choice(to, ui::writtenEndings())] : ending;
+                              .arg(options.command(), to, formats.join(QStringLiteral(", "))));
+    const QString format = formats.size() == 1 ? formats.constFirst() : formats[options.choice(to, formats)];
     if (isTerminal(stdout) && !isText(format))
         CommandLine::fail(tr("%1: %2 is no text, and is not shown in a terminal: send the standard output to a file or "
                              "a program.")

@@ -382,7 +382,7 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed()
     QCOMPARE(left(), QStringList{QStringLiteral("a.obj")});
 }
 
-/// By the name of the format that the ending stands for.
+/// Sentences name the format that the ending stands for.
 void TestCommandLine::files_ofAnotherFormatAreToldAsSuch()
 {
     write(at("a.stl"), "this is plain text, and long enough to be no cut header of a binary file: it goes on and on");
@@ -461,7 +461,11 @@ void TestCommandLine::standardFiles_carryModels()
     QCOMPARE(shell("\"$1\" replay --strokes s.json --stats -").json()[QStringLiteral("dabs")].toArray().size(), 1);
     QVERIFY(shell("\"$1\" new vase - --to stl | \"$1\" sheet - --from stl -o -").out.startsWith("%PDF"));
 
-    // What convert says of a repair is beside the model then, not in it.
+    QVERIFY(shell("\"$1\" report . -o - --to html").out.contains("a.ply"));
+    QVERIFY(shell("\"$1\" report . --out - --to pdf").out.startsWith("%PDF"));
+    VERIFY_REFUSED(shell("\"$1\" report . -o -"), "report: --to must say the format of -: one of html, pdf.");
+
+    // Words of a repair go to standard error then, not into the model.
     write(at("open.obj"), QByteArray(cube).chopped(10)); // without its last face
     const Answer mended = shell("\"$1\" convert open.obj - --to off --legalise");
     QVERIFY2(mended.status == 0 && mended.out.startsWith("OFF") && mended.err.contains("Holes filled: 1\n"),
