@@ -93,6 +93,7 @@ set(FETTLE_RESOURCE_FILES
     icons/open.svg
     icons/orthographic.svg
     icons/paint.svg
+    icons/palette.svg
     icons/panel-close.svg
     icons/panel-float.svg
     icons/pause.svg
@@ -103,6 +104,7 @@ set(FETTLE_RESOURCE_FILES
     icons/play.svg
     icons/plus.svg
     icons/preferences.svg
+    icons/presets.svg
     icons/previous.svg
     icons/print-check.svg
     icons/pull.svg
@@ -149,6 +151,7 @@ set(FETTLE_RESOURCE_FILES
     icons/take-over.svg
     icons/time-lapse.svg
     icons/tint.svg
+    icons/tool-names.svg
     icons/trash.svg
     icons/turn-down.svg
     icons/turn-left.svg
@@ -162,6 +165,7 @@ set(FETTLE_RESOURCE_FILES
     icons/unreadable.svg
     icons/view-back.svg
     icons/view-bottom.svg
+    icons/view-cube.svg
     icons/view-front.svg
     icons/view-left.svg
     icons/view-right.svg

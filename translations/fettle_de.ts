@@ -2052,6 +2052,38 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zeigt in der Ecke der Ansicht eine Länge in Millimetern.</translation>
     </message>
     <message>
+        <source>View &amp;Cube</source>
+        <translation>Ansichts&amp;würfel</translation>
+    </message>
+    <message>
+        <source>Shows a cube in the corner of the view: a click on a face looks from there.</source>
+        <translation>Zeigt in der Ecke der Ansicht einen Würfel: Ein Klick auf eine Seite blickt von dort.</translation>
+    </message>
+    <message>
+        <source>Tool &amp;Names</source>
+        <translation>Wer&amp;kzeugnamen</translation>
+    </message>
+    <message>
+        <source>Writes the name of each tool below its icon.</source>
+        <translation>Schreibt den Namen jedes Werkzeugs unter sein Symbol.</translation>
+    </message>
+    <message>
+        <source>Brus&amp;h Palette</source>
+        <translation>Palette &amp;beim Zeiger</translation>
+    </message>
+    <message>
+        <source>Opens tools, radius and strength at the pointer, as a click of the right button does.</source>
+        <translation>Öffnet Werkzeuge, Radius und Stärke am Mauszeiger, wie ein Klick mit der rechten Taste.</translation>
+    </message>
+    <message>
+        <source>Brus&amp;h Presets</source>
+        <translation>P&amp;inselvorlagen</translation>
+    </message>
+    <message>
+        <source>Shows the panel with brush presets.</source>
+        <translation>Zeigt das Bedienfeld mit den Pinselvorlagen.</translation>
+    </message>
+    <message>
         <source>&amp;Clay</source>
         <translation>&amp;Ton</translation>
     </message>
@@ -2935,6 +2967,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushPalette</name>
+    <message>
+        <source>Palette</source>
+        <translation>Palette</translation>
     </message>
 </context>
 <context>
@@ -4015,6 +4054,41 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::NavigationCube</name>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>View cube</source>
+        <translation>Ansichtswürfel</translation>
+    </message>
+    <message>
+        <source>Click a face to look from there. Drag to turn the view.</source>
+        <translation>Ein Klick auf eine Seite blickt von dort. Ziehen dreht die Ansicht.</translation>
+    </message>
+</context>
+<context>
     <name>ui::ShortcutEdit</name>
     <message>
         <source>no key</source>
@@ -4525,10 +4599,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Tool Bar</source>
         <translation>Werkzeugleiste</translation>
-    </message>
-    <message>
-        <source>Tool Palette</source>
-        <translation>Werkzeugpalette</translation>
     </message>
     <message>
         <source>Tool Options</source>
@@ -6731,6 +6801,36 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::SideColumn</name>
+    <message>
+        <source>Panels</source>
+        <translation>Bedienfelder</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SidePanel</name>
+    <message>
+        <source>Folds or unfolds this panel. With Ctrl it stays open alone.</source>
+        <translation>Klappt dieses Bedienfeld zu oder auf. Mit Strg bleibt es allein offen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Hides this panel. View › Panels brings it back.</source>
+        <translation>Blendet dieses Bedienfeld aus. Ansicht › Bedienfelder bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>zugeklappt</translation>
+    </message>
+</context>
+<context>
     <name>ui::SimulatorView</name>
     <message>
         <source>VR starts…</source>
@@ -7013,6 +7113,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 of %2: %3</source>
         <comment>step, steps, its name</comment>
         <translation>%1 von %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ToolPalette</name>
+    <message>
+        <source>Tool Palette</source>
+        <translation>Werkzeugpalette</translation>
     </message>
 </context>
 <context>

@@ -2046,6 +2046,38 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>在视图一角显示以毫米为单位的长度。</translation>
     </message>
     <message>
+        <source>View &amp;Cube</source>
+        <translation>视图立方体(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shows a cube in the corner of the view: a click on a face looks from there.</source>
+        <translation>在视图角落显示一个立方体：单击一面即从该方向观看。</translation>
+    </message>
+    <message>
+        <source>Tool &amp;Names</source>
+        <translation>工具名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Writes the name of each tool below its icon.</source>
+        <translation>在每个图标下方写出工具名称。</translation>
+    </message>
+    <message>
+        <source>Brus&amp;h Palette</source>
+        <translation>笔刷选板(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Opens tools, radius and strength at the pointer, as a click of the right button does.</source>
+        <translation>在指针处打开工具、半径和强度，与右键单击相同。</translation>
+    </message>
+    <message>
+        <source>Brus&amp;h Presets</source>
+        <translation>笔刷预设(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Shows the panel with brush presets.</source>
+        <translation>显示笔刷预设面板。</translation>
+    </message>
+    <message>
         <source>&amp;Clay</source>
         <translation>陶土(&amp;C)</translation>
     </message>
@@ -2929,6 +2961,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1：内存不足以容纳此模型。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushPalette</name>
+    <message>
+        <source>Palette</source>
+        <translation>选板</translation>
     </message>
 </context>
 <context>
@@ -4000,6 +4039,41 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::NavigationCube</name>
+    <message>
+        <source>Front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>View cube</source>
+        <translation>视图立方体</translation>
+    </message>
+    <message>
+        <source>Click a face to look from there. Drag to turn the view.</source>
+        <translation>单击一面即从该方向观看。拖动可转动视图。</translation>
+    </message>
+</context>
+<context>
     <name>ui::ShortcutEdit</name>
     <message>
         <source>no key</source>
@@ -4510,10 +4584,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Tool Bar</source>
         <translation>工具栏</translation>
-    </message>
-    <message>
-        <source>Tool Palette</source>
-        <translation>工具面板</translation>
     </message>
     <message>
         <source>Tool Options</source>
@@ -6710,6 +6780,36 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::SideColumn</name>
+    <message>
+        <source>Panels</source>
+        <translation>面板</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SidePanel</name>
+    <message>
+        <source>Folds or unfolds this panel. With Ctrl it stays open alone.</source>
+        <translation>折叠或展开此面板。按住 Ctrl 则只展开这一个。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Hides this panel. View › Panels brings it back.</source>
+        <translation>隐藏此面板。可用“视图 › 面板”重新显示。</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>已展开</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>已折叠</translation>
+    </message>
+</context>
+<context>
     <name>ui::SimulatorView</name>
     <message>
         <source>VR starts…</source>
@@ -6991,6 +7091,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 of %2: %3</source>
         <comment>step, steps, its name</comment>
         <translation>第 %1 步，共 %2 步：%3</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ToolPalette</name>
+    <message>
+        <source>Tool Palette</source>
+        <translation>工具面板</translation>
     </message>
 </context>
 <context>

@@ -158,14 +158,25 @@ void Actions::fill(QMenu* menu, MenuId which) const
     }
 }
 
-void Actions::fill(QToolBar* bar, Bar which) const
+QList<QList<QAction*>> Actions::groups(Bar which) const
 {
+    QList<QList<QAction*>> groups;
     for (const ActionInfo& row : actionTable()) {
         if (row.bar != which)
             continue;
-        if (row.startsGroup && !bar->actions().isEmpty())
+        if (row.startsGroup || groups.isEmpty())
+            groups.emplace_back();
+        groups.back() << get(QLatin1StringView(row.id));
+    }
+    return groups;
+}
+
+void Actions::fill(QToolBar* bar, Bar which) const
+{
+    for (const QList<QAction*>& group : groups(which)) {
+        if (!bar->actions().isEmpty())
             bar->addSeparator();
-        bar->addAction(get(QLatin1StringView(row.id)));
+        bar->addActions(group);
     }
 }
 } // namespace ui

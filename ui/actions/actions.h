@@ -77,6 +77,8 @@ public:
     static QString modifierName(Qt::KeyboardModifier modifier);
     /// What keys do that are held while the mouse works.
     static QString modifierHelp(ShortcutPreset preset);
+    /// Returns the buttons of a bar, parted where a line stands between them.
+    QList<QList<QAction*>> groups(Bar which) const;
     void fill(QMenu* menu, MenuId which) const;
     void fill(QToolBar* bar, Bar which) const;
 

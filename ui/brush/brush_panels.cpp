@@ -5,18 +5,15 @@
 #include "ui/brush/shape_choosers.h"
 #include "ui/util/error_messages.h"
 #include "ui/widgets/named.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDockWidget>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMainWindow>
-#include <QMenu>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
@@ -36,26 +33,20 @@ struct BrushPanels
 
 template <class T> using Choices = std::vector<std::pair<QString, T>>;
 
-/// A dock that shows settings of the brush.
+/// A form that shows settings of the brush.
 class Panel
 {
 public:
-    Panel(BrushSettings* brush, const QString& name, const QString& title)
-        : dock(new QDockWidget(title))
-        , m_brush(brush)
-        , m_form(new QFormLayout)
+    explicit Panel(BrushSettings* brush) : content(new QWidget), m_brush(brush), m_form(new QFormLayout)
     {
-        auto* content = new QWidget;
         content->setLayout(m_form);
         content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-        dock->setObjectName(name);
-        dock->setWidget(content);
         m_form->setContentsMargins(gap, gap, gap, gap);
         m_form->setSpacing(gap);
         m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     }
 
-    QDockWidget* const dock;
+    QWidget* const content;
 
     void add(QWidget* row) const { m_form->addRow(row); }
     void add(QLayout* row) const { m_form->addRow(row); }
@@ -64,7 +55,7 @@ public:
     void addNumber(core::Parameter parameter, const std::function<void()>& entered) const
     {
         auto* control = new ParameterControl(m_brush, parameter, ParameterControl::Label::Without);
-        QObject::connect(control, &ParameterControl::entered, dock, entered);
+        QObject::connect(control, &ParameterControl::entered, content, entered);
         m_form->addRow(ErrorMessages::name(parameter), control);
     }
 
@@ -105,7 +96,7 @@ public:
     /// Boxes of one width: what is before them ends at one line.
     void alignNumbers() const
     {
-        const QList<QAbstractSpinBox*> boxes = dock->findChildren<QAbstractSpinBox*>();
+        const QList<QAbstractSpinBox*> boxes = content->findChildren<QAbstractSpinBox*>();
         int width = 0;
         for (const QAbstractSpinBox* box : boxes)
             width = std::max(width, box->sizeHint().width());
@@ -170,7 +161,7 @@ public:
         };
         QObject::connect(check, &QCheckBox::clicked, m_brush, &BrushSettings::setSteady);
         QObject::connect(length, &QSpinBox::valueChanged, m_brush, &BrushSettings::setStabilizerLength);
-        QObject::connect(length, &QSpinBox::editingFinished, dock, [=] {
+        QObject::connect(length, &QSpinBox::editingFinished, content, [=] {
             if (length->hasFocus())
                 entered();
         });
@@ -203,7 +194,7 @@ public:
         };
         QObject::connect(count, &QSpinBox::valueChanged, m_brush,
                          [brush = m_brush](int radial) { brush->set(&core::StrokeSettings::radial, radial); });
-        QObject::connect(count, &QSpinBox::editingFinished, dock, [=] {
+        QObject::connect(count, &QSpinBox::editingFinished, content, [=] {
             if (count->hasFocus())
                 entered();
         });
@@ -218,9 +209,9 @@ private:
     QFormLayout* m_form;
 };
 
-QDockWidget* brushPanel(BrushSettings* brush, BrushShapes* shapes, const std::function<void()>& entered)
+QWidget* brushForm(BrushSettings* brush, BrushShapes* shapes, const std::function<void()>& entered)
 {
-    const Panel panel(brush, QStringLiteral("brushPanel"), BrushPanels::tr("Brush"));
+    const Panel panel(brush);
     panel.addChoice(QStringLiteral("reach"), BrushPanels::tr("Reach"), &core::StrokeSettings::brush,
                     Choices<core::BrushShape>{{BrushPanels::tr("Within a ball"), core::BrushShape::Sphere},
                                               {BrushPanels::tr("Along the surface"), core::BrushShape::Ray}});
@@ -238,12 +229,12 @@ QDockWidget* brushPanel(BrushSettings* brush, BrushShapes* shapes, const std::fu
     panel.addSteady(entered);
     panel.addSharing();
     panel.alignNumbers();
-    return panel.dock;
+    return panel.content;
 }
 
-QDockWidget* topologyPanel(BrushSettings* brush, const std::function<void()>& entered)
+QWidget* topologyForm(BrushSettings* brush, const std::function<void()>& entered)
 {
-    const Panel panel(brush, QStringLiteral("topologyPanel"), BrushPanels::tr("Topology"));
+    const Panel panel(brush);
     panel.addChoice(QStringLiteral("topology"), BrushPanels::tr("Edges"), &core::StrokeSettings::topology,
                     Choices<core::Topology>{{BrushPanels::tr("Refine"), core::Topology::Refine},
                                             {BrushPanels::tr("Adaptive"), core::Topology::Adaptive},
@@ -251,27 +242,29 @@ QDockWidget* topologyPanel(BrushSettings* brush, const std::function<void()>& en
                                             {BrushPanels::tr("Uniform"), core::Topology::Uniform}});
     panel.addNumber(core::Parameter::Detail, entered);
     panel.addCheck(QStringLiteral("fusion"), BrushPanels::tr("Surfaces that meet join"), &core::StrokeSettings::fusion);
-    return panel.dock;
+    return panel.content;
 }
 
-QDockWidget* symmetryPanel(BrushSettings* brush, const std::function<void()>& entered)
+QWidget* symmetryForm(BrushSettings* brush, const std::function<void()>& entered)
 {
-    const Panel panel(brush, QStringLiteral("symmetryPanel"), BrushPanels::tr("Symmetry"));
+    const Panel panel(brush);
     panel.addChoice(QStringLiteral("symmetry"), BrushPanels::tr("Mirror"), &core::StrokeSettings::symmetry,
                     Choices<core::Symmetry>{{BrushPanels::tr("None"), core::Symmetry::None},
                                             {BrushPanels::tr("Left and right (x = 0)"), core::Symmetry::X},
                                             {BrushPanels::tr("Top and bottom (y = 0)"), core::Symmetry::Y},
                                             {BrushPanels::tr("Front and back (z = 0)"), core::Symmetry::Z}});
     panel.addSectors(entered);
-    return panel.dock;
+    return panel.content;
 }
 } // namespace
 
 void addBrushPanels(const BrushPanelContext& context, BrushSettings* brush, BrushShapes* shapes)
 {
-    addSideDock(context.window, context.toggles, brushPanel(brush, shapes, context.entered));
-    addSideDock(context.window, context.toggles, topologyPanel(brush, context.entered));
-    addSideDock(context.window, context.toggles, symmetryPanel(brush, context.entered),
-                QStringLiteral("topologyPanel"));
+    const auto& [column, entered] = context;
+    column->add(QStringLiteral("brushPanel"), BrushPanels::tr("Brush"), brushForm(brush, shapes, entered),
+                SidePanel::State::Open);
+    column->add(QStringLiteral("topologyPanel"), BrushPanels::tr("Topology"), topologyForm(brush, entered),
+                SidePanel::State::Open);
+    column->add(QStringLiteral("symmetryPanel"), BrushPanels::tr("Symmetry"), symmetryForm(brush, entered));
 }
 } // namespace ui

@@ -9,17 +9,14 @@
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/spacing.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMainWindow>
-#include <QMenu>
 #include <QPainter>
 #include <QSlider>
 #include <QSpinBox>
@@ -223,27 +220,26 @@ void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Setti
                    const std::function<void(const QString&)>& notice)
 {
     auto* panel = new ColorPanel(brush, settings, actions);
-    auto* dock =
-        addSideDock(context.window, context.toggles, QStringLiteral("colorPanel"), ColorPanel::tr("Colour"), panel);
+    SidePanel* section = context.column->add(QStringLiteral("colorPanel"), ColorPanel::tr("Colour"), panel);
 
     Viewport* viewport = context.viewport;
     QAction* picking = actions.get(QStringLiteral("color.pick"));
     QObject::connect(panel, &ColorPanel::entered, viewport, qOverload<>(&QWidget::setFocus));
-    QObject::connect(panel, &ColorPanel::refused, dock, notice);
-    QObject::connect(actions.get(QStringLiteral("brush.color")), &QAction::triggered, dock, [dock, panel] {
-        dock->show();
-        dock->raise();
+    QObject::connect(panel, &ColorPanel::refused, section, notice);
+    QObject::connect(actions.get(QStringLiteral("brush.color")), &QAction::triggered, section, [section, panel] {
+        section->bringForward();
         panel->wheel()->setFocus();
     });
     PointerInput* input = viewport->input();
     QObject::connect(picking, &QAction::triggered, input, [input](bool on) { input->setMode(PointerMode::Pick, on); });
     QObject::connect(input, &PointerInput::modeChanged, picking,
                      [picking](PointerMode mode) { picking->setChecked(mode == PointerMode::Pick); });
-    QObject::connect(input, &PointerInput::picked, dock, [brush, notice](const std::optional<core::SurfaceHit>& hit) {
-        if (hit)
-            brush->set(&core::StrokeSettings::color, hit->color);
-        else
-            notice(ColorPanel::tr("No colour was picked: the click was not on the model."));
-    });
+    QObject::connect(input, &PointerInput::picked, section,
+                     [brush, notice](const std::optional<core::SurfaceHit>& hit) {
+                         if (hit)
+                             brush->set(&core::StrokeSettings::color, hit->color);
+                         else
+                             notice(ColorPanel::tr("No colour was picked: the click was not on the model."));
+                     });
 }
 } // namespace ui

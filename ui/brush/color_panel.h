@@ -7,11 +7,8 @@
 #include <array>
 #include <functional>
 
-class QDockWidget;
 class QLayout;
 class QLineEdit;
-class QMainWindow;
-class QMenu;
 class QPixmap;
 class QSlider;
 class QSpinBox;
@@ -24,6 +21,7 @@ class BrushSettings;
 class ColorSwatches;
 class ColorWheel;
 class Settings;
+class SideColumn;
 class Viewport;
 
 /// The paint colour by wheel, by channel, by name or from a swatch, and another to swap it with. Thread: gui.
@@ -79,12 +77,11 @@ private:
 
 struct ColorPanelContext
 {
-    QMainWindow* window;
-    QMenu* toggles;
+    SideColumn* column;
     Viewport* viewport;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles; brush.color raises it, color.pick and color.swap
+/// Adds the panel to the column; brush.color opens it, color.pick and color.swap
 /// work. `notice` says a small word.
 void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice);

@@ -1,17 +1,18 @@
 #include "ui/brush/preset_shelf.h"
 
+#include "ui/actions/actions.h"
 #include "ui/brush/brush_shapes.h"
 #include "ui/brush/preset_choice.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/panel_button.h"
 #include "ui/widgets/panel_layout.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QMainWindow>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -215,6 +216,8 @@ void addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, Bru
     auto* shelf = new PresetShelf(brush, shapes);
     QObject::connect(shelf, &PresetShelf::taken, shelf, context.taken);
     QObject::connect(shelf, &PresetShelf::noticed, shelf, context.notice);
-    addSideDock(context.window, context.toggles, QStringLiteral("presetPanel"), PresetShelf::tr("Presets"), shelf);
+    SidePanel* panel = context.column->add(QStringLiteral("presetPanel"), PresetShelf::tr("Presets"), shelf);
+    QObject::connect(context.actions->get(QStringLiteral("brush.presets")), &QAction::triggered, panel,
+                     &SidePanel::bringForward);
 }
 } // namespace ui

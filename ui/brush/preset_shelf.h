@@ -8,14 +8,14 @@
 
 class QListWidget;
 class QListWidgetItem;
-class QMainWindow;
-class QMenu;
 class QToolButton;
 
 namespace ui
 {
+class Actions;
 class BrushSettings;
 class BrushShapes;
+class SideColumn;
 
 /// The brush presets as pictures. A click takes a preset's tool and values; the presets of tools that are not offered
 /// are not shown. Reads and draws only from the first time on that it can be seen. Thread: gui.
@@ -62,12 +62,12 @@ private:
 
 struct PresetShelfContext
 {
-    QMainWindow* window;
-    QMenu* toggles;
+    SideColumn* column;
+    const Actions* actions;
     std::function<void()> taken;
     std::function<void(const QString&)> notice;
 };
 
-/// Adds the shelf as a dock behind the brush's, with its entry among the toggles.
+/// Adds the shelf to the column.
 void addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

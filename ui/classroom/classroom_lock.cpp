@@ -2,10 +2,10 @@
 
 #include "ui/actions/actions.h"
 #include "ui/classroom/classroom.h"
+#include "ui/widgets/side_column.h"
 
 #include <QAction>
 #include <QActionGroup>
-#include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -121,13 +121,20 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
         else
             close(action);
     }
-    for (QDockWidget* panel : window->findChildren<QDockWidget*>()) {
+    const auto* column = window->findChild<SideColumn*>();
+    for (SidePanel* panel : column->panels()) {
         if (isAmong(openPanels, panel->objectName())) {
             allowed << panel->toggleViewAction();
             continue;
         }
-        panel->hide();
+        panel->setState(SidePanel::State::Hidden);
         close(panel->toggleViewAction());
+    }
+    for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+        if (dock == column)
+            continue;
+        dock->hide();
+        close(dock->toggleViewAction());
     }
     hideEmptyMenus(window, allowed);
     for (const QToolBar* bar : window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly))

@@ -13,7 +13,6 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/panel_button.h"
 #include "ui/widgets/panel_layout.h"
-#include "ui/widgets/side_dock.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -451,7 +450,8 @@ void addFileBrowser(const FileBrowserContext& context, Settings* settings, const
     QObject::connect(panel, &FileBrowser::trashed, context.opener, &ModelFiles::checkFile);
     QObject::connect(panel, &FileBrowser::noticed, dock, notice);
     const QAction* browse = actions.get(QStringLiteral("file.browse"));
-    showBy(browse, dock);
+    dock->hide();
+    QObject::connect(browse, &QAction::triggered, dock, &QWidget::show);
     QObject::connect(browse, &QAction::triggered, panel, &FileBrowser::focusGrid);
 }
 } // namespace ui

@@ -16,7 +16,9 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -48,10 +50,11 @@ QToolButton* tile(QSize icon)
 } // namespace
 
 StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
-    : QFrame(over)
+    : QFrame(over->window())
     , m_actions(actions)
     , m_settings(settings)
     , m_over(over)
+    , m_area(new QScrollArea)
     , m_recent(new QListWidget)
     , m_lessonsHead(heading(tr("Three short lessons")))
     , m_lessons(new QHBoxLayout)
@@ -60,7 +63,11 @@ StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
     setAccessibleName(tr("Start page"));
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
-    auto* grid = new QGridLayout(this);
+    auto* content = new QWidget;
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addWidget(m_area);
+    auto* grid = new QGridLayout(content);
     grid->setContentsMargins(3 * gap, 2 * gap, 3 * gap, 2 * gap);
     grid->setHorizontalSpacing(3 * gap);
     grid->setVerticalSpacing(gap);
@@ -75,7 +82,11 @@ StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
     grid->addLayout(foot(), 6, 0, 1, 2);
     m_lessons->setSpacing(gap);
     m_lessonsHead->hide();
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setWidgetResizable(true);
+    m_area->setWidget(content);
     over->installEventFilter(this);
+    over->window()->installEventFilter(this);
     hide();
 }
 
@@ -216,11 +227,15 @@ void StartPage::close()
     m_over->setFocus();
 }
 
+/// Stands in the middle of the view, and over what is beside that if the view is too narrow.
 void StartPage::place()
 {
-    const QSize available = m_over->size() - QSize(2 * gap, 2 * gap);
-    resize(sizeHint().boundedTo(available).expandedTo(minimumSizeHint()));
-    move(std::max(0, (m_over->width() - width()) / 2), std::max(0, (m_over->height() - height()) / 2));
+    const QRect view(m_over->mapTo(window(), QPoint()), m_over->size());
+    const QSize whole = m_area->widget()->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
+    resize(whole.boundedTo({window()->width() - 2 * gap, view.height()}));
+    QPoint corner = view.center() - rect().center();
+    corner.setX(std::clamp(corner.x(), gap, std::max(gap, window()->width() - gap - width())));
+    move(corner);
 }
 
 /// Esc may be a command's, else.
@@ -240,6 +255,8 @@ bool StartPage::eventFilter(QObject* watched, QEvent* event)
     const bool isEscape = event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
     if (event->type() == QEvent::Resize && isVisible())
         place();
+    else if (watched != m_over)
+        return QFrame::eventFilter(watched, event);
     else if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::TabletPress ||
              event->type() == QEvent::TouchBegin || isEscape)
         close();

@@ -5,6 +5,7 @@
 class QHBoxLayout;
 class QLabel;
 class QListWidget;
+class QScrollArea;
 
 namespace ui
 {
@@ -48,6 +49,7 @@ private:
     const Actions& m_actions;
     Settings* m_settings;
     QWidget* m_over;
+    QScrollArea* m_area;
     QListWidget* m_recent;
     QLabel* m_lessonsHead;
     QHBoxLayout* m_lessons;

@@ -4,7 +4,7 @@
 #include "ui/settings/settings.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -14,7 +14,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QMenu>
 #include <QSpinBox>
 #include <QTreeView>
 
@@ -183,10 +182,10 @@ void HistoryPanel::showEvent(QShowEvent* event)
     Q_EMIT shown();
 }
 
-HistoryPanel* addHistoryPanel(QMainWindow* window, Settings* settings, QMenu* toggles)
+HistoryPanel* addHistoryPanel(SideColumn* column, Settings* settings)
 {
     auto* panel = new HistoryPanel(settings);
-    addSideDock(window, toggles, QStringLiteral("historyPanel"), HistoryPanel::tr("History"), panel);
+    column->add(QStringLiteral("historyPanel"), HistoryPanel::tr("History"), panel);
     return panel;
 }
 } // namespace ui

@@ -6,14 +6,13 @@
 #include <memory>
 
 class QLabel;
-class QMainWindow;
-class QMenu;
 class QSpinBox;
 class QTreeView;
 
 namespace ui
 {
 class Settings;
+class SideColumn;
 class Timeline;
 
 struct HistoryStep
@@ -67,6 +66,6 @@ private:
     QSpinBox* m_cap;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles.
-HistoryPanel* addHistoryPanel(QMainWindow* window, Settings* settings, QMenu* toggles);
+/// Adds the panel to the column.
+HistoryPanel* addHistoryPanel(SideColumn* column, Settings* settings);
 } // namespace ui

@@ -8,6 +8,7 @@ namespace ui
 namespace
 {
 constexpr double zoomPerHeight = 0.1; ///< a zooming drag over the view's height comes so much nearer
+constexpr double clickDistance = 4;   ///< pixels that a hand may move while it clicks
 constexpr double samePixel = 1;       ///< how far a known point may lie from the pointer and still be what is under it
 } // namespace
 
@@ -177,10 +178,19 @@ void PointerInput::process(const PendingEvent& pending)
         if (pending.event.button != m_dragButton)
             break;
         m_stroke.setReleasePoint(pending.event.pixel, pending.event.time);
-        end();
+        release(pending.event);
         break;
     }
     m_last = pending.event.pixel;
+}
+
+/// A click of the right button asks for the palette; a drag has moved the view.
+void PointerInput::release(const PointerEvent& event)
+{
+    const bool isClick = movesView() && !m_hasMoved && event.button == Qt::RightButton && !event.modifiers;
+    end();
+    if (isClick)
+        Q_EMIT paletteRequested(event.pixel);
 }
 
 /// The right button takes back the stroke that another one draws; else a second button during a drag is ignored.
@@ -231,6 +241,7 @@ void PointerInput::begin(const PendingEvent& press, const std::optional<core::Su
         return;
     m_dragButton = press.event.button;
     m_pressed = m_last = press.event.pixel;
+    m_hasMoved = false;
     if (m_drag == Drag::Stroke) {
         m_camera->setPivot(hit->position);
         m_query.clearFootprint();
@@ -258,6 +269,7 @@ void PointerInput::end(core::StrokeEnd how)
 void PointerInput::move(const PendingEvent& pending)
 {
     if (movesView()) {
+        m_hasMoved = m_hasMoved || (pending.event.pixel - m_pressed).norm() > clickDistance;
         moveView(pending.event.pixel - m_last);
         return;
     }

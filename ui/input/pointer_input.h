@@ -108,6 +108,8 @@ Q_SIGNALS:
     /// Tells of a press in Pick mode; nothing if it was not on the model.
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
+    /// The right button was clicked there.
+    void paletteRequested(const ui::OrbitCamera::Pixel& pixel);
     /// The user turned, moved or zoomed the view; viewChanged() follows.
     void viewMovedByUser();
     /// One dab that adds a sphere of the brush's radius at the sample's position and does nothing else.
@@ -126,6 +128,7 @@ private:
     void process(const PendingEvent& pending);
     void press(const PendingEvent& pending, const std::optional<core::SurfaceHit>& hit);
     void move(const PendingEvent& pending);
+    void release(const PointerEvent& event);
     void begin(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit);
     void end(core::StrokeEnd how = core::StrokeEnd::Kept);
     void processPending(const std::optional<core::SurfaceHit>& hit);
@@ -150,6 +153,7 @@ private:
     OrbitCamera::Pixel m_pressed{0, 0};       ///< where the drag began
     std::optional<core::SurfaceHit> m_anchor; ///< the place there, of an anchored stroke
     OrbitCamera::Pixel m_last{0, 0};
+    bool m_hasMoved = false; ///< farther than a click, in the present drag
     bool m_inside = false;
     bool m_isGesture = false; ///< fingers are inside, no pointer
     PointerMode m_mode = PointerMode::Sculpt;

@@ -4,7 +4,7 @@
 #include "ui/lesson/lesson_panel.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/themed_icon.h"
 
 #include <QComboBox>
@@ -340,10 +340,9 @@ void LessonEditor::setRecording(bool isRecording)
     m_state->setText(isRecording ? tr("● Recording into step %1").arg(m_draft->steps()) : tr("○ Not recording"));
 }
 
-void addLessonEditor(QMainWindow* window, QMenu* toggles, const Actions& actions)
+void addLessonEditor(SideColumn* column, const Actions& actions)
 {
-    showBy(actions.get(QStringLiteral("lesson.record")),
-           addSideDock(window, toggles, QStringLiteral("lessonEditor"), LessonEditor::tr("Lesson Editor"),
-                       new LessonEditor(actions)));
+    column->add(QStringLiteral("lessonEditor"), LessonEditor::tr("Lesson Editor"), new LessonEditor(actions))
+        ->openBy(actions.get(QStringLiteral("lesson.record")));
 }
 } // namespace ui

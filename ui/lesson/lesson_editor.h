@@ -11,14 +11,13 @@
 class QComboBox;
 class QLabel;
 class QListWidget;
-class QMainWindow;
-class QMenu;
 class QStackedWidget;
 class QToolButton;
 class QVBoxLayout;
 
 namespace ui
 {
+class SideColumn;
 struct LessonCard;
 
 /// Where a teacher makes and changes a lesson: first with what to begin, then its words and steps. Changes the draft as
@@ -84,6 +83,6 @@ private:
     QPushButton* m_record = nullptr;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles; lesson.record raises it.
-void addLessonEditor(QMainWindow* window, QMenu* toggles, const Actions& actions);
+/// Adds the panel to the column; lesson.record opens it.
+void addLessonEditor(SideColumn* column, const Actions& actions);
 } // namespace ui

@@ -3,7 +3,7 @@
 #include "ui/actions/actions.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -241,9 +241,9 @@ bool LessonPanel::wantsDifference() const
     return m_difference->isChecked() && m_difference->isVisibleTo(this);
 }
 
-void addLessonPanel(QMainWindow* window, QMenu* toggles, const Actions& actions)
+void addLessonPanel(SideColumn* column, const Actions& actions)
 {
-    showBy(actions.get(QStringLiteral("help.lessons")),
-           addSideDock(window, toggles, QStringLiteral("lessonPanel"), LessonPanel::tr("Lessons"), new LessonPanel));
+    column->add(QStringLiteral("lessonPanel"), LessonPanel::tr("Lessons"), new LessonPanel)
+        ->openBy(actions.get(QStringLiteral("help.lessons")));
 }
 } // namespace ui

@@ -9,8 +9,6 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QMainWindow;
-class QMenu;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
@@ -19,6 +17,7 @@ class QVBoxLayout;
 namespace ui
 {
 class Actions;
+class SideColumn;
 
 /// A lesson that may be chosen.
 struct LessonCard
@@ -110,6 +109,6 @@ private:
     bool m_isPlaying = false;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles; help.lessons raises it.
-void addLessonPanel(QMainWindow* window, QMenu* toggles, const Actions& actions);
+/// Adds the panel to the column; help.lessons opens it.
+void addLessonPanel(SideColumn* column, const Actions& actions);
 } // namespace ui

@@ -1,7 +1,7 @@
 #include "ui/model/model_panel.h"
 
 #include "ui/widgets/app_style.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -10,7 +10,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QMenu>
 
 #include <algorithm>
 #include <cmath>
@@ -150,10 +149,10 @@ void ModelPanel::hideEvent(QHideEvent* event)
     Q_EMIT watched(false);
 }
 
-ModelPanel* addModelPanel(QMainWindow* window, QMenu* toggles)
+ModelPanel* addModelPanel(SideColumn* column)
 {
     auto* panel = new ModelPanel;
-    addSideDock(window, toggles, QStringLiteral("modelPanel"), ModelPanel::tr("Model", "panel"), panel);
+    column->add(QStringLiteral("modelPanel"), ModelPanel::tr("Model", "panel"), panel);
     return panel;
 }
 } // namespace ui

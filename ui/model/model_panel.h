@@ -7,11 +7,11 @@
 
 class QFormLayout;
 class QLabel;
-class QMainWindow;
-class QMenu;
 
 namespace ui
 {
+class SideColumn;
+
 /// What the model measures, and whether it is sound: as it was when that was last found out. Knows no mesh: it shows
 /// what it is given. Thread: gui.
 class ModelPanel : public QWidget
@@ -47,6 +47,6 @@ private:
     QHash<QString, QLabel*> m_values;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles.
-ModelPanel* addModelPanel(QMainWindow* window, QMenu* toggles);
+/// Adds the panel to the column.
+ModelPanel* addModelPanel(SideColumn* column);
 } // namespace ui

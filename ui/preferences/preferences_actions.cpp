@@ -6,6 +6,7 @@
 #include "ui/settings/settings.h"
 #include "ui/settings/stored_brush.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/theme.h"
 
 #include <QAction>
@@ -24,7 +25,7 @@ void resetBrush(BrushSettings* brush, const Settings& settings)
 
 void connectPreferences(const PreferencesContext& context)
 {
-    const auto [window, actions, settings, brush, viewport] = context;
+    const auto [window, column, actions, settings, brush, viewport] = context;
     auto* theme = new Theme(settings->get<Preferences>().theme, window);
     const auto applySettings = [=] {
         const Preferences preferences = settings->get<Preferences>();
@@ -34,10 +35,11 @@ void connectPreferences(const PreferencesContext& context)
         actions->setKeys(preferences.keys);
     };
     applySettings();
-    settings->onReset([=, panels = window->saveState()] {
+    settings->onReset([=, bars = window->saveState(), panels = column->panelStates()] {
         applySettings();
         resetBrush(brush, *settings);
-        window->restoreState(panels);
+        window->restoreState(bars);
+        column->setPanelStates(panels);
     });
     QObject::connect(actions->get(QStringLiteral("edit.preferences")), &QAction::triggered, window, [=] {
         auto* dialog = new PreferencesDialog(settings->get<Preferences>(), *actions, window);

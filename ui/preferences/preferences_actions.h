@@ -7,12 +7,14 @@ namespace ui
 class Actions;
 class BrushSettings;
 class Settings;
+class SideColumn;
 class Viewport;
 
 /// What preferences are for. The actions and the settings must outlive the window.
 struct PreferencesContext
 {
     QMainWindow* window;
+    SideColumn* column;
     Actions* actions;
     Settings* settings;
     BrushSettings* brush;

@@ -7,20 +7,17 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/panel_button.h"
 #include "ui/widgets/panel_layout.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QMainWindow>
-#include <QMenu>
 #include <QProgressBar>
 #include <QToolButton>
 
@@ -309,8 +306,7 @@ void PrintPanel::hideEvent(QHideEvent* event)
 void addPrintPanel(const PrintPanelContext& context, Settings* settings, const Actions& actions)
 {
     auto* panel = new PrintPanel(settings);
-    auto* dock = addSideDock(context.window, context.toggles, QStringLiteral("printPanel"),
-                             PrintPanel::tr("Print Check"), panel);
+    SidePanel* section = context.column->add(QStringLiteral("printPanel"), PrintPanel::tr("Print Check"), panel);
     Viewport* viewport = context.viewport;
     QObject::connect(panel, &PrintPanel::placeChosen, viewport, [viewport](const core::PrintPlace& found) {
         viewport->navigation()->flyTo(found.point, found.normal, std::sqrt(found.area));
@@ -320,7 +316,7 @@ void addPrintPanel(const PrintPanelContext& context, Settings* settings, const A
             viewport->navigation()->clearMark();
     });
     const QAction* check = actions.get(QStringLiteral("model.printCheck"));
-    showBy(check, dock);
+    section->openBy(check);
     QObject::connect(check, &QAction::triggered, panel, &PrintPanel::focusFindings);
 }
 } // namespace ui

@@ -12,8 +12,6 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QListWidget;
-class QMainWindow;
-class QMenu;
 class QProgressBar;
 class QToolButton;
 
@@ -21,6 +19,7 @@ namespace ui
 {
 class Actions;
 class Settings;
+class SideColumn;
 class Viewport;
 
 /// Will it print? Shows what the last check of the model found, and by which limits. Knows no mesh: it requests a check
@@ -87,12 +86,11 @@ private:
 
 struct PrintPanelContext
 {
-    QMainWindow* window;
-    QMenu* toggles;
+    SideColumn* column;
     Viewport* viewport;
 };
 
-/// As a dock behind the brush's, with its entry among the toggles; model.printCheck raises it. A place that is chosen
+/// Adds the panel to the column; model.printCheck opens it. A place that is chosen
 /// is flown to.
 void addPrintPanel(const PrintPanelContext& context, Settings* settings, const Actions& actions);
 } // namespace ui

@@ -7,12 +7,10 @@
 #include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
-#include "ui/widgets/side_dock.h"
+#include "ui/widgets/side_column.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QFileInfo>
-#include <QMainWindow>
 
 namespace ui
 {
@@ -71,15 +69,12 @@ void addReferences(const ReferenceContext& context, Settings* settings, const Ac
     QObject::connect(images, &ReferenceImages::changed, viewport, [=] { viewport->setReferences(images->shown()); });
     QObject::connect(images, &ReferenceImages::refused, viewport, notice);
 
-    auto* dock = addSideDock(context.window, context.toggles, QStringLiteral("referencePanel"),
-                             ReferencePanel::tr("Image"), new ReferencePanel(images, viewport, actions));
-    dock->hide();
-    QObject::connect(images, &ReferenceImages::chosen, dock, [=](OrbitCamera::Side side) {
+    SidePanel* section = context.column->add(QStringLiteral("referencePanel"), ReferencePanel::tr("Image"),
+                                             new ReferencePanel(images, viewport, actions), SidePanel::State::Hidden);
+    QObject::connect(images, &ReferenceImages::chosen, section, [=](OrbitCamera::Side side) {
         turnTo(side, viewport);
-        dock->show();
-        dock->raise();
+        section->bringForward();
     });
-    QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock, &QWidget::raise);
     images->restore();
 }
 } // namespace ui

@@ -35,6 +35,8 @@ QList<core::Rgb> firstSwatches();
 struct Setting
 {
     QByteArray windowGeometry, windowState;
+    QStringList panels; ///< of the side column: SideColumn::panelStates()
+    bool showsToolNames = false;
     bool showsStartPage = true;                     ///< when the program begins without a file
     QStringList recentFiles;                        ///< paths, the latest first
     QString lastFolder;                             ///< of the last file opened or exported
@@ -152,6 +154,8 @@ template <>
 inline constexpr auto rows<Setting> = std::tuple{
     row(&Setting::windowGeometry, "window/geometry"),
     row(&Setting::windowState, "window/state"),
+    row(&Setting::panels, "window/panels"),
+    row(&Setting::showsToolNames, "window/toolNames"),
     row(&Setting::showsStartPage, "start/page"),
     keptRow(&Setting::recentFiles, "files/recent"),
     keptRow(&Setting::lastFolder, "files/lastFolder"),
@@ -176,6 +180,7 @@ inline constexpr auto rows<ViewAppearance> = std::tuple{
     row(&ViewAppearance::flat, "view/flat"),
     row(&ViewAppearance::ground, "view/ground"),
     row(&ViewAppearance::scaleBar, "view/scaleBar"),
+    row(&ViewAppearance::navigationCube, "view/navigationCube"),
     row(&ViewAppearance::caption, "view/caption"),
     row(&ViewAppearance::tint, "view/tint"),
     row(&ViewAppearance::cavity, "view/cavity"),

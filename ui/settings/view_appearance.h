@@ -40,6 +40,7 @@ struct ViewAppearance
     bool flat = false; ///< each triangle in one shade
     bool ground = true;
     bool scaleBar = true;
+    bool navigationCube = true;
     bool caption = true; ///< of the brush, while VR is worn
     bool tint = true;    ///< colours what the brush would move
     bool cavity = false; ///< darkens valleys, lightens ridges

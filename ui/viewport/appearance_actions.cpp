@@ -18,11 +18,14 @@ struct Switch
     const char* id;
     bool ViewAppearance::*what;
 };
-constexpr Switch switches[] = {
-    {"view.wireframe", &ViewAppearance::wireframe}, {"view.flat", &ViewAppearance::flat},
-    {"view.cavity", &ViewAppearance::cavity},       {"view.tint", &ViewAppearance::tint},
-    {"view.ground", &ViewAppearance::ground},       {"view.scaleBar", &ViewAppearance::scaleBar},
-    {"view.caption", &ViewAppearance::caption}};
+constexpr Switch switches[] = {{"view.wireframe", &ViewAppearance::wireframe},
+                               {"view.flat", &ViewAppearance::flat},
+                               {"view.cavity", &ViewAppearance::cavity},
+                               {"view.tint", &ViewAppearance::tint},
+                               {"view.ground", &ViewAppearance::ground},
+                               {"view.scaleBar", &ViewAppearance::scaleBar},
+                               {"view.navigationCube", &ViewAppearance::navigationCube},
+                               {"view.caption", &ViewAppearance::caption}};
 
 /// Shows it, and keeps it for the next start.
 class AppearanceActions

@@ -7,13 +7,9 @@
 #include "ui/viewport/turntable.h"
 #include "ui/viewport/turntable_panel.h"
 #include "ui/viewport/viewport.h"
-#include "ui/widgets/side_dock.h"
 
 #include <QAction>
 #include <QCoreApplication>
-#include <QDockWidget>
-#include <QMainWindow>
-#include <QMenu>
 
 namespace ui
 {
@@ -127,7 +123,7 @@ void connectTurntable(QAction* action, const InputActionsContext& context, Setti
         settings->set(&Setting::turnSpeed, turntable->speed());
         settings->set(&Setting::turnsClockwise, turntable->isClockwise());
     });
-    addSideDock(context.window, context.toggles, makeTurntablePanel(turntable), QStringLiteral("topologyPanel"));
+    addTurntablePanel(context.column, turntable);
 }
 } // namespace
 

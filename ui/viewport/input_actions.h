@@ -4,26 +4,23 @@
 
 #include <functional>
 
-class QMainWindow;
-class QMenu;
-
 namespace ui
 {
 class Actions;
 class BrushSettings;
 class Settings;
+class SideColumn;
 class Viewport;
 
 struct InputActionsContext
 {
-    QMainWindow* window;
-    QMenu* toggles; ///< where the docks' entries are
+    SideColumn* column;
     Viewport* viewport;
     std::function<void(const QString&)> notice; ///< says a small word
 };
 
 /// Actions for pointer input in the view: values by moving the pointer, the steady stroke, adding a ball, the keyboard
-/// cursor, and the turntable with its dock. What is to be remembered is taken from the settings now and written there
+/// cursor, and the turntable with its panel. What is to be remembered is taken from the settings now and written there
 /// when it changes. None is owned.
 void connectInputActions(const InputActionsContext& context, BrushSettings* brush, Settings* settings,
                          const Actions& actions);

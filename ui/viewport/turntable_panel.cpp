@@ -2,12 +2,12 @@
 
 #include "ui/viewport/turntable.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QSignalBlocker>
@@ -56,12 +56,10 @@ QDoubleSpinBox* makeSpeed(Turntable* turntable)
 }
 } // namespace
 
-QDockWidget* makeTurntablePanel(Turntable* turntable)
+void addTurntablePanel(SideColumn* column, Turntable* turntable)
 {
-    auto* dock = named(new QDockWidget(TurntablePanel::tr("Turntable")), "turntablePanel");
     auto* content = new QWidget;
     content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    dock->setWidget(content);
     auto* form = new QFormLayout(content);
     form->setContentsMargins(gap, gap, gap, gap);
     form->setSpacing(gap);
@@ -78,8 +76,8 @@ QDockWidget* makeTurntablePanel(Turntable* turntable)
         const QSignalBlocker quiet(speed);
         speed->setValue(turntable->speed());
     };
-    QObject::connect(turntable, &Turntable::changed, dock, show);
+    QObject::connect(turntable, &Turntable::changed, content, show);
     show();
-    return dock;
+    column->add(QStringLiteral("turntablePanel"), TurntablePanel::tr("Turntable"), content);
 }
 } // namespace ui

@@ -1,11 +1,10 @@
 #pragma once
 
-class QDockWidget;
-
 namespace ui
 {
+class SideColumn;
 class Turntable;
 
-/// A dock with the turntable's switch, direction and speed. The turntable is not owned.
-QDockWidget* makeTurntablePanel(Turntable* turntable);
+/// Adds a panel with the turntable's switch, direction and speed to the column. The turntable is not owned.
+void addTurntablePanel(SideColumn* column, Turntable* turntable);
 } // namespace ui

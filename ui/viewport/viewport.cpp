@@ -6,6 +6,7 @@
 #include "ui/scene/scene.h"
 #include "ui/viewport/keyboard_cursor.h"
 #include "ui/viewport/keyboard_cursor_overlay.h"
+#include "ui/viewport/navigation_cube.h"
 #include "ui/viewport/pointer_highlight.h"
 #include "ui/viewport/scale_bar.h"
 #include "ui/viewport/stabilizer_line.h"
@@ -97,6 +98,7 @@ struct Viewport::State
     ViewAppearance appearance;
     References references;
     ScaleBar* scaleBar = nullptr;
+    NavigationCube* navigationCube = nullptr;
     StabilizerLine* stabilizerLine = nullptr;
     KeyboardCursorOverlay* keyboardOverlay = nullptr; ///< where the keyboard cursor is
     PointerHighlight* highlight = nullptr;
@@ -260,6 +262,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     setMinimumSize(200, 150);
     setAccessibleName(tr("Model"));
     m_state->scaleBar = new ScaleBar(this);
+    m_state->navigationCube = new NavigationCube(this);
     m_state->stabilizerLine = new StabilizerLine(this);
     m_state->highlight = new PointerHighlight(this);
     m_state->keyboardOverlay = new KeyboardCursorOverlay(this);
@@ -280,6 +283,9 @@ void Viewport::connectInput()
     });
     connect(&m_state->navigation, &ViewNavigation::followingChanged, this, repaint);
     connect(&m_state->navigation, &ViewNavigation::markChanged, this, repaint);
+    connect(m_state->navigationCube, &NavigationCube::entered, &m_state->input, &PointerInput::pointerLeft);
+    connect(m_state->navigationCube, &NavigationCube::sideChosen, &m_state->navigation, &ViewNavigation::turnTo);
+    connect(m_state->navigationCube, &NavigationCube::turned, &m_state->navigation, &ViewNavigation::turn);
     connect(&m_state->spotlight, &PointerSpotlight::pointed, this, repaint);
     connect(&m_state->keyboardCursor, &KeyboardCursor::changed, this, [this] { m_state->placeKeys(); });
 }
@@ -365,6 +371,7 @@ void Viewport::setAppearance(const ViewAppearance& appearance)
 {
     const bool isNew = appearance != std::exchange(m_state->appearance, appearance);
     m_state->scaleBar->setVisible(appearance.scaleBar);
+    m_state->navigationCube->setVisible(appearance.navigationCube);
     update();
     if (isNew)
         Q_EMIT appearanceChanged();
@@ -474,8 +481,11 @@ void Viewport::paintGL()
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setAppearance(s.appearance, darkTheme);
     s.scene->showReference(seenReference(s.references, s.camera, s.navigation.box()));
-    s.scaleBar->setLight(isDark(backdropOf(s.appearance.background, darkTheme)));
+    const bool isBackdropDark = isDark(backdropOf(s.appearance.background, darkTheme));
+    s.scaleBar->setLight(isBackdropDark);
     s.scaleBar->showFor(s.camera);
+    s.navigationCube->setLight(isBackdropDark);
+    s.navigationCube->showFor(s.camera);
     const QSize pixels = size() * devicePixelRatioF();
     const Scene::Image image = s.scene->render(s.camera, pixels, devicePixelRatioF());
     makeCurrent();

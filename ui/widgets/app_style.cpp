@@ -3,8 +3,6 @@
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
-#include <QDockWidget>
-#include <QMainWindow>
 #include <QPainter>
 #include <QStyleOption>
 #include <QTabBar>
@@ -64,16 +62,6 @@ void drawPressed(const QStyleOption& option, QPainter* painter)
     painter->setBrush(shade);
     painter->drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
     painter->restore();
-}
-
-/// Its name stands on the tab above.
-bool isOneOfTabs(const QWidget* widget)
-{
-    auto* dock = qobject_cast<QDockWidget*>(const_cast<QWidget*>(widget));
-    const auto* window = dock && !dock->isFloating() ? qobject_cast<QMainWindow*>(dock->parentWidget()) : nullptr;
-    const QList<QDockWidget*> others = window ? window->tabifiedDockWidgets(dock) : QList<QDockWidget*>();
-    return std::ranges::any_of(others,
-                               [](const QDockWidget* other) { return !other->isHidden() && !other->isFloating(); });
 }
 } // namespace
 
@@ -149,8 +137,6 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
         painter->fillRect(option->rect, option->palette.window());
     else if (element == CE_TabBarTabShape && tab)
         drawTab(*tab, painter);
-    else if (element == CE_DockWidgetTitle && isOneOfTabs(widget))
-        return;
     else if (element == CE_MenuItem && item && item->menuItemType == QStyleOptionMenuItem::Separator &&
              item->text.isEmpty())
         painter->fillRect(middleOf(option->rect.adjusted(gap / 2, 0, -gap / 2, 0), Qt::Horizontal),

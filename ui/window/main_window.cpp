@@ -3,6 +3,7 @@
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_actions.h"
 #include "ui/brush/brush_bar.h"
+#include "ui/brush/brush_palette.h"
 #include "ui/brush/brush_panels.h"
 #include "ui/brush/brush_shapes.h"
 #include "ui/brush/color_panel.h"
@@ -32,7 +33,9 @@
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/notification_banner.h"
+#include "ui/widgets/side_column.h"
 #include "ui/window/info_bar.h"
+#include "ui/window/tool_palette.h"
 #include "ui/window/window_geometry.h"
 
 #include <QAction>
@@ -46,7 +49,6 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QStatusBar>
-#include <QTabWidget>
 #include <QToolBar>
 
 #include <optional>
@@ -60,6 +62,7 @@ struct TurnDefaults
     QHash<QString, bool> switches;
     QList<core::Rgb> swatches;
     QByteArray bars;
+    QStringList panels;
     core::SavedView view;
 };
 
@@ -75,6 +78,8 @@ struct MainWindow::State
     MainWindow* q;
     std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
     Viewport* viewport = nullptr;
+    QToolBar* options = nullptr;
+    SideColumn* column = nullptr;
     BrushShapes* shapes = nullptr;
     NotificationBanner* banner = nullptr;
     InfoBar* infoBar = nullptr;
@@ -83,6 +88,7 @@ struct MainWindow::State
     ProgressBar* progressBar = nullptr;
     QLabel* headsetText = nullptr;
     HeadsetActions* headset = nullptr;
+    StartPage* start = nullptr;
     QPointer<QMessageBox> problem;
     std::function<bool()> guard, canClose, isSettled;
     bool closesLater = false;
@@ -92,7 +98,7 @@ struct MainWindow::State
 
     void buildView();
     void buildBars();
-    void addPalette(const QString& title, const QString& name, Bar which);
+    void breakBars();
     void buildPanels(QMenu* toggles);
     void buildStatusBar();
     template <class What> void on(const char* id, What what);
@@ -155,38 +161,49 @@ void MainWindow::State::buildBars()
     bar->addWidget(brushBar);
     connect(brushBar, &BrushBar::entered, viewport, qOverload<>(&Viewport::setFocus));
 
-    addPalette(tr("Tool Palette"), QStringLiteral("toolPalette"), Bar::Tools);
-    q->addToolBarBreak(Qt::LeftToolBarArea); // all in one column would not fit a small screen
-    addPalette(tr("Tool Options"), QStringLiteral("toolOptions"), Bar::Options);
+    options = named(q->addToolBar(tr("Tool Options")), "toolOptions");
+    options->setIconSize(bar->iconSize());
+    actions.fill(options, Bar::Options);
+    addToolPalette(q, &settings, actions);
 }
 
-void MainWindow::State::addPalette(const QString& title, const QString& name, Bar which)
+/// Puts the options below the other bar where the window is too narrow for both.
+void MainWindow::State::breakBars()
 {
-    auto* palette = named(new QToolBar(title), name);
-    palette->setIconSize(QSize(26, 26));
-    actions.fill(palette, which);
-    q->addToolBar(Qt::LeftToolBarArea, palette);
+    if (q->toolBarArea(options) != Qt::TopToolBarArea)
+        return;
+    const auto* bar = q->findChild<QToolBar*>(QStringLiteral("toolBar"));
+    const bool fits = bar->sizeHint().width() + options->sizeHint().width() <= q->width();
+    if (q->toolBarBreak(options) != fits)
+        return;
+    if (fits)
+        q->removeToolBarBreak(options);
+    else
+        q->insertToolBarBreak(options);
 }
 
 void MainWindow::State::buildPanels(QMenu* toggles)
 {
     shapes = new BrushShapes(&brush, &settings, q);
     connect(shapes, &BrushShapes::refused, q, &MainWindow::showNotice);
-    addBrushPanels({q, toggles, [this] { viewport->setFocus(); }}, &brush, shapes);
-    connectInputActions({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings,
-                        actions);
-    addColorPanel({q, toggles, viewport}, &brush, &settings, actions,
-                  [this](const QString& word) { q->showNotice(word); });
-    addPresetShelf({q, toggles, [this] { viewport->setFocus(); }, [this](const QString& word) { q->showNotice(word); }},
-                   &brush, shapes);
-    history = addHistoryPanel(q, &settings, toggles);
-    modelPanel = addModelPanel(q, toggles);
-    addPrintPanel({q, toggles, viewport}, &settings, actions);
-    addLessonPanel(q, toggles, actions);
-    addLessonEditor(q, toggles, actions);
-    addFileBrowser({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
-    addReferences({q, toggles, viewport, &files}, &settings, actions,
-                  [this](const QString& word) { q->showNotice(word); });
+    const auto notice = [this](const QString& sentence) { q->showNotice(sentence); };
+    const auto focusModel = [this] { viewport->setFocus(); };
+    column = new SideColumn(q);
+    q->addDockWidget(Qt::RightDockWidgetArea, column);
+    addLessonPanel(column, actions);
+    addLessonEditor(column, actions);
+    addBrushPanels({column, focusModel}, &brush, shapes);
+    addColorPanel({column, viewport}, &brush, &settings, actions, notice);
+    addPresetShelf({column, &actions, focusModel, notice}, &brush, shapes);
+    connectInputActions({column, viewport, notice}, &brush, &settings, actions);
+    addPrintPanel({column, viewport}, &settings, actions);
+    history = addHistoryPanel(column, &settings);
+    modelPanel = addModelPanel(column);
+    addReferences({q, column, viewport, &files}, &settings, actions, notice);
+    for (const SidePanel* panel : column->panels())
+        toggles->addAction(panel->toggleViewAction());
+    toggles->addSeparator();
+    addFileBrowser({q, toggles, &files}, &settings, actions, notice);
     addPreview(
         q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
 }
@@ -219,8 +236,8 @@ void MainWindow::State::connectActions()
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
     connectView(actions, viewport);
-    connectPreferences({q, &actions, &settings, &brush, viewport});
-    StartPage* start = connectHelp(actions, &settings, q);
+    connectPreferences({q, column, &actions, &settings, &brush, viewport});
+    start = connectHelp(actions, &settings, q);
     connect(start, &StartPage::fileChosen, &files, &ModelFiles::openRequested);
     connect(&files, &ModelFiles::openRequested, start, &StartPage::close);
     for (const char* id : {"edit.undo", "edit.redo"})
@@ -242,6 +259,7 @@ void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
     connect(shapes, &BrushShapes::ownModelRequested, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
+    connectBrushPalette(q, viewport, &brush, actions);
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(ErrorMessages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });
@@ -272,14 +290,14 @@ double MainWindow::State::firstRadiusShare() const
 
 void MainWindow::State::restore()
 {
-    restoreWindowGeometry(q, settings);
+    restoreWindowGeometry(q, column, settings);
     restoreBrush(settings, &brush);
     shapes->restore();
 }
 
 void MainWindow::State::save()
 {
-    saveWindowGeometry(*q, settings);
+    saveWindowGeometry(*q, *column, settings);
     storeBrush(brush, &settings);
     if (model.size.maxCoeff() > 0)
         settings.set(&Setting::radiusShare, brush.radiusShare());
@@ -292,7 +310,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Fettle"));
     setWindowIcon(QIcon(QStringLiteral(":/icons/fettle.svg")));
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setDockOptions(AnimatedDocks);
     m_state->buildView();
     m_state->buildBars();
     m_state->buildStatusBar();
@@ -398,6 +416,8 @@ void MainWindow::showExported(const QString& path, const QString& verdict)
 
 void MainWindow::setModel(const ModelInfo& modelInfo)
 {
+    if (m_state->model.vertices > 0) // the first one is there behind the start page
+        m_state->start->close();
     m_state->model = modelInfo;
     m_state->showName();
     setWindowModified(false);
@@ -458,6 +478,12 @@ void MainWindow::continueClosing()
         close();
 }
 
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    m_state->breakBars();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (m_state->guard && !m_state->guard()) {
@@ -483,7 +509,7 @@ void MainWindow::setClassroom(const Classroom& classroom)
     m_state->brush.offerTools(classroom.tools);
     lockWindow(this, m_state->actions, classroom);
     m_state->turnDefaults = {switchesOf(m_state->actions), findChild<ColorPanel*>()->swatches(), saveState(),
-                             m_state->viewport->camera().saved()};
+                             m_state->column->panelStates(), m_state->viewport->camera().saved()};
 }
 
 /// Resets the settings before bars and switches: settings bring panels and switches back, of which a class has fewer.
@@ -493,6 +519,7 @@ void MainWindow::beginTurn()
     m_state->viewport->input()->finish();
     m_state->settings.reset();
     restoreState(turnDefaults.bars);
+    m_state->column->setPanelStates(turnDefaults.panels);
     m_state->brush.reset();
     m_state->brush.setRadiusShare(m_state->settings.get(&Setting::radiusShare));
     findChild<ColorPanel*>()->reset(turnDefaults.swatches);

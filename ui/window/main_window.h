@@ -98,6 +98,7 @@ Q_SIGNALS:
     void classroomDrafted(const ui::ClassroomDraft& draft);
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
 private:

@@ -19,6 +19,7 @@
 #include "ui/classroom/pupil_name_panel.h"
 #include "ui/classroom/questionnaire_panel.h"
 #include "ui/util/thread_mailbox.h"
+#include "ui/widgets/side_column.h"
 
 #include <QAction>
 #include <QContextMenuEvent>
@@ -271,7 +272,7 @@ void leaveTraces(Class& c)
 }
 
 /// All other panels lead to files, printers or steps of others.
-bool isForTheHand(const QDockWidget* panel)
+bool isForTheHand(const ui::SidePanel* panel)
 {
     const QStringList names{QStringLiteral("brushPanel"),     QStringLiteral("topologyPanel"),
                             QStringLiteral("symmetryPanel"),  QStringLiteral("colorPanel"),
@@ -604,7 +605,11 @@ void TestClassroom::noCommand_leadsOut()
     QVERIFY(c.isIdle() && c.program.document.modelInfo().path.isEmpty() &&
             !c.program.document.savedState().isModified());
     QCOMPARE(c.hash(), hash);
-    for (const QDockWidget* panel : window.findChildren<QDockWidget*>())
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+        QVERIFY2(qobject_cast<const ui::SideColumn*>(dock) ||
+                     (!dock->isVisible() && !dock->toggleViewAction()->isEnabled()),
+                 qPrintable(dock->objectName()));
+    for (const ui::SidePanel* panel : window.findChild<ui::SideColumn*>()->panels())
         QVERIFY2(isForTheHand(panel) || (!panel->isVisible() && !panel->toggleViewAction()->isEnabled()),
                  qPrintable(panel->objectName()));
     for (const char* name : {"presets.new", "presets.rename", "presets.delete", "presets.import", "presets.export"})
@@ -635,7 +640,7 @@ void TestClassroom::menus_haveOnlyWhatIsAllowed()
     for (const ui::ActionInfo& row : ui::actionTable())
         if (ui::isAllowed(row, home.classroom()))
             allowed << window.action(QLatin1StringView(row.id));
-    for (const QDockWidget* panel : window.findChildren<QDockWidget*>())
+    for (const ui::SidePanel* panel : window.findChild<ui::SideColumn*>()->panels())
         if (isForTheHand(panel))
             allowed << panel->toggleViewAction();
     QVERIFY(choices.size() > 30);

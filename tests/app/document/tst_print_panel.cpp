@@ -8,12 +8,12 @@
 #include "core/io/mesh_io.h"
 #include "ui/print/print_panel.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/side_panel.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
@@ -66,7 +66,7 @@ bool isAnswered(Program& program)
 void check(Program& program)
 {
     QTest::keyClick(&program.window, Qt::Key_P, Qt::ControlModifier);
-    QTRY_VERIFY(part<QDockWidget>(program, "printPanel")->isVisible());
+    QTRY_VERIFY(part<ui::SidePanel>(program, "printPanel")->isVisible());
     QTRY_VERIFY(isAnswered(program));
 }
 
@@ -168,7 +168,7 @@ void TestPrintPanelWindow::closing_takesColoursAway()
     open(program, core::icosphere(5, 30), *m_folder);
     check(program);
     QTRY_VERIFY(shadedPixels(program) > 1000);
-    part<QDockWidget>(program, "printPanel")->close();
+    part<ui::SidePanel>(program, "printPanel")->setState(ui::SidePanel::State::Hidden);
     QTRY_COMPARE(shadedPixels(program), 0);
     QTest::keyClick(&program.window, Qt::Key_P, Qt::ControlModifier);
     QTRY_VERIFY(shadedPixels(program) > 1000);

@@ -7,9 +7,9 @@
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_playback.h"
 #include "ui/lesson/lesson_panel.h"
+#include "ui/widgets/side_panel.h"
 
 #include <QComboBox>
-#include <QDockWidget>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -37,7 +37,7 @@ void begin(Program& program, const QString& title)
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.window.action(QStringLiteral("help.lessons"))->trigger();
-    QTRY_VERIFY(part<QDockWidget>(program, "lessonPanel")->isVisible());
+    QTRY_VERIFY(part<ui::SidePanel>(program, "lessonPanel")->isVisible());
     for (QPushButton* card : program.window.findChild<ui::LessonPanel*>()->findChildren<QPushButton*>())
         if (card->text() == title)
             card->click();

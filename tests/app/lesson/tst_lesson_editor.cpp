@@ -12,10 +12,10 @@
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
 #include "ui/lesson/lesson_editor.h"
+#include "ui/widgets/side_panel.h"
 
 #include <QComboBox>
 #include <QDir>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -47,7 +47,7 @@ void show(Program& program)
     program.document.opener().openSphere();
     QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.window.viewport()->stats().patches > 0, 60'000);
     program.window.action(QStringLiteral("lesson.record"))->trigger();
-    QTRY_VERIFY(part<QDockWidget>(program, "lessonEditor")->isVisible());
+    QTRY_VERIFY(part<ui::SidePanel>(program, "lessonEditor")->isVisible());
 }
 
 /// A lesson begins; -1: with the model as it is.

@@ -24,6 +24,7 @@
 #include "ui/util/error_messages.h"
 #include "ui/util/repair_messages.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/side_column.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/main_window.h"
 
@@ -366,7 +367,7 @@ void TestScreenshots::takePrint(Program& program)
         }
     program.window.findChild<QAbstractButton*>(QStringLiteral("print.printers"))->click();
     takeDialog(QStringLiteral("printers"));
-    program.window.findChild<QDockWidget*>(QStringLiteral("printPanel"))->close();
+    program.window.findChild<ui::SidePanel*>(QStringLiteral("printPanel"))->setState(ui::SidePanel::State::Hidden);
     program.window.action(QStringLiteral("view.frame"))->trigger();
 }
 
@@ -437,20 +438,27 @@ void TestScreenshots::takeDialog(const QString& state)
 
 void TestScreenshots::takePanels(Program& program)
 {
-    for (QDockWidget* panel : program.window.findChildren<QDockWidget*>()) {
-        const bool wasHidden = panel->isHidden();
-        panel->show();
-        panel->raise();
-        if (auto* files = panel->findChild<ui::FileBrowser*>())
-            showModels(files);
+    for (ui::SidePanel* panel : program.window.findChild<ui::SideColumn*>()->panels()) {
+        const ui::SidePanel::State before = panel->state();
+        panel->bringForward();
         if (const auto* presets = panel->findChild<QListWidget*>(QStringLiteral("presets")))
             QTRY_VERIFY_WITH_TIMEOUT(isDrawn(*presets), 60'000);
+        QTRY_COMPARE(program.window.size(), smallScreen);
+        take(program.window, QStringLiteral("panel-") + panel->objectName());
+        panel->setState(before);
+    }
+    for (QDockWidget* panel : program.window.findChildren<QDockWidget*>()) {
+        if (qobject_cast<ui::SideColumn*>(panel))
+            continue;
+        panel->show();
+        if (auto* files = panel->findChild<ui::FileBrowser*>())
+            showModels(files);
         if (auto* drawing = panel->findChild<ui::DrawingCanvas*>())
             QTRY_VERIFY(inked(drawing->picture()) > 0 &&
                         !panel->findChild<QLabel*>(QStringLiteral("preview.note"))->isVisible());
         QTRY_COMPARE(program.window.size(), smallScreen);
         take(program.window, QStringLiteral("panel-") + panel->objectName());
-        panel->setHidden(wasHidden);
+        panel->hide();
     }
 }
 
@@ -547,7 +555,7 @@ void TestScreenshots::takeClass()
     const auto isReadable = [&program] {
         return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isReadable(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(clippedTexts(program.window).isEmpty(), timeoutMs); // the question covers the view
     take(program.window, QStringLiteral("class-name"));
     const auto begin = [&](const QString& pupil) {
         QTest::keyClicks(name, pupil);
@@ -606,7 +614,7 @@ void TestScreenshots::takeLesson(Program& program)
 {
     program.document.opener().setDiscardPrompt([](const std::function<void()>&) { return true; });
     program.window.action(QStringLiteral("help.lessons"))->trigger();
-    auto* dock = program.window.findChild<QDockWidget*>(QStringLiteral("lessonPanel"));
+    auto* dock = program.window.findChild<ui::SidePanel*>(QStringLiteral("lessonPanel"));
     QTRY_VERIFY(dock->isVisible());
     take(program.window, QStringLiteral("lessons"));
     Q_EMIT dock->findChild<ui::LessonPanel*>()->lessonChosen(QStringLiteral("first-clay"));

@@ -6,10 +6,10 @@
 #include "ui/brush/preset_choice.h"
 #include "ui/brush/preset_library.h"
 #include "ui/brush/preset_shelf.h"
+#include "ui/widgets/side_panel.h"
 #include "ui/window/main_window.h"
 
 #include <QDir>
-#include <QDockWidget>
 #include <QListWidget>
 #include <QSettings>
 #include <QSignalSpy>
@@ -67,9 +67,8 @@ QListWidgetItem* itemNamed(const ui::MainWindow& window, const QString& name)
 void showShelf(ui::MainWindow& window)
 {
     window.show();
-    auto* dock = window.findChild<QDockWidget*>(QStringLiteral("presetPanel"));
-    dock->show();
-    dock->raise();
+    auto* panel = window.findChild<ui::SidePanel*>(QStringLiteral("presetPanel"));
+    panel->bringForward();
 }
 
 void click(const QListWidgetItem* item)

@@ -15,6 +15,7 @@
 #include <QDir>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryFile>
@@ -186,6 +187,34 @@ private Q_SLOTS:
             QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->objectName()));
         }
         QVERIFY(controls >= 12);
+    }
+
+    /// The first model is there behind the page; another one is what somebody chose.
+    void itGoesWhenAModelIsChosen()
+    {
+        MainWindow window;
+        StartPage* page = shownIn(window, true);
+        const ui::ModelInfo model{QStringLiteral("a"), 2562, 5120, core::Vec3::Constant(100),
+                                  core::Box(core::Vec3::Constant(-50), core::Vec3::Constant(50))};
+        window.setModel(model);
+        QVERIFY(page->isVisible());
+        window.setModel(model);
+        QVERIFY(!page->isVisible());
+    }
+
+    /// The whole page is in the window, or can be scrolled to.
+    void itFitsASmallWindow()
+    {
+        MainWindow window;
+        StartPage* page = shownIn(window, true);
+        for (const QSize size : {QSize(960, 540), QSize(700, 420), QSize(1280, 690)}) {
+            window.resize(size);
+            QTRY_VERIFY(window.rect().contains(page->geometry()));
+            auto* area = page->findChild<QScrollArea*>();
+            auto* guide = page->findChild<QPushButton*>(QStringLiteral("startGuide"));
+            area->ensureWidgetVisible(guide);
+            QTRY_COMPARE(guide->visibleRegion(), QRegion(guide->rect()));
+        }
     }
 
 private:

@@ -464,6 +464,29 @@ private Q_SLOTS:
         }
     }
 
+    /// A click of the right button asks for the palette where it was; a drag, one with a key, and one that takes a
+    /// stroke back do not.
+    void rightClick_asksForThePalette()
+    {
+        Recorder r;
+        QSignalSpy asked(&r.input, &ui::PointerInput::paletteRequested);
+        r.rest({400, 300}, somewhere);
+        r.send(Kind::Press, {400, 300}, Qt::RightButton);
+        r.send(Kind::Move, {402, 301}, Qt::RightButton);
+        r.send(Kind::Release, {402, 301}, Qt::RightButton);
+        QCOMPARE(asked.size(), 1);
+        QCOMPARE(asked[0][0].value<ui::OrbitCamera::Pixel>(), ui::OrbitCamera::Pixel(402, 301));
+        r.send(Kind::Press, {400, 300}, Qt::RightButton);
+        r.send(Kind::Move, {430, 300}, Qt::RightButton);
+        r.send(Kind::Move, {400, 300}, Qt::RightButton);
+        r.send(Kind::Release, {400, 300}, Qt::RightButton);
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Press, {400, 300}, Qt::RightButton);
+        r.send(Kind::Release, {400, 300}, Qt::RightButton);
+        r.send(Kind::Release, {400, 300});
+        QCOMPARE(asked.size(), 1);
+    }
+
     void rightButtonInAStroke_takesItBack()
     {
         Recorder r;

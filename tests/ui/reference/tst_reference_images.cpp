@@ -4,12 +4,12 @@
 
 #include "ui/scene/reference_image.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/side_panel.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLabel>
@@ -204,7 +204,7 @@ private Q_SLOTS:
         shown.trigger("view.orthographic");
         drop(shown.window, picture());
         QTRY_VERIFY(!shown.seen().none());
-        QVERIFY(shown.child<QDockWidget>("referencePanel")->isVisible());
+        QVERIFY(shown.child<ui::SidePanel>("referencePanel")->isVisible());
         auto* width = shown.child<QDoubleSpinBox>("reference.width");
         QCOMPARE(std::lround(width->value()), 133L); // 4 : 3, and the ball of 100 mm fits
         width->setValue(120);
