@@ -7051,6 +7051,185 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::Synonyms</name>
+    <message>
+        <source>add, raise, build, extrude, bump</source>
+        <translation>aufbauen, erhöhen, hinzufügen, Beule</translation>
+    </message>
+    <message>
+        <source>carve, dig, dent, hole, sink</source>
+        <translation>schnitzen, graben, Delle, Loch, eindrücken</translation>
+    </message>
+    <message>
+        <source>swell, blow up, fatten</source>
+        <translation>aufpusten, dicker</translation>
+    </message>
+    <message>
+        <source>build up, fill, strips</source>
+        <translation>aufbauen, füllen, Streifen</translation>
+    </message>
+    <message>
+        <source>plane, level</source>
+        <translation>eben, hobeln</translation>
+    </message>
+    <message>
+        <source>plane, polish, shave</source>
+        <translation>hobeln, polieren, abziehen</translation>
+    </message>
+    <message>
+        <source>blur, relax, soften, even</source>
+        <translation>weich, glatt, ausgleichen</translation>
+    </message>
+    <message>
+        <source>squeeze, sharpen, gather</source>
+        <translation>zusammenziehen, schärfen</translation>
+    </message>
+    <message>
+        <source>line, groove, wrinkle, cut</source>
+        <translation>Rille, Linie, Falte, schneiden</translation>
+    </message>
+    <message>
+        <source>move, drag, pull out</source>
+        <translation>bewegen, verschieben, ziehen</translation>
+    </message>
+    <message>
+        <source>horn, tail, tentacle, handle</source>
+        <translation>Horn, Schwanz, Arm, Henkel</translation>
+    </message>
+    <message>
+        <source>rotate, turn, screw</source>
+        <translation>drehen, Schraube</translation>
+    </message>
+    <message>
+        <source>imprint, pattern, hollow</source>
+        <translation>Abdruck, Muster, aushöhlen</translation>
+    </message>
+    <message>
+        <source>color, colour, draw</source>
+        <translation>Farbe, anmalen, einfärben</translation>
+    </message>
+    <message>
+        <source>protect, freeze, lock</source>
+        <translation>schützen, einfrieren, sperren</translation>
+    </message>
+    <message>
+        <source>eraser, unfreeze, unlock</source>
+        <translation>Radiergummi, auftauen, entsperren</translation>
+    </message>
+    <message>
+        <source>size, bigger, wider, thicker</source>
+        <translation>Größe, breiter, dicker</translation>
+    </message>
+    <message>
+        <source>size, thinner, finer</source>
+        <translation>Größe, dünner, feiner</translation>
+    </message>
+    <message>
+        <source>size, bigger, diameter</source>
+        <translation>Größe, größer, Durchmesser</translation>
+    </message>
+    <message>
+        <source>power, intensity, pressure</source>
+        <translation>Kraft, Druck, Intensität</translation>
+    </message>
+    <message>
+        <source>opposite, subtract, eraser</source>
+        <translation>umgekehrt, abziehen, Radiergummi</translation>
+    </message>
+    <message>
+        <source>sphere, primitive, eye</source>
+        <translation>hinzufügen, Auge, Grundform</translation>
+    </message>
+    <message>
+        <source>brushes, library</source>
+        <translation>Pinsel, Bibliothek</translation>
+    </message>
+    <message>
+        <source>lazy, stabilizer, tremor</source>
+        <translation>ruhig, zittern, Stabilisator</translation>
+    </message>
+    <message>
+        <source>pottery, lathe, wheel, spin</source>
+        <translation>töpfern, drechseln, kreisen</translation>
+    </message>
+    <message>
+        <source>mirror, both sides, half</source>
+        <translation>spiegeln, beide Seiten, Hälfte</translation>
+    </message>
+    <message>
+        <source>join, merge, union, boolean</source>
+        <translation>verbinden, vereinigen, verschmelzen</translation>
+    </message>
+    <message>
+        <source>remesh, voxel, even</source>
+        <translation>gleichmäßig, neu vernetzen</translation>
+    </message>
+    <message>
+        <source>back, mistake, eraser</source>
+        <translation>zurück, Fehler, Radiergummi</translation>
+    </message>
+    <message>
+        <source>adjust, change, correct</source>
+        <translation>ändern, anpassen, korrigieren</translation>
+    </message>
+    <message>
+        <source>settings, options, language, dark</source>
+        <translation>Optionen, Sprache, dunkel</translation>
+    </message>
+    <message>
+        <source>size, bigger, smaller, resize, unit</source>
+        <translation>Größe, größer, kleiner, Einheit</translation>
+    </message>
+    <message>
+        <source>flip, reflect</source>
+        <translation>umdrehen, spiegelverkehrt</translation>
+    </message>
+    <message>
+        <source>voxel, resolution, subdivide, triangles</source>
+        <translation>Auflösung, unterteilen, Dreiecke</translation>
+    </message>
+    <message>
+        <source>cut, bottom, stand, trim</source>
+        <translation>schneiden, Boden, stehen</translation>
+    </message>
+    <message>
+        <source>watertight, thickness, overhang, hollow</source>
+        <translation>wasserdicht, Dicke, Überhang, hohl</translation>
+    </message>
+    <message>
+        <source>stl, slicer, reduce, decimate</source>
+        <translation>Slicer, verkleinern, vereinfachen</translation>
+    </message>
+    <message>
+        <source>video, film, animation</source>
+        <translation>Video, Animation</translation>
+    </message>
+    <message>
+        <source>zoom, fit, center, lost</source>
+        <translation>zoomen, einpassen, zentrieren, verloren</translation>
+    </message>
+    <message>
+        <source>mesh, polygons, edges</source>
+        <translation>Netz, Polygone, Kanten</translation>
+    </message>
+    <message>
+        <source>parallel, isometric</source>
+        <translation>parallel, isometrisch</translation>
+    </message>
+    <message>
+        <source>headset, goggles, vive</source>
+        <translation>Brille, Headset</translation>
+    </message>
+    <message>
+        <source>manual, documentation</source>
+        <translation>Handbuch, Hilfe</translation>
+    </message>
+    <message>
+        <source>tutorial, course, learn</source>
+        <translation>Kurs, lernen, üben</translation>
+    </message>
+</context>
+<context>
     <name>ui::ThumbnailMaker</name>
     <message>
         <source>%1: there is not enough memory for its picture.</source>

@@ -7030,6 +7030,185 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::Synonyms</name>
+    <message>
+        <source>add, raise, build, extrude, bump</source>
+        <translation>凸起, 增加, 拉高</translation>
+    </message>
+    <message>
+        <source>carve, dig, dent, hole, sink</source>
+        <translation>雕刻, 挖, 凹陷, 洞</translation>
+    </message>
+    <message>
+        <source>swell, blow up, fatten</source>
+        <translation>膨胀, 变胖</translation>
+    </message>
+    <message>
+        <source>build up, fill, strips</source>
+        <translation>堆积, 填充</translation>
+    </message>
+    <message>
+        <source>plane, level</source>
+        <translation>压平, 平面</translation>
+    </message>
+    <message>
+        <source>plane, polish, shave</source>
+        <translation>刮平, 抛光</translation>
+    </message>
+    <message>
+        <source>blur, relax, soften, even</source>
+        <translation>柔化, 磨平, 模糊</translation>
+    </message>
+    <message>
+        <source>squeeze, sharpen, gather</source>
+        <translation>收缩, 锐化</translation>
+    </message>
+    <message>
+        <source>line, groove, wrinkle, cut</source>
+        <translation>刻线, 皱纹, 切</translation>
+    </message>
+    <message>
+        <source>move, drag, pull out</source>
+        <translation>移动, 拖动</translation>
+    </message>
+    <message>
+        <source>horn, tail, tentacle, handle</source>
+        <translation>角, 尾巴, 触手, 把手</translation>
+    </message>
+    <message>
+        <source>rotate, turn, screw</source>
+        <translation>旋转, 扭曲</translation>
+    </message>
+    <message>
+        <source>imprint, pattern, hollow</source>
+        <translation>压印, 图案, 掏空</translation>
+    </message>
+    <message>
+        <source>color, colour, draw</source>
+        <translation>颜色, 上色</translation>
+    </message>
+    <message>
+        <source>protect, freeze, lock</source>
+        <translation>保护, 冻结, 锁定</translation>
+    </message>
+    <message>
+        <source>eraser, unfreeze, unlock</source>
+        <translation>橡皮擦, 解冻, 解锁</translation>
+    </message>
+    <message>
+        <source>size, bigger, wider, thicker</source>
+        <translation>大小, 放大, 加粗</translation>
+    </message>
+    <message>
+        <source>size, thinner, finer</source>
+        <translation>大小, 缩小, 变细</translation>
+    </message>
+    <message>
+        <source>size, bigger, diameter</source>
+        <translation>大小, 直径</translation>
+    </message>
+    <message>
+        <source>power, intensity, pressure</source>
+        <translation>力度, 强度, 压力</translation>
+    </message>
+    <message>
+        <source>opposite, subtract, eraser</source>
+        <translation>反转, 减去, 橡皮擦</translation>
+    </message>
+    <message>
+        <source>sphere, primitive, eye</source>
+        <translation>球体, 添加, 眼睛</translation>
+    </message>
+    <message>
+        <source>brushes, library</source>
+        <translation>笔刷库</translation>
+    </message>
+    <message>
+        <source>lazy, stabilizer, tremor</source>
+        <translation>稳定, 防抖</translation>
+    </message>
+    <message>
+        <source>pottery, lathe, wheel, spin</source>
+        <translation>陶轮, 车床, 旋转</translation>
+    </message>
+    <message>
+        <source>mirror, both sides, half</source>
+        <translation>镜像, 两侧, 一半</translation>
+    </message>
+    <message>
+        <source>join, merge, union, boolean</source>
+        <translation>合并, 连接, 布尔</translation>
+    </message>
+    <message>
+        <source>remesh, voxel, even</source>
+        <translation>重新布线, 均匀</translation>
+    </message>
+    <message>
+        <source>back, mistake, eraser</source>
+        <translation>撤回, 返回, 橡皮擦</translation>
+    </message>
+    <message>
+        <source>adjust, change, correct</source>
+        <translation>调整, 修改</translation>
+    </message>
+    <message>
+        <source>settings, options, language, dark</source>
+        <translation>设置, 选项, 语言, 深色</translation>
+    </message>
+    <message>
+        <source>size, bigger, smaller, resize, unit</source>
+        <translation>大小, 放大, 缩小, 单位</translation>
+    </message>
+    <message>
+        <source>flip, reflect</source>
+        <translation>翻转, 反射</translation>
+    </message>
+    <message>
+        <source>voxel, resolution, subdivide, triangles</source>
+        <translation>分辨率, 细分, 三角形</translation>
+    </message>
+    <message>
+        <source>cut, bottom, stand, trim</source>
+        <translation>切割, 底部, 站立</translation>
+    </message>
+    <message>
+        <source>watertight, thickness, overhang, hollow</source>
+        <translation>水密, 厚度, 悬垂, 中空</translation>
+    </message>
+    <message>
+        <source>stl, slicer, reduce, decimate</source>
+        <translation>切片, 减面, 简化</translation>
+    </message>
+    <message>
+        <source>video, film, animation</source>
+        <translation>视频, 动画</translation>
+    </message>
+    <message>
+        <source>zoom, fit, center, lost</source>
+        <translation>缩放, 居中, 找不到</translation>
+    </message>
+    <message>
+        <source>mesh, polygons, edges</source>
+        <translation>网格, 多边形, 边</translation>
+    </message>
+    <message>
+        <source>parallel, isometric</source>
+        <translation>平行, 等轴</translation>
+    </message>
+    <message>
+        <source>headset, goggles, vive</source>
+        <translation>头显, 眼镜</translation>
+    </message>
+    <message>
+        <source>manual, documentation</source>
+        <translation>手册, 帮助, 文档</translation>
+    </message>
+    <message>
+        <source>tutorial, course, learn</source>
+        <translation>教程, 课程, 学习</translation>
+    </message>
+</context>
+<context>
     <name>ui::ThumbnailMaker</name>
     <message>
         <source>%1: there is not enough memory for its picture.</source>

@@ -1,5 +1,6 @@
 #include "ui/actions/actions.h"
 
+#include "ui/actions/key_position.h"
 #include "ui/widgets/themed_icon.h"
 
 #include <QAbstractItemView>
@@ -115,8 +116,21 @@ bool hasHome(const QWidget* focus)
 }
 } // namespace
 
-/// On X11 Qt looks up the shortcuts of the number pad's keys without saying that they are of the pad: "Num+1" would be
-/// "1". What no widget has taken comes here first.
+/// Returns the command of a key that Qt does not find by itself: on X11 Qt looks up the shortcuts of the number pad's
+/// keys without saying that they are of the pad, so that "Num+1" would be "1"; French keyboards have digits only with
+/// Shift, and others no Latin letters.
+QString Actions::ownerOf(const QKeyEvent& event) const
+{
+    if (event.modifiers() & Qt::KeypadModifier)
+        return m_keys.owner(event.keyCombination());
+    const bool isPlain = !(event.modifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier));
+    const Qt::Key key = keyByPosition(event);
+    if (!isPlain || !key || !m_keys.owner(event.keyCombination()).isEmpty())
+        return {};
+    return m_keys.owner(QKeyCombination(event.modifiers(), key));
+}
+
+/// Handles what no widget has taken.
 bool Actions::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
@@ -126,7 +140,7 @@ bool Actions::eventFilter(QObject* watched, QEvent* event)
             event->accept();
             return true;
         }
-        const QString id = key->modifiers() & Qt::KeypadModifier ? m_keys.owner(key->keyCombination()) : QString();
+        const QString id = ownerOf(*key);
         if (!id.isEmpty() && get(id)->shortcutContext() == Qt::WindowShortcut) {
             event->accept();
             if (event->type() == QEvent::KeyPress && !key->isAutoRepeat())

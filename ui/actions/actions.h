@@ -8,6 +8,7 @@
 #include <span>
 
 class QAction;
+class QKeyEvent;
 class QMenu;
 class QToolBar;
 class QWidget;
@@ -86,6 +87,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    QString ownerOf(const QKeyEvent& event) const;
     QAction* make(const ActionInfo& row, QWidget* window);
 
     QHash<QString, QAction*> m_actions;

@@ -1,6 +1,7 @@
 #include "ui/actions/command_list.h"
 
 #include "ui/actions/actions.h"
+#include "ui/actions/synonyms.h"
 
 #include <QAction>
 #include <QHeaderView>
@@ -12,24 +13,27 @@ namespace ui
 {
 namespace
 {
-constexpr int actionRole = Qt::UserRole;
+constexpr int actionRole = Qt::UserRole, synonymsRole = Qt::UserRole + 1;
 
 bool containsAll(const QTreeWidgetItem* item, const QStringList& words)
 {
-    QStringList texts{item->parent()->text(CommandList::Name)};
+    QStringList texts = item->data(CommandList::Name, synonymsRole).toStringList();
+    texts << item->parent()->text(CommandList::Name);
     for (const int column : {CommandList::Name, CommandList::Key, CommandList::Tip})
         texts << item->text(column);
     const QString text = texts.join(u' ');
     return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
-/// The better, the less: what is called so comes before what is called so at first, and that before what has the words
-/// anywhere.
+/// The better, the less: what is called so comes before what is called so at first or by people, and that before what
+/// has the words anywhere.
 int rank(const QTreeWidgetItem* item, const QString& words)
 {
     const QString name = item->text(CommandList::Name), wanted = words.trimmed();
     if (name.compare(wanted, Qt::CaseInsensitive) == 0)
         return 0;
-    return name.startsWith(wanted, Qt::CaseInsensitive) ? 1 : 2;
+    const bool isSynonym =
+        item->data(CommandList::Name, synonymsRole).toStringList().contains(wanted, Qt::CaseInsensitive);
+    return isSynonym || name.startsWith(wanted, Qt::CaseInsensitive) ? 1 : 2;
 }
 } // namespace
 
@@ -54,6 +58,7 @@ CommandList::CommandList(const Actions& actions, QWidget* parent) : QTreeWidget(
         showKeys(item, action->shortcuts());
         item->setIcon(Name, action->icon());
         item->setData(Name, actionRole, QVariant::fromValue(action));
+        item->setData(Name, synonymsRole, synonymsOf(action->objectName()));
     }
     expandAll();
     for (const Column column : {Name, Key, Tip})

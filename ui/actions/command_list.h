@@ -27,9 +27,9 @@ public:
     QTreeWidgetItem* itemOf(const QString& id) const;
     static void showKeys(QTreeWidgetItem* item, const QList<QKeySequence>& keys);
 
-    /// Hides what does not hold each of the words in name, keys, tip or menu. Of those that do and are enabled the
-    /// first that is called so becomes the current one, or is called so at first, or has the words at all; none if
-    /// there are no words.
+    /// Hides what does not hold each of the words in name, keys, tip, menu or synonyms. Of those that do and are
+    /// enabled the first that is called so becomes the current one, or is called so at first or by people, or has the
+    /// words at all; none if there are no words.
     void filter(const QString& words);
 };
 } // namespace ui

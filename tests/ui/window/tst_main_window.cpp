@@ -675,6 +675,25 @@ private Q_SLOTS:
         QVERIFY(undone.isEmpty());
     }
 
+    /// Words that are no command's name find what people mean by them.
+    void commandsAreFoundByOtherWords()
+    {
+        constexpr std::pair<const char*, const char*> wishes[] = {
+            {"size", "model.scale"},          {"bigger", "brush.radius"},     {"eraser", "mask.clear"},
+            {"mirror", "symmetry.on"},        {"hollow", "model.printCheck"}, {"carve", "tool.push"},
+            {"settings", "edit.preferences"}, {"headset", "vr.enter"},        {"manual", "help.guide"}};
+        MainWindow window;
+        window.show();
+        act(window, "help.keys")->trigger();
+        auto* box = child<QDialog>(window, "commandBox");
+        const auto* list = box->findChild<ui::CommandList*>();
+        for (const auto& [word, id] : wishes) {
+            box->findChild<QLineEdit*>()->setText(QLatin1StringView(word));
+            QVERIFY2(!list->itemOf(QLatin1StringView(id))->isHidden(), word);
+            QVERIFY2(list->currentItem(), word);
+        }
+    }
+
     void arrowsMoveThroughTheCommands()
     {
         MainWindow window;
@@ -698,6 +717,33 @@ private Q_SLOTS:
         QVERIFY(!top.isEmpty());
         QTest::keyClick(words, Qt::Key_Up);
         QCOMPARE(current(), top);
+    }
+
+    /// A French keyboard has its digits only with Shift, a Russian or Greek one has no Latin letters.
+    void keysGoByTheirPlaceWhereTheirLetterSaysNothing()
+    {
+        MainWindow window;
+        window.show();
+        const auto press = [&](int key, quint32 scanCode, const QString& text, Qt::KeyboardModifiers held = {}) {
+            for (const QEvent::Type type : {QEvent::ShortcutOverride, QEvent::KeyPress}) {
+                QKeyEvent event(type, key, held, scanCode, 0, 0, text);
+                QCoreApplication::sendEvent(&window, &event);
+            }
+        };
+        const auto tool = [&] { return window.brush()->stroke().tool; };
+        press(Qt::Key_Egrave, 16, QStringLiteral("è"));
+        QCOMPARE(tool(), core::Tool::Clay); // 7
+        press(Qt::Key_QuoteDbl, 12, QStringLiteral("\""));
+        QCOMPARE(tool(), core::Tool::Flatten); // 3
+        press(0x041b, 45, QStringLiteral("л"));
+        QCOMPARE(tool(), core::Tool::SnakeHook); // K
+        press(0x03a0, 33, QStringLiteral("π"));
+        QCOMPARE(tool(), core::Tool::Pinch);                // P
+        press(Qt::Key_Adiaeresis, 45, QStringLiteral("ä")); // a letter of its own
+        press(0x041b, 45, QStringLiteral("л"), Qt::ControlModifier);
+        QCOMPARE(tool(), core::Tool::Pinch);
+        press(0x0426, 25, QStringLiteral("Ц"), Qt::ShiftModifier);
+        QVERIFY(act(window, "view.flat")->isChecked()); // Shift+W
     }
 
     /// The digits of the number pad are sides, those above the letters are tools.
