@@ -63,17 +63,18 @@ void chooseTextSize(ui::TextSize size)
 void loadTranslations(QCoreApplication& application)
 {
     qDeleteAll(application.findChildren<QTranslator*>());
-    const std::pair<QString, QString> catalogues[] = {
-        {QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)},
-        {QStringLiteral("fettle"), QStringLiteral(":/i18n")}};
-    for (const auto& [name, folder] : catalogues) {
+    const auto load = [&](const QLocale& locale, const QString& name, const QString& folder) {
         auto* translator = new QTranslator(&application);
-        const auto load = [&, name = name, folder = folder](const QLocale& locale) {
-            return translator->load(locale, name, QStringLiteral("_"), folder);
-        };
-        if (load(QLocale()) || load(QLocale(QLocale::English))) // for its plurals
+        if (translator->load(locale, name, QStringLiteral("_"), folder))
             QCoreApplication::installTranslator(translator);
-    }
+        return QLocale(translator->language());
+    };
+    const QString ours = QStringLiteral("fettle"), folder = QStringLiteral(":/i18n");
+    QLocale found = load(QLocale(), ours, folder);
+    if (found.language() == QLocale::C)
+        found = load(QLocale(QLocale::English), ours, folder); // for its plurals
+    // Qt's words say whether windows are mirrored, so they are those of our language.
+    load(found, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 
 bool hasWord(int argc, char* argv[], const char* word)
@@ -176,7 +177,7 @@ int showWindow(const app::WindowStart& start)
     if (start.entersVr)
         enterVrOnce(document, window);
     if (start.file.isEmpty())
-        document.opener().openSphere();
+        document.opener().openBall();
     else
         document.opener().open(start.file);
     if (start.file.isEmpty() && !start.entersVr && ui::Settings().get(&ui::Setting::showsStartPage))

@@ -13,8 +13,6 @@ namespace app
 {
 namespace
 {
-constexpr double startRadius = 50; ///< mm
-
 /// Opens a model as it was worked out.
 ModelOpener::Choice acceptedChoice(LoadedModel model)
 {
@@ -68,9 +66,9 @@ void ModelOpener::openRepaired(const QString& path, const core::RepairOptions& o
     openMade(choice);
 }
 
-void ModelOpener::openSphere()
+void ModelOpener::openBall()
 {
-    openMade({tr("Preparing the clay"), [](const core::JobControl&) { return ModelLoader::sphere(startRadius); }});
+    openStarter(core::Starter::Ball);
 }
 
 void ModelOpener::openStarter(core::Starter starter)
@@ -149,7 +147,7 @@ void ModelOpener::refuse(const LoadedModel& model, bool isStopped)
     else if (!isStopped)
         Q_EMIT m_document->refused(model.problem);
     if (m_document->modelInfo().faces == 0 && !m_next) // never without a model
-        openSphere();
+        openBall();
 }
 
 void ModelOpener::install(LoadedModel& model, const std::shared_ptr<const void>& mark)

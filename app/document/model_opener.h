@@ -61,8 +61,8 @@ public Q_SLOTS:
     void openDiscardingChanges(const QString& path);
     /// As open(); a model that is not sound is repaired. It has no file then.
     void openRepaired(const QString& path, const core::RepairOptions& options);
-    /// The paper's sphere.
-    void openSphere();
+    /// Opens the ball that the program begins with.
+    void openBall();
     void openStarter(core::Starter starter);
     /// Opens a document that the recovery store offers, with its history.
     void recover(quint64 offer, const QString& name);

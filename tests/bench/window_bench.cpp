@@ -256,7 +256,7 @@ int main(int argc, char* argv[])
     program.document.opener().setDiscardPrompt([](const auto&) { return true; });
     program.window.resize(1280, 720);
     program.window.show();
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     waitFor([&] { return program.window.viewport()->stats().patches > 0; });
     std::printf("start to the first frame with clay: %.2f s\n", secondsSinceProcessStart());
     QStringList sizes = QApplication::arguments().mid(1);

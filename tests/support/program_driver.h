@@ -80,7 +80,7 @@ inline void sculptBall(Program& program)
     program.window.resize(900, 700);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);
     drag(program.window.viewport(), {40, 20});

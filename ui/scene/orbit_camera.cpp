@@ -62,6 +62,11 @@ void OrbitCamera::orbit(const Pixel& delta)
     turn(m_yaw - delta.x() * perPixel, m_pitch + delta.y() * perPixel);
 }
 
+void OrbitCamera::turnToFirst()
+{
+    turn(firstYaw, firstPitch);
+}
+
 void OrbitCamera::turnTo(Side side)
 {
     constexpr double quarter = std::numbers::pi / 2;

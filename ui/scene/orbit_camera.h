@@ -26,6 +26,8 @@ public:
 
     /// Shows the whole box from the present direction; an empty box is taken as 100 mm about the origin.
     void frame(const core::Box& box);
+    /// Turns to the direction that a new model is shown from: the front, a little from the right and above.
+    void turnToFirst();
     /// What near and far plane must hold; frame() sets it too.
     void setScene(const core::Box& box);
 
@@ -109,7 +111,8 @@ private:
     double m_distance = 300;
     Projection m_projection = Projection::Perspective;
     std::optional<core::Vec3> m_pivot;
-    double m_yaw = 0.5, m_pitch = 0.35; ///< radians; 0, 0 looks along -Z, pitch > 0 looks down
+    static constexpr double firstYaw = 0.5, firstPitch = 0.35;
+    double m_yaw = firstYaw, m_pitch = firstPitch; ///< radians; 0, 0 looks along -Z, pitch > 0 looks down
     core::Vec3 m_sceneCenter = core::Vec3::Zero();
     double m_sceneRadius = 100;
 };

@@ -46,6 +46,7 @@ void ViewNavigation::showModel(const core::Box& box)
     m_box = box;
     clearMark();
     m_camera->setPivot({});
+    m_camera->turnToFirst();
     m_camera->frame(box);
     m_input->viewMoved();
 }

@@ -29,7 +29,7 @@ public:
     /// Neither is owned. The input says when the user moves the view, and is told when the view moves.
     ViewNavigation(OrbitCamera* camera, PointerInput* input, QObject* parent = nullptr);
 
-    /// Frames another model.
+    /// Frames another model, from the front and above.
     void showModel(const core::Box& box);
     /// The same model has another box now; the view stays.
     void setBox(const core::Box& box);

@@ -32,7 +32,7 @@ struct Session
 {
     Session()
     {
-        document.opener().openSphere();
+        document.opener().openBall();
         wait();
     }
 
@@ -97,7 +97,7 @@ class TestDocument : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-    void sphere_isThePapers();
+    void ball_isTheStarter();
     void undo_rightAfterAStrokeUndoesThatStroke();
     void undo_duringAStrokeWaitsForItsEnd();
     void history_hasANameForEveryTool();
@@ -134,11 +134,11 @@ private Q_SLOTS:
     void export_intoNowhereIsRefused();
 };
 
-void TestDocument::sphere_isThePapers()
+void TestDocument::ball_isTheStarter()
 {
     Session session;
-    QCOMPARE(session.document.modelInfo().vertices, quint64(2562));
-    QCOMPARE(session.document.modelInfo().faces, quint64(5120));
+    QCOMPARE(session.document.modelInfo().vertices, quint64(10242));
+    QCOMPARE(session.document.modelInfo().faces, quint64(20480));
     QVERIFY((session.document.modelInfo().size - core::Vec3(100, 100, 100)).norm() < 1e-3);
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
             !session.document.history().canRedo());
@@ -304,7 +304,7 @@ void TestDocument::work_isCountedAndSaved()
     session.wait();
     QVERIFY(core::readMetadata(path.toStdString()).work == (core::WorkDone{3, seconds}));
 
-    session.document.opener().openSphere();
+    session.document.opener().openBall();
     session.wait();
     QCOMPARE(strokes(), 0U);
     session.document.opener().open(path);
@@ -785,7 +785,7 @@ void TestDocument::open_asksBeforeChangesAreLost()
         ++asked;
         return answer;
     });
-    session.document.opener().openSphere(); // nothing to lose
+    session.document.opener().openBall(); // nothing to lose
     session.wait();
     QCOMPARE(asked, 0);
     session.stroke({50, 0, 0});

@@ -42,7 +42,7 @@ struct ViewedSession
     ViewedSession()
     {
         worker.setInbox(Source::Desktop, inbox);
-        document.opener().openSphere();
+        document.opener().openBall();
         wait();
     }
 
@@ -354,7 +354,7 @@ void TestDocumentModel::insert_fromAFile()
     const std::uint64_t start = session.state();
     session.document.changer().insert({path, core::Insert::Place::Beside});
     session.wait();
-    QCOMPARE(session.document.modelInfo().vertices, quint64(2562 + 162));
+    QCOMPARE(session.document.modelInfo().vertices, quint64(10242 + 162));
     QVERIFY(session.document.modelInfo().size.x() > 120);
     session.document.history().undo();
     QCOMPARE(session.state(), start);
@@ -456,7 +456,7 @@ void TestDocumentModel::facts_followTheModel()
     ViewedSession session;
     QTRY_VERIFY(std::abs(session.document.modelInfo().area - 31400) < 200);
     const double detail = session.document.modelInfo().uniformDetail;
-    QVERIFY(detail > 4 && detail < 6);
+    QVERIFY(detail > 2 && detail < 3);
     session.apply(core::Scale{0.1});
     QTRY_VERIFY(std::abs(session.document.modelInfo().size.x() - 10) < 0.01);
     QTRY_VERIFY(std::abs(session.document.modelInfo().area - 314) < 2);

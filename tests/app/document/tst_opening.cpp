@@ -236,7 +236,7 @@ void TestOpening::stopEndsBoth()
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
     QTest::qWait(200);
     QVERIFY(opened.isEmpty() && !program.document.job().isBusy());
-    QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
+    QCOMPARE(program.document.modelInfo().vertices, quint64(10242));
 }
 
 void TestOpening::theFirstThatCannotBeReadIsNoMatter()
@@ -293,7 +293,7 @@ void TestOpening::aRepairThatLosesMuchIsAsked()
     const QString path = folder.filePath(QStringLiteral("apart.ply"));
     core::writeMesh(path.toStdString(), shapes::takenApart(core::icosphere(3, 10)));
     Program program;
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && !program.document.job().isBusy(), 60'000);
     const QSignalSpy opened(&program.document, &Document::opened);
     const auto question = [&] { return program.window.findChild<QDialog*>(QStringLiteral("repairDoubtDialog")); };

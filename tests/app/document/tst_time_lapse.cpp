@@ -43,7 +43,7 @@ struct Studio
         program.window.resize(1000, 700);
         program.window.show();
         program.document.opener().setDiscardPrompt({});
-        program.document.opener().openSphere();
+        program.document.opener().openBall();
         rest();
         for (int i = 0; i < strokes; ++i) {
             core::StrokeSettings settings;

@@ -16,6 +16,7 @@
 #include "ui/brush/stroke_edit_bar.h"
 #include "ui/history/history_panel.h"
 #include "ui/util/thread_mailbox.h"
+#include "ui/widgets/side_panel.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -42,7 +43,7 @@ struct TimelineFixture
         program.window.resize(1200, 800);
         program.window.show();
         program.document.opener().setDiscardPrompt({}); // nobody is asked
-        program.document.opener().openSphere();
+        program.document.opener().openBall();
         rest();
     }
 
@@ -81,9 +82,7 @@ struct TimelineFixture
     ui::StrokeEditBar* bar() { return program.window.findChild<ui::StrokeEditBar*>(); }
     void showHistory()
     {
-        auto* dock = find<QWidget>("historyPanel");
-        dock->show();
-        dock->raise();
+        find<ui::SidePanel>("historyPanel")->bringForward();
         QTRY_VERIFY_WITH_TIMEOUT(program.window.history()->isVisible(), timeoutMs);
     }
     QAction* edit() { return program.window.action(QStringLiteral("edit.lastStroke")); }
@@ -476,7 +475,7 @@ void TestTimeline::edit_survivesTheProgram()
     RecoveryStore store(std::filesystem::path(folder.path().toStdString()) / "journals");
     TimelineFixture fixture;
     fixture.program.document.journaling().setRecoveryStore(&store);
-    fixture.program.document.opener().openSphere();
+    fixture.program.document.opener().openBall();
     fixture.rest();
     fixture.stroke(across(core::Tool::Flatten));
     const std::uint64_t before = fixture.state();

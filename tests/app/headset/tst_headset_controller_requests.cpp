@@ -34,7 +34,7 @@ struct ControllerVisit
         program.window.resize(640, 480);
         program.window.show();
         if (path.isEmpty())
-            program.document.opener().openSphere();
+            program.document.opener().openBall();
         else
             program.document.opener().open(path);
         wait();
@@ -536,7 +536,7 @@ void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
 static int controllerRequestsMain(int argc, char* argv[])
 {
     const QTemporaryDir folder;
-    const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 200);
+    const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 800);
     TestHeadsetControllerRequests::disk = &disk;
     return test::run<TestHeadsetControllerRequests, app::OnScreen>(argc, argv);
 }

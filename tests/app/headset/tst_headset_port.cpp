@@ -40,7 +40,7 @@ struct Visit
 {
     Visit()
     {
-        document.opener().openSphere();
+        document.opener().openBall();
         wait();
         port->begin();
     }

@@ -44,7 +44,7 @@ void show(Program& program)
     program.window.resize(1400, 1000);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.window.viewport()->stats().patches > 0, 60'000);
     program.window.action(QStringLiteral("lesson.record"))->trigger();
     QTRY_VERIFY(part<ui::SidePanel>(program, "lessonEditor")->isVisible());

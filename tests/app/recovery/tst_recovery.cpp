@@ -85,7 +85,7 @@ struct Session
 
     void openBall()
     {
-        document.opener().openSphere();
+        document.opener().openBall();
         wait();
     }
     void wait()

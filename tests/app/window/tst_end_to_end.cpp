@@ -125,7 +125,7 @@ void TestEndToEnd::toolsByModifier()
     program.window.resize(900, 700);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY(!program.document.job().isBusy());
     QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     int steps = 0;
@@ -212,12 +212,12 @@ void TestEndToEnd::refusedFileLeavesTheModel()
     Program program;
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY(!program.document.job().isBusy());
     QSignalSpy refused(&program.document, &Document::refused);
     Q_EMIT program.window.files()->openRequested(path);
     QTRY_COMPARE(refused.size(), 1);
-    QCOMPARE(program.document.modelInfo().vertices, quint64(2562));
+    QCOMPARE(program.document.modelInfo().vertices, quint64(10242));
     QVERIFY(program.document.modelInfo().path.isEmpty());
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget != &program.window)
@@ -229,7 +229,7 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     Program program;
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY(!program.document.job().isBusy());
     int asked = 0;
     program.document.opener().setDiscardPrompt([&](const std::function<void()>&) { return ++asked > 1; });
@@ -253,7 +253,7 @@ void TestEndToEnd::closing_waitsForThePress()
     Program program;
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY(!program.document.job().isBusy());
     QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     int asked = 0;

@@ -213,7 +213,7 @@ void TestRandomInput::theModelStaysSound()
     program.window.resize(800, 600); // software draws it
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.opener().openSphere();
+    program.document.opener().openBall();
     QTRY_VERIFY(!program.document.job().isBusy());
     {
         RandomInput hand(program, seed);
