@@ -38,18 +38,19 @@ public:
         , m_startFolder(folder)
     {
         QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
-        column->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
-                                        "the work in the class's folder. "
-                                        "Pupils cannot reach other files; leaving asks for your PIN."),
-                                     textWidth));
+        QVBoxLayout* page = addScrolledPage(column);
+        page->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
+                                      "the work in the class's folder. "
+                                      "Pupils cannot reach other files; leaving asks for your PIN."),
+                                   textWidth));
         auto* form = new QFormLayout;
         form->setSpacing(dialogGap);
         addNames(form);
         addTimes(form);
         addPin(form);
-        column->addLayout(form);
-        column->addWidget(choices(tr("Starting shapes"), actions, MenuId::New));
-        column->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
+        page->addLayout(form);
+        page->addWidget(choices(tr("Starting shapes"), actions, MenuId::New));
+        page->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
         m_word = dialogText({}, textWidth);
         m_word->setObjectName(QStringLiteral("classroomWord"));
         column->addWidget(m_word);

@@ -4,10 +4,46 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui
 {
+namespace
+{
+/// Is as large as its page, but for what a low screen has no room for.
+class PageArea : public QScrollArea
+{
+public:
+    explicit PageArea(QWidget* page)
+    {
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setWidgetResizable(true);
+        setWidget(page);
+    }
+
+    QSize sizeHint() const override
+    {
+        constexpr int others = 200; // what else stands in the dialog, and its frame
+        const QSize whole = widget()->sizeHint().expandedTo(widget()->minimumSizeHint());
+        const int available = std::max(screen()->availableGeometry().height() - others, minimumSizeHint().height());
+        const bool isWhole = whole.height() <= available;
+        return {whole.width() + (isWhole ? 0 : verticalScrollBar()->sizeHint().width()),
+                std::min(whole.height(), available)};
+    }
+    QSize minimumSizeHint() const override
+    {
+        constexpr int lines = 6;
+        return {widget()->minimumSizeHint().width(), lines * fontMetrics().lineSpacing()};
+    }
+};
+} // namespace
+
 QVBoxLayout* beginDialog(QDialog* dialog, const char* name, const QString& title)
 {
     dialog->setObjectName(QLatin1StringView(name));
@@ -18,6 +54,16 @@ QVBoxLayout* beginDialog(QDialog* dialog, const char* name, const QString& title
     column->setSpacing(dialogGap);
     column->setSizeConstraint(QLayout::SetFixedSize);
     return column;
+}
+
+QVBoxLayout* addScrolledPage(QVBoxLayout* column)
+{
+    auto* page = new QWidget;
+    auto* rows = new QVBoxLayout(page);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(dialogGap);
+    column->addWidget(new PageArea(page));
+    return rows;
 }
 
 QLabel* dialogText(const QString& sentences, int width)

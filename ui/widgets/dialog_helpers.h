@@ -16,6 +16,9 @@ inline constexpr int dialogMargin = 16, dialogGap = 8; ///< of the window's spac
 /// Makes it a dialog of one column that is as large as what stands in it, and that deletes itself when it closes.
 QVBoxLayout* beginDialog(QDialog* dialog, const char* name, const QString& title);
 
+/// Adds a page to the dialog's column and returns the layout of that. It scrolls on a screen that is too low for it.
+QVBoxLayout* addScrolledPage(QVBoxLayout* column);
+
 /// Sentences that break at `width`.
 QLabel* dialogText(const QString& sentences, int width);
 
