@@ -51,6 +51,7 @@ QPixmap pixmapOf(const QImage& picture, int side)
 
 LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStackedWidget)
 {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // all of the text is shown: the column scrolls
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(m_stack);
@@ -59,10 +60,10 @@ LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStacke
     auto* rows = new QVBoxLayout(page);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
-    auto* scrolled = new QWidget;
-    addHead(panelLayout(scrolled));
-    rows->addWidget(scrollablePanel(scrolled), 1);
-    auto* done = new QWidget; // in sight whatever the text's length
+    auto* words = new QWidget;
+    addHead(panelLayout(words));
+    rows->addWidget(words, 1);
+    auto* done = new QWidget;
     QVBoxLayout* ways = panelLayout(done);
     addTeacher(ways);
     addNavigation(ways);
@@ -85,7 +86,7 @@ void LessonPanel::addChooser()
     connect(file, &QPushButton::clicked, this, &LessonPanel::fileRequested);
     rows->addWidget(file);
     rows->addStretch();
-    m_stack->addWidget(scrollablePanel(page));
+    m_stack->addWidget(page);
 }
 
 void LessonPanel::addHead(QVBoxLayout* page)

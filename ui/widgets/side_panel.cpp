@@ -17,7 +17,7 @@ namespace ui
 {
 namespace
 {
-constexpr int leastLines = 9; ///< of a content that scrolls by itself
+constexpr int leastLines = 12; ///< of a content that scrolls by itself
 
 bool grows(const QWidget* content)
 {
