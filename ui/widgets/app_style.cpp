@@ -15,14 +15,6 @@ namespace
 {
 constexpr int tabBar = 2; ///< how thick the bar along the chosen tab is
 
-/// Of a line that parts things: a fifth of the way from the window's colour to the text's.
-QColor hairline(const QPalette& palette)
-{
-    QColor line = palette.color(QPalette::WindowText);
-    line.setAlphaF(0.2F);
-    return line;
-}
-
 QRect middleOf(const QRect& rect, Qt::Orientation along)
 {
     const QPoint middle = rect.center();
@@ -64,6 +56,13 @@ void drawPressed(const QStyleOption& option, QPainter* painter)
     painter->restore();
 }
 } // namespace
+
+QColor hairline(const QPalette& palette)
+{
+    QColor line = palette.color(QPalette::WindowText);
+    line.setAlphaF(0.2F);
+    return line;
+}
 
 bool isDark(const QPalette& palette)
 {

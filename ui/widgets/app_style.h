@@ -5,6 +5,8 @@
 namespace ui
 {
 bool isDark(const QPalette& palette);
+/// The colour of a line that parts things: a fifth of the way from the window's colour to the text's.
+QColor hairline(const QPalette& palette);
 
 /// Qt's Fusion style, but for what it draws badly in the dark: outlines of boxes to tick, lines that part things,
 /// shadows of what is disabled, and what is chosen among tabs and tool buttons, which has the highlight's colour here;

@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/app_style.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
@@ -138,8 +139,7 @@ void ToolPalette::resizeEvent(QResizeEvent* event)
 
 void ToolPalette::paintEvent(QPaintEvent*)
 {
-    QColor line = palette().color(QPalette::WindowText);
-    line.setAlphaF(0.2F);
+    const QColor line = hairline(palette());
     QPainter painter(this);
     for (const int y : m_lines)
         painter.fillRect(gap / 2, y, width() - gap, 1, line);
