@@ -555,7 +555,10 @@ void TestScreenshots::takeClass()
     const auto isReadable = [&program] {
         return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(clippedTexts(program.window).isEmpty(), timeoutMs); // the question covers the view
+    // The question covers the view, which takes the clay when it is seen.
+    QTRY_COMPARE(panel->geometry(), program.window.viewport()->rect());
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().vertices > 0 && clippedTexts(program.window).isEmpty(),
+                             timeoutMs);
     take(program.window, QStringLiteral("class-name"));
     const auto begin = [&](const QString& pupil) {
         QTest::keyClicks(name, pupil);
