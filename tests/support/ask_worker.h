@@ -2,6 +2,7 @@
 
 #include "app/worker/sculpt_worker.h"
 #include "core/sculpt/sculptor.h"
+#include "tests/support/effort.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QCoreApplication>
@@ -22,7 +23,7 @@ template <class Question> auto ask(SculptWorker& worker, const Question& questio
     worker.post([&](core::Sculptor& sculptor) {
         mail.post([&answer, value = question(sculptor)]() mutable { answer = std::move(value); });
     });
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 120'000); }();
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, longestWait); }();
     return answer ? std::move(*answer) : Answer();
 }
 

@@ -25,6 +25,10 @@ constexpr bool isSlowBuild = false;
 constexpr bool isSlowBuild = true; ///< 5 to 30 times slower
 #endif
 
+/// Milliseconds after which a test gives up what it waits for. Only a test that fails takes so long, on a busy machine
+/// too.
+constexpr int longestWait = isSlowBuild ? 1'200'000 : 120'000;
+
 /// Returns the number of rounds, files, dabs or the like for this run. A soak without a number of its own is a long
 /// run.
 template <class Number> Number byEffort(Number small, Number large)

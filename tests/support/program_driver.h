@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/support/display.h"
+#include "tests/support/effort.h"
 #include "tests/support/program.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
@@ -67,9 +68,9 @@ inline void openFile(Program& program, const QString& path, const QSize& size = 
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     Q_EMIT program.window.files()->openRequested(path);
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.modelInfo().path, path, 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.modelInfo().path, path, longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, longestWait);
     program.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
 }
@@ -81,11 +82,11 @@ inline void sculptBall(Program& program)
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.document.opener().openBall();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, longestWait);
     drag(program.window.viewport(), {40, 20});
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), longestWait);
 }
 
 /// Presses a button of the question about unsaved changes, which the next event asks, until it is answered: on a busy
@@ -110,11 +111,11 @@ inline void chooseFile(Program& program, const char* dialogName, const QString& 
     QFileDialog* dialog = nullptr;
     QTRY_VERIFY_WITH_TIMEOUT((dialog = program.window.findChild<QFileDialog*>(QLatin1StringView(dialogName))) &&
                                  dialog->isVisible(),
-                             60'000);
+                             longestWait);
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     dialog->setDirectory(QFileInfo(path).absolutePath());
     name->setText(QFileInfo(path).fileName());
-    QTRY_VERIFY_WITH_TIMEOUT(dialog->isActiveWindow(), 60'000); // until then Return is the window's behind it
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->isActiveWindow(), longestWait); // until then Return is the window's behind it
     QTest::keyClick(name, Qt::Key_Return);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/operations/starter_models.h"
+#include "tests/support/effort.h"
 #include "ui/util/number_format.h"
 
 #include <QAction>
@@ -352,7 +353,7 @@ void TestClassReport::window_writesAReport()
         chooseFile(program, "reportDialog", file);
     };
     ask(path);
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longestWait);
     QTRY_VERIFY(!program.document.job().isBusy());
     QTRY_VERIFY(notice(program).contains(QStringLiteral("by hand.html was written.")));
     QCOMPARE(captured(read(at("by hand.html")), "<bdi>([^<]*)</bdi>").size(), models);

@@ -49,7 +49,6 @@ using namespace app;
 
 namespace
 {
-constexpr int timeoutMs = 60'000;
 constexpr qint64 minute = 60'000;
 const QString pin = QStringLiteral("2468");
 
@@ -147,7 +146,7 @@ struct Class
     void nextWithQuestions()
     {
         press("classNext");
-        QTRY_VERIFY_WITH_TIMEOUT(questions() && isIdle(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(questions() && isIdle(), longestWait);
         QVERIFY(!asks());
     }
     void answer(int question, int points)
@@ -160,7 +159,7 @@ struct Class
     {
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         mode.begin();
-        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
     }
     void beginTurn(const QString& name, const char* starter = "new.ball")
     {
@@ -168,7 +167,7 @@ struct Class
         part<QLineEdit>("pupilName")->clear();
         QTest::keyClicks(part<QLineEdit>("pupilName"), name);
         QTest::keyClick(part<QLineEdit>("pupilName"), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, longestWait);
     }
     void sculptAs(const QString& name, const char* starter = "new.ball")
     {
@@ -179,19 +178,19 @@ struct Class
     {
         const int before = program.document.history().stack().index();
         drag(program.window.viewport(), way);
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
     }
     void trigger(const char* id)
     {
         program.window.action(QLatin1StringView(id))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
     }
     void press(const char* button) { QTest::mouseClick(part<QPushButton>(button), Qt::LeftButton); }
     void next()
     {
         press("classNext");
-        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
     }
     void typePin(const QString& text)
     {
@@ -368,10 +367,10 @@ void TestClassroom::twentyFiveTurns_areKept()
             if (QTest::currentTestFailed())
                 return;
         }
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), longestWait);
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1,
-                                  timeoutMs); // of the clay that waits for the next
+                                  longestWait); // of the clay that waits for the next
     }
     QCOMPARE(foldersIn(home.journals()), QStringList());
     QStringList kept;
@@ -433,7 +432,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     QVERIFY(c.part<QPushButton>("classResume")->text().contains(QStringLiteral("Anna")));
     c.now += 2 * minute; // nobody's
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
     QCOMPARE(c.hash(), hash);
     QVERIFY(c.program.document.modelInfo().path.isEmpty());
     c.mode.tick();
@@ -446,7 +445,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     c.sculpt();
     QTRY_VERIFY(!c.part<QPushButton>("classResume")->isVisible()); // when the bar is laid out again
     QTRY_VERIFY_WITH_TIMEOUT(foldersIn(home.works).size() == 2 && !foldersIn(home.works).constFirst().startsWith(u'.'),
-                             timeoutMs); // what was kept stays
+                             longestWait); // what was kept stays
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
@@ -463,18 +462,18 @@ void TestClassroom::stopping_leavesNobodyWithoutClay()
     QTest::keyClick(c.part<QLineEdit>("pupilName"), Qt::Key_Return);
     const auto stop = [&c] { // what was stopped may be begun anew, and the name be asked for again
         c.program.document.cancelJob();
-        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
         QTest::qWait(50);
-        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
     };
     stop();
     if (c.asks()) // else it was there already
         c.sculptAs(QStringLiteral("Anna"));
     c.press("classNext");
     stop();
-    QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), longestWait);
     c.sculptAs(QStringLiteral("Ben"));
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
 }
 
 void TestClassroom::theClock_warnsAndTakesNothing()
@@ -537,7 +536,7 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     QVERIFY(QDir().mkpath(home.works)); // it is back
     c.sculptAs(QStringLiteral("Ben"));
     c.next();
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait);
     QTRY_VERIFY(c.text("classWaiting").isEmpty());
     QCOMPARE(foldersIn(home.places.outbox), QStringList());
 }
@@ -553,7 +552,8 @@ void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
     const std::uint64_t hash = c.hash();
     QVERIFY(QDir().rmdir(home.works));
     c.press("classNext");
-    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(),
+                             longestWait);
     QVERIFY(c.part<QMessageBox>("problem")->text().contains(QStringLiteral("The work of Anna stays open")));
     c.part<QMessageBox>("problem")->accept();
     QVERIFY(!c.asks() && c.text("classPupil") == QStringLiteral("Anna"));
@@ -688,9 +688,9 @@ void TestClassroom::closing_takesThePin()
         c.typePin(QStringLiteral("000"));
         QVERIFY(!c.part<QLineEdit>("pin")->isEnabled()); // three were wrong
         QVERIFY(c.text("pinWord").contains(QStringLiteral("seconds")));
-        QTRY_VERIFY_WITH_TIMEOUT(c.part<QLineEdit>("pin")->isEnabled(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(c.part<QLineEdit>("pin")->isEnabled(), longestWait);
         c.typePin(pin);
-        QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), longestWait);
     }
     QCOMPARE(foldersIn(home.works).size(), 1);
     QCOMPARE(foldersIn(home.journals()), QStringList());
@@ -770,7 +770,7 @@ void TestClassroom::answers_areKeptWithTheWork()
         c.press("questionsDone");
         QTRY_VERIFY(c.asks() && !c.questions());
         QCOMPARE(QApplication::focusWidget(), c.part<QLineEdit>("pupilName"));
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
         c.sculptAs(QStringLiteral("Ben"));
         c.nextWithQuestions();
         for (const QToolButton* point : c.part<QWidget>("questionnairePanel")->findChildren<QToolButton*>())
@@ -807,7 +807,7 @@ void TestClassroom::skipping_keepsNothing()
     c.answer(2, 5);
     c.press("skipQuestions");
     QTRY_VERIFY(c.asks() && !c.questions());
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), timeoutMs); // hidden until it is whole
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), longestWait); // hidden until it is whole
     QCOMPARE(foldersIn(home.works).size(), 1);
     const QString folder = home.works + u'/' + foldersIn(home.works).constFirst();
     QVERIFY(!QFile::exists(folder + u'/' + TurnAnswers::fileName));
@@ -918,14 +918,14 @@ void TestClassroom::stopping_keepsTheForm()
                 Qt::QueuedConnection);
     });
     c.press("classNext");
-    QTRY_VERIFY_WITH_TIMEOUT(c.questions(), timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(stops == 5 && c.isIdle() && c.hash() != hash, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(c.questions(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(stops == 5 && c.isIdle() && c.hash() != hash, longestWait);
     QVERIFY(c.questions() && !c.asks());
     c.answer(1, 3);
     c.press("questionsDone");
     QTRY_VERIFY(c.asks());
     c.beginTurn(QStringLiteral("Ben"));
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, longestWait);
     const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
     QCOMPARE(TurnAnswers::read(work).questionnaire.answers[0], 3);
 }
@@ -944,7 +944,8 @@ void TestClassroom::eachPanel_opensOnce()
     c.nextWithQuestions();
     QCOMPARE(counts(), std::pair(0, 1));
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.questions() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.questions() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"),
+                             longestWait);
     QCOMPARE(counts(), std::pair(0, 0));
     c.nextWithQuestions();
     c.press("questionsDone");
@@ -954,7 +955,7 @@ void TestClassroom::eachPanel_opensOnce()
     c.nextWithQuestions();
     c.press("classLeave");
     c.typePin(pin);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
     QCOMPARE(counts(), std::pair(0, 1));
 }
 
@@ -971,10 +972,10 @@ void TestClassroom::aFailedAnswer_isWrittenAtDone()
         home.places.outbox + u'/' + foldersIn(home.places.outbox).constFirst() + u'/' + TurnAnswers::fileName;
     QVERIFY(QDir().mkdir(answers));
     c.answer(5, 6);
-    QTRY_VERIFY_WITH_TIMEOUT(notice(c.program).contains(TurnAnswers::fileName), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(c.program).contains(TurnAnswers::fileName), longestWait);
     QVERIFY(QDir().rmdir(answers));
     c.press("questionsDone");
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, longestWait);
     const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
     QCOMPARE(TurnAnswers::read(work).questionnaire.answers[4], 6);
 }
@@ -1010,12 +1011,12 @@ void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
     const QString ben = foldersIn(home.places.outbox).filter(QStringLiteral("Ben")).constFirst();
     c.answer(6, 5);
     QTRY_COMPARE_WITH_TIMEOUT(TurnAnswers::read(home.places.outbox + u'/' + ben).questionnaire.answers[5], 5,
-                              timeoutMs);
+                              longestWait);
     QCOMPARE(foldersIn(home.works), QStringList{anna});
-    QTRY_VERIFY_WITH_TIMEOUT(isReleased || (isReleased = release()), timeoutMs);
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList{ben}, timeoutMs); // the form is open
+    QTRY_VERIFY_WITH_TIMEOUT(isReleased || (isReleased = release()), longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList{ben}, longestWait); // the form is open
     c.press("questionsDone");
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, longestWait);
     QCOMPARE(TurnAnswers::read(home.works + u'/' + ben).questionnaire.answers[5], 5);
 }
 
@@ -1032,13 +1033,13 @@ void TestClassroom::resuming_fromTheQuestions()
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
     c.press("classResume");
     QTRY_VERIFY_WITH_TIMEOUT(
-        !c.questions() && !c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), timeoutMs);
+        !c.questions() && !c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
     QCOMPARE(c.hash(), hash);
     c.sculpt({-40, 30});
     c.nextWithQuestions();
     c.press("questionsDone");
     QTRY_VERIFY(c.asks());
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait);
 }
 
 void TestClassroom::leaving_keepsWhatWasAnswered()
@@ -1053,7 +1054,7 @@ void TestClassroom::leaving_keepsWhatWasAnswered()
         c.answer(4, 1);
         c.press("classLeave");
         c.typePin(pin);
-        QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
     }
     QCOMPARE(foldersIn(home.works).size(), 1);
     QCOMPARE(foldersIn(home.places.outbox), QStringList());
@@ -1070,7 +1071,7 @@ void TestClassroom::aPowerCutInTheQuestions_losesNothing()
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     victim.start(QCoreApplication::applicationFilePath(),
                  {test::runningClass(), QStringLiteral("--victim"), root.path(), QStringLiteral("questions")});
-    QVERIFY(victim.waitForFinished(timeoutMs));
+    QVERIFY(victim.waitForFinished(longestWait));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
     QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);
 
@@ -1078,7 +1079,7 @@ void TestClassroom::aPowerCutInTheQuestions_losesNothing()
     Class c(home, home.classroomWithQuestions());
     c.begin();
     QVERIFY(!c.questions()); // its pupil has gone
-    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
     int answered = 0;
     for (const QString& name : foldersIn(home.works)) {
         QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
@@ -1111,14 +1112,14 @@ void TestClassroom::aPowerCut_losesNobodysWork()
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     victim.start(QCoreApplication::applicationFilePath(),
                  {test::runningClass(), QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
-    QVERIFY(victim.waitForFinished(timeoutMs));
+    QVERIFY(victim.waitForFinished(longestWait));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
     QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);
 
     const Home home(root.path());
     Class c(home);
     c.begin();
-    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
     for (const QString& name : foldersIn(home.works)) { // two, if the work was kept and its journal did not know yet
         QVERIFY2(!name.startsWith(u'.') && name.contains(QStringLiteral("Anna")), qPrintable(name));
         QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
@@ -1126,7 +1127,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
         QCOMPARE(replayed(core::Starter::Ball, home.works + u'/' + name + QStringLiteral("/record.json")), hash);
     }
     QVERIFY(foldersIn(home.works).size() <= 2);
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, longestWait);
 }
 
 namespace

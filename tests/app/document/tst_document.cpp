@@ -10,6 +10,7 @@
 #include "core/mesh/mesh_hash.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
+#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/thread_mailbox.h"
@@ -39,7 +40,7 @@ struct Session
     /// Waits until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
         settle();
     }
 

@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
@@ -32,7 +33,7 @@ QString exportedBrush(Document& document)
 {
     QSignalSpy kept(&document.saver(), &ModelSaver::brushExported);
     document.saver().exportBrush();
-    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, 60'000); }();
+    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, longestWait); }();
     return kept.isEmpty() ? QString() : kept[0][0].toString();
 }
 
@@ -49,7 +50,7 @@ struct ViewedSession
     /// Until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
         settle();
     }
 
@@ -312,7 +313,7 @@ void TestDocumentModel::change_isToldOnceItIsMade()
         noticed(&session.document, &Document::noticed);
     session.document.changer().apply(core::Scale{2}); // the mesh thread copies
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
-    QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), longestWait);
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
             session.document.job().isBusy());
     session.stroke({0, 0, 50});

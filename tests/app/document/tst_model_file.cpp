@@ -2,6 +2,7 @@
 #include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
+#include "tests/support/effort.h"
 #include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
 #include "ui/settings/settings.h"
@@ -32,7 +33,8 @@ struct Opened
     void wait()
     {
         QVERIFY(QTest::qWaitForWindowActive(&program.window));
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().path == path && !program.document.job().isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().path == path && !program.document.job().isBusy(),
+                                 longestWait);
         QTRY_COMPARE(grid->model()->rowCount(), 2);
     }
     void choose(const QString& name) const
@@ -104,7 +106,7 @@ void TestModelFile::aNewNameIsTheModels()
     QVERIFY(!o.program.window.isWindowModified());
     o.press("file.save");
     QTRY_VERIFY_WITH_TIMEOUT(
-        notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.job().isBusy(), 60'000);
+        notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.job().isBusy(), longestWait);
     QVERIFY(!o.question() && !QFile::exists(o.path));
     QCOMPARE(Opened::verticesIn(renamed), quint64(642));
 }
@@ -153,13 +155,13 @@ void TestModelFile::goneFromOutside_isWrittenAnewAndSaidSo()
     o.wait();
     QVERIFY(QFile::remove(o.path));
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(o.path) && !o.program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(o.path) && !o.program.document.job().isBusy(), longestWait);
     QCOMPARE(Opened::verticesIn(o.path), quint64(642));
     QVERIFY(notice(o.program).contains(QStringLiteral("anew")));
     QVERIFY(!o.program.document.savedState().isModified() && !o.question());
     o.press("file.save");
     QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.job().isBusy(),
-                             60'000);
+                             longestWait);
 }
 
 void TestModelFile::changedByAnother_asks()
@@ -178,10 +180,10 @@ void TestModelFile::changedByAnother_asks()
     o.press("file.save");
     o.answer(QMessageBox::DestructiveRole);
     QTRY_COMPARE(Opened::verticesIn(o.path), quint64(642));
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && !o.question(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && !o.question(), longestWait);
     o.press("file.save"); // now it is its own again
     QVERIFY(!o.question());
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
 }
 
 void TestModelFile::changedByAnother_maySaveElsewhere()
@@ -195,7 +197,8 @@ void TestModelFile::changedByAnother_maySaveElsewhere()
     o.press("file.save");
     o.answer(QMessageBox::AcceptRole);
     chooseFile(o.program, "saveDialog", mine);
-    QTRY_VERIFY_WITH_TIMEOUT(o.program.document.modelInfo().path == mine && !o.program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(o.program.document.modelInfo().path == mine && !o.program.document.job().isBusy(),
+                             longestWait);
     QCOMPARE(Opened::verticesIn(o.path), others);
     QCOMPARE(Opened::verticesIn(mine), quint64(642));
 }
@@ -205,13 +208,13 @@ void TestModelFile::ownWritingIsNotAnothers()
     Opened o;
     o.wait();
     o.program.document.changer().apply(core::Recentre{});
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && o.program.document.queue().isSettled(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && o.program.document.queue().isSettled(), longestWait);
     o.program.document.saver().exportTo(o.path);
     QTRY_VERIFY_WITH_TIMEOUT(
-        notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.job().isBusy(), 60'000);
+        notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.job().isBusy(), longestWait);
     o.press("file.save");
     QVERIFY(!o.question());
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
 }
 
 /// Typed into the window, as it comes from the keyboard: names that begin so are offered meanwhile.
@@ -238,7 +241,7 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
     QTRY_VERIFY(QApplication::activePopupWidget());
     QTest::keyClick(dialog->windowHandle(), Qt::Key_Return);
     QTRY_COMPARE(o.program.document.modelInfo().path, o.folder.filePath(QStringLiteral("tiger.glb")));
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
     QCOMPARE(QDir(o.folder.path()).entryList(QDir::Files).size(), 5);
 }
 

@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
+#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "ui/model/insert_request.h"
@@ -62,7 +63,7 @@ struct PlacedSession
 
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
         app::settle(worker);
     }
 

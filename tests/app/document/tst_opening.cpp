@@ -3,6 +3,7 @@
 #include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
+#include "tests/support/effort.h"
 #include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
 
@@ -38,8 +39,8 @@ bool dropFile(Program& program, const QString& path)
 /// Until the document is at rest with the model of that file; no other came before it.
 void expectOnly(Program& program, const QSignalSpy& opened, const QString& path)
 {
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), longestWait);
     QTest::qWait(200);
     QCOMPARE(opened.size(), 1);
     QCOMPARE(program.document.modelInfo().path, path);
@@ -195,7 +196,7 @@ void TestOpening::whoWillNotLoseThemKeepsTheModel()
     program.document.history().redo();
     QTRY_VERIFY(program.document.savedState().isModified());
     program.document.opener().open(files.small);
-    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, longestWait);
     QTest::qWait(200);
     QVERIFY(!program.document.job().isBusy() && opened.isEmpty());
     QVERIFY(program.document.modelInfo().path.isEmpty() && program.document.savedState().isModified() &&
@@ -233,7 +234,7 @@ void TestOpening::stopEndsBoth()
     program.document.opener().open(files.other);
     QVERIFY(program.document.job().isBusy());
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
     QTest::qWait(200);
     QVERIFY(opened.isEmpty() && !program.document.job().isBusy());
     QCOMPARE(program.document.modelInfo().vertices, quint64(10242));
@@ -269,12 +270,12 @@ void TestOpening::aBrokenModelIsRepaired()
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
     program.document.opener().open(broken);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
     opened.clear();
     QTest::keyClick(repairQuestion(program), agrees ? Qt::Key_Return : Qt::Key_Escape);
     QTRY_VERIFY(!repairQuestion(program));
     if (agrees) {
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
         QVERIFY(repairReport(program).contains(QStringLiteral("Pairs of faces that met")));
         QVERIFY(program.document.modelInfo().path.isEmpty());
         QVERIFY(program.document.savedState().isModified()); // the file has it broken
@@ -294,21 +295,21 @@ void TestOpening::aRepairThatLosesMuchIsAsked()
     core::writeMesh(path.toStdString(), shapes::takenApart(core::icosphere(3, 10)));
     Program program;
     program.document.opener().openBall();
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && !program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && !program.document.job().isBusy(), longestWait);
     const QSignalSpy opened(&program.document, &Document::opened);
     const auto question = [&] { return program.window.findChild<QDialog*>(QStringLiteral("repairDoubtDialog")); };
     for (const Qt::Key answer : {Qt::Key_Escape, Qt::Key_Return}) {
         program.document.opener().open(path);
-        QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
         QTest::keyClick(repairQuestion(program), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(question() && !program.document.job().isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(question() && !program.document.job().isBusy(), longestWait);
         QVERIFY(opened.isEmpty());
         const QList<QLabel*> labels = question()->findChildren<QLabel*>();
         QCOMPARE(std::ranges::count_if(labels, [](const QLabel* label) { return !label->pixmap().isNull(); }), 2);
         QTest::keyClick(question(), answer);
         QTRY_VERIFY(!question() && !repairQuestion(program));
     }
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
     QVERIFY(program.document.savedState().isModified());
     QVERIFY(repairReport(program).contains(QStringLiteral("anew")));
 }
@@ -326,10 +327,10 @@ void TestOpening::aBrokenModelIsRepairedAndInserted()
     QDialog* place = nullptr;
     QTRY_VERIFY((place = program.window.findChild<QDialog*>(QStringLiteral("insertDialog"))) && place->isVisible());
     QTest::keyClick(place, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
     QTest::keyClick(repairQuestion(program), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Pairs of faces that met")), 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Pairs of faces that met")), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
     QCOMPARE(program.document.history().stack().count(), 2);
     QTRY_VERIFY(program.document.modelInfo().size.x() > before + 29);
     QTest::keyClick(program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog")), Qt::Key_Return);

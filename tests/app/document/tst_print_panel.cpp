@@ -6,6 +6,7 @@
 #include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
+#include "tests/support/effort.h"
 #include "ui/print/print_panel.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/side_panel.h"
@@ -233,7 +234,7 @@ void TestPrintPanelWindow::stopping_leavesItUnchecked()
     QTest::qWait(1500);
     QVERIFY(!isAnswered(program));
     QTest::mouseClick(button, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(program), 120'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(program), longestWait);
 }
 
 void TestPrintPanelWindow::base_isFlattenedAndPlaced()

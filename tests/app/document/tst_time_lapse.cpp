@@ -6,6 +6,7 @@
 #include "app/document/history_visit.h"
 #include "app/document/time_lapse.h"
 
+#include "tests/support/effort.h"
 #include "ui/history/time_lapse_dialog.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -22,8 +23,6 @@ using namespace app;
 
 namespace
 {
-constexpr int timeLapseTimeoutMs = 120'000;
-
 QStringList filesIn(const QString& folder)
 {
     return QDir(folder).entryList(QDir::Files | QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
@@ -62,7 +61,7 @@ struct Studio
     {
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
                                      program.document.modelInfo().faces > 0,
-                                 timeLapseTimeoutMs);
+                                 longestWait);
     }
 
     std::uint64_t state()
@@ -87,7 +86,7 @@ struct Studio
                 outcome = TimeLapse::run(request, history, control);
             },
             [&isDone] { isDone = true; });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, timeLapseTimeoutMs); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, longestWait); }();
         return outcome;
     }
 
@@ -248,8 +247,8 @@ void TestTimeLapse::handsRestMeanwhile()
     s.program.document.history().undo(); // waits
     QCOMPARE(s.program.document.history().stack().index(), 3);
     mayGoOn = true;
-    QTRY_VERIFY_WITH_TIMEOUT(isDone, timeLapseTimeoutMs);
-    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.history().stack().index(), 2, timeLapseTimeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.history().stack().index(), 2, longestWait);
 }
 
 void TestTimeLapse::byTheMenu()
@@ -266,9 +265,9 @@ void TestTimeLapse::byTheMenu()
     QVERIFY(dialog->findChild<QLabel*>(QStringLiteral("frameCount"))->text().contains(QStringLiteral("3")));
     dialog->accept();
     chooseFile(s.program, "folderDialog", folder.path());
-    QTRY_COMPARE_WITH_TIMEOUT(filesIn(folder.path()).size(), 3, timeLapseTimeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(filesIn(folder.path()).size(), 3, longestWait);
     s.rest();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(s.program).contains(QStringLiteral("3")), timeLapseTimeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(s.program).contains(QStringLiteral("3")), longestWait);
     for (const QString& name : filesIn(folder.path()))
         QCOMPARE(QImage(folder.filePath(name)).size(), chosen);
 }

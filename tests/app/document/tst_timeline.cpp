@@ -33,8 +33,6 @@ using namespace app;
 
 namespace
 {
-constexpr int timeoutMs = 60'000;
-
 /// The program with a ball of clay, and strokes that need no mouse.
 struct TimelineFixture
 {
@@ -51,7 +49,7 @@ struct TimelineFixture
     {
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
                                      program.document.modelInfo().faces > 0,
-                                 timeoutMs);
+                                 longestWait);
     }
 
     /// What the mesh is, slots and free lists too.
@@ -83,13 +81,13 @@ struct TimelineFixture
     void showHistory()
     {
         find<ui::SidePanel>("historyPanel")->bringForward();
-        QTRY_VERIFY_WITH_TIMEOUT(program.window.history()->isVisible(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(program.window.history()->isVisible(), longestWait);
     }
     QAction* edit() { return program.window.action(QStringLiteral("edit.lastStroke")); }
     void beginEdit()
     {
         edit()->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), longestWait);
     }
     /// As if it were typed.
     void set(const char* box, double value)
@@ -106,7 +104,7 @@ struct TimelineFixture
     {
         QTest::mouseClick(bar()->findChild<QPushButton*>(QLatin1StringView(button)), Qt::LeftButton);
         rest();
-        QTRY_VERIFY_WITH_TIMEOUT(!bar(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!bar(), longestWait);
     }
 
     Program program;
@@ -174,7 +172,7 @@ void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
     }
     auto* slider = fixture.find<QSlider>("timeline");
     fixture.showHistory();
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), steps, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), steps, longestWait);
     QCOMPARE(slider->minimum(), 0);
     for (int i = 0; i < byEffort(8, 25); ++i) {
         int wanted = 0;
@@ -184,7 +182,7 @@ void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
             if (burst % 2 == 1)
                 QCoreApplication::processEvents();
         }
-        QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), wanted, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), wanted, longestWait);
         QCOMPARE(fixture.state(), states[static_cast<std::size_t>(wanted)]);
         QCOMPARE(slider->value(), wanted);
     }
@@ -200,22 +198,22 @@ void TestTimeline::scrub_keysGoByOneAndPlayToTheEnd()
     const std::uint64_t last = fixture.state();
     auto* slider = fixture.find<QSlider>("timeline");
     fixture.showHistory();
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 3, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 3, longestWait);
     QTest::keyClick(slider, Qt::Key_Left);
     QTest::keyClick(slider, Qt::Key_Left);
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 1, longestWait);
     QTest::keyClick(slider, Qt::Key_Right);
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 2, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 2, longestWait);
     const QString text = fixture.find<QLabel>("timelineText")->text();
     QVERIFY2(text.contains(QStringLiteral("2")) && text.contains(QStringLiteral("3")) &&
                  text.contains(fixture.program.document.history().stack().text(1)),
              qPrintable(text));
     auto* play = fixture.find<QToolButton>("timelinePlay");
     QTest::mouseClick(play, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked(), longestWait);
     QSignalSpy moved(&fixture.program.document.history().stack(), &QUndoStack::indexChanged);
     QTest::mouseClick(play, Qt::LeftButton); // from the first
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked() && moved.size() >= 4, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked() && moved.size() >= 4, longestWait);
     QCOMPARE(fixture.state(), last);
 }
 
@@ -320,7 +318,7 @@ void TestTimeline::edit_cancelGivesTheStrokeBackAsItWas()
             QTest::keyClick(fixture.bar(), Qt::Key_Escape);
         else
             fixture.press("cancelStroke");
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), longestWait);
         QCOMPARE(fixture.state(), was);
         QCOMPARE(fixture.count(), 1);
         QVERIFY(!fixture.program.document.savedState().isModified());
@@ -360,7 +358,7 @@ void TestTimeline::edit_theNextStrokeEndsIt()
         Q_EMIT fixture.program.window.viewport()->input()->strokeSampled(sample);
     Q_EMIT fixture.program.window.viewport()->input()->strokeEnded(core::StrokeEnd::Kept);
     fixture.rest();
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), longestWait);
     QCOMPARE(fixture.count(), 2);
     fixture.program.document.history().undo();
     TimelineFixture other;
@@ -379,7 +377,7 @@ void TestTimeline::edit_undoEndsIt()
     fixture.set("radius.box", 14);
     fixture.rest();
     fixture.program.document.history().undo();
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), longestWait);
     QCOMPARE(fixture.state(), start);
     QVERIFY(!fixture.edit()->isEnabled());
     fixture.program.document.history().redo();
@@ -397,7 +395,7 @@ void TestTimeline::edit_whatDoesNothingSaysSo()
     fixture.set("strength.box", 0);
     fixture.rest();
     auto* hint = fixture.find<QLabel>("strokeHint");
-    QTRY_VERIFY_WITH_TIMEOUT(!hint->text().isEmpty(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!hint->text().isEmpty(), longestWait);
     QCOMPARE(fixture.state(), start);
     fixture.set("strength.box", 2);
     fixture.rest();
@@ -461,7 +459,7 @@ void TestTimeline::edit_theRecordIsOfWhatIsThere()
         return true;
     };
     QVERIFY(fixture.program.document.saver().saveExternally({}, keep, [&isDone](bool) { isDone = true; }));
-    QTRY_VERIFY_WITH_TIMEOUT(isDone, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
     QVERIFY(entries && entries->size() == 2);
     TimelineFixture other;
     for (const core::FileEntry& entry : *entries)

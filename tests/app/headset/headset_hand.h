@@ -6,6 +6,7 @@
 #include "app/headset/headset.h"
 #include "app/headset/headset_settings_store.h"
 #include "core/geometry/rotation.h"
+#include "tests/support/effort.h"
 #include "vr/input/model_placement.h"
 #include "vr/input/wand_mapping.h"
 #include "vr/panels/panel_manager.h"
@@ -58,7 +59,7 @@ public:
         put(vr::Side::Right, {0.3, 1.1, -0.3});
         m_framesBefore = framesEnded();
         m_program.window.action(QStringLiteral("vr.enter"))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(m_headset.report()["is_running"].toBool(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_headset.report()["is_running"].toBool(), longestWait);
         frames(8); // the focus comes with the fourth
         placeModelAgain();
     }
@@ -71,8 +72,8 @@ public:
     void waitUntilOut()
     {
         m_headset.step("{'pace': 'fast'}");
-        QTRY_VERIFY_WITH_TIMEOUT(!m_headset.report()["is_running"].toBool(), 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_program.window.findChild<Headset*>()->isActive(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_headset.report()["is_running"].toBool(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_program.window.findChild<Headset*>()->isActive(), longestWait);
         m_headset.step("{'pace': 'stepped'}");
     }
 
@@ -105,7 +106,8 @@ public:
     void settle()
     {
         frames(isIn() ? 2 : 0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_program.document.queue().isSettled() && !m_program.document.job().isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_program.document.queue().isSettled() && !m_program.document.job().isBusy(),
+                                 longestWait);
         frames(isIn() ? 2 : 0);
     }
 

@@ -3,6 +3,7 @@
 
 #include "core/io/mesh_io.h"
 #include "tests/support/ask_worker.h"
+#include "tests/support/effort.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -44,8 +45,8 @@ struct ControllerVisit
     void wait()
     {
         const auto isDone = [this] { return !program.document.job().isBusy() && program.document.queue().isSettled(); };
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && isDone(), 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && isDone(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
         QCoreApplication::processEvents();
     }
 
@@ -161,7 +162,7 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
     const QByteArray first = bytesOf(at("vase.glb"));
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), longestWait);
     QCOMPARE(visit.program.document.modelInfo().path, at("vase-001.glb"));
     QCOMPARE(visit.update().saved, QStringLiteral("vase-001.glb"));
     QVERIFY(visit.update().notice.contains(QStringLiteral("vase-001.stl")));
@@ -174,7 +175,7 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
     core::writeMesh(at("vase-007.stl").toStdString(), core::icosphere(1, 50));
     const QByteArray others = bytesOf(at("vase-007.stl")), second = bytesOf(at("vase-001.glb"));
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase-008.glb"), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase-008.glb"), longestWait);
     QVERIFY(QFile::exists(at("vase-008.stl")));
     QCOMPARE(bytesOf(at("vase-007.stl")), others);
     QCOMPARE(bytesOf(at("vase-001.glb")), second);
@@ -186,7 +187,7 @@ void TestHeadsetControllerRequests::save_ofAModelWithoutAFile()
     ControllerVisit visit({});
     visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, m_folder->filePath(visit.update().saved),
-                              60'000);
+                              longestWait);
     QVERIFY(visit.update().saved.endsWith(QStringLiteral("-001.glb")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("*-001.*")}).size(), 2);
 }
@@ -202,7 +203,7 @@ void TestHeadsetControllerRequests::save_whereNothingFits()
     visit.stroke({50, 0, 0});
     const QSignalSpy refused(&visit.program.document, &Document::refused);
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, longestWait);
     QCOMPARE(visit.update().notice, refused[0][0].toString());
     QVERIFY(visit.update().notice.contains(QStringLiteral("-001.glb")) && visit.update().saved.isEmpty());
     QVERIFY(visit.program.document.savedState().isModified() && visit.program.document.modelInfo().path.isEmpty());
@@ -218,7 +219,7 @@ void TestHeadsetControllerRequests::save_whereOnlyTheFirstFits()
     ControllerVisit visit({});
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), longestWait);
     const QStringList files =
         QFileInfo(visit.program.document.modelInfo().path).dir().entryList(QDir::Files | QDir::Hidden);
     QCOMPARE(files, QStringList{visit.update().saved});
@@ -233,12 +234,12 @@ void TestHeadsetControllerRequests::open_lettingChangesGo()
     const quint64 model = visit.update().model;
     visit.stroke({50, 0, 0});
     visit.request(vr::OpenModel{at("cup.stl"), true});
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("cup.stl"), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("cup.stl"), longestWait);
     QVERIFY(!visit.program.document.savedState().isModified());
     QVERIFY(visit.update().model > model);
     QVERIFY(visit.update().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
     visit.request(vr::OpenModel{at("vase.glb")}); // there is nothing to lose
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase.glb"), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase.glb"), longestWait);
     visit.stroke({50, 0, 0});
 }
 
@@ -253,7 +254,7 @@ void TestHeadsetControllerRequests::open_wouldLoseChanges()
     visit.port->addSample(sample);
     visit.port->endStroke();
     visit.request(vr::OpenModel{at("cup.stl")}); // right after the stroke
-    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait);
     QVERIFY(visit.update().notice.contains(QStringLiteral("cup.stl")));
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     QCOMPARE(visit.program.document.history().stack().count(), 1);
@@ -270,7 +271,7 @@ void TestHeadsetControllerRequests::open_ofAModelThatNeedsRepair()
     ControllerVisit visit(at("vase.glb"));
     const QSignalSpy repairable(&visit.program.document.opener(), &ModelOpener::repairable);
     visit.request(vr::OpenModel{at("open.obj")});
-    QTRY_COMPARE_WITH_TIMEOUT(repairable.size(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(repairable.size(), 1, longestWait);
     QVERIFY(visit.update().notice.startsWith(repairable[0][1].toString()));
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     visit.stroke({50, 0, 0});
@@ -286,7 +287,7 @@ void TestHeadsetControllerRequests::open_whileBusy()
     visit.port->request(core::MaskOperation{});
     QVERIFY(visit.program.document.job().isBusy());
     const QSignalSpy noticed(&visit.controller, &HeadsetController::noticed);
-    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, longestWait);
     visit.wait();
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     QCOMPARE(visit.program.document.history().stack().count(), 0);
@@ -326,7 +327,7 @@ void TestHeadsetControllerRequests::restore_isUndoable()
     visit.stroke({50, 0, 0});
     const std::uint64_t changed = visit.hash();
     visit.request(vr::RestoreModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.history().stack().count(), 2, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.history().stack().count(), 2, longestWait);
     QCOMPARE(visit.hash(), before);
     visit.request(vr::Undo());
     QCOMPARE(visit.hash(), changed);
@@ -387,7 +388,7 @@ void TestHeadsetControllerRequests::brush_fromTheHeadset()
     request.brush.color = {1, 2, 3};
     request.brush.strength = 7;
     visit.request(request);
-    QTRY_COMPARE_WITH_TIMEOUT(brush.tool(), core::Tool::Paint, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(brush.tool(), core::Tool::Paint, longestWait);
     QVERIFY(brush.stroke().brush == core::BrushShape::Ray && brush.stroke().topology == core::Topology::Uniform);
     QCOMPARE(brush.stroke().radial, 5);
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
@@ -438,7 +439,7 @@ void TestHeadsetControllerRequests::settings_areKept()
     vr::HeadsetSettings settings{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
     settings.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
     visit.request(settings);
-    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettingsStore().load() == settings, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettingsStore().load() == settings, longestWait);
     QSettings().setValue(QStringLiteral("headset/raised"), QStringLiteral("a lot"));
     QSettings().setValue(QStringLiteral("headset/preset"), QStringLiteral("another"));
     QCOMPARE(HeadsetSettingsStore().load().heightOffset, 0.0);
@@ -460,13 +461,13 @@ void TestHeadsetControllerRequests::files_comeWithPictures()
                 return file;
         return vr::FileTile();
     };
-    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 3, 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull(), 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(tile("broken.ply").isBroken, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 3, longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(tile("broken.ply").isBroken, longestWait);
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 5, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 5, longestWait);
     QFile::remove(at("cup.stl"));
-    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 4, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 4, longestWait);
 }
 
 void TestHeadsetControllerRequests::avatar_isSeen()
@@ -480,7 +481,7 @@ void TestHeadsetControllerRequests::avatar_isSeen()
         presence.model.translation().x() = i;
         visit.port->show(presence);
     }
-    QTRY_COMPARE_WITH_TIMEOUT(all.size(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(all.size(), 1, longestWait);
     QCOMPARE(all[0]->model.translation().x(), 50.0);
     visit.controller.close();
     QCOMPARE(all.size(), 2);
@@ -522,14 +523,14 @@ void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
         reports.clear();
         visit.program.window.action(QStringLiteral("vr.enter"))->trigger();
         QVERIFY(headset->isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(!reports.isEmpty() && reports.last().isEnded(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!reports.isEmpty() && reports.last().isEnded(), longestWait);
         QVERIFY(!headset->isActive() && reports.last().end == vr::HeadsetEnd::Unavailable);
         QCOMPARE(notice(visit.program), reports.last().text);
     }
     headset->enter();
     visit.program.window.close();
     QVERIFY(visit.program.window.isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.window.isVisible(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.window.isVisible(), longestWait);
     QVERIFY(!headset->isActive());
 }
 

@@ -3,6 +3,7 @@
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
+#include "tests/support/effort.h"
 #include "vr/sculpt/brush_state.h"
 
 #include <numbers>
@@ -75,18 +76,18 @@ void TestHeadsetPaper::togglesTopology(double y)
     const auto vertices = v.program.document.modelInfo().vertices;
     QVERIFY(v.brush().topology != core::Topology::Uniform);
     v.hand.pressPad(Side::Left, 0, y);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, longestWait);
     core::Topology drawn{};
     QObject::connect(&v.program.document, &Document::stepped,
                      [&drawn](const core::FileEntry& step) { drawn = std::get<core::Stroke>(step).settings.topology; });
     v.pull();
-    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Uniform, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Uniform, longestWait);
     QVERIFY(v.program.document.savedState().isModified());
     QVERIFY(v.program.document.modelInfo().vertices < vertices + 20);
     v.hand.pressPad(Side::Left, 0, y);
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().topology != core::Topology::Uniform, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().topology != core::Topology::Uniform, longestWait);
     v.pull();
-    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Adaptive, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Adaptive, longestWait);
     QVERIFY(v.program.document.modelInfo().vertices > vertices + 100);
 }
 
@@ -121,10 +122,10 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
     const std::vector<Tool> order = vr::toolOrder(vr::ButtonPreset::Paper);
     for (std::size_t i = 1; i <= order.size(); ++i) {
         v.hand.pressPad(Side::Left, 0.8, 0);
-        QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, order[i % order.size()], 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, order[i % order.size()], longestWait);
     }
     v.hand.pressPad(Side::Left, -0.8, 0);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, Tool::Mask, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, Tool::Mask, longestWait);
     v.hand.press(Side::Left, "menu");
     v.hand.pressPad(Side::Left, 0.8, 0);
     v.hand.settle();
@@ -162,14 +163,14 @@ void TestHeadsetPaper::leftSideHeld_saves()
     QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
     v.hand.hold(Side::Left, "squeeze");
     const QStringList saved{QStringLiteral("clay-001.glb"), QStringLiteral("clay-001.stl"), QStringLiteral("clay.glb")};
-    QTRY_COMPARE_WITH_TIMEOUT(v.files(), saved, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.files(), saved, longestWait);
     v.hand.settle();
     const core::TriangleMesh now =
         v.hand.ask([](core::Sculptor& sculptor) { return core::extractMesh(sculptor.mesh()); });
     for (const char* name : {"clay-001.glb", "clay-001.stl"})
         QCOMPARE(core::readMesh(v.path(name).toStdU16String()).triangles.size(), now.triangles.size());
     v.hand.hold(Side::Left, "squeeze");
-    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-002.stl")), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-002.stl")), longestWait);
     v.hand.settle();
 }
 
@@ -177,27 +178,27 @@ void TestHeadsetPaper::rightPadTop_togglesTheBrush()
 {
     Alone v;
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Ray, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Ray, longestWait);
     v.hand.put(Side::Right, v.hand.place({0, 0, 90}));
     v.hand.frame();
     v.hand.press(Side::Right, "trigger", 10); // from afar
     v.hand.settle();
     QVERIFY(v.box().max().z() > 50.2);
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Sphere, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Sphere, longestWait);
 }
 
 void TestHeadsetPaper::rightPadBottom_togglesSymmetry()
 {
     Alone v;
     v.hand.pressPad(Side::Right, 0, -0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::Y, 60'000); // the paper's xz plane
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::Y, longestWait); // the paper's xz plane
     v.pull();
     const core::Box box = v.box();
     QVERIFY(box.max().y() > 52);
     QCOMPARE(box.min().y(), -box.max().y());
     v.hand.pressPad(Side::Right, 0, -0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::None, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::None, longestWait);
 }
 
 void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
@@ -238,18 +239,18 @@ void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
     const core::Rgb before = v.brush().color;
     v.hand.press(Side::Right, "menu");
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.r < before.r, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.r < before.r, longestWait);
     QVERIFY(v.brush().color.g == before.g && v.brush().color.b == before.b);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g < before.g, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g < before.g, longestWait);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.b < before.b, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.b < before.b, longestWait);
     const core::Rgb lower = v.brush().color;
     v.hand.pressPad(Side::Right, -0.8, 0);
     v.hand.slide(Side::Right, {0, 1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g > lower.g, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g > lower.g, longestWait);
     QCOMPARE(v.brush().color.b, lower.b);
     v.hand.press(Side::Right, "menu");
     QVERIFY(v.isUntouched());
@@ -305,15 +306,15 @@ void TestHeadsetPaper::handsMaySwap()
     QVERIFY(v.isUntouched());
     for (const core::BrushShape shape : {core::BrushShape::Ray, core::BrushShape::Sphere}) {
         v.hand.pressPad(Side::Left, 0, 0.8);
-        QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, shape, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, shape, longestWait);
     }
 
     v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, longestWait);
     v.hand.press(Side::Right, "menu");
     v.hand.pressPad(Side::Right, 0.8, 0);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, core::Tool::Push, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, core::Tool::Push, longestWait);
     v.hand.press(Side::Right, "menu");
     const double yaw = yawOf(v.model());
     v.hand.pressPad(Side::Right, -0.8, 0, 30);
@@ -323,7 +324,7 @@ void TestHeadsetPaper::handsMaySwap()
     scalesTheModel(v, Side::Right);
     QVERIFY(v.isUntouched());
     v.hand.hold(Side::Right, "squeeze");
-    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-001.stl")), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-001.stl")), longestWait);
     v.hand.settle();
 }
 

@@ -7,6 +7,7 @@
 #include "app/classroom/class_pin.h"
 #include "app/classroom/classroom_mode.h"
 #include "core/analysis/mesh_check.h"
+#include "tests/support/effort.h"
 #include "ui/brush/brush_caption.h"
 #include "ui/classroom/pupil_name_panel.h"
 #include "ui/headset/partner_bar.h"
@@ -65,7 +66,7 @@ struct Pair : Visit
     {
         action("vr.point")->setChecked(true);
         sendMove(&viewport(), pixel);
-        QTRY_VERIFY_WITH_TIMEOUT(place, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(place, longestWait);
         hand.frames(3);
     }
     /// A stroke of the mouse across the model.
@@ -73,7 +74,7 @@ struct Pair : Visit
     {
         const int before = changes();
         drag(&viewport(), {20, 10});
-        QTRY_COMPARE_WITH_TIMEOUT(changes(), before + 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(changes(), before + 1, longestWait);
         hand.settle();
     }
     static bool keepsPictures() { return !qEnvironmentVariableIsEmpty("FETTLE_HEADSET_PICTURES"); }
@@ -243,13 +244,13 @@ void TestHeadsetPartner::pointing_endsAtRestAndBeside()
     Pair v;
     v.pointAt(middle(&v.viewport()));
     sendMove(&v.viewport(), {2, 2});
-    QTRY_VERIFY_WITH_TIMEOUT(!v.place, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait);
     v.pointAt(middle(&v.viewport()));
     QVERIFY(v.viewport().spotlight()->isOn());
-    QTRY_VERIFY_WITH_TIMEOUT(!v.place, 60'000); // nobody moves
+    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait); // nobody moves
     QVERIFY(v.viewport().spotlight()->isOn());
     sendMove(&v.viewport(), middle(&v.viewport()) + QPoint(3, 0));
-    QTRY_VERIFY_WITH_TIMEOUT(v.place, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.place, longestWait);
 }
 
 /// Struck it stays on, held it goes with the hand.
@@ -304,26 +305,26 @@ void TestHeadsetPartner::choices_areAnnounced()
     HeadsetFixture& fixture = listener.fixture;
     fixture.trigger("tool.clay");
     fixture.program.window.brush()->setValue(core::Parameter::Radius, 12);
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner chose Clay, 12 mm."), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner chose Clay, 12 mm."), longestWait);
     QCOMPARE(listener.last.radiusChange, 1U);
     fixture.program.window.brush()->setValue(core::Parameter::Strength, 0.8);
     QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner chose a strength of 80 %."),
-                              60'000);
+                              longestWait);
 
     core::StrokeSettings paint = listener.last.brush;
     paint.tool = core::Tool::Paint;
     const quint64 notices = listener.last.noticeCount;
     listener.port->request(vr::ChooseBrush{paint});
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, longestWait);
     QTest::qWait(700);
     QCOMPARE(listener.update().noticeCount, notices); // nobody is told what they did themselves
 
     drag(fixture.program.window.viewport(), {30, 10});
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
     fixture.trigger("edit.undo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner took back: Paint."), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner took back: Paint."), longestWait);
     fixture.trigger("edit.redo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner did again: Paint."), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner did again: Paint."), longestWait);
 }
 
 /// Whatever radius the window has for that tool.
@@ -335,14 +336,14 @@ void TestHeadsetPartner::aToolChosenInTheHeadset_leavesTheRadiusThere()
     brush.setTool(core::Tool::Paint);
     brush.scaleRadius(0.5);
     brush.setTool(core::Tool::Pull);
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Pull, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Pull, longestWait);
     QTest::qWait(200);
     core::StrokeSettings paint = listener.update().brush;
     const quint64 radiusChange = listener.last.radiusChange;
     const double radius = brush.stroke().radius;
     paint.tool = core::Tool::Paint;
     listener.port->request(vr::ChooseBrush{paint});
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, longestWait);
     QTest::qWait(200);
     QVERIFY(brush.stroke().radius < radius);
     QCOMPARE(listener.update().radiusChange, radiusChange);
@@ -355,7 +356,7 @@ void TestHeadsetPartner::takingOver_refusesTheHeadset()
     v.hand.begin({0, -49, 0}, {0, -54, 0}, 6); // and the trigger stays down
     v.action("vr.takeOver")->setChecked(true);
     QCOMPARE(v.action("vr.takeOver")->iconText(), QStringLiteral("Give Back"));
-    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, 60'000); // the open stroke is kept as far as it came
+    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, longestWait); // the open stroke is kept as far as it came
     const std::uint64_t kept = v.hash();
     v.hand.begin({0, -54, 0}, {0, -70, 0}, 6);
     v.hand.end();
@@ -496,11 +497,11 @@ void TestHeadsetPartner::classTime_isToldInBoth()
     const auto rests = [&] {
         return fixture.program.document.queue().isSettled() && !fixture.program.document.job().isBusy();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && rests(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && rests(), longestWait);
     auto* name = fixture.program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     QTest::keyClicks(name, QStringLiteral("Anna"));
     QTest::keyClick(name, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(!panel->isVisible() && rests(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!panel->isVisible() && rests(), longestWait);
     fixture.hand.enter();
     fixture.hand.frames(5);
     const QImage before = fixture.hand.picture();
@@ -522,7 +523,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     v.trigger("help.lessons");
     auto* panel = v.program.window.findChild<ui::LessonPanel*>();
     Q_EMIT panel->lessonChosen(QStringLiteral("first-clay"));
-    QTRY_VERIFY_WITH_TIMEOUT(panel->shown(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->shown(), longestWait);
     v.hand.settle();
     v.hand.placeModelAgain();
     v.hand.waitForPanels();
@@ -535,7 +536,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
             lesson.marks.append({mark.text, mark.holds});
         return lesson;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(!panel->shown()->marks.isEmpty(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!panel->shown()->marks.isEmpty(), longestWait);
     v.keep("lesson");
     QVERIFY(v.hand.choose(content(), vr::LessonRequest::Next, [&] { return panel->shown()->page.step == 1; }));
     QVERIFY(v.hand.choose(content(), vr::LessonRequest::Back, [&] { return panel->shown()->page.step == 0; }));

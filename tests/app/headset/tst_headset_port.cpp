@@ -3,6 +3,7 @@
 
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
+#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
 #include "ui/util/thread_mailbox.h"
@@ -48,7 +49,7 @@ struct Visit
 
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
         meshRests();
         QCoreApplication::processEvents();
     }
@@ -142,7 +143,7 @@ void TestHeadsetPort::strokes_areTheDocuments()
     Visit visit;
     const std::uint64_t before = visit.stateHash();
     QVERIFY(visit.stroke(right));
-    QTRY_COMPARE_WITH_TIMEOUT(visit.document.history().stack().count(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.document.history().stack().count(), 1, longestWait);
     QVERIFY(visit.stateHash() != before);
     visit.document.history().undo();
     visit.wait();
@@ -157,7 +158,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
     const std::uint64_t expected = one.stateHash();
 
     QVERIFY(other.stroke(right));
-    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 1, longestWait);
     other.port->request(vr::Undo());
     QVERIFY(other.stroke(top)); // nobody has undone yet
     QVERIFY(other.port->takeEffect().refusals == 0);
@@ -200,7 +201,7 @@ void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
     other.port->request(vr::RestoreModel());
     QVERIFY(other.stroke(top));
     other.handle();
-    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 3, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 3, longestWait);
     other.wait();
     QCOMPARE(other.document.modelInfo().faces, expected);
     const std::uint64_t now = other.stateHash();

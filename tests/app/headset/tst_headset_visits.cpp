@@ -46,7 +46,7 @@ void paintRed(HeadsetFixture& fixture)
     brush.set(&core::StrokeSettings::color, red);
     brush.setValue(core::Parameter::Radius, 40);
     drag(fixture.program.window.viewport(), {40, 0});
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
 }
 
 /// The first frame of a visit that had a picture.
@@ -73,7 +73,7 @@ bool says(HeadsetFixture& fixture, const QString& words)
             fixture.hand.frame();
         return sentence(fixture.program).contains(words);
     };
-    return QTest::qWaitFor(isSaid, 60'000);
+    return QTest::qWaitFor(isSaid, longestWait);
 }
 
 const vr::HapticInput refusal{.refused = true}, contact{.touches = true}, fusion{.fused = true};
@@ -278,7 +278,7 @@ void TestHeadsetVisits::partner_seesGhostsAndFollows()
         fixture.hand.frame();
         return viewport.camera().pose().distance < 200 || viewport.camera().pose().pitch > 0.1;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isFollowed(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isFollowed(), longestWait);
     fixture.hand.leave();
     QVERIFY(!viewport.navigation()->isFollowing());
     QCOMPARE(lookFromTheFront(), alone);
@@ -294,7 +294,7 @@ void TestHeadsetVisits::partner_opensAnotherModel()
     core::writeMesh(v.path("other.glb").toStdU16String(), other);
     const double before = v.scale();
     Q_EMIT v.program.window.files()->openRequested(v.path("other.glb"));
-    QTRY_COMPARE_WITH_TIMEOUT(v.program.document.modelInfo().path, v.path("other.glb"), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.program.document.modelInfo().path, v.path("other.glb"), longestWait);
     v.hand.settle();
     QVERIFY(std::abs(v.scale() / before - 2.5) < 0.05); // as large in the room as the first
     v.hand.placeModelAgain();
@@ -369,7 +369,7 @@ void TestHeadsetVisits::strokes_areOneAtATime()
     Visit v;
     ui::Viewport* viewport = v.program.window.viewport();
     QTest::mousePress(viewport, Qt::LeftButton, {}, middle(viewport));
-    QTRY_VERIFY_WITH_TIMEOUT((v.hand.frame(), viewport->input()->strokeOpen()), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT((v.hand.frame(), viewport->input()->strokeOpen()), longestWait);
     sendMouse(viewport, QEvent::MouseMove, middle(viewport) + QPoint(8, 0), Qt::LeftButton);
     v.hand.frame();
     const int before = pulsesOf(v.hand, Side::Right, refusal);
@@ -544,11 +544,11 @@ void TestHeadsetVisits::faults_thatItOutlives()
     QVERIFY2(says(v, words), qPrintable(sentence(v.program)));
     keep(QTest::currentDataTag(), v, endsStroke ? "the stroke as far as it came; VR goes on" : "the stroke goes on");
     if (endsStroke)
-        QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 1, longestWait);
     const std::uint64_t kept = v.hash();
     v.hand.headset().step(qPrintable("{" + back + "}"));
     QVERIFY(says(v, QStringLiteral("In VR with")));
-    QTRY_VERIFY_WITH_TIMEOUT(v.hand.isIn(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.hand.isIn(), longestWait);
     v.hand.frames(8);
     if (endsStroke) {
         QCOMPARE(v.changes(), 1);
@@ -664,10 +664,10 @@ void TestHeadsetVisits::frozen_isGivenUp()
     v.trigger("vr.enter");
     QCOMPARE(sentence(v.program), QStringLiteral("Leaving VR…"));
     QVERIFY(!v.program.window.action(QStringLiteral("vr.enter"))->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(!headset->isActive(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!headset->isActive(), longestWait);
     QVERIFY2(sentence(v.program).contains("The headset's program does not answer."), qPrintable(sentence(v.program)));
     keep("the runtime is frozen", v, "the stroke as far as it came; it can be undone");
-    QTRY_VERIFY_WITH_TIMEOUT(v.program.document.queue().isSettled(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(v.program.document.queue().isSettled(), longestWait);
     QCOMPARE(v.changes(), 1);
     QVERIFY(v.box().max().y() > 51);
 
@@ -678,13 +678,13 @@ void TestHeadsetVisits::frozen_isGivenUp()
         QVERIFY(v.program.window.action(QStringLiteral("vr.enter"))->isEnabled());
     }
     drag(v.program.window.viewport(), {40, 0});
-    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, longestWait);
     const std::uint64_t hash = v.hash();
     v.program.window.showNotice(QStringLiteral("Something else."));
 
     v.hand.put(Side::Right, v.hand.place({0, 60, 0}));
     v.hand.headset().step("{'pace': 'fast'}");
-    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), longestWait);
     v.hand.headset().step("{'pace': 'stepped'}");
     v.hand.set(Side::Right, "trigger", 0);
     v.hand.settle();
@@ -707,7 +707,7 @@ void TestHeadsetVisits::frozen_beforeAVisit()
     const QString words = QStringLiteral("The headset's program does not answer. If it is not just starting");
     fixture.hand.headset().step("{'freeze': 'xrCreateInstance'}");
     fixture.trigger("vr.status");
-    QTRY_VERIFY_WITH_TIMEOUT(sentence(fixture.program).contains(words), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(sentence(fixture.program).contains(words), longestWait);
     keep("the runtime is frozen when it is looked for", fixture, "everything; VR was not begun");
     fixture.program.window.showNotice(QStringLiteral("Something else."));
     fixture.trigger("vr.status");
@@ -728,7 +728,7 @@ void TestHeadsetVisits::program_endsDuringAVisit()
     answerQuestion(v.program, QMessageBox::Discard);
     v.hand.headset().step("{'pace': 'fast'}");
     v.program.window.close();
-    QTRY_VERIFY_WITH_TIMEOUT(!v.program.window.isVisible(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!v.program.window.isVisible(), longestWait);
     QVERIFY(!v.hand.isIn());
     QCOMPARE(v.changes(), 1);
     QCOMPARE(v.hand.headset().complaints(), QString());
@@ -746,11 +746,11 @@ void TestHeadsetVisits::program_endsThoughAllIsFrozen()
     QCOMPARE(sentence(v.program), QStringLiteral("Leaving VR…"));
     v.program.window.close();
     QVERIFY(v.program.window.isVisible() && headset->isActive());
-    QTRY_VERIFY_WITH_TIMEOUT(!v.program.window.isVisible(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!v.program.window.isVisible(), longestWait);
     QVERIFY(!headset->isActive() && headset->isStuck());
     QCOMPARE(v.changes(), 1);
     v.hand.headset().step("{'pace': 'fast'}");
-    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), longestWait);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -779,12 +779,13 @@ void TestHeadsetVisits::process_endsThoughAllIsFrozen()
     fettle.setProcessEnvironment(environment);
     fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     fettle.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("--vr")});
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath(QStringLiteral("session0_frame0009_left.png"))), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath(QStringLiteral("session0_frame0009_left.png"))),
+                             longestWait);
     QVERIFY(!journals().isEmpty());
-    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), longestWait);
     QElapsedTimer closing;
     closing.start();
-    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longestWait);
     QVERIFY(closing.elapsed() > 5'000); // it was given up, not left
     QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
     QCOMPARE(fettle.exitCode(), 0);

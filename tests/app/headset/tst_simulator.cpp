@@ -6,6 +6,7 @@
 #include "app/headset/simulator_controller.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
+#include "tests/support/effort.h"
 #include "tests/support/other_windows_x11.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/solid_asserts.h"
@@ -28,8 +29,6 @@ using core::Vec3;
 
 namespace
 {
-constexpr int longEnough = 120'000; ///< milliseconds; frames are drawn in software, on a busy machine
-
 /// The program with a ball of 100 mm, started with --vr-simulator.
 struct SimulatorFixture
 {
@@ -52,10 +51,10 @@ struct SimulatorFixture
         seen = {};
         program.window.action(QStringLiteral("vr.enter"))->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(
-            runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")), longEnough);
-        QTRY_VERIFY_WITH_TIMEOUT(!view->picture().isNull(), longEnough);
+            runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!view->picture().isNull(), longestWait);
         QVERIFY(window->isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(seen.brush, longEnough);
+        QTRY_VERIFY_WITH_TIMEOUT(seen.brush, longestWait);
         frames(4);
     }
     bool isIn() const { return program.window.findChild<Headset*>()->isActive(); }
@@ -64,7 +63,7 @@ struct SimulatorFixture
     {
         for (int i = 0; i < count; ++i) {
             const qint64 before = view->picture().cacheKey();
-            QTRY_VERIFY_WITH_TIMEOUT(view->picture().cacheKey() != before, longEnough);
+            QTRY_VERIFY_WITH_TIMEOUT(view->picture().cacheKey() != before, longestWait);
         }
     }
     void move(const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton, Qt::KeyboardModifiers modifiers = {})
@@ -105,7 +104,7 @@ struct SimulatorFixture
         }
         sendMouse(view, QEvent::MouseButtonRelease, view->placeOf(from).toPoint(), Qt::LeftButton);
         frames(4);
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), longEnough);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), longestWait);
     }
     void click(Qt::Key key)
     {
@@ -185,20 +184,20 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
         fixture.frames(2);
     }
     QTest::keyRelease(fixture.view, Qt::Key_Control);
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.brush && fixture.seen.brush->radius > 1.1 * radius, longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.brush && fixture.seen.brush->radius > 1.1 * radius, longestWait);
 
     fixture.click(Qt::Key_Left); // the sculpting wand's pad
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 0, longEnough);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 0, longestWait);
     QCOMPARE(fixture.hash(), before);
 
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
     QVERIFY(!fixture.window->isVisible());
     fixture.program.window.action(QStringLiteral("edit.redo"))->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longEnough);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
     fixture.enter();
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
     QCOMPARE(fixture.runtime.clientErrors(), QStringList());
     QCOMPARE(fixture.runtime.clientWarnings(), QStringList());
 }
@@ -217,10 +216,10 @@ void TestSimulator::hand_thatRestsMovesTheModel()
     fixture.move({-0.4, 0.3});
     fixture.frames(3);
     QTest::keyRelease(fixture.view, Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(before.x() - fixture.seen.model.translation().x() > 0.03, longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(before.x() - fixture.seen.model.translation().x() > 0.03, longestWait);
     QCOMPARE(fixture.changes(), 0);
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
 }
 
 /// In the preset Studio squeezing grabs: one hand moves the model, both stretch it.
@@ -241,7 +240,7 @@ void TestSimulator::bothHands_stretchTheModel()
         fixture.frames(2);
     }
     QTest::keyRelease(fixture.view, Qt::Key_B);
-    QTRY_VERIFY_WITH_TIMEOUT(scale() > 1.3 * before, longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(scale() > 1.3 * before, longestWait);
     fixture.frames(4);
     const Vec3 place = fixture.seen.model.translation();
     const double stretched = scale();
@@ -250,11 +249,11 @@ void TestSimulator::bothHands_stretchTheModel()
     fixture.move({0.5, 0});
     fixture.frames(3);
     QTest::keyRelease(fixture.view, Qt::Key_G);
-    QTRY_VERIFY_WITH_TIMEOUT((fixture.seen.model.translation() - place).norm() > 0.02, longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT((fixture.seen.model.translation() - place).norm() > 0.02, longestWait);
     QVERIFY(std::abs(scale() / stretched - 1) < 1e-6);
     QCOMPARE(fixture.changes(), 0);
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
 }
 
 void TestSimulator::window_closedLeavesVr()
@@ -262,11 +261,11 @@ void TestSimulator::window_closedLeavesVr()
     SimulatorFixture fixture;
     fixture.enter();
     fixture.window->close();
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
     QVERIFY(fixture.program.window.isVisible());
     fixture.enter();
     fixture.program.window.close(); // leaves first
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.program.window.isVisible(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.program.window.isVisible(), longestWait);
     QVERIFY(!fixture.isIn() && !fixture.window->isVisible());
 }
 
@@ -289,9 +288,9 @@ void TestSimulator::process_entersAndEnds()
         QFile file(log);
         return file.open(QIODevice::ReadOnly) && file.readAll().contains("XR_SESSION_STATE_FOCUSED");
     };
-    QTRY_VERIFY_WITH_TIMEOUT(hasFocus(), longEnough);
-    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), longEnough);
-    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(hasFocus(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longestWait);
     QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
     QCOMPARE(fettle.exitCode(), 0);
 }

@@ -6,6 +6,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_playback.h"
+#include "tests/support/effort.h"
 #include "ui/lesson/lesson_panel.h"
 #include "ui/widgets/side_panel.h"
 
@@ -41,9 +42,9 @@ void begin(Program& program, const QString& title)
     for (QPushButton* card : program.window.findChild<ui::LessonPanel*>()->findChildren<QPushButton*>())
         if (card->text() == title)
             card->click();
-    QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonTitle")->text().startsWith(title), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonTitle")->text().startsWith(title), longestWait);
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.window.viewport()->stats().patches > 0,
-                             60'000);
+                             longestWait);
     auto* speed = program.window.findChild<ui::LessonPanel*>()->findChild<QComboBox*>();
     speed->setCurrentIndex(speed->count() - 1);
 }
@@ -58,7 +59,7 @@ void showStep(Program& program)
     press(program, "lessonPlay");
     QTRY_VERIFY(isPlaying(program));
     QTRY_VERIFY_WITH_TIMEOUT(
-        !isPlaying(program) && program.document.queue().isSettled() && !program.document.job().isBusy(), 120'000);
+        !isPlaying(program) && program.document.queue().isSettled() && !program.document.job().isBusy(), longestWait);
 }
 
 std::uint64_t teachersHash(const char* name, std::size_t steps)
@@ -90,8 +91,9 @@ private Q_SLOTS:
             QVERIFY(!marks(program).contains(QStringLiteral("✓ height")) || step > 2);
             showStep(program);
             QCOMPARE(meshHash(program.worker), teachersHash("creature", step));
-            QTRY_VERIFY_WITH_TIMEOUT(
-                marks(program).contains(QStringLiteral("✓")) && !marks(program).contains(QStringLiteral("○")), 60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓")) &&
+                                         !marks(program).contains(QStringLiteral("○")),
+                                     longestWait);
             QCOMPARE(part<QPushButton>(program, "lessonNext")->isEnabled(), step < 4);
             if (step < 4)
                 press(program, "lessonNext");
@@ -110,12 +112,13 @@ private Q_SLOTS:
         QTRY_COMPARE(program.document.history().stack().index(), 0);
         QCOMPARE(meshHash(program.worker), start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ height: at least 115.0 mm (100.0 mm)")),
-                                 60'000);
+                                 longestWait);
         QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         drag(program.window.viewport(), {30, 0});
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
         QVERIFY(meshHash(program.worker) != start);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")),
+                                 longestWait);
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
     }
@@ -126,10 +129,11 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
         part<QPushButton>(program, "lessonPlay")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
         drag(program.window.viewport(), {30, 10});
         QVERIFY(!isPlaying(program));
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.worker.strokes().isOpen(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.worker.strokes().isOpen(),
+                                 longestWait);
         QCOMPARE(program.document.history().stack().count(), 2);
     }
 
@@ -145,7 +149,7 @@ private Q_SLOTS:
         QTest::keyClick(&program.window, Qt::Key_4); // Smooth's
         QCOMPARE(program.window.brush()->tool(), core::Tool::Pull);
         program.document.opener().openStarter(core::Starter::Ball);
-        QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), longestWait);
     }
 
     void oneStroke_isShownAlone()
@@ -154,8 +158,8 @@ private Q_SLOTS:
         begin(program, QStringLiteral("A creature to print"));
         for (int strokes = 1; strokes <= 2; ++strokes) {
             press(program, "lessonOne");
-            QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), strokes, 60'000);
-            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.queue().isSettled(), 60'000);
+            QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), strokes, longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.queue().isSettled(), longestWait);
         }
         showStep(program); // the rest
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 1));
@@ -185,8 +189,8 @@ private Q_SLOTS:
         showStep(program);
         Q_EMIT program.window.findChild<ui::LessonPanel*>()->lessonChosen(path);
         answerQuestion(program, QMessageBox::Discard);
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 0, 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 0, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
         QCOMPARE(meshHash(program.worker), playback.mesh().meshHash());
         playback.finish();
         showStep(program);
@@ -201,7 +205,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         program.window.action(QStringLiteral("help.start"))->trigger();
         part<QToolButton>(program, "start.lesson.mug")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonText")->isVisible(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonText")->isVisible(), longestWait);
         QVERIFY(part<QLabel>(program, "lessonTitle")->text().contains(QStringLiteral("mug"), Qt::CaseInsensitive));
     }
 
@@ -211,7 +215,7 @@ private Q_SLOTS:
         begin(program, QStringLiteral("First clay: a pear"));
         QVERIFY(part<QLabel>(program, "lessonText")->isVisible());
         program.document.opener().openStarter(core::Starter::Cube);
-        QTRY_VERIFY_WITH_TIMEOUT(!part<QLabel>(program, "lessonText")->isVisible(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!part<QLabel>(program, "lessonText")->isVisible(), longestWait);
         QVERIFY(!isPlaying(program));
     }
 
@@ -227,7 +231,7 @@ private Q_SLOTS:
         std::ofstream(path.toStdString(), std::ios::binary) << "PK and no more";
         Q_EMIT program.window.findChild<ui::LessonPanel*>()->lessonChosen(path);
         QMessageBox* box = nullptr;
-        QTRY_VERIFY_WITH_TIMEOUT((box = program.window.findChild<QMessageBox*>()) && box->isVisible(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT((box = program.window.findChild<QMessageBox*>()) && box->isVisible(), longestWait);
         QVERIFY(box->text().contains(QStringLiteral("bad.zip")));
         box->close();
         QCOMPARE(meshHash(program.worker), before);

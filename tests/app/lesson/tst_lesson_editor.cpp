@@ -11,6 +11,7 @@
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
+#include "tests/support/effort.h"
 #include "ui/lesson/lesson_editor.h"
 #include "ui/widgets/side_panel.h"
 
@@ -45,7 +46,7 @@ void show(Program& program)
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.document.opener().openBall();
-    QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.window.viewport()->stats().patches > 0, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.window.viewport()->stats().patches > 0, longestWait);
     program.window.action(QStringLiteral("lesson.record"))->trigger();
     QTRY_VERIFY(part<ui::SidePanel>(program, "lessonEditor")->isVisible());
 }
@@ -56,15 +57,15 @@ void record(Program& program, int starter)
     auto* start = part<QComboBox>(program, "lessonStart");
     start->setCurrentIndex(start->findData(starter));
     press(program, "lessonBegin");
-    QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), longestWait);
 }
 
 void stroke(Program& program, const QPoint& by)
 {
     const int before = program.document.history().stack().index();
     drag(program.window.viewport(), by);
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, 60'000);
-    QTRY_VERIFY_WITH_TIMEOUT(rests(program), 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(rests(program), longestWait);
 }
 
 void write(Program& program, const char* title, const char* text)
@@ -86,7 +87,7 @@ int strokesOf(Program& program)
 void save(Program& program, const QString& path)
 {
     press(program, "lessonSave");
-    QTRY_VERIFY_WITH_TIMEOUT(part<QFileDialog>(program, "lessonTargetDialog"), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(part<QFileDialog>(program, "lessonTargetDialog"), longestWait);
     auto* dialog = part<QFileDialog>(program, "lessonTargetDialog");
     QCOMPARE(dialog->defaultSuffix(), QStringLiteral("zip"));
     if (path.endsWith(QStringLiteral(".zip"))) {
@@ -97,13 +98,13 @@ void save(Program& program, const QString& path)
         Q_EMIT dialog->fileSelected(path);
         dialog->close();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(!part<QFileDialog>(program, "lessonTargetDialog"), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!part<QFileDialog>(program, "lessonTargetDialog"), longestWait);
 }
 
 void saveAndWait(Program& program, const QString& path)
 {
     save(program, path);
-    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path) && rests(program), 120'000);
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path) && rests(program), longestWait);
 }
 
 /// Waits for what the window asks or says, and reads it.
@@ -116,7 +117,7 @@ QMessageBox* question(Program& program, const char* name)
                 box = each;
         return box != nullptr;
     };
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(find(), 120'000); }();
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(find(), longestWait); }();
     return box;
 }
 
@@ -135,7 +136,7 @@ void edit(Program& program, const char* lesson)
     auto* lessons = part<QComboBox>(program, "lessonShelf");
     lessons->setCurrentIndex(lessons->findData(QLatin1StringView(lesson)));
     press(program, "lessonEdit");
-    QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
 }
 } // namespace
 
@@ -164,7 +165,7 @@ private Q_SLOTS:
         write(program, "Blow", "Make it thicker.");
         press(program, "lessonFacts");
         auto* holes = part<QDoubleSpinBox>(program, "lessonMost.genus");
-        QTRY_COMPARE_WITH_TIMEOUT(holes->value(), 1.0, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(holes->value(), 1.0, longestWait);
         part<QDoubleSpinBox>(program, "lessonTolerance")->setValue(2.5);
 
         const QTemporaryDir folder;
@@ -247,9 +248,9 @@ private Q_SLOTS:
         sample.position = {0, 0, 50};
         program.worker.strokes().addSample(Source::Headset, sample);
         program.worker.strokes().endStroke(Source::Headset);
-        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 1, longestWait);
         program.document.changer().apply(core::Scale{1.25});
-        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 2, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 2, longestWait);
         write(program, "Wand", "By hand.");
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("wand.zip"));
@@ -270,8 +271,8 @@ private Q_SLOTS:
         ui::InsertRequest insertion;
         insertion.path = path;
         program.document.changer().insert(insertion);
-        QTRY_COMPARE_WITH_TIMEOUT(notice(program).isEmpty(), false, 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.document.history().stack().index() == 0, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(notice(program).isEmpty(), false, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.document.history().stack().index() == 0, longestWait);
         QCOMPARE(strokesOf(program), 0);
         QCOMPARE(meshHash(program.worker), start);
         QVERIFY(isRecording(program));
@@ -304,7 +305,7 @@ private Q_SLOTS:
         for (QAbstractButton* button : box->buttons())
             if (box->buttonRole(button) == QMessageBox::AcceptRole)
                 button->click();
-        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path), longestWait);
         QVERIFY(core::readLesson(toPath(path)).steps[0].strokes.empty());
         QVERIFY(playedHash(path) != 0);
     }
@@ -334,7 +335,7 @@ private Q_SLOTS:
                         return read.lesson->steps.at(0).strokes.size();
                 return std::size_t(0);
             };
-            QTRY_COMPARE_WITH_TIMEOUT(strokesKept(), std::size_t(1), 60'000);
+            QTRY_COMPARE_WITH_TIMEOUT(strokesKept(), std::size_t(1), longestWait);
             std::filesystem::copy(root, left, std::filesystem::copy_options::recursive);
         }
         QVERIFY(!isKept(root)); // this one ended in order
@@ -347,7 +348,7 @@ private Q_SLOTS:
         QCOMPARE(lessons->count(), 4);
         lessons->setCurrentIndex(0);
         press(program, "lessonEdit");
-        QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
         QCOMPARE(part<QLineEdit>(program, "lessonName")->text(), QStringLiteral("Mine"));
         QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(),
                  QString()); // no word that nobody wrote
@@ -359,7 +360,7 @@ private Q_SLOTS:
         QVERIFY(isKept(left));
         press(program, "lessonClose");
         question(program, "lessonQuestion")->button(QMessageBox::Discard)->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!isKept(left), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!isKept(left), longestWait);
     }
 
     /// Steps change places, a text in one language is another one, and recording goes on from the end of what was
@@ -374,7 +375,7 @@ private Q_SLOTS:
         core::writeLesson(toPath(ours), readLesson(QStringLiteral("first-clay")));
         Q_EMIT program.window.findChild<ui::LessonEditor*>()->lessonChosen(ours);
         auto* steps = part<QListWidget>(program, "lessonSteps");
-        QTRY_COMPARE_WITH_TIMEOUT(steps->count(), 4, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(steps->count(), 4, longestWait);
         steps->setCurrentRow(3);
         press(program, "lessonRemove");
         QCOMPARE(steps->count(), 3);
@@ -387,7 +388,7 @@ private Q_SLOTS:
         Q_EMIT language->activated(language->currentIndex());
         part<QPlainTextEdit>(program, "lessonStepText")->setPlainText(QStringLiteral("Anders."));
         press(program, "lessonRecord");
-        QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), 120'000);
+        QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), longestWait);
         press(program, "lessonNewStep");
         stroke(program, {25, 25});
         write(program, "Neu", "Noch etwas.");
@@ -449,9 +450,9 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("mug.zip"));
         save(program, path);
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.job().isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.job().isBusy(), longestWait);
         program.window.action(QStringLiteral("edit.stop"))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
         QVERIFY(notice(program).contains(QStringLiteral("was not written")));
         QVERIFY(QDir(folder.path()).isEmpty());
     }
@@ -466,7 +467,7 @@ private Q_SLOTS:
         stroke(program, {30, 12});
         answerQuestion(program, QMessageBox::Discard);
         program.document.opener().openStarter(core::Starter::Cube);
-        QTRY_VERIFY_WITH_TIMEOUT(!isRecording(program) && rests(program), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!isRecording(program) && rests(program), longestWait);
         QCOMPARE(strokesOf(program), 1);
         program.window.close();
         QVERIFY(program.window.isVisible());

@@ -6,6 +6,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
+#include "tests/support/effort.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -328,13 +329,14 @@ void TestModelExport::stop_endsAnExport()
     core::writeMesh(large.toStdString(), core::icosphere(7, 50)); // 327,680 triangles: seconds of work
     program.window.show();
     program.document.opener().open(large);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.modelInfo().path == large, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.modelInfo().path == large,
+                             longestWait);
     QSignalSpy noticed(&program.document, &Document::noticed),
         progressed(&program.document.job(), &BackgroundJob::progressed);
     program.document.saver().exportTo(path("never.stl"), 100);
-    QTRY_VERIFY_WITH_TIMEOUT(!progressed.isEmpty(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!progressed.isEmpty(), longestWait);
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
     QCOMPARE(noticed.size(), 1);
     QVERIFY(!QFile::exists(path("never.stl")));
 }

@@ -1,6 +1,7 @@
 // Signals that the window survives, and that the programs it starts do not inherit.
 #include "app/platform/child_process.h"
 #include "app/platform/process_signals.h"
+#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 
 #include <QFile>
@@ -14,8 +15,6 @@
 
 namespace
 {
-constexpr int longEnough = 60'000; ///< milliseconds, on a busy machine
-
 /// Whether a process ignores SIGPIPE, by the text of its /proc/PID/status.
 bool ignoresBrokenPipes(const QByteArray& status)
 {
@@ -34,7 +33,7 @@ QByteArray byProcess()
 {
     QProcess cat;
     cat.start(QStringLiteral("cat"), {QStringLiteral("/proc/self/status")});
-    cat.waitForFinished(longEnough);
+    cat.waitForFinished(longestWait);
     return cat.readAllStandardOutput();
 }
 
@@ -45,7 +44,7 @@ QByteArray byDetachedProcess()
     QProcess::startDetached(QStringLiteral("sh"),
                             {QStringLiteral("-c"), QStringLiteral("cat /proc/self/status >part; mv part answer")},
                             folder.path());
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(answer), longEnough); }();
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(answer), longestWait); }();
     return contents(answer);
 }
 
@@ -104,13 +103,13 @@ void TestProcessSignals::window_survivesABrokenPipe()
     fettle.setProcessEnvironment(environment);
     fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     fettle.start(QStringLiteral(FETTLE_PROGRAM), QStringList());
-    QVERIFY(fettle.waitForStarted(longEnough));
+    QVERIFY(fettle.waitForStarted(longestWait));
     QTRY_VERIFY_WITH_TIMEOUT(ignoresBrokenPipes(contents(QStringLiteral("/proc/%1/status").arg(fettle.processId()))),
-                             longEnough);
+                             longestWait);
     QCOMPARE(kill(static_cast<pid_t>(fettle.processId()), SIGPIPE), 0);
     QVERIFY(!fettle.waitForFinished(500));
     fettle.kill();
-    QVERIFY(fettle.waitForFinished(longEnough));
+    QVERIFY(fettle.waitForFinished(longestWait));
 }
 
 FETTLE_TEST(TestProcessSignals, QCoreApplication)

@@ -35,7 +35,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-constexpr int timeoutMs = 60'000;
 constexpr core::Rgb red{250, 10, 20};
 constexpr core::JournalLimits smallLimits{.segmentBytes = 256 << 10, .logBytes = 2 << 20}; ///< so that bases come, too
 
@@ -69,7 +68,7 @@ template <class Condition> void until(Condition isSo)
     tick.start(20);
     QElapsedTimer clock;
     clock.start();
-    while (!isSo() && clock.elapsed() < timeoutMs)
+    while (!isSo() && clock.elapsed() < longestWait)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     if (!isSo())
         qFatal("waited too long");
@@ -386,7 +385,7 @@ public:
         m_server.start(QStringLiteral("Xvfb"),
                        {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                         QStringLiteral("0"), QStringLiteral("640x480x24")});
-        m_server.waitForReadyRead(timeoutMs);
+        m_server.waitForReadyRead(longestWait);
         m_name = ":" + m_server.readLine().trimmed();
     }
     ~XServer() { die(); }
@@ -394,7 +393,7 @@ public:
     void die()
     {
         m_server.kill();
-        m_server.waitForFinished(timeoutMs);
+        m_server.waitForFinished(longestWait);
     }
 
 private:
@@ -457,7 +456,7 @@ State TestRecovery::leaveJournal(const fs::path& root, std::uint64_t seed, int c
 {
     QProcess victim;
     startVictim(victim, root, seed, changes);
-    victim.waitForFinished(timeoutMs);
+    victim.waitForFinished(longestWait);
     const QList<QByteArray> lines = victim.readAllStandardOutput().trimmed().split('\n');
     return lines.size() < 2 ? State() : stateIn(lines[lines.size() - 2]);
 }
@@ -488,9 +487,9 @@ void TestRecovery::kill_losesNothingThatWasFinished()
     QProcess whole;
     QElapsedTimer clock;
     startVictim(whole, newRoot(), seed, changes);
-    QVERIFY(whole.waitForReadyRead(timeoutMs));
+    QVERIFY(whole.waitForReadyRead(longestWait));
     clock.start();
-    QVERIFY(whole.waitForFinished(timeoutMs * 5));
+    QVERIFY(whole.waitForFinished(longestWait));
     const auto lasts = static_cast<std::uint64_t>(clock.elapsed());
     std::vector<State> states;
     for (const QByteArray& line : whole.readAllStandardOutput().trimmed().split('\n'))
@@ -505,10 +504,10 @@ void TestRecovery::kill_losesNothingThatWasFinished()
         QProcess victim;
         startVictim(victim, root, seed, changes);
         if (random.below(10) > 0) // it has a model
-            QVERIFY(victim.waitForReadyRead(timeoutMs));
+            QVERIFY(victim.waitForReadyRead(longestWait));
         QTest::qWait(static_cast<int>(random.below(lasts)));
         victim.kill(); // it may be done already
-        QTRY_COMPARE_WITH_TIMEOUT(victim.state(), QProcess::NotRunning, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(victim.state(), QProcess::NotRunning, longestWait);
         QList<QByteArray> lines = victim.readAllStandardOutput().split('\n');
         lines.pop_back(); // perhaps half of one
         lines.removeAll("done");
@@ -573,12 +572,12 @@ QList<QByteArray> TestRecovery::killAfter(const fs::path& root, int last)
                  {test::runningClass(), QStringLiteral("--kinds"), QString::fromStdString(root.string()),
                   QString::number(last)});
     QList<QByteArray> lines;
-    while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(timeoutMs))) {
+    while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(longestWait))) {
         if (victim.canReadLine())
             lines.append(victim.readLine().trimmed());
     }
     victim.kill();
-    victim.waitForFinished(timeoutMs);
+    victim.waitForFinished(longestWait);
     return lines;
 }
 
@@ -599,7 +598,7 @@ void TestRecovery::recovered_goesOnWithItsHistory()
         QCOMPARE(offer.steps, left.present);
         QSignalSpy opened(&session.document, &Document::opened);
         session.document.opener().recover(offer.id, offer.name);
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
         session.wait();
         QVERIFY(session.state() == left);
         QVERIFY(session.document.savedState().isModified());
@@ -636,7 +635,7 @@ void TestRecovery::recovered_itsLastStrokeCanBeEdited()
     QTRY_COMPARE(offers.size(), 1);
     const auto offer = offers[0][0].value<RecoveryOffer>();
     session.document.opener().recover(offer.id, offer.name);
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
     session.wait();
     QVERIFY(session.document.lastStroke().step().has_value());
     session.editLast(1.2);
@@ -731,7 +730,7 @@ void TestRecovery::another_program_isLeftAlone()
     QProcess victim;
     startVictim(victim, root, 8, 100'000);
     for (int told = 0; told < 8;) { // a victim that has something to lose
-        QVERIFY(victim.canReadLine() || victim.waitForReadyRead(timeoutMs));
+        QVERIFY(victim.canReadLine() || victim.waitForReadyRead(longestWait));
         told += victim.canReadLine() && !victim.readLine().isEmpty();
     }
     {
@@ -745,7 +744,7 @@ void TestRecovery::another_program_isLeftAlone()
     }
     QCOMPARE(victim.state(), QProcess::Running);
     victim.kill();
-    QVERIFY(victim.waitForFinished(timeoutMs));
+    QVERIFY(victim.waitForFinished(longestWait));
     const auto found = core::recoverJournal(onlyFolderIn(root));
     QVERIFY(found && !found->history.steps.empty());
     // Two that start at once: one of them offers it.
@@ -806,10 +805,10 @@ void TestRecovery::damagedInPart_comesBackAndIsKept()
         const auto offer = offers[0][0].value<RecoveryOffer>();
         QVERIFY(offer.id != 0);
         session.document.opener().recover(offer.id, offer.name);
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
         QVERIFY(session.state(false) == stateOf(*partly));
         QVERIFY(notices.size() == 1 && notices[0][0].toString().contains(QString::fromStdString(aside.string())));
-        QTRY_VERIFY_WITH_TIMEOUT(fs::exists(aside / folder.filename()), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(fs::exists(aside / folder.filename()), longestWait);
         QVERIFY(session.document.journaling().journal());
         session.apply(core::Fill{red});
         const State now = session.state();
@@ -934,10 +933,10 @@ QByteArray TestRecovery::killDisplayOf(const fs::path& root, const QString& chan
     victim.setProcessEnvironment(environment);
     victim.start(QCoreApplication::applicationFilePath(),
                  {test::runningClass(), QStringLiteral("--window"), QString::fromStdString(root.string()), changes});
-    if (!victim.waitForReadyRead(timeoutMs) || !victim.readAllStandardOutput().contains("ready"))
+    if (!victim.waitForReadyRead(longestWait) || !victim.readAllStandardOutput().contains("ready"))
         return "not ready: " + victim.readAllStandardError();
     display.die();
-    if (!victim.waitForFinished(timeoutMs) || victim.exitStatus() != QProcess::NormalExit)
+    if (!victim.waitForFinished(longestWait) || victim.exitStatus() != QProcess::NormalExit)
         return "did not end in order";
     return victim.readAllStandardError();
 }

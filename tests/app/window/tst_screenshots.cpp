@@ -59,7 +59,6 @@ namespace
 {
 constexpr QSize smallScreen{1280, 720}, largeScreen{1920, 1080};
 constexpr int flightMs = 600; ///< of the view, to a place
-constexpr int timeoutMs = 60'000;
 constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
 
 /// The words of one language, while it lives.
@@ -354,7 +353,7 @@ void TestScreenshots::takePrint(Program& program)
     auto* picture = program.window.findChild<QComboBox*>(QStringLiteral("print.picture"));
     for (int shown = 1; shown < picture->count(); ++shown) {
         picture->setCurrentIndex(shown);
-        QTRY_VERIFY_WITH_TIMEOUT(findings->isEnabled() && findings->count() > 0, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(findings->isEnabled() && findings->count() > 0, longestWait);
         take(program.window, QStringLiteral("print-%1").arg(shown));
     }
     for (int row = 0; row < findings->count(); ++row)
@@ -420,7 +419,7 @@ void TestScreenshots::takeExport(Program& program)
     takeDialog(QStringLiteral("export"));
     program.document.saver().exportTo(m_models.filePath(QStringLiteral("vase.stl")), 2000);
     const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
-    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")), longestWait);
     const auto* scaleBar = program.window.findChild<QWidget*>(QStringLiteral("scaleBar"));
     QVERIFY(scaleBar->isVisible() && !scaleBar->geometry().intersects(banner->geometry()));
     take(program.window, QStringLiteral("export-verdict"));
@@ -442,7 +441,7 @@ void TestScreenshots::takePanels(Program& program)
         const ui::SidePanel::State before = panel->state();
         panel->bringForward();
         if (const auto* presets = panel->findChild<QListWidget*>(QStringLiteral("presets")))
-            QTRY_VERIFY_WITH_TIMEOUT(isDrawn(*presets), 60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(isDrawn(*presets), longestWait);
         QTRY_COMPARE(program.window.size(), smallScreen);
         take(program.window, QStringLiteral("panel-") + panel->objectName());
         panel->setState(before);
@@ -550,7 +549,7 @@ void TestScreenshots::takeClass()
     const auto* panel = program.window.findChild<ui::PupilNamePanel*>();
     auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), longestWait);
     QTRY_COMPARE(program.window.size(), smallScreen);
     const auto isReadable = [&program] {
         return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
@@ -558,24 +557,24 @@ void TestScreenshots::takeClass()
     // The question covers the view, which takes the clay when it is seen.
     QTRY_COMPARE(panel->geometry(), program.window.viewport()->rect());
     QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().vertices > 0 && clippedTexts(program.window).isEmpty(),
-                             timeoutMs);
+                             longestWait);
     take(program.window, QStringLiteral("class-name"));
     const auto begin = [&](const QString& pupil) {
         QTest::keyClicks(name, pupil);
         QTest::keyClick(name, Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.job().isBusy() && isReadable(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.job().isBusy() && isReadable(), longestWait);
     };
     begin(QStringLiteral("Anna-Lena the Great"));
     take(program.window, QStringLiteral("class-turn"));
     next->click();
     const auto* questions = program.window.findChild<ui::QuestionnairePanel*>();
-    QTRY_VERIFY_WITH_TIMEOUT(questions->isVisible() && !program.document.job().isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(questions->isVisible() && !program.document.job().isBusy(), longestWait);
     for (const char* point : {"question1.6", "question2.4", "question4.7"})
         program.window.findChild<QAbstractButton*>(QLatin1StringView(point))->click();
     take(program.window, QStringLiteral("class-questions"));
     takeSmallForm(program.window);
     program.window.findChild<QPushButton*>(QStringLiteral("questionsDone"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), longestWait);
     begin(QStringLiteral("Ben"));
     now = 18 * 60'000;
     mode.tick();
@@ -622,14 +621,14 @@ void TestScreenshots::takeLesson(Program& program)
     take(program.window, QStringLiteral("lessons"));
     Q_EMIT dock->findChild<ui::LessonPanel*>()->lessonChosen(QStringLiteral("first-clay"));
     auto* marks = dock->findChild<QLabel*>(QStringLiteral("lessonMarks"));
-    QTRY_VERIFY_WITH_TIMEOUT(marks->isVisible() && !marks->text().isEmpty(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(marks->isVisible() && !marks->text().isEmpty(), longestWait);
     dock->findChild<QPushButton*>(QStringLiteral("lessonPlay"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
     take(program.window, QStringLiteral("lesson-shown"));
     const auto isMet = [marks] {
         return marks->text().contains(QChar(0x2713)) && !marks->text().contains(QChar(0x25CB));
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isMet(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isMet(), longestWait);
     take(program.window, QStringLiteral("lesson-met"));
 }
 
@@ -641,7 +640,7 @@ void TestScreenshots::takeLessonEditor(Program& program)
     QTRY_VERIFY(editor->isVisible());
     take(program.window, QStringLiteral("lesson-editor-start"));
     Q_EMIT editor->lessonChosen(QStringLiteral("mug"));
-    QTRY_VERIFY_WITH_TIMEOUT(editor->isOpen(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(editor->isOpen(), longestWait);
     auto* pages = editor->findChild<ui::LessonStepEditor*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
@@ -649,7 +648,7 @@ void TestScreenshots::takeLessonEditor(Program& program)
     }
     editor->findChild<QPushButton*>(QStringLiteral("lessonRecord"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(
-        editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), timeoutMs);
+        editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), longestWait);
     take(program.window, QStringLiteral("lesson-editor-recording"));
 }
 

@@ -2,6 +2,7 @@
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
+#include "tests/support/effort.h"
 #include "ui/brush/brush_shapes.h"
 #include "ui/brush/preset_choice.h"
 #include "ui/brush/preset_library.h"
@@ -46,7 +47,7 @@ struct LoadedLibrary
     }
     bool next()
     {
-        const bool came = !loaded.isEmpty() || loaded.wait(60'000);
+        const bool came = !loaded.isEmpty() || loaded.wait(longestWait);
         loaded.clear();
         return came;
     }
@@ -301,7 +302,7 @@ private Q_SLOTS:
             return listOf(window)->item(i)->icon().pixmap(64).toImage().pixelColor(32, 32).alpha() > 0;
         };
         for (int i = 0; i < static_cast<int>(oursCount); ++i)
-            QTRY_VERIFY_WITH_TIMEOUT(hasPicture(i), 60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(hasPicture(i), longestWait);
     }
 
     void theShelf_offersWhatTheToolsAre()

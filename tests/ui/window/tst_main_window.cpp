@@ -9,6 +9,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/tool_palette.h"
 
+#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
@@ -1122,7 +1123,7 @@ private Q_SLOTS:
         auto* banner = child<QLabel>(window, "banner");
         QVERIFY(banner->isVisible());
         QCOMPARE(banner->text(), QStringLiteral("Done."));
-        QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), longestWait);
     }
 
     /// However wide both are, and whichever of them comes first.

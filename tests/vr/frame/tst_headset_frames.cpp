@@ -1,5 +1,6 @@
 // What a frame brings to a client and takes from it. Against the scripted runtime, with Khronos' validation layer
 // between.
+#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
@@ -78,7 +79,7 @@ void TestHeadsetFrames::cleanup()
 void TestHeadsetFrames::enter(Visitor& visitor)
 {
     QVERIFY(visitor.enter());
-    QTRY_VERIFY_WITH_TIMEOUT(m_headset->report()["is_running"].toBool(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_headset->report()["is_running"].toBool(), longestWait);
     for (int i = 0; i < 20 && !visitor.client->last().hasFocus; ++i)
         QVERIFY(m_headset->frames(1));
     QVERIFY(visitor.client->last().hasFocus);

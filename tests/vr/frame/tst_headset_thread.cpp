@@ -4,6 +4,7 @@
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
 
+#include "tests/support/effort.h"
 #include "vr/openxr/openxr_runtime.h"
 
 #include <QDir>
@@ -211,7 +212,7 @@ void TestHeadsetThread::entersFromTheLastReport()
                              QVERIFY(visitor.enter());
                      });
     QVERIFY(visitor.enter());
-    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->destroys, 3, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->destroys, 3, longestWait);
     QVERIFY(visitor.waitForEnd());
 }
 
@@ -387,7 +388,7 @@ void TestHeadsetThread::aRuntimeThatTakesItsTime()
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enterAndRun());
     visitor.thread.leave();
-    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->idleCalls, 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->idleCalls, 1, longestWait);
     QVERIFY(asksSeldom(*m_headset, 300));
     QVERIFY(visitor.thread.isActive());
     m_headset->step("{'lose_session': 0}");
@@ -430,20 +431,20 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
     QVERIFY(moment == Moment::OnTheWayIn || (visitor.enterAndRun() && m_headset->frames(3)));
     m_headset->step(qPrintable("{'freeze': '" + call + "'}"));
     QVERIFY(moment != Moment::OnTheWayIn || visitor.enter());
-    QTRY_VERIFY_WITH_TIMEOUT(moment == Moment::OnTheWayOut || isFrozen(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(moment == Moment::OnTheWayOut || isFrozen(), longestWait);
     QVERIFY(!visitor.thread.isStuck());
     visitor.thread.leave();
     QVERIFY(visitor.waitForEnd());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::NotResponding);
     QVERIFY2(visitor.reports.last().text.contains("does not answer"), qPrintable(visitor.reports.last().text));
-    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), longestWait);
     QVERIFY(!visitor.thread.isActive() && visitor.thread.isStuck());
     QVERIFY(!visitor.thread.enter(visitor.client));
     QCOMPARE(vr::OpenXrRuntime::probe().state, vr::HeadsetStatus::State::InUse);
     const auto told = visitor.reports.size();
 
     m_headset->step(qPrintable(wakes));
-    QTRY_VERIFY_WITH_TIMEOUT(!visitor.thread.isStuck(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!visitor.thread.isStuck(), longestWait);
     QCOMPARE(visitor.reports.size(), told);
     QVERIFY(!visitor.thread.isActive());
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
@@ -467,9 +468,9 @@ void TestHeadsetThread::aFrozenRuntimeIsLeftBehind()
     const auto client = std::make_shared<RecordingClient>();
     auto thread = std::make_unique<vr::HeadsetThread>(littlePatience);
     QVERIFY(thread->enter(client));
-    QTRY_VERIFY_WITH_TIMEOUT(client->frames > 3, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(client->frames > 3, longestWait);
     m_headset->step("{'freeze': 'xrWaitFrame'}");
-    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), longestWait);
     QVERIFY(!vr::RuntimeThread::hasAbandonedWork());
     thread.reset();
     QVERIFY(vr::RuntimeThread::hasAbandonedWork());
@@ -477,11 +478,11 @@ void TestHeadsetThread::aFrozenRuntimeIsLeftBehind()
     QCOMPARE(client->destroys, 0);
 
     m_headset->step("{'freeze': ''}");
-    QTRY_COMPARE_WITH_TIMEOUT(client.use_count(), 1L, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(client.use_count(), 1L, longestWait);
     QCOMPARE(client->destroys, 1);
     QVERIFY(client->context.isNull());
-    QTRY_COMPARE_WITH_TIMEOUT(Held().threads, before.threads, 60'000);
-    QTRY_COMPARE_WITH_TIMEOUT(Held().files, before.files, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(Held().threads, before.threads, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(Held().files, before.files, longestWait);
     QCOMPARE(m_headset->calls("xrDestroyInstance"), 2);
 
     Visitor visitor(*m_headset);
@@ -495,7 +496,7 @@ void TestHeadsetThread::aRuntimeThatAnswersLateIsWaitedFor()
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enterAndRun());
     m_headset->step("{'freeze': 'xrWaitFrame'}");
-    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), longestWait);
     const auto told = visitor.reports.size();
     visitor.thread.leave();
     QTest::qWait(500);
@@ -538,7 +539,7 @@ void TestHeadsetThread::losesFocusAndGetsItBack()
     Visitor visitor(*m_headset);
     m_headset->step("{'right': {'trigger': 0.7, 'menu': true}}");
     QVERIFY(visitor.enterAndRun());
-    QTRY_VERIFY_WITH_TIMEOUT(visitor.client->last().wands[1].menu, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(visitor.client->last().wands[1].menu, longestWait);
     m_headset->step("{'focus': false}");
     QVERIFY(visitor.waitFor(HeadsetStage::Visible));
     const int syncs = m_headset->calls("xrSyncActions"), draws = visitor.client->draws;
@@ -551,7 +552,7 @@ void TestHeadsetThread::losesFocusAndGetsItBack()
 
     m_headset->step("{'focus': true}");
     QVERIFY(visitor.waitFor(HeadsetStage::Running));
-    QTRY_VERIFY_WITH_TIMEOUT(visitor.client->last().wands[1].menu, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(visitor.client->last().wands[1].menu, longestWait);
     QVERIFY(visitor.leave());
 }
 

@@ -1,5 +1,6 @@
 #include "vr/openxr/runtime_thread.h"
 
+#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 
 #include <QSignalSpy>
@@ -39,7 +40,7 @@ void TestRuntimeThread::tasks_runHereInOrder()
             });
     });
     QVERIFY(opened.isEmpty());
-    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, longestWait);
     QVERIFY(areHere && isLast);
     QVERIFY(worker != std::this_thread::get_id());
     QCOMPARE(opened.size(), 100);
@@ -56,7 +57,7 @@ void TestRuntimeThread::ended_comesWhenAllIsGone()
     QVERIFY(!thread.isWorking());
     thread.start([held = std::move(held)](const auto&) {});
     QVERIFY(thread.isWorking());
-    QTRY_VERIFY_WITH_TIMEOUT(!thread.isWorking(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!thread.isWorking(), longestWait);
     QVERIFY(wasGone);
 }
 
@@ -70,7 +71,7 @@ void TestRuntimeThread::ended_mayBeginOtherWork()
             begin();
     });
     begin();
-    QTRY_VERIFY_WITH_TIMEOUT(!thread.isWorking(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!thread.isWorking(), longestWait);
     QCOMPARE(done, 4);
 }
 
@@ -85,7 +86,7 @@ void TestRuntimeThread::waitForEnd_doesNotWaitForEver()
     QVERIFY(!thread.waitForEnd(-1ms));
     gate.set_value();
     QVERIFY(thread.waitForEnd(60s));
-    QTRY_VERIFY_WITH_TIMEOUT(!thread.isWorking(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!thread.isWorking(), longestWait);
 }
 
 void TestRuntimeThread::finishedWork_isNotLeft()
@@ -121,7 +122,7 @@ void TestRuntimeThread::work_isLeftBehind()
     QVERIFY(RuntimeThread::hasAbandonedWork());
     QVERIFY(!shared->isDone);
     shared->gate.set_value();
-    QTRY_COMPARE_WITH_TIMEOUT(shared.use_count(), 1L, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(shared.use_count(), 1L, longestWait);
     QVERIFY(shared->isDone);
 }
 

@@ -1,4 +1,5 @@
 #include "tests/vr/simulator/scripted_headset.h"
+#include "tests/support/effort.h"
 
 #include <QColor>
 #include <QFile>
@@ -8,7 +9,6 @@
 
 namespace
 {
-constexpr int longest = 60'000; ///< ms; a test that waits so long has failed
 constexpr GLenum framebufferSrgb = 0x8DB9;
 constexpr const char* layers = "XR_ENABLE_API_LAYERS";
 constexpr const char* validation = "XR_APILAYER_LUNARG_core_validation";
@@ -186,5 +186,5 @@ bool Visitor::waitFor(vr::HeadsetStage stage)
     const auto isOver = [&] {
         return !reports.isEmpty() && (reports.last().stage == stage || reports.last().isEnded());
     };
-    return QTest::qWaitFor(isOver, longest) && reports.last().stage == stage;
+    return QTest::qWaitFor(isOver, longestWait) && reports.last().stage == stage;
 }

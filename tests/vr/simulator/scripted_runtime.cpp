@@ -1,5 +1,6 @@
 #include "tests/vr/simulator/scripted_runtime.h"
 
+#include "tests/support/effort.h"
 #include "vr/simulator/control_api.h"
 
 #include <QJsonArray>
@@ -8,8 +9,6 @@
 
 namespace
 {
-constexpr int exitTimeout = 60'000; ///< milliseconds with a client that is stuck
-
 template <class Function> Function function(const char* name)
 {
     static QLibrary library(QStringLiteral(FETTLE_XR_LIBRARY));
@@ -53,7 +52,7 @@ void ScriptedRuntime::set(const QByteArray& step)
 
 bool ScriptedRuntime::frames(int count)
 {
-    return function<int (*)(int, int)>("fettle_xr_frames")(count, exitTimeout) >= count;
+    return function<int (*)(int, int)>("fettle_xr_frames")(count, longestWait) >= count;
 }
 
 QJsonObject ScriptedRuntime::report() const
