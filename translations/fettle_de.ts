@@ -6215,6 +6215,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 dünner als %2 mm</translation>
     </message>
     <message>
+        <source>Only specks thinner than %1 mm</source>
+        <translation>Nur Krümel dünner als %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
         <source>%1 mm, %2</source>
         <comment>thickness, area</comment>
         <translation>%1 mm, %2</translation>

@@ -6195,6 +6195,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 薄于 %2 mm</translation>
     </message>
     <message>
+        <source>Only specks thinner than %1 mm</source>
+        <translation>仅有微小处薄于 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
         <source>%1 mm, %2</source>
         <comment>thickness, area</comment>
         <translation>%1 mm，%2</translation>

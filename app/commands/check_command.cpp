@@ -184,7 +184,7 @@ QStringList obstacles(const CheckOptions& options, const core::PrintReport& prin
     QStringList found;
     if (options.hasBed && print.fit == core::BedFit::Not)
         found << CheckMessages::tr("it does not fit the bed");
-    if (print.thin.count > 0)
+    if (core::hasThinWalls(print, *options.print))
         found << CheckMessages::tr("%1 of its surface is thinner than %2 mm")
                      .arg(percent(print.thin.area / print.area), rounded(options.print->minWall));
     if (print.overhangs.count > 0)

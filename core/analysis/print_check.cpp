@@ -174,6 +174,11 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
     return report;
 }
 
+bool hasThinWalls(const PrintReport& report, const PrintLimits& limits)
+{
+    return !report.thin.places.empty() && report.thin.places.front().area > limits.minWall * limits.minWall;
+}
+
 UnitDoubt unitDoubtOf(double volume)
 {
     const double size = std::abs(volume);
@@ -184,9 +189,9 @@ UnitDoubt unitDoubtOf(double volume)
 
 UnitDoubt guessedUnit(double volume, double longestSide)
 {
-    if (unitDoubtOf(volume) == UnitDoubt::None)
+    if (unitDoubtOf(volume) == UnitDoubt::None && longestSide >= PrintLimits::inchSide)
         return UnitDoubt::None;
-    return longestSide < 1 ? UnitDoubt::Metres : UnitDoubt::Inches;
+    return longestSide < PrintLimits::metreSide ? UnitDoubt::Metres : UnitDoubt::Inches;
 }
 
 std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture)

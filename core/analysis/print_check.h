@@ -23,6 +23,7 @@ struct PrintLimits
     static constexpr double bedTolerance = 0.01;
     /// Below these volumes, in mm^3, slicers take a model for one in inches, and in metres (PrusaSlicer's).
     static constexpr double inchVolume = 8, metreVolume = 0.001;
+    static constexpr double inchSide = 20, metreSide = 1; ///< mm; a longest side below these is rarely meant so
 
     double minWall = linesPerWall * defaultNozzle; ///< mm, at most maxWall
     double overhang = 45;                          ///< degrees that a face may lean out, from the vertical; 0 to 90
@@ -71,14 +72,17 @@ struct PrintReport
     double baseArea = 0;  ///< mm^2 of flat surface on the bed, looking down
     BedFit fit = BedFit::AsItStands;
 };
+/// Returns whether a place is thin on more than a square of the limit. Smaller ones are slivers in creases and tips of
+/// edges, which a printer rounds.
+bool hasThinWalls(const PrintReport& report, const PrintLimits& limits);
 /// Of a model that stands on its lowest point. Cost: O(faces).
 PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limits);
 
 /// What a slicer would take a model of that volume for. By PrusaSlicer's thresholds, which others have, too.
 enum class UnitDoubt { None, Inches, Metres };
 UnitDoubt unitDoubtOf(double volume);
-/// In which unit a model was made that is too small for slicers in millimetres: below an inch long, metres are likelier
-/// than inches.
+/// In which unit a model was made that is too small for slicers in millimetres, or shorter than PrintLimits::inchSide:
+/// below metreSide metres are likelier than inches.
 UnitDoubt guessedUnit(double volume, double longestSide);
 
 enum class PrintPicture { Thickness, Overhang };

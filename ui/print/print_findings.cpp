@@ -65,7 +65,19 @@ PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, c
     return {PrintVerdict::Bad, PrintText::tr("Too large for %1").arg(printer), size, {}, {}};
 }
 
-PrintFinding walls(const core::PrintReport& print, double limit)
+/// No printer tells finer ones apart.
+QString hundredths(double millimetres)
+{
+    return QLocale().toString(std::max(millimetres, 0.01), 'f', 2);
+}
+
+QString placeArea(double squareMillimetres)
+{
+    return squareMillimetres < 1 ? PrintText::tr("%1 mm²").arg(hundredths(squareMillimetres))
+                                 : areaText(squareMillimetres);
+}
+
+PrintFinding walls(const core::PrintReport& print, const core::PrintLimits& limits)
 {
     const auto mm = [](const std::optional<double>& length) {
         return length ? millimetres(*length) : QStringLiteral("–");
@@ -79,13 +91,17 @@ PrintFinding walls(const core::PrintReport& print, double limit)
                                         : PrintText::tr("No thin walls");
         return finding;
     }
-    finding.verdict = PrintVerdict::Bad;
-    finding.text = PrintText::tr("%1 thinner than %2 mm")
-                       .arg(percent(print.thin.area / print.area), QLocale().toString(limit, 'g', 4));
+    const QString limit = QLocale().toString(limits.minWall, 'g', 4);
+    if (core::hasThinWalls(print, limits)) {
+        finding.verdict = PrintVerdict::Bad;
+        finding.text = PrintText::tr("%1 thinner than %2 mm").arg(percent(print.thin.area / print.area), limit);
+    } else {
+        finding.text = PrintText::tr("Only specks thinner than %1 mm").arg(limit);
+    }
     finding.places = print.thin.places;
     for (const core::PrintPlace& place : finding.places)
         finding.placeTexts
-            << PrintText::tr("%1 mm, %2", "thickness, area").arg(millimetres(place.worst), areaText(place.area));
+            << PrintText::tr("%1 mm, %2", "thickness, area").arg(hundredths(place.worst), placeArea(place.area));
     return finding;
 }
 
@@ -105,7 +121,7 @@ PrintFinding overhangs(const core::PrintReport& print, double limit)
         PrintText::tr("%1 overhangs beyond %2").arg(percent(print.overhangs.area / print.area), degrees(limit));
     finding.places = print.overhangs.places;
     for (const core::PrintPlace& place : finding.places)
-        finding.placeTexts << PrintText::tr("up to %1, %2").arg(degrees(place.worst), areaText(place.area));
+        finding.placeTexts << PrintText::tr("up to %1, %2").arg(degrees(place.worst), placeArea(place.area));
     return finding;
 }
 
@@ -125,7 +141,7 @@ QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::Prin
     if (!printer.isEmpty())
         findings << bed(mesh, print, printer);
     if (mesh.printReady())
-        findings << walls(print, limits.minWall);
+        findings << walls(print, limits);
     findings << overhangs(print, limits.overhang) << base(print) << parts(mesh);
     if (const QString doubt = mesh.volume ? ErrorMessages::unitDoubt(*mesh.volume) : QString(); !doubt.isEmpty())
         findings << PrintFinding{PrintVerdict::Warning,

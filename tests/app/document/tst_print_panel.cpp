@@ -119,7 +119,7 @@ void TestPrintPanelWindow::check_findsThinWallsAndShowsThem()
     QCOMPARE(shadedPixels(program), 0);
     check(program);
     QVERIFY(rowWith(program, QStringLiteral("thinner than 0.8")));
-    QVERIFY(rowWith(program, QStringLiteral("0.500 mm")));
+    QVERIFY(rowWith(program, QStringLiteral("0.50 mm")));
     QVERIFY(rowWith(program, QStringLiteral("Fits")));
     QVERIFY(verdict(program).contains(QStringLiteral("Should be changed")));
     QTRY_VERIFY(shadedPixels(program) > 1000);
@@ -131,7 +131,7 @@ void TestPrintPanelWindow::places_areFlownTo()
     open(program, plateAndCube(), *m_folder);
     check(program);
     auto* list = part<QListWidget>(program, "print.findings");
-    QListWidgetItem* place = rowWith(program, QStringLiteral("0.500 mm"));
+    QListWidgetItem* place = rowWith(program, QStringLiteral("0.50 mm"));
     list->setFocus();
     list->setCurrentItem(place);
     const core::Vec3 before = program.window.viewport()->camera().target();

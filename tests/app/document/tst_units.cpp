@@ -81,6 +81,7 @@ void TestUnits::unit_scalesInOneStep_data()
     QTest::addColumn<QString>("button");
     QTest::addColumn<double>("becomes");
     QTest::newRow("inches, as guessed") << 1.5F << QStringLiteral("asInches") << 38.1;
+    QTest::newRow("inches, though slicers take it for millimetres") << 6.0F << QStringLiteral("asInches") << 152.4;
     QTest::newRow("metres, as guessed") << 0.25F << QStringLiteral("asMetres") << 250.0;
     QTest::newRow("centimetres") << 1.5F << QStringLiteral("asCentimetres") << 15.0;
 }
@@ -137,7 +138,7 @@ void TestUnits::knownUnits_areNotDoubted_data()
     QTest::newRow("GLB knows its unit") << QByteArray("part.glb") << 1.5F;
     QTest::newRow("glTF knows its unit") << QByteArray("part.gltf") << 1.5F;
     QTest::newRow("3MF knows its unit") << QByteArray("part.3mf") << 1.5F;
-    QTest::newRow("large enough") << QByteArray("part.stl") << 2.0F;
+    QTest::newRow("large enough") << QByteArray("part.stl") << 20.0F;
 }
 
 void TestUnits::knownUnits_areNotDoubted()

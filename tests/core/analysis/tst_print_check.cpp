@@ -351,7 +351,9 @@ void TestPrintCheck::units_areDoubtedBySize()
     QVERIFY(core::unitDoubtOf(-1e6) == UnitDoubt::None); // inside out, not small
     QVERIFY(core::guessedUnit(7, 4) == UnitDoubt::Inches);
     QVERIFY(core::guessedUnit(0.9, 0.99) == UnitDoubt::Metres);
-    QVERIFY(core::guessedUnit(8, 0.5) == UnitDoubt::None);
+    QVERIFY(core::guessedUnit(300, 19.9) == UnitDoubt::Inches); // no slicer doubts it, a person may
+    QVERIFY(core::guessedUnit(0.5, 0.99) == UnitDoubt::Metres);
+    QVERIFY(core::guessedUnit(8, 20) == UnitDoubt::None);
 }
 
 void TestPrintCheck::stopped_endsSoon()

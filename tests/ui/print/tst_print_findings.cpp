@@ -67,6 +67,26 @@ private Q_SLOTS:
         QVERIFY(worstOf(findingsOf(shapes::cube(1.5F), {.bed = bed}, printer)) == PrintVerdict::Warning); // in inches?
     }
 
+    /// Slivers in creases and tips of edges are shown, and are no fault.
+    void specks_areNoFault()
+    {
+        const core::PrintMeasures measures = core::measureForPrint(shapes::cube(20));
+        core::PrintReport report = core::checkForPrint(measures, {.minWall = 0.8});
+        report.thin.count = 1;
+        const auto findings = [&](double area) {
+            report.thin.area = area;
+            report.thin.places = {{.worst = 0.00456, .area = area}};
+            return ui::printFindings(measures.report, report, {.minWall = 0.8}, {});
+        };
+        QVERIFY(worstOf(findings(0.00236)) == PrintVerdict::Good);
+        QVERIFY(worstOf(findings(0.63)) == PrintVerdict::Good);
+        QVERIFY(worstOf(findings(0.65)) == PrintVerdict::Bad);
+        QStringList texts;
+        for (const ui::PrintFinding& finding : findings(0.00236))
+            texts += finding.placeTexts;
+        QCOMPARE(texts, {QStringLiteral("0.01 mm, 0.01 mm²")});
+    }
+
     void places_haveWords()
     {
         for (const ui::PrintFinding& finding :
