@@ -31,7 +31,10 @@ IdleAnalysis::IdleAnalysis(Document* document, SculptWorker* worker)
     m_idleTimer.setSingleShot(true);
     m_idleTimer.setInterval(idleMs);
     connect(&m_idleTimer, &QTimer::timeout, this, &IdleAnalysis::run);
-    connect(document, &Document::historyChanged, this, &IdleAnalysis::invalidate);
+    connect(document, &Document::historyChanged, this, [this] {
+        if (!isOfPresent())
+            invalidate();
+    });
     connect(document, &Document::opened, this, &IdleAnalysis::invalidate);
 }
 
@@ -56,6 +59,18 @@ void IdleAnalysis::stop()
     m_idleTimer.stop();
     m_stop.request_stop();
     Q_EMIT outdated();
+}
+
+void IdleAnalysis::setFinished()
+{
+    m_isFinished = true;
+    m_step = m_document->history().stack().index();
+}
+
+/// Returns whether the result is of the model as it is: it was saved since, but not changed.
+bool IdleAnalysis::isOfPresent() const
+{
+    return m_isFinished && m_document->queue().isSettled() && m_document->history().stack().index() == m_step;
 }
 
 void IdleAnalysis::invalidate()

@@ -43,11 +43,12 @@ Q_SIGNALS:
 protected:
     /// Starts the analysis of the copy on another thread. Thread: mesh.
     virtual void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) = 0;
-    void setFinished() { m_isFinished = true; }
+    void setFinished();
     /// To be called first in the destructor of a derived class.
     void cancel() { m_stop.request_stop(); }
 
 private:
+    bool isOfPresent() const;
     void invalidate();
     void run();
 
@@ -56,6 +57,7 @@ private:
     QTimer m_idleTimer;
     bool m_isActive = false;
     bool m_isFinished = false;
+    int m_step = 0; ///< of the document's history, when it finished
     std::stop_source m_stop;
 };
 } // namespace app

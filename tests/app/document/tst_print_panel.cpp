@@ -95,6 +95,7 @@ private Q_SLOTS:
     void check_findsThinWallsAndShowsThem();
     void places_areFlownTo();
     void changes_outdateIt();
+    void saving_keepsIt();
     void closing_takesColoursAway();
     void limits_evaluateAgain();
     void printers_areEdited();
@@ -161,6 +162,20 @@ void TestPrintPanelWindow::changes_outdateIt()
     QTRY_COMPARE(shadedPixels(program), 0);
     QTRY_VERIFY(isAnswered(program)); // by itself, when it rests
     QTRY_VERIFY(shadedPixels(program) > 1000);
+}
+
+/// What was measured is of the same model.
+void TestPrintPanelWindow::saving_keepsIt()
+{
+    Program program;
+    open(program, plateAndCube(), *m_folder);
+    check(program);
+    QTRY_VERIFY(shadedPixels(program) > 1000);
+    program.document.saver().save(m_folder->filePath(QStringLiteral("saved.glb")));
+    QTRY_VERIFY(program.document.modelInfo().path.endsWith(QStringLiteral("saved.glb")) &&
+                !program.document.job().isBusy());
+    QVERIFY(isAnswered(program));
+    QVERIFY(shadedPixels(program) > 1000);
 }
 
 void TestPrintPanelWindow::closing_takesColoursAway()
