@@ -59,6 +59,7 @@ void Document::setModel(const LoadedModel& model)
 {
     m_modelInfo.name = model.name;
     m_modelInfo.path = model.path;
+    m_modelInfo.source = model.source;
     m_modelInfo.metadata = model.metadata;
     m_modelInfo.unitGuess = model.unitGuess;
     m_workTimer = {};

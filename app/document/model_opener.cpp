@@ -17,14 +17,20 @@ namespace
 ModelOpener::Choice acceptedChoice(LoadedModel model)
 {
     model.doubt.reset();
-    return {ModelOpener::tr("Opening %1").arg(model.name), [model](const core::JobControl&) { return model; }};
+    ModelOpener::Choice choice{ModelOpener::tr("Opening %1").arg(model.name),
+                               [model](const core::JobControl&) { return model; }};
+    choice.path = model.source;
+    return choice;
 }
 } // namespace
 
 ModelOpener::ModelOpener(Document* document) : m_document(document)
 {
     connect(&document->worker(), &SculptWorker::modelSet, this, &ModelOpener::finish);
-    connect(&document->history().stack(), &QUndoStack::indexChanged, this, [this] { m_isDiscardAgreed = false; });
+    connect(&document->history().stack(), &QUndoStack::indexChanged, this, [this] {
+        m_isDiscardAgreed = false;
+        m_discardAgreedFor.clear();
+    });
 }
 
 void ModelOpener::setDiscardPrompt(DiscardPrompt prompt)
@@ -40,8 +46,11 @@ bool ModelOpener::canDiscard(const std::function<void()>& proceed) const
 ModelOpener::Choice ModelOpener::choiceOf(const QString& path) const
 {
     const auto onStage = [&job = m_document->job()](const QString& next) { job.rename(next); };
-    return {tr("Opening %1").arg(QFileInfo(path).fileName()),
-            [path, onStage](const core::JobControl& control) { return ModelLoader::load(path, onStage, control); }};
+    Choice choice{tr("Opening %1").arg(QFileInfo(path).fileName()), [path, onStage](const core::JobControl& control) {
+                      return ModelLoader::load(path, onStage, control);
+                  }};
+    choice.path = path;
+    return choice;
 }
 
 void ModelOpener::open(const QString& path)
@@ -91,9 +100,11 @@ void ModelOpener::openMade(const Choice& choice)
     if (m_document->job().isBusy() && !m_isLoading)
         Q_EMIT m_document->noticed(tr("The model that you chose opens as soon as this is done."));
     m_document->queue().enqueue([this, choice] {
+        const bool isAgreed = choice.discardsChanges || m_isDiscardAgreed ||
+                              (!choice.path.isEmpty() && choice.path == m_discardAgreedFor);
         if (m_document->job().isBusy())
             chooseNext(choice);
-        else if (choice.discardsChanges || m_isDiscardAgreed || canDiscard([this, choice] { openMade(choice); }))
+        else if (isAgreed || canDiscard([this, choice] { openMade(choice); }))
             load(choice);
     });
 }
@@ -116,6 +127,7 @@ void ModelOpener::openNext()
 void ModelOpener::load(const Choice& choice)
 {
     m_isLoading = m_isDiscardAgreed = true;
+    m_discardAgreedFor.clear();
     const core::JobControl control = m_document->job().beginCancellable(choice.what);
     auto work = [make = choice.make, control, recoveryStore = m_document->journaling().recoveryStore()] {
         auto model = std::make_shared<LoadedModel>(make(control));
@@ -138,6 +150,8 @@ void ModelOpener::refuse(const LoadedModel& model, bool isStopped)
     if (RecoveryStore* recoveryStore = m_document->journaling().recoveryStore())
         recoveryStore->discard(model.journal);
     m_isLoading = false;
+    if (m_isDiscardAgreed && (model.doubt || model.isRepairable))
+        m_discardAgreedFor = model.source;
     m_isDiscardAgreed = m_isDiscardAgreed && m_next;
     m_document->job().end();
     if (!isStopped && model.doubt)

@@ -44,6 +44,7 @@ public:
         Make make;
         std::shared_ptr<const void> mark = {}; ///< by which the caller knows the model
         bool discardsChanges = false;          ///< the user knows it: no prompt
+        QString path = {};                     ///< of the file; empty: it comes from none
     };
     void openMade(const Choice& choice);
     /// The mark of the present model; null: a file's, or a starter.
@@ -87,5 +88,6 @@ private:
     std::optional<Choice> m_next; ///< to be opened when the present job has ended
     bool m_isLoading = false;
     bool m_isDiscardAgreed = false; ///< for what is being opened; the user made no change since
+    QString m_discardAgreedFor;     ///< a file that was not opened but may be repaired: the same holds for it
 };
 } // namespace app

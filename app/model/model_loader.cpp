@@ -82,7 +82,7 @@ LoadedModel ModelLoader::read(const QString& path, const OnStage& onStage, const
                               const Process& process)
 {
     LoadedModel loaded;
-    loaded.path = path;
+    loaded.path = loaded.source = path;
     loaded.name = QFileInfo(path).fileName();
     try {
         auto [mesh, remarks] = core::readModel(toPath(path), {.stop = control.stop});

@@ -43,7 +43,8 @@ struct LoadedModel
     QString notice;                              ///< if not refused: a remark for the user; may be empty
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< the likelier unit, if the file has none
     QString name;
-    QString path;                           ///< empty: the model is from no file
+    QString path;                           ///< empty: no file holds the model
+    QString source;                         ///< the file that it was read from; empty: none
     core::DocumentMetadata metadata;        ///< metadata of the file
     std::shared_ptr<core::Journal> journal; ///< journal begun for the model; may be null
     /// History of a model that was recovered from a journal; its mesh has moved to the sculptor. Null for others.

@@ -110,19 +110,17 @@ void ModelFiles::setOpened(const ModelInfo& model)
     m_file = FileJobs::entryOf(m_path);
     m_isFileDeleted = m_formatNoticeShown = false;
     m_afterSave = nullptr;
-    if (!m_path.isEmpty()) {
-        remember(m_path);
-        m_settings->addRecentFile(QFileInfo(m_path).absoluteFilePath());
+    if (const QString& file = m_path.isEmpty() ? model.source : m_path; !file.isEmpty()) {
+        remember(file);
+        m_settings->addRecentFile(QFileInfo(file).absoluteFilePath());
     }
     showRecent();
 }
 
 void ModelFiles::open()
 {
-    askForModel(m_window, ModelUse::Open, m_settings->lastFolder(), [this](const QString& path) {
-        remember(path);
-        Q_EMIT openRequested(path);
-    });
+    askForModel(m_window, ModelUse::Open, m_settings->lastFolder(),
+                [this](const QString& path) { Q_EMIT openRequested(path); });
 }
 
 void ModelFiles::insert()

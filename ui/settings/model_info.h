@@ -18,7 +18,8 @@ struct ModelInfo
     double area = 0;                      ///< mm^2
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
     double minDetail = 0;                 ///< mm; the finest d_detail that the model's lattice holds
-    QString path = {};                    ///< empty: it comes from no file
+    QString path = {};                    ///< empty: no file holds it
+    QString source = {};                  ///< the file that was opened, also where it had to be mended; empty: none
     /// That its file keeps; when it was opened, but for the palette and the work.
     core::DocumentMetadata metadata = {};
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< when it was opened, where its file has no unit

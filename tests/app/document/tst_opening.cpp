@@ -6,6 +6,7 @@
 #include "tests/support/effort.h"
 #include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QLabel>
@@ -96,6 +97,7 @@ private Q_SLOTS:
     void aBrokenModelIsRepaired_data();
     void aBrokenModelIsRepaired();
     void aRepairThatLosesMuchIsAsked();
+    void aRepairAsksNoSecondTime();
     void aBrokenModelIsRepairedAndInserted();
 };
 
@@ -312,6 +314,39 @@ void TestOpening::aRepairThatLosesMuchIsAsked()
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
     QVERIFY(program.document.savedState().isModified());
     QVERIFY(repairReport(program).contains(QStringLiteral("anew")));
+}
+
+/// Who let the changes go for a file need not do so again for its repair, but does for another file.
+void TestOpening::aRepairAsksNoSecondTime()
+{
+    const Files files;
+    const QString broken = files.folder.filePath(QStringLiteral("broken.ply"));
+    writeCrossingBalls(broken);
+    Program program;
+    sculptBall(program);
+    const Asked asked(program, true);
+    QSignalSpy opened(&program.document, &Document::opened);
+    const auto ask = [&] {
+        program.document.opener().open(broken);
+        QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
+    };
+    ask();
+    QCOMPARE(asked.times, 1);
+    QTest::keyClick(repairQuestion(program), Qt::Key_Escape);
+    QTRY_VERIFY(!repairQuestion(program));
+    program.document.history().undo();
+    program.document.history().redo();
+    QTRY_VERIFY(program.document.queue().isSettled());
+    ask(); // the changes were made since
+    QCOMPARE(asked.times, 2);
+    QTest::keyClick(repairQuestion(program), Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QCOMPARE(asked.times, 2);
+    QCOMPARE(ui::Settings().recentFiles().value(0), broken); // though no file holds the repaired one
+    QVERIFY(program.document.modelInfo().path.isEmpty());
+    program.document.opener().open(files.small);
+    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 3, longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 2, longestWait);
 }
 
 void TestOpening::aBrokenModelIsRepairedAndInserted()
