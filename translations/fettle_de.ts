@@ -4569,6 +4569,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Fettle</translation>
     </message>
     <message>
+        <source>&amp;Choose Another Place…</source>
+        <translation>Anderen &amp;Ort wählen…</translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>

@@ -4554,6 +4554,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>Fettle</translation>
     </message>
     <message>
+        <source>&amp;Choose Another Place…</source>
+        <translation>选择其他位置(&amp;C)…</translation>
+    </message>
+    <message>
         <source>&amp;Undo</source>
         <translation>撤销(&amp;U)</translation>
     </message>

@@ -59,6 +59,7 @@ void ModelSaver::finishSaving(int index, const SavedFile& file)
     m_document->job().end();
     if (!file.problem.isEmpty()) {
         Q_EMIT m_document->refused(file.problem);
+        Q_EMIT saveFailed(file.path);
         return;
     }
     m_document->setFile(file.path);
@@ -95,9 +96,10 @@ void ModelSaver::finishExport(const QString& path, const ExportOutcome& outcome)
 {
     m_document->job().commit();
     m_document->job().end();
-    if (!outcome.problem.isEmpty())
+    if (!outcome.problem.isEmpty()) {
         Q_EMIT m_document->refused(outcome.problem);
-    else if (!outcome.verdict.isEmpty())
+        Q_EMIT exportFailed(path);
+    } else if (!outcome.verdict.isEmpty())
         Q_EMIT exported(path, outcome.verdict);
     else
         Q_EMIT m_document->noticed(tr("%1 was not written.").arg(QFileInfo(path).fileName()));

@@ -62,6 +62,9 @@ Q_SIGNALS:
     /// The verdict: one line on the file as it was read back.
     void exported(const QString& path, const QString& verdict);
     void brushExported(const QString& path);
+    /// The model could not be written there, as Document::refused() has said.
+    void saveFailed(const QString& path);
+    void exportFailed(const QString& path);
 
 private:
     using Write = std::function<SavedFile(const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata)>;

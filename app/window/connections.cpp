@@ -63,6 +63,14 @@ void connectDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document.saver(), &ModelSaver::saved, &window,
                      [&window, &document] { window.showSaved(document.modelInfo()); });
     QObject::connect(&document.saver(), &ModelSaver::exported, &window, &MainWindow::showExported);
+    QObject::connect(&document.saver(), &ModelSaver::saveFailed, &window, [&window](const QString& path) {
+        window.offerRemedy(MainWindow::tr("&Choose Another Place…"),
+                           [&window, path] { window.files()->saveElsewhere(path); });
+    });
+    QObject::connect(&document.saver(), &ModelSaver::exportFailed, &window, [&window](const QString& path) {
+        window.offerRemedy(MainWindow::tr("&Choose Another Place…"),
+                           [&window, path] { window.files()->exportElsewhere(path); });
+    });
     QObject::connect(window.action(QStringLiteral("brush.fromModel")), &QAction::triggered, &document.saver(),
                      &ModelSaver::exportBrush);
     QObject::connect(&document.saver(), &ModelSaver::brushExported, &window, &MainWindow::setBrushModel);

@@ -73,9 +73,9 @@ void ModelFiles::addMenus(QMenu* fileMenu, const Actions& actions)
     on("file.open", [this] { open(); });
     on("file.revert", [this] { Q_EMIT openRequested(m_path); });
     on("file.save", [this] { save(); });
-    on("file.saveAs", [this] { saveAs(); });
+    on("file.saveAs", [this] { saveAs(m_settings->lastFolder(), m_name); });
     on("file.saveCopy", [this] { saveCopy(); });
-    on("file.exportAs", [this] { exportAs(); });
+    on("file.exportAs", [this] { exportAs(m_settings->lastFolder(), m_name); });
     on("file.report", [this] { report(); });
     on("model.insert", [this] { insert(); });
     showRecent();
@@ -135,7 +135,7 @@ void ModelFiles::save()
 {
     m_afterSave = nullptr; // an earlier question was not answered to the end
     if (m_path.isEmpty() || !isWritten(m_path))
-        return saveAs();
+        return saveAs(m_settings->lastFolder(), m_name);
     checkFile();
     if (m_isFileDeleted || FileJobs::entryOf(m_path) == m_file)
         Q_EMIT saveRequested(m_path);
@@ -161,7 +161,7 @@ void ModelFiles::askToOverwrite()
         if (button == overwrite)
             Q_EMIT saveRequested(m_path);
         else if (button == other)
-            saveAs();
+            saveAs(m_settings->lastFolder(), m_name);
         else
             return;
         m_afterSave = proceed;
@@ -196,32 +196,40 @@ void ModelFiles::setRenamed(const QString& from, const QString& to)
 
 void ModelFiles::setExported(const QString& path)
 {
+    remember(path);
     if (QFileInfo(path) == QFileInfo(m_path))
         m_file = FileJobs::entryOf(m_path);
 }
 
-void ModelFiles::saveAs()
+void ModelFiles::saveAs(const QString& folder, const QString& name)
 {
     m_afterSave = nullptr;
-    askForSaving(m_window, m_settings->lastFolder(), m_name, [this](const QString& path) {
-        remember(path);
-        Q_EMIT saveRequested(path);
-    });
+    askForSaving(m_window, folder, name, [this](const QString& path) { Q_EMIT saveRequested(path); });
+}
+
+void ModelFiles::saveElsewhere(const QString& path)
+{
+    const QFileInfo file(path);
+    saveAs(file.path(), file.fileName());
 }
 
 void ModelFiles::saveCopy()
 {
     if (m_path.isEmpty() || !isWritten(m_path))
-        return saveAs();
+        return saveAs(m_settings->lastFolder(), m_name);
     Q_EMIT exportRequested(FileJobs::numberedCopyOf(m_path));
 }
 
-void ModelFiles::exportAs()
+void ModelFiles::exportAs(const QString& folder, const QString& name)
 {
-    askForExport(m_window, m_settings->lastFolder(), m_name, writtenEndings(), [this](const QString& path) {
-        remember(path);
-        Q_EMIT exportRequested(path);
-    });
+    askForExport(m_window, folder, name, writtenEndings(),
+                 [this](const QString& path) { Q_EMIT exportRequested(path); });
+}
+
+void ModelFiles::exportElsewhere(const QString& path)
+{
+    const QFileInfo file(path);
+    exportAs(file.path(), file.fileName());
 }
 
 /// The report lies beside the models, unless the person wants it elsewhere.
@@ -240,7 +248,6 @@ void ModelFiles::exportFor(const ModelInfo& model)
         const QString ending =
             QLatin1StringView(std::ranges::find(exportUses, options.use, &Named<ExportUse>::value)->key);
         askForExport(m_window, m_settings->lastFolder(), m_name, {ending}, [this, options](const QString& path) {
-            remember(path);
             Q_EMIT exportRequested(path, options.maxTriangles, options.slices);
         });
     });

@@ -40,6 +40,9 @@ public:
     void setOpened(const ModelInfo& model);
     /// Asks what for, and where to.
     void exportFor(const ModelInfo& model);
+    /// Asks for another place, as the model could not be written to that path.
+    void saveElsewhere(const QString& path);
+    void exportElsewhere(const QString& path);
     /// The present model has a file of its own now.
     void setSaved(const ModelInfo& model);
     /// Perhaps to the model's own file.
@@ -76,9 +79,9 @@ private:
     void insert();
     void save();
     void askToOverwrite();
-    void saveAs();
+    void saveAs(const QString& folder, const QString& name);
     void saveCopy();
-    void exportAs();
+    void exportAs(const QString& folder, const QString& name);
     void report();
     void showRecent();
     void openDropped(const QString& path);

@@ -453,6 +453,12 @@ void MainWindow::showProblem(const QString& sentence)
     m_state->problem->setText(sentence);
 }
 
+void MainWindow::offerRemedy(const QString& text, const std::function<void()>& callback)
+{
+    if (m_state->problem)
+        connect(m_state->problem->addButton(text, QMessageBox::AcceptRole), &QAbstractButton::clicked, this, callback);
+}
+
 void MainWindow::showNotice(const QString& sentence)
 {
     m_state->banner->showMessage(sentence);

@@ -78,6 +78,8 @@ public Q_SLOTS:
     /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the
     /// first.
     void showProblem(const QString& sentence);
+    /// Adds a button to the problem that is shown.
+    void offerRemedy(const QString& text, const std::function<void()>& callback);
     /// The model has that file now.
     void showSaved(const ui::ModelInfo& modelInfo);
     /// It was written; the verdict, one line, is what the file was found to be.

@@ -6,12 +6,14 @@
 #include "core/io/mesh_io.h"
 #include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
+#include "ui/settings/settings.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDir>
+#include <QFileDialog>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -176,6 +178,8 @@ public:
 private Q_SLOTS:
     void save_losesNothing_data() { faults(); }
     void save_losesNothing();
+    void failedFiles_mayGoElsewhere_data();
+    void failedFiles_mayGoElsewhere();
     void closing_staysWhenItsSaveFails_data() { faults(); }
     void closing_staysWhenItsSaveFails();
     void numberedCopy_isWholeOrNotThere_data() { faults(); }
@@ -218,6 +222,41 @@ void TestUnwritablePlaces::save_losesNothing()
     QVERIFY(read(s.place.at("lion.ply")) != s.bytes);
     QCOMPARE(core::readMesh(s.place.at("lion.ply").toStdString()).points.size(),
              s.program.document.modelInfo().vertices);
+}
+
+void TestUnwritablePlaces::failedFiles_mayGoElsewhere_data()
+{
+    QTest::addColumn<QByteArray>("command");
+    QTest::addColumn<QByteArray>("dialog");
+    QTest::newRow("save") << QByteArray("file.saveAs") << QByteArray("saveDialog");
+    QTest::newRow("export") << QByteArray("file.exportAs") << QByteArray("exportDialog");
+}
+
+/// The dialog comes back with the name, and begins the next time where the last file was written.
+void TestUnwritablePlaces::failedFiles_mayGoElsewhere()
+{
+    QFETCH(QByteArray, command);
+    QFETCH(QByteArray, dialog);
+    const QTemporaryDir good;
+    Spoilt s(*disk, Fault::NotPermitted);
+    s.sculpt();
+    ui::Settings().set(&ui::Setting::lastFolder, good.path());
+    s.press(command.constData());
+    chooseFile(s.program, dialog.constData(), s.place.at("tiger.stl"));
+    QTRY_VERIFY(s.problem() && s.problem()->isVisible() && !s.program.document.job().isBusy());
+    QCOMPARE(ui::Settings().lastFolder(), good.path());
+    const auto isOffer = [](const QAbstractButton* b) { return b->text().contains(QStringLiteral("Another Place")); };
+    const QList<QAbstractButton*> buttons = s.problem()->buttons();
+    const auto offer = std::ranges::find_if(buttons, isOffer);
+    QVERIFY(offer != buttons.end());
+    QTest::mouseClick(*offer, Qt::LeftButton);
+    QFileDialog* again = nullptr;
+    QTRY_VERIFY((again = s.program.window.findChild<QFileDialog*>(QLatin1StringView(dialog))) && again->isVisible());
+    QCOMPARE(again->selectedFiles().value(0).section(u'/', -1).section(u'.', 0, 0), QStringLiteral("tiger"));
+    chooseFile(s.program, dialog.constData(), good.filePath(QStringLiteral("tiger.stl")));
+    QTRY_VERIFY(QFile::exists(good.filePath(QStringLiteral("tiger.stl"))) && !s.program.document.job().isBusy());
+    QTRY_VERIFY(!s.problem());
+    QCOMPARE(ui::Settings().lastFolder(), good.path());
 }
 
 void TestUnwritablePlaces::closing_staysWhenItsSaveFails()
