@@ -2,13 +2,16 @@
 
 #include <QDir>
 
+#include <chrono>
+#include <future>
+#include <memory>
+#include <thread>
+
 namespace ui
 {
 namespace
 {
 constexpr qsizetype maxRecentFiles = 10;
-
-const QString referenceGroup = QStringLiteral("reference/"); ///< and the side
 
 QString keyOf(core::Parameter parameter)
 {
@@ -21,9 +24,16 @@ double defaultOf(core::Parameter parameter)
     return parameter == core::Parameter::Spacing ? defaultSpacing : core::info(parameter).defaultValue;
 }
 
+/// Returns whether a folder is there and its disk answers in time, as that of a lost server does not.
 bool isThere(const QString& folder)
 {
-    return !folder.isEmpty() && QDir(folder).exists();
+    constexpr auto longest = std::chrono::milliseconds(500);
+    if (folder.isEmpty())
+        return false;
+    auto answer = std::make_shared<std::promise<bool>>();
+    std::future<bool> isFolder = answer->get_future();
+    std::thread([answer, folder] { answer->set_value(QDir(folder).exists()); }).detach();
+    return isFolder.wait_for(longest) == std::future_status::ready && isFolder.get();
 }
 
 template <class S, class T> void addKept(const stored::Row<S, T>& row, QStringList& keys)

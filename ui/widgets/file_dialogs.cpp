@@ -1,6 +1,7 @@
 #include "ui/widgets/file_dialogs.h"
 
 #include "ui/util/format_filters.h"
+#include "ui/widgets/name_icons.h"
 #include "ui/widgets/named.h"
 
 #include <QCoreApplication>
@@ -26,6 +27,14 @@ QString filterOf(const QString& ending)
     return QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending);
 }
 
+QFileDialog* makeDialog(QWidget* parent, const QString& title, QAnyStringView name, const QString& folder = {})
+{
+    static NameIcons icons; // the dialogs do not own it
+    auto* dialog = named(new QFileDialog(parent, title, folder), name);
+    dialog->setIconProvider(&icons);
+    return dialog;
+}
+
 void show(QFileDialog* dialog, const PathCallback& callback)
 {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -37,7 +46,7 @@ void show(QFileDialog* dialog, const PathCallback& callback)
 void askForTarget(QWidget* parent, const QString& title, const QString& name, const QString& folder,
                   const QString& modelName, const QStringList& endings, const PathCallback& callback)
 {
-    auto* dialog = named(new QFileDialog(parent, title, folder), name);
+    QFileDialog* dialog = makeDialog(parent, title, name, folder);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     QStringList filters;
     for (const QString& ending : endings)
@@ -56,7 +65,7 @@ void askForTarget(QWidget* parent, const QString& title, const QString& name, co
 void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder,
                  const QStringList& endings, const PathCallback& callback)
 {
-    auto* dialog = named(new QFileDialog(parent, title, folder), name);
+    QFileDialog* dialog = makeDialog(parent, title, name, folder);
     dialog->setFileMode(QFileDialog::ExistingFile);
     QStringList patterns;
     for (const QString& ending : endings)
@@ -71,7 +80,7 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathCallb
     const QString title = use == ModelUse::Insert  ? FileDialogs::tr("Insert a Model")
                           : use == ModelUse::Brush ? FileDialogs::tr("Choose the Brush's Shape")
                                                    : FileDialogs::tr("Open a Model");
-    auto* dialog = named(new QFileDialog(parent, title, folder), "openDialog");
+    QFileDialog* dialog = makeDialog(parent, title, "openDialog", folder);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setOption(QFileDialog::HideNameFilterDetails); // there are too many to be read
     const QString patterns = QStringLiteral("*.") + modelEndings().join(QStringLiteral(" *."));
@@ -101,7 +110,7 @@ void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endi
 
 void askForPreset(QWidget* parent, PathCallback callback)
 {
-    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Import a Brush Preset")), "presetDialog");
+    QFileDialog* dialog = makeDialog(parent, FileDialogs::tr("Import a Brush Preset"), "presetDialog");
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(FileDialogs::tr("Brush presets (%1)").arg(QStringLiteral("*.json")));
     show(dialog, callback);
@@ -115,7 +124,7 @@ void askForPresetTarget(QWidget* parent, const QString& presetName, PathCallback
 
 void askForLesson(QWidget* parent, PathCallback callback)
 {
-    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Open a Lesson")), "lessonDialog");
+    QFileDialog* dialog = makeDialog(parent, FileDialogs::tr("Open a Lesson"), "lessonDialog");
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(FileDialogs::tr("Lessons (%1)").arg(QStringLiteral("*.zip lesson.json")));
     show(dialog, callback);
@@ -125,7 +134,7 @@ void askForLessonTarget(QWidget* parent, const QString& title, PathCallback call
 {
     const QString zip = QStringLiteral("zip"), file = FileDialogs::tr("One file (%1)").arg(QStringLiteral("*.zip")),
                   folder = FileDialogs::tr("A folder (*)");
-    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Save the Lesson")), "lessonTargetDialog");
+    QFileDialog* dialog = makeDialog(parent, FileDialogs::tr("Save the Lesson"), "lessonTargetDialog");
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({file, folder});
     dialog->setDefaultSuffix(zip);
@@ -147,7 +156,7 @@ void askForPicture(QWidget* parent, const QString& folder, PathCallback callback
 
 void askForFolder(QWidget* parent, const QString& folder, PathCallback callback)
 {
-    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Choose a Folder"), folder), "folderDialog");
+    QFileDialog* dialog = makeDialog(parent, FileDialogs::tr("Choose a Folder"), "folderDialog", folder);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     show(dialog, callback);
