@@ -28,6 +28,8 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include <utility>
+
 namespace ui
 {
 namespace
@@ -103,8 +105,10 @@ QLayout* FileBrowser::buildFolderLine()
 {
     m_place = named(new QLineEdit, "files.folder", tr("The folder that is shown; type another and press Return."),
                     tr("Folder"));
-    connect(m_place, &QLineEdit::returnPressed, this,
-            [this] { goTo(QDir::fromNativeSeparators(m_place->text().trimmed())); });
+    connect(m_place, &QLineEdit::returnPressed, this, [this] {
+        goTo(QDir::fromNativeSeparators(m_place->text().trimmed()));
+        focusGrid();
+    });
     return row({m_place, panelButton(m_actions.get(QStringLiteral("files.choose"))),
                 panelButton(m_actions.get(QStringLiteral("files.up")))});
 }
@@ -408,6 +412,13 @@ void FileBrowser::activate(const QModelIndex& index)
         Q_EMIT openRequested(file.path);
 }
 
+void FileBrowser::followModel()
+{
+    const QString folder = m_settings->lastFolder();
+    if (std::exchange(m_modelFolder, folder) != folder && !isVisible())
+        goTo(folder);
+}
+
 void FileBrowser::focusGrid()
 {
     m_grid->setFocus();
@@ -451,7 +462,10 @@ void addFileBrowser(const FileBrowserContext& context, Settings* settings, const
     QObject::connect(panel, &FileBrowser::noticed, dock, notice);
     const QAction* browse = actions.get(QStringLiteral("file.browse"));
     dock->hide();
-    QObject::connect(browse, &QAction::triggered, dock, &QWidget::show);
-    QObject::connect(browse, &QAction::triggered, panel, &FileBrowser::focusGrid);
+    QObject::connect(browse, &QAction::triggered, panel, [dock, panel] {
+        panel->followModel();
+        dock->show();
+        panel->focusGrid();
+    });
 }
 } // namespace ui

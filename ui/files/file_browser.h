@@ -45,6 +45,8 @@ public:
 
     void goTo(const QString& folder);
     const QString& folder() const { return m_options.folder; }
+    /// Goes where the last model's file lies, if that is another place than at the last call and the panel is hidden.
+    void followModel();
     /// The keyboard goes to the grid.
     void focusGrid();
 
@@ -91,6 +93,7 @@ private:
     const Actions& m_actions;
     FileBrowserSettings m_options;
     QString m_problem;                            ///< of the folder
+    QString m_modelFolder;                        ///< at the last call of followModel()
     bool m_isListed = false, m_isStopped = false; ///< stopped: by hand, until another folder is looked at
     QStringList m_toSelect;                       ///< when they appear
 

@@ -196,6 +196,38 @@ private Q_SLOTS:
         QCOMPARE(other.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 0);
     }
 
+    /// Once for each model's folder, so that who went elsewhere stays there.
+    void itBeginsWhereTheModelLies()
+    {
+        const Models models;
+        ui::Settings().set(&ui::Setting::lastFolder, models.path("inner"));
+        ui::MainWindow window;
+        window.show();
+        auto* panel = window.findChild<ui::FileBrowser*>();
+        const auto browse = [&] {
+            window.findChild<QDockWidget*>(QStringLiteral("filesPanel"))->hide();
+            window.action(QStringLiteral("file.browse"))->trigger();
+            return panel->folder();
+        };
+        QCOMPARE(browse(), models.path("inner"));
+        panel->goTo(QDir::homePath());
+        QCOMPARE(browse(), QDir::homePath());
+        window.files()->setOpened({.name = QStringLiteral("ball 9.obj"), .path = models.path("ball 9.obj")});
+        QCOMPARE(browse(), models.folder.path());
+    }
+
+    void returnInTheFolderGoesToTheFiles()
+    {
+        const Models models;
+        const Shown s(QDir::homePath());
+        auto* place = s.child<QLineEdit>("files.folder");
+        place->setFocus();
+        place->setText(models.folder.path());
+        QTest::keyClick(place, Qt::Key_Return);
+        QTRY_COMPARE(s.names().size(), 4);
+        QVERIFY(s.grid->hasFocus());
+    }
+
     void resettingKeepsTheFolder()
     {
         const Models models;
