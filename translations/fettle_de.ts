@@ -4089,6 +4089,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::RecentFiles</name>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+</context>
+<context>
     <name>ui::ShortcutEdit</name>
     <message>
         <source>no key</source>
@@ -7021,10 +7028,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Else Fettle begins with the ball of clay; Help › Start Page brings this page back.</source>
         <translation>Sonst beginnt Fettle mit der Kugel aus Ton; Hilfe › Startseite bringt diese Seite zurück.</translation>
-    </message>
-    <message>
-        <source>None yet</source>
-        <translation>Noch keine</translation>
     </message>
 </context>
 <context>

@@ -4074,6 +4074,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::RecentFiles</name>
+    <message>
+        <source>None yet</source>
+        <translation>暂无</translation>
+    </message>
+</context>
+<context>
     <name>ui::ShortcutEdit</name>
     <message>
         <source>no key</source>
@@ -7000,10 +7007,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Else Fettle begins with the ball of clay; Help › Start Page brings this page back.</source>
         <translation>否则 Fettle 从泥球开始；“帮助 › 起始页”可重新显示此页。</translation>
-    </message>
-    <message>
-        <source>None yet</source>
-        <translation>暂无</translation>
     </message>
 </context>
 <context>

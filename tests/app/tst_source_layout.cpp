@@ -77,7 +77,7 @@ const FolderRule folderRules[] = {
                      "ui/actions ui/preferences"},
     {"ui/headset", "core/geometry core/stroke ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
                    "ui/brush ui/classroom"},
-    {"ui/help", "ui/settings ui/widgets ui/actions ui/lesson"},
+    {"ui/help", "ui/settings ui/widgets ui/actions ui/files ui/lesson"},
     {"ui/window", "core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
                   "ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/lesson "
                   "ui/preferences ui/classroom ui/headset ui/help"},

@@ -1,6 +1,7 @@
 #include "ui/help/start_page.h"
 
 #include "ui/actions/actions.h"
+#include "ui/files/recent_files.h"
 #include "ui/lesson/lesson_panel.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/named.h"
@@ -9,12 +10,9 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QDir>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
@@ -27,7 +25,7 @@ namespace ui
 namespace
 {
 constexpr QSize pictureSize{150, 100}, starterSize{64, 64};
-constexpr int starterWidth = 84, recentWidth = 240;
+constexpr int starterWidth = 84, recentWidth = 260, recentHeight = 160;
 
 QLabel* heading(const QString& text)
 {
@@ -55,7 +53,7 @@ StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
     , m_settings(settings)
     , m_over(over)
     , m_area(new QScrollArea)
-    , m_recent(new QListWidget)
+    , m_recent(new RecentFiles(settings))
     , m_lessonsHead(heading(tr("Three short lessons")))
     , m_lessons(new QHBoxLayout)
 {
@@ -135,15 +133,11 @@ QLayout* StartPage::recent()
 {
     named(m_recent, "startRecent", tr("Opens a model that was open before."), tr("Recent files"));
     m_recent->setFixedWidth(recentWidth);
-    m_recent->setFixedHeight(pictureSize.height() + 3 * gap);
-    m_recent->setSpacing(gap / 4);
-    m_recent->setTextElideMode(Qt::ElideMiddle);
-    const auto choose = [this](const QListWidgetItem* item) {
-        const QString path = item->data(Qt::UserRole).toString();
+    m_recent->setFixedHeight(recentHeight);
+    connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) {
         close();
         Q_EMIT fileChosen(path);
-    };
-    connect(m_recent, &QListWidget::itemActivated, this, choose);
+    });
     auto* opening = named(new QPushButton(m_actions.get(QStringLiteral("file.open"))->text()), "startOpen",
                           m_actions.get(QStringLiteral("file.open"))->toolTip());
     connect(opening, &QPushButton::clicked, this, [this] {
@@ -192,27 +186,9 @@ QLayout* StartPage::foot()
     return row;
 }
 
-/// Those that are gone are not offered.
-void StartPage::fillRecent()
-{
-    m_recent->clear();
-    for (const QString& path : m_settings->recentFiles()) {
-        const QFileInfo file(path);
-        if (!file.exists())
-            continue;
-        auto* item = new QListWidgetItem(file.fileName(), m_recent);
-        item->setData(Qt::UserRole, path);
-        item->setToolTip(QDir::toNativeSeparators(path));
-    }
-    if (m_recent->count() > 0)
-        return;
-    auto* none = new QListWidgetItem(tr("None yet"), m_recent);
-    none->setFlags(Qt::NoItemFlags);
-}
-
 void StartPage::open()
 {
-    fillRecent();
+    m_recent->fill();
     place();
     show();
     raise();

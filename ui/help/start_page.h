@@ -4,12 +4,12 @@
 
 class QHBoxLayout;
 class QLabel;
-class QListWidget;
 class QScrollArea;
 
 namespace ui
 {
 class Actions;
+class RecentFiles;
 class Settings;
 struct LessonCard;
 
@@ -43,14 +43,13 @@ private:
     QLayout* starters();
     QLayout* recent();
     QLayout* foot();
-    void fillRecent();
     void place();
 
     const Actions& m_actions;
     Settings* m_settings;
     QWidget* m_over;
     QScrollArea* m_area;
-    QListWidget* m_recent;
+    RecentFiles* m_recent;
     QLabel* m_lessonsHead;
     QHBoxLayout* m_lessons;
 };
