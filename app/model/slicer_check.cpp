@@ -62,6 +62,8 @@ QString SlicerCheck::resultIn(const QString& gcode)
         if (line.startsWith(timeMark))
             time = QString::fromUtf8(line.mid(timeMark.size()).trimmed());
     }
-    return tr("PrusaSlicer slices it: layers %1, time %2.").arg(layers).arg(time);
+    return tr("PrusaSlicer slices it: layers %1, time %2.")
+        .arg(layers)
+        .arg(QString(time).replace(QLatin1Char(' '), QChar::Nbsp));
 }
 } // namespace app

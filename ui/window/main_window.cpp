@@ -40,7 +40,6 @@
 
 #include <QAction>
 #include <QCloseEvent>
-#include <QDir>
 #include <QFileInfo>
 #include <QHash>
 #include <QLabel>
@@ -410,7 +409,7 @@ void MainWindow::showSaved(const ModelInfo& modelInfo)
 
 void MainWindow::showExported(const QString& path, const QString& verdict)
 {
-    showNotice(verdict.isEmpty() ? tr("%1 was written.").arg(QDir::toNativeSeparators(path)) : verdict);
+    showNotice(verdict.isEmpty() ? tr("%1 was written.").arg(QFileInfo(path).fileName()) : verdict);
     m_state->files.setExported(path);
 }
 

@@ -13,7 +13,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSignalSpy>
@@ -281,7 +280,7 @@ void TestEndToEnd::saving_byKey()
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
     QTest::keySequence(&program.window, program.window.action(QStringLiteral("file.save"))->shortcut());
     chooseFile(program, "saveDialog", path);
-    QTRY_VERIFY(notice(program).contains(QDir::toNativeSeparators(path)));
+    QTRY_VERIFY(notice(program).contains(QStringLiteral("mine.ply")));
     QVERIFY(isSound(path));
     QVERIFY(!program.window.isWindowModified() && program.window.windowTitle().startsWith(QStringLiteral("mine.ply")));
 
