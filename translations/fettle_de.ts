@@ -5710,8 +5710,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 war nicht mehr da und wurde neu geschrieben.</translation>
     </message>
     <message>
-        <source>%1 was written. View, brush and symmetry are kept by GLB files only: Save As.</source>
-        <translation>%1 wurde geschrieben. Ansicht, Pinsel und Symmetrie behalten nur GLB-Dateien: Speichern unter.</translation>
+        <source>%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.</source>
+        <translation>%1 wurde geschrieben. Ansicht, Pinsel, Symmetrie und Vorlagen behalten nur GLB-Dateien: Speichern unter.</translation>
     </message>
 </context>
 <context>

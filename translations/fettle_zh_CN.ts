@@ -5692,8 +5692,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 已不存在，现已重新写入。</translation>
     </message>
     <message>
-        <source>%1 was written. View, brush and symmetry are kept by GLB files only: Save As.</source>
-        <translation>已写入 %1。只有 GLB 文件保存视图、笔刷和对称设置：请使用“另存为”。</translation>
+        <source>%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.</source>
+        <translation>已写入 %1。只有 GLB 文件保存视图、笔刷、对称设置和参考图：请使用“另存为”。</translation>
     </message>
 </context>
 <context>

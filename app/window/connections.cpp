@@ -29,6 +29,7 @@
 #include "ui/model/repair_dialogs.h"
 #include "ui/model/unit_bar.h"
 #include "ui/print/print_panel.h"
+#include "ui/reference/reference_images.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_metadata.h"
@@ -217,6 +218,8 @@ void connectMetadata(ui::MainWindow& window, Document& document)
     document.setCompleteMetadata([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
     QObject::connect(&document, &Document::opened, &window,
                      [&window](const ui::ModelInfo& info) { ui::applyMetadata(window, info.metadata); });
+    QObject::connect(window.findChild<ui::ReferenceImages*>(), &ui::ReferenceImages::changed, &document.journaling(),
+                     &DocumentJournal::describe);
 }
 
 void connectModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)

@@ -4,7 +4,9 @@
 #include "core/stroke/stroke.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace core
@@ -28,6 +30,19 @@ struct WorkDone
     friend bool operator==(const WorkDone&, const WorkDone&) = default;
 };
 
+/// An image that a model is sculpted after, and how it stands as seen from a side of the view.
+struct SavedReference
+{
+    std::string side;           ///< "front", "back", "right", "left", "top" or "bottom"
+    std::filesystem::path path; ///< of the image; absolute
+    double width = 100;         ///< mm, above 0
+    double x = 0, y = 0;        ///< mm: the image's middle from the origin, to the right and up
+    double opacity = 1;         ///< above 0, at most 1
+    bool inFront = false;       ///< over the model instead of behind it
+
+    friend bool operator==(const SavedReference&, const SavedReference&) = default;
+};
+
 /// What a file keeps of a document beside its surface.
 struct DocumentMetadata
 {
@@ -36,6 +51,8 @@ struct DocumentMetadata
     std::optional<SavedView> view;
     std::optional<StrokeSettings> brush; ///< that was in the hand, with its symmetry
     std::optional<WorkDone> work;        ///< none: nobody counted
+    /// One for each side at most. A file names an image in its own folder or below from there, so that both can move.
+    std::vector<SavedReference> references;
 
     /// Returns the frame's place (MeshFrame::place); zero without a frame.
     Vec3 place() const { return frame ? frame->place : Vec3::Zero(); }

@@ -259,6 +259,26 @@ ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, c
     settle(result, {path, {}, options.stop}, false, options.up.value_or(UpAxis::Y));
     return result;
 }
+std::filesystem::path folderOf(const std::filesystem::path& file)
+{
+    return std::filesystem::absolute(file).lexically_normal().parent_path();
+}
+
+DocumentMetadata withAbsoluteImages(DocumentMetadata metadata, const std::filesystem::path& folder)
+{
+    for (SavedReference& reference : metadata.references)
+        reference.path = (folder / reference.path).lexically_normal();
+    return metadata;
+}
+
+/// Names images in the folder or below from there.
+DocumentMetadata withRelativeImages(DocumentMetadata metadata, const std::filesystem::path& folder)
+{
+    for (SavedReference& reference : metadata.references)
+        if (const auto below = reference.path.lexically_relative(folder); !below.empty() && *below.begin() != "..")
+            reference.path = below;
+    return metadata;
+}
 } // namespace
 
 std::span<const std::string_view> meshEndings()
@@ -338,7 +358,7 @@ DocumentMetadata readMetadata(const std::filesystem::path& path)
         return {};
     std::ifstream stream(path, std::ios::binary);
     if (format == MeshFormat::Glb)
-        return io::readGlbMetadata(stream);
+        return withAbsoluteImages(io::readGlbMetadata(stream), folderOf(path));
     std::array<char, io::startSize> start;
     stream.read(start.data(), start.size());
     DocumentMetadata metadata;
@@ -373,7 +393,7 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         io::writeOff(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Glb:
-        io::writeGlb(out, mesh, options.metadata);
+        io::writeGlb(out, mesh, withRelativeImages(options.metadata, folderOf(path)));
         break;
     case MeshFormat::ThreeMf:
         io::writeThreeMf(out, mesh, options.metadata.palette);

@@ -128,11 +128,26 @@ template <class Stream> void pass(Stream& stream, Passed<SavedView, Stream>& vie
 }
 
 /// Bits: which of the notes there are.
-constexpr std::uint8_t viewBit = 1, workBit = 2;
+constexpr std::uint8_t viewBit = 1, workBit = 2, referencesBit = 4;
+
+void pass(ByteWriter& out, const SavedReference& reference)
+{
+    const std::u8string path = reference.path.generic_u8string();
+    out.pass(reference.side, std::string(path.begin(), path.end()), reference.width, reference.x, reference.y,
+             reference.opacity, reference.inFront);
+}
+
+void pass(ByteReader& in, SavedReference& reference)
+{
+    std::string path;
+    in.pass(reference.side, path, reference.width, reference.x, reference.y, reference.opacity, reference.inFront);
+    reference.path = std::u8string(path.begin(), path.end());
+}
 
 void pass(ByteWriter& out, const DocumentMetadata& metadata)
 {
-    const int parts = (metadata.view ? viewBit : 0) | (metadata.work ? workBit : 0);
+    const int parts = (metadata.view ? viewBit : 0) | (metadata.work ? workBit : 0) |
+                      (metadata.references.empty() ? 0 : referencesBit);
     passPlain(out, metadata.palette);
     out.put(static_cast<std::uint8_t>(parts));
     pass(out, metadata.view.value_or(SavedView()));
@@ -140,6 +155,10 @@ void pass(ByteWriter& out, const DocumentMetadata& metadata)
     putEntry(out, metadata.brush ? &brush : nullptr);
     if (metadata.work)
         out.pass(metadata.work->strokes, metadata.work->seconds);
+    if (!metadata.references.empty())
+        out.put(static_cast<std::uint8_t>(metadata.references.size()));
+    for (const SavedReference& reference : metadata.references)
+        pass(out, reference);
 }
 
 void pass(ByteReader& in, DocumentMetadata& metadata)
@@ -154,6 +173,9 @@ void pass(ByteReader& in, DocumentMetadata& metadata)
         metadata.brush = stroke->settings;
     if ((parts & workBit) != 0)
         metadata.work = WorkDone{in.take<std::uint64_t>(), in.take<double>()};
+    metadata.references.resize((parts & referencesBit) != 0 ? in.take<std::uint8_t>() : 0);
+    for (SavedReference& reference : metadata.references)
+        pass(in, reference);
 }
 
 template <class Stream> void pass(Stream& stream, Passed<Snapshot, Stream>& snapshot)

@@ -67,7 +67,7 @@ const FolderRule folderRules[] = {
     {"ui/brush", "core/util core/geometry core/stroke core/drawing core/sculpt/deform core/io/stroke core/io "
                  "core/preset ui/util ui/settings ui/widgets "
                  "ui/actions ui/viewport"},
-    {"ui/reference", "ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport ui/files"},
+    {"ui/reference", "core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport ui/files"},
     {"ui/drawing", "core/util core/drawing ui/util ui/settings ui/widgets ui/actions"},
     {"ui/print", "core/analysis core/mesh ui/util ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/history", "ui/settings ui/widgets"},
@@ -116,8 +116,9 @@ const FolderRule folderRules[] = {
     {"app/headset", "ui/util ui/settings ui/scene ui/viewport ui/files ui/brush ui/lesson ui/headset ui/window "
                     "vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
                     "app/document app/commands"},
-    {"app/window", "ui/viewport ui/model ui/brush ui/drawing ui/print ui/history ui/headset ui/window app/worker "
-                   "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
+    {"app/window",
+     "ui/viewport ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/headset ui/window app/worker "
+     "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
     {"app",
      "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window app/worker"
      " ui/scene ui/settings ui/viewport ui/widgets ui/window vr/openxr"},

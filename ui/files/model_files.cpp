@@ -277,8 +277,9 @@ void ModelFiles::setSaved(const ModelInfo& model)
     if (wasDeleted)
         Q_EMIT noticed(tr("%1 was not there any more and was written anew.").arg(QDir::toNativeSeparators(m_path)));
     else if (!wasFormatNoticeShown && !isDocumentFormat(m_path))
-        Q_EMIT noticed(tr("%1 was written. View, brush and symmetry are kept by GLB files only: Save As.")
-                           .arg(QDir::toNativeSeparators(m_path)));
+        Q_EMIT noticed(
+            tr("%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.")
+                .arg(QFileInfo(m_path).fileName()));
     if (proceed)
         proceed();
 }

@@ -76,6 +76,5 @@ void addReferences(const ReferenceContext& context, Settings* settings, const Ac
         turnTo(side, viewport);
         section->bringForward();
     });
-    images->restore();
 }
 } // namespace ui

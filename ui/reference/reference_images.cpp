@@ -10,6 +10,17 @@
 
 namespace ui
 {
+namespace
+{
+ReferencePlacement placementOf(const core::SavedReference& saved)
+{
+    return {std::clamp(saved.width, minReferenceWidth, maxReferenceWidth),
+            std::clamp(saved.x, -maxReferenceOffset, maxReferenceOffset),
+            std::clamp(saved.y, -maxReferenceOffset, maxReferenceOffset),
+            std::clamp(saved.opacity, minReferenceOpacity, 1.0), saved.inFront};
+}
+} // namespace
+
 ReferenceImages::ReferenceImages(Settings* settings, QObject* parent)
     : QObject(parent)
     , m_settings(settings)
@@ -23,36 +34,55 @@ ReferenceImages::~ReferenceImages()
     m_background.drop();
 }
 
-void ReferenceImages::restore()
+void ReferenceImages::setSaved(const std::vector<core::SavedReference>& references)
 {
-    for (const auto& side : viewSides) {
-        const StoredReference stored = m_settings->reference(side.value);
-        at(side.value).path = stored.path;
-        at(side.value).reference.placement = stored.placement;
-        if (!stored.path.isEmpty())
-            read(side.value, stored.path, [this, side = side.value](const SharedReferencePicture& picture) {
-                at(side).reference.picture = picture;
-                Q_EMIT changed();
-            });
+    for (Slot& slot : m_slots)
+        slot = {{}, {}, slot.asked + 1};
+    for (const core::SavedReference& saved : references) {
+        const auto side = std::ranges::find(viewSides, saved.side, &Named<ViewSide>::key);
+        if (side == viewSides.end())
+            continue;
+        Slot& slot = at(side->value);
+        slot.path = QString::fromStdU16String(saved.path.generic_u16string());
+        slot.reference.placement = placementOf(saved);
+        read(side->value, slot.path, [this, side = side->value](const SharedReferencePicture& picture) {
+            at(side).reference.picture = picture;
+            Q_EMIT changed();
+        });
     }
     Q_EMIT changed();
+}
+
+std::vector<core::SavedReference> ReferenceImages::saved() const
+{
+    std::vector<core::SavedReference> references;
+    for (const auto& side : viewSides)
+        if (const Slot& slot = at(side.value); !slot.path.isEmpty()) {
+            const ReferencePlacement& place = slot.reference.placement;
+            references.push_back({std::string(side.key), slot.path.toStdU16String(), place.width, place.x, place.y,
+                                  place.opacity, place.inFront});
+        }
+    return references;
 }
 
 /// Calls `take` on this thread with the picture, unless the side was given another meanwhile.
 template <class OnRead> void ReferenceImages::read(OrbitCamera::Side side, const QString& path, OnRead onRead)
 {
     const int asked = ++at(side).asked;
-    m_background.run([path] { return std::pair(readReference(path), QFileInfo::exists(path)); },
-                     [=, this](const std::pair<SharedReferencePicture, bool>& read) {
-                         const auto& [picture, isThere] = read;
-                         if (asked != at(side).asked)
-                             return;
-                         if (picture)
-                             onRead(picture);
-                         else
-                             Q_EMIT refused(isThere ? ErrorMessages::notAPicture(path)
-                                                    : ErrorMessages::missingReference(path));
-                     });
+    m_background.run(
+        [path] {
+            return QFileInfo(path).isFile() ? std::pair(readReference(path), true)
+                                            : std::pair(SharedReferencePicture(), false);
+        },
+        [=, this](const std::pair<SharedReferencePicture, bool>& read) {
+            const auto& [picture, isThere] = read;
+            if (asked != at(side).asked)
+                return;
+            if (picture)
+                onRead(picture);
+            else
+                Q_EMIT refused(isThere ? ErrorMessages::notAPicture(path) : ErrorMessages::missingReference(path));
+        });
 }
 
 void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const core::Box& box)
@@ -60,7 +90,6 @@ void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const 
     read(side, path, [=, this](const SharedReferencePicture& picture) {
         at(side).path = path;
         at(side).reference = {picture, fitted(picture->size(), side, box)};
-        save(side);
         setShown(true);
         Q_EMIT changed();
         Q_EMIT chosen(side);
@@ -70,7 +99,6 @@ void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const 
 void ReferenceImages::remove(OrbitCamera::Side side)
 {
     at(side) = {{}, {}, at(side).asked + 1};
-    save(side);
     Q_EMIT changed();
 }
 
@@ -79,7 +107,6 @@ void ReferenceImages::place(OrbitCamera::Side side, const ReferencePlacement& pl
     if (at(side).reference.placement == placement)
         return;
     at(side).reference.placement = placement;
-    save(side);
     Q_EMIT changed();
 }
 
@@ -92,21 +119,11 @@ void ReferenceImages::setShown(bool shown)
     Q_EMIT changed();
 }
 
-bool ReferenceImages::isEmpty() const
-{
-    return std::ranges::all_of(m_slots, [](const Slot& slot) { return slot.path.isEmpty(); });
-}
-
 References ReferenceImages::shown() const
 {
     References references;
     if (m_isShown)
         std::ranges::transform(m_slots, references.begin(), &Slot::reference);
     return references;
-}
-
-void ReferenceImages::save(OrbitCamera::Side side)
-{
-    m_settings->setReference(side, {at(side).path, at(side).reference.placement});
 }
 } // namespace ui

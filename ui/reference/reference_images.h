@@ -3,26 +3,31 @@
 #include "ui/scene/reference_image.h"
 #include "ui/util/background_thread.h"
 
+#include "core/io/document_metadata.h"
+
 #include <QObject>
 
 #include <array>
+#include <vector>
 
 namespace ui
 {
 class Settings;
 
-/// The reference images, one a side, read on a thread and kept in the settings. Thread: gui.
+/// The reference images of the document, one a side, read on a thread. Thread: gui.
 class ReferenceImages : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Nothing is read before restore(). The settings must outlive this.
+    /// There are none at first. The settings, which have only whether they are shown, must outlive this.
     explicit ReferenceImages(Settings* settings, QObject* parent = nullptr);
     ~ReferenceImages() override;
 
-    /// Reads what the settings name. What is gone or broken is refused, and keeps its place for when it comes back.
-    void restore();
+    /// Takes the images of another document. One that is gone or broken is refused, and keeps its place for when it
+    /// comes back.
+    void setSaved(const std::vector<core::SavedReference>& references);
+    std::vector<core::SavedReference> saved() const;
 
     /// When it was read it takes that side, fitted to the box, in place of what was there; until then nothing changes.
     void choose(OrbitCamera::Side side, const QString& path, const core::Box& box);
@@ -34,7 +39,6 @@ public:
     QString path(OrbitCamera::Side side) const { return at(side).path; }
     /// Its picture is null while it is read, and where that failed.
     const Reference& reference(OrbitCamera::Side side) const { return at(side).reference; }
-    bool isEmpty() const;
     bool isShown() const { return m_isShown; }
     /// What the view shows.
     References shown() const;
@@ -56,7 +60,6 @@ private:
     Slot& at(OrbitCamera::Side side) { return m_slots[static_cast<std::size_t>(side)]; }
     const Slot& at(OrbitCamera::Side side) const { return m_slots[static_cast<std::size_t>(side)]; }
     template <class OnRead> void read(OrbitCamera::Side side, const QString& path, OnRead onRead);
-    void save(OrbitCamera::Side side);
 
     Settings* m_settings;
     std::array<Slot, viewSides.size()> m_slots;

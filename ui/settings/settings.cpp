@@ -96,24 +96,11 @@ void Settings::setValue(core::Parameter parameter, double value)
     m_settings.setValue(keyOf(parameter), value);
 }
 
-StoredReference Settings::reference(ViewSide side) const
-{
-    return readAll<StoredReference>(referenceGroup + stored::wordFor(side, viewSides) + u'/');
-}
-
-void Settings::setReference(ViewSide side, const StoredReference& reference)
-{
-    const QString group = referenceGroup + stored::wordFor(side, viewSides);
-    m_settings.remove(group);
-    if (!reference.path.isEmpty())
-        writeAll(group + u'/', reference);
-}
-
 void Settings::reset()
 {
     const QStringList kept = keptKeys();
     for (const QString& key : m_settings.allKeys())
-        if (!kept.contains(key) && !key.startsWith(referenceGroup))
+        if (!kept.contains(key))
             m_settings.remove(key);
     for (const auto& applySettings : m_onReset)
         applySettings();

@@ -62,11 +62,8 @@ public:
     double value(core::Parameter parameter) const;
     void setValue(core::Parameter parameter, double value);
 
-    StoredReference reference(ViewSide side) const;
-    void setReference(ViewSide side, const StoredReference& reference);
-
-    /// Resets everything except what the user made: recent files and folder, swatches, brush files, reference images,
-    /// printers. Then calls the functions of onReset() in their order.
+    /// Resets everything except what the user made: recent files and folder, swatches, brush files, printers. Then
+    /// calls the functions of onReset() in their order.
     void reset();
     /// `takeUp` applies the settings as they are after a reset.
     void onReset(std::function<void()> applySettings);

@@ -6,7 +6,6 @@
 #include "ui/settings/file_browser_settings.h"
 #include "ui/settings/preferences.h"
 #include "ui/settings/printer_presets.h"
-#include "ui/settings/reference_placement.h"
 #include "ui/settings/stored_values.h"
 #include "ui/settings/turntable_settings.h"
 #include "ui/settings/view_appearance.h"
@@ -51,15 +50,6 @@ struct Setting
     bool showsReferences = true;
     QList<core::Rgb> swatches = firstSwatches();
     QList<PrinterPreset> printers = defaultPrinters(); ///< not empty
-};
-
-/// A reference image: a local path, empty where there is none, and how it stands.
-struct StoredReference
-{
-    QString path;
-    ReferencePlacement placement;
-
-    bool operator==(const StoredReference&) const = default;
 };
 
 /// The shapes of the brush: what is chosen, and files that were, the latest first.
@@ -265,22 +255,6 @@ inline constexpr auto rows<Preferences> = std::tuple{
     row(&Preferences::keepsBackups, "preferences/keepsVersions"),
     Part<Preferences, InputPreferences>{&Preferences::input},
     Part<Preferences, ShortcutSettings>{&Preferences::keys},
-};
-
-template <>
-inline constexpr auto rows<ReferencePlacement> = std::tuple{
-    row(&ReferencePlacement::width, "width", {minReferenceWidth, maxReferenceWidth}),
-    row(&ReferencePlacement::x, "x", {-maxReferenceOffset, maxReferenceOffset}),
-    row(&ReferencePlacement::y, "y", {-maxReferenceOffset, maxReferenceOffset}),
-    row(&ReferencePlacement::opacity, "opacity", {minReferenceOpacity, 1}),
-    row(&ReferencePlacement::inFront, "inFront"),
-};
-
-/// Stored in a group for each side.
-template <>
-inline constexpr auto rows<StoredReference> = std::tuple{
-    row(&StoredReference::path, "path"),
-    Part<StoredReference, ReferencePlacement>{&StoredReference::placement},
 };
 } // namespace stored
 } // namespace ui

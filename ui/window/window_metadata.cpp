@@ -1,5 +1,6 @@
 #include "ui/window/window_metadata.h"
 
+#include "ui/reference/reference_images.h"
 #include "ui/settings/brush_settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -12,10 +13,12 @@ void addMetadata(const MainWindow& window, core::DocumentMetadata& metadata)
 {
     metadata.view = window.viewport()->camera().saved();
     metadata.brush = window.brush()->stroke();
+    metadata.references = window.findChild<ReferenceImages*>()->saved();
 }
 
 void applyMetadata(MainWindow& window, const core::DocumentMetadata& metadata)
 {
+    window.findChild<ReferenceImages*>()->setSaved(metadata.references);
     if (metadata.brush)
         window.brush()->apply(*metadata.brush);
     if (!metadata.view)

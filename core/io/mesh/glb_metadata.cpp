@@ -7,6 +7,7 @@
 #include "core/io/stroke/stroke_file.h"
 #include "core/sculpt/deform/alpha.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -131,6 +132,46 @@ std::optional<WorkDone> workIn(const Json& metadata)
     return WorkDone{static_cast<std::uint64_t>(*strokes), *seconds};
 }
 
+nlohmann::ordered_json jsonOf(const SavedReference& reference)
+{
+    const std::u8string path = reference.path.generic_u8string();
+    return {{"side", reference.side},
+            {"path", std::string(path.begin(), path.end())},
+            {"width", reference.width},
+            {"x", reference.x},
+            {"y", reference.y},
+            {"opacity", reference.opacity},
+            {"inFront", reference.inFront}};
+}
+
+/// Nothing where it names no image of a disk: what a stranger's file names is not asked for on a network.
+std::optional<SavedReference> referenceIn(const Json& json)
+{
+    static constexpr std::string_view sides[] = {"front", "back", "right", "left", "top", "bottom"};
+    const Json &side = valueIn(json, "side"), &path = valueIn(json, "path");
+    const auto width = numberIn(json, "width", 1 / farthest, farthest), x = numberIn(json, "x", -farthest, farthest),
+               y = numberIn(json, "y", -farthest, farthest), opacity = numberIn(json, "opacity", 0, 1);
+    if (!side.is_string() || std::ranges::find(sides, side.get_ref<const std::string&>()) == std::end(sides) ||
+        !path.is_string() || !width || !x || !y || !opacity)
+        return std::nullopt;
+    const auto& text = path.get_ref<const std::string&>();
+    if (text.empty() || text.find('\0') != std::string::npos || text.starts_with("//") || text.starts_with("\\\\"))
+        return std::nullopt;
+    return SavedReference{side,     std::u8string(text.begin(), text.end()), *width, *x, *y,
+                          *opacity, valueIn(json, "inFront") == true};
+}
+
+std::vector<SavedReference> referencesIn(const Json& metadata)
+{
+    std::vector<SavedReference> references;
+    const Json& all = valueIn(metadata, "references");
+    for (const Json& json : all.is_array() ? all : Json::array())
+        if (auto reference = referenceIn(json);
+            reference && std::ranges::find(references, reference->side, &SavedReference::side) == references.end())
+            references.push_back(*std::move(reference));
+    return references;
+}
+
 std::vector<Rgb> paletteIn(const Json& metadata)
 {
     const Json& words = valueIn(metadata, "palette");
@@ -162,7 +203,8 @@ std::string jsonChunkOf(std::istream& file)
 
 void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata)
 {
-    if (!metadata.frame && metadata.palette.empty() && !metadata.view && !metadata.brush && !metadata.work)
+    if (!metadata.frame && metadata.palette.empty() && !metadata.view && !metadata.brush && !metadata.work &&
+        metadata.references.empty())
         return;
     nlohmann::ordered_json json = {{"version", version}, {"unit", "mm"}};
     if (metadata.frame) {
@@ -179,6 +221,8 @@ void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metad
         json["brush"] = jsonOf(*metadata.brush);
     if (metadata.work)
         json["work"] = {{"strokes", metadata.work->strokes}, {"seconds", metadata.work->seconds}};
+    for (const SavedReference& reference : metadata.references)
+        json["references"].push_back(jsonOf(reference));
     document["extensionsUsed"] = nlohmann::ordered_json::array({extensionName});
     document["extensions"] = {{extensionName, std::move(json)}};
 }
@@ -192,6 +236,6 @@ DocumentMetadata readGlbMetadata(std::istream& file)
     const Json& json = valueIn(valueIn(document, "extensions"), extensionName);
     if (valueIn(json, "version") != version || valueIn(json, "unit") != "mm")
         return {};
-    return {paletteIn(json), frameIn(json), viewIn(json), brushIn(json), workIn(json)};
+    return {paletteIn(json), frameIn(json), viewIn(json), brushIn(json), workIn(json), referencesIn(json)};
 }
 } // namespace core::io

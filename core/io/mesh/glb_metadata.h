@@ -12,7 +12,9 @@ namespace core::io
 ///
 ///     {"version": 1, "unit": "mm", "lattice": 16, "uniformDetail": 1.5, "palette": ["c86e50", "8a5a3c"],
 ///      "view": {"target": [0, 0, 0], "distance": 300, "yaw": 0.5, "pitch": 0.35, "orthographic": false},
-///      "brush": {...}, "work": {"strokes": 120, "seconds": 845.5}}
+///      "brush": {...}, "work": {"strokes": 120, "seconds": 845.5},
+///      "references": [{"side": "front", "path": "lion.jpg", "width": 120, "x": 0, "y": 50, "opacity": 0.6,
+///                      "inFront": false}]}
 ///
 /// Where there is nothing to note, there is no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a
 /// stroke of a stroke file, without samples.

@@ -4,6 +4,7 @@
 
 #include "core/io/mesh_io.h"
 #include "ui/brush/color_panel.h"
+#include "ui/reference/reference_images.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QAction>
@@ -83,6 +84,12 @@ void TestSavedDocument::reopened_isTheSame()
     auto* colors = program.window.findChild<ui::ColorPanel*>();
     colors->setSwatches(swatches);
     Q_EMIT colors->swatchesChanged();
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    QVERIFY(picture.save(m_folder.filePath(QStringLiteral("head.png"))));
+    auto* references = program.window.findChild<ui::ReferenceImages*>();
+    references->choose(ui::OrbitCamera::Side::Left, m_folder.filePath(QStringLiteral("head.png")), {});
+    QTRY_VERIFY(!references->saved().empty());
     program.document.saver().save(path);
     QTRY_VERIFY(!program.document.savedState().isModified() && !program.document.job().isBusy());
     const MeshState saved = stateOf(program);
@@ -90,6 +97,7 @@ void TestSavedDocument::reopened_isTheSame()
 
     program.document.opener().openStarter(core::Starter::Cube);
     QTRY_VERIFY(program.document.modelInfo().path.isEmpty() && !program.document.job().isBusy());
+    QVERIFY(references->saved().empty());
     brush.set(&core::StrokeSettings::symmetry, core::Symmetry::None);
     brush.set(&core::StrokeSettings::topology, core::Topology::Adaptive);
     brush.setTool(core::Tool::Pull);
@@ -112,6 +120,8 @@ void TestSavedDocument::reopened_isTheSame()
     QVERIFY((brush.stroke().color == core::Rgb{1, 2, 3}));
     QCOMPARE(brush.value(core::Parameter::Radius), 17.0);
     QVERIFY(QList<core::Rgb>(colors->swatches().begin(), colors->swatches().end()) == swatches);
+    QCOMPARE(references->path(ui::OrbitCamera::Side::Left), m_folder.filePath(QStringLiteral("head.png")));
+    QTRY_VERIFY(references->reference(ui::OrbitCamera::Side::Left).picture);
 }
 
 /// Each time it is laid out anew, and saved by another hand.

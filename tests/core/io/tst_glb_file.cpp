@@ -65,6 +65,7 @@ DocumentMetadata someNotes()
     brush.color = {1, 2, 3};
     metadata.brush = brush;
     metadata.work = core::WorkDone{1234, 5678.25};
+    metadata.references = {{"front", "/pictures/lion.jpg", 120.5, -3, 50.25, 0.625, true}};
     return metadata;
 }
 
@@ -256,6 +257,7 @@ class TestGlbFile : public QObject
 
 private Q_SLOTS:
     void notes_comeBackUnchanged();
+    void references_moveWithTheModel();
     void notes_thatAreNotAsWeWriteThemAreLeftOut_data();
     void notes_thatAreNotAsWeWriteThemAreLeftOut();
     void latticeAndBits_comeBackUnchanged();
@@ -292,10 +294,31 @@ void TestGlbFile::notes_comeBackUnchanged()
     QVERIFY(read.brush->spacing == metadata.brush->spacing && read.brush->fusion == metadata.brush->fusion &&
             read.brush->color == metadata.brush->color);
     QVERIFY(read.work == metadata.work);
+    QVERIFY(read.references == metadata.references);
 
     core::writeMesh(file("a.glb"), painted());
     const DocumentMetadata none = core::readMetadata(file("a.glb"));
     QVERIFY(none.palette.empty() && !none.frame && !none.view && !none.brush && !none.work);
+}
+
+/// An image that lies with its model is found where both have gone.
+void TestGlbFile::references_moveWithTheModel()
+{
+    namespace fs = std::filesystem;
+    const fs::path home = file("home"), other = file("other");
+    fs::create_directories(home / "pictures");
+    DocumentMetadata metadata;
+    metadata.references = {{"front", home / "pictures" / "lion.jpg", 100, 0, 0, 1, false},
+                           {"left", home / "side.png", 100, 0, 0, 1, false},
+                           {"top", file("elsewhere.png"), 100, 0, 0, 1, false}};
+    core::writeMesh(home / "lion.glb", painted(), {.metadata = metadata});
+    QVERIFY(core::readMetadata(home / "lion.glb").references == metadata.references);
+    fs::rename(home, other);
+    const auto moved = core::readMetadata(other / "lion.glb").references;
+    QCOMPARE(moved.size(), 3U);
+    QCOMPARE(moved[0].path, other / "pictures" / "lion.jpg");
+    QCOMPARE(moved[1].path, other / "side.png");
+    QCOMPARE(moved[2].path, metadata.references[2].path);
 }
 
 DocumentMetadata TestGlbFile::notesAfter(const std::function<void(Json&)>& change) const
@@ -311,41 +334,55 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut_data()
 {
     QTest::addColumn<QString>("path");
     QTest::addColumn<QString>("value");
-    QTest::addColumn<QString>("left"); ///< which of palette, frame, view, brush, work are
+    QTest::addColumn<QString>("left"); ///< which of palette, frame, view, brush, work, reference are
     const auto row = [](const char* path, const char* value, const char* left) {
         QTest::addRow("%s: %s", path, value)
             << QString::fromLatin1(path) << QString::fromLatin1(value) << QString::fromLatin1(left);
     };
-    row("/new", "[1,{}]", "pfvbw"); // what we do not know is passed over
+    row("/new", "[1,{}]", "pfvbwr"); // what we do not know is passed over
     row("/version", "2", "");
     row("/version", "\"1\"", "");
     row("/unit", "\"m\"", "");
-    row("/palette", "[\"12345\"]", "fvbw");
-    row("/palette", "7", "fvbw");
-    row("/palette", "[[[1]]]", "fvbw");
-    row("/lattice", "1.5", "pvbw");
-    row("/lattice", "1e300", "pvbw");
-    row("/lattice", "-2000000000", "pvbw");
-    row("/uniformDetail", "0", "pvbw");
-    row("/uniformDetail", "\"long\"", "pvbw");
-    row("/view", "[]", "pfbw");
-    row("/view/distance", "0", "pfbw");
-    row("/view/yaw", "1e300", "pfbw");
-    row("/view/target", "[0,0]", "pfbw");
-    row("/view/target", "[0,0,null]", "pfbw");
-    row("/view/target", "[0,0,1e40]", "pfbw");
-    row("/brush/tool", "\"melt\"", "pfvw");
-    row("/brush/radius", "-1", "pfvw");
-    row("/brush/symmetry", "[[[[]]]]", "pfvw");
-    row("/brush/color", "[1,2,300]", "pfvw");
-    row("/brush/command", "\"recentre\"", "pfvw");
-    row("/brush", "\"big\"", "pfvw");
-    row("/work", "[]", "pfvb");
-    row("/work/strokes", "-1", "pfvb");
-    row("/work/strokes", "1.5", "pfvb");
-    row("/work/strokes", "1e300", "pfvb");
-    row("/work/seconds", "\"long\"", "pfvb");
-    row("/work/seconds", "1e300", "pfvb");
+    row("/palette", "[\"12345\"]", "fvbwr");
+    row("/palette", "7", "fvbwr");
+    row("/palette", "[[[1]]]", "fvbwr");
+    row("/lattice", "1.5", "pvbwr");
+    row("/lattice", "1e300", "pvbwr");
+    row("/lattice", "-2000000000", "pvbwr");
+    row("/uniformDetail", "0", "pvbwr");
+    row("/uniformDetail", "\"long\"", "pvbwr");
+    row("/view", "[]", "pfbwr");
+    row("/view/distance", "0", "pfbwr");
+    row("/view/yaw", "1e300", "pfbwr");
+    row("/view/target", "[0,0]", "pfbwr");
+    row("/view/target", "[0,0,null]", "pfbwr");
+    row("/view/target", "[0,0,1e40]", "pfbwr");
+    row("/brush/tool", "\"melt\"", "pfvwr");
+    row("/brush/radius", "-1", "pfvwr");
+    row("/brush/symmetry", "[[[[]]]]", "pfvwr");
+    row("/brush/color", "[1,2,300]", "pfvwr");
+    row("/brush/command", "\"recentre\"", "pfvwr");
+    row("/brush", "\"big\"", "pfvwr");
+    row("/work", "[]", "pfvbr");
+    row("/work/strokes", "-1", "pfvbr");
+    row("/work/strokes", "1.5", "pfvbr");
+    row("/work/strokes", "1e300", "pfvbr");
+    row("/work/seconds", "\"long\"", "pfvbr");
+    row("/work/seconds", "1e300", "pfvbr");
+    row("/references", "{}", "pfvbw");
+    row("/references", "[7, null]", "pfvbw");
+    row("/references/0/side", "\"inside\"", "pfvbw");
+    row("/references/0/side", "[]", "pfvbw");
+    row("/references/0/path", "\"\"", "pfvbw");
+    row("/references/0/path", "\"a\\u0000b\"", "pfvbw");
+    row("/references/0/path", "\"//server/share/lion.jpg\"", "pfvbw");
+    row("/references/0/path", "\"\\\\\\\\server\\\\share\"", "pfvbw");
+    row("/references/0/width", "0", "pfvbw");
+    row("/references/0/x", "1e300", "pfvbw");
+    row("/references/0/opacity", "1.5", "pfvbw");
+    row("/references/0/inFront", "\"yes\"", "pfvbwr");
+    row("/references/1", "{\"side\": \"front\", \"path\": \"b.png\", \"width\": 1, \"x\": 0, \"y\": 0, \"opacity\": 1}",
+        "pfvbwr"); // the side has one
 }
 
 void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
@@ -360,6 +397,7 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
     QCOMPARE(metadata.view.has_value(), left.contains(u'v'));
     QCOMPARE(metadata.brush.has_value(), left.contains(u'b'));
     QCOMPARE(metadata.work.has_value(), left.contains(u'w'));
+    QCOMPARE(!metadata.references.empty(), left.contains(u'r'));
 }
 
 /// A document's surface, which nobody would import like that: not in the middle, on another lattice than its size asks
@@ -369,8 +407,10 @@ void TestGlbFile::latticeAndBits_comeBackUnchanged()
     const core::MeshFrame frame = *someNotes().frame;
     const core::BuildResult first = core::buildMesh(painted(), false, {}, frame);
     QVERIFY(first.mesh && first.mesh->frame() == frame);
-    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh),
-                    {.metadata = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}, .work = {}}});
+    core::writeMesh(
+        file("a.glb"), core::extractMesh(*first.mesh),
+        {.metadata = {
+             .palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}, .work = {}, .references = {}}});
     const core::BuildResult again =
         core::buildMesh(core::readMesh(file("a.glb")), true, {}, core::readMetadata(file("a.glb")).frame);
     QVERIFY(again.mesh);

@@ -223,6 +223,8 @@ void TestJournal::recovery_givesTheStateAndTheHistory()
     metadata.view = SavedView{{1, 2, 3}, 4, 0.5, 0.25, true};
     metadata.brush.emplace().radius = 7;
     metadata.work = core::WorkDone{12, 345.5};
+    metadata.references = {{"left", "/pictures/lion.jpg", 80, 1, -2, 0.5, true},
+                           {"top", "/pictures/mane.png", 90, 0, 0, 1, false}};
     session.journal().describe({"clay two", "/a/path", metadata, true});
     session.journal().drain();
     const auto later = recoverJournal(session.journal().folder());
@@ -232,6 +234,7 @@ void TestJournal::recovery_givesTheStateAndTheHistory()
             later->document.metadata.view->orthographic);
     QVERIFY(later->document.metadata.brush && later->document.metadata.brush->radius == 7);
     QVERIFY(later->document.metadata.work == metadata.work && !found->document.metadata.work);
+    QVERIFY(later->document.metadata.references == metadata.references && found->document.metadata.references.empty());
 }
 
 void TestJournal::words_areReadWithoutTheMesh()

@@ -2,10 +2,13 @@
 #include "tests/ui/sphere_model.h"
 #include "tests/ui/ui_test.h"
 
+#include "ui/preferences/preferences_dialog.h"
+#include "ui/reference/reference_images.h"
 #include "ui/scene/reference_image.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/side_panel.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_metadata.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -80,6 +83,13 @@ bool drop(ui::MainWindow& window, const QString& path)
     return event.isAccepted();
 }
 
+core::DocumentMetadata metadataOf(const ui::MainWindow& window)
+{
+    core::DocumentMetadata metadata;
+    ui::addMetadata(window, metadata);
+    return metadata;
+}
+
 /// A window with a white ball in it, looking from the front.
 struct Shown
 {
@@ -113,7 +123,7 @@ struct Shown
 };
 } // namespace
 
-/// Images pinned to sides of the view: where they are seen, and what is remembered of them.
+/// Images pinned to sides of the view: where they are seen, and which document they belong to.
 class TestReferenceImages : public QObject
 {
     Q_OBJECT
@@ -265,22 +275,36 @@ private Q_SLOTS:
         QTRY_VERIFY(!shown.seen().none());
     }
 
-    void itIsRemembered()
+    void theyBelongToTheDocument()
     {
-        ui::ReferencePlacement placement;
-        {
-            Shown shown;
-            drop(shown.window, picture());
-            QTRY_VERIFY(!shown.seen().none());
-            shown.child<QDoubleSpinBox>("reference.x")->setValue(-7.5);
-            placement = ui::Settings().reference(Side::Front).placement;
-            QCOMPARE(placement.x, -7.5);
-        }
-        Shown again;
-        QTRY_VERIFY(!again.seen().none());
-        QCOMPARE(again.child<QDoubleSpinBox>("reference.x")->value(), -7.5);
-        again.trigger("reference.remove");
-        QCOMPARE(ui::Settings().reference(Side::Front), ui::StoredReference());
+        Shown shown;
+        drop(shown.window, picture());
+        QTRY_VERIFY(!shown.seen().none());
+        shown.child<QDoubleSpinBox>("reference.x")->setValue(-7.5);
+        const core::DocumentMetadata metadata = metadataOf(shown.window);
+        QCOMPARE(metadata.references.size(), 1U);
+        QCOMPARE(metadata.references[0].side, std::string("front"));
+        QCOMPARE(metadata.references[0].x, -7.5);
+        ui::applyMetadata(shown.window, {});
+        QVERIFY(shown.seen().none());
+        QVERIFY(!shown.action("reference.remove")->isEnabled());
+        QVERIFY(metadataOf(shown.window).references.empty());
+        ui::applyMetadata(shown.window, metadata);
+        QTRY_VERIFY(!shown.seen().none());
+        QCOMPARE(shown.child<QDoubleSpinBox>("reference.x")->value(), -7.5);
+        shown.trigger("reference.remove");
+        QVERIFY(metadataOf(shown.window).references.empty());
+    }
+
+    /// An image that is still being read when another document comes is not that one's.
+    void anImageThatComesTooLateIsDropped()
+    {
+        Shown shown;
+        shown.window.findChild<ui::ReferenceImages*>()->choose(Side::Front, picture(), {});
+        ui::applyMetadata(shown.window, {});
+        QTest::qWait(500);
+        QVERIFY(shown.seen().none());
+        QVERIFY(metadataOf(shown.window).references.empty());
     }
 
     /// One sentence; what was there stays.
@@ -296,30 +320,34 @@ private Q_SLOTS:
         drop(shown.window, broken);
         QTRY_VERIFY(shown.banner().contains(QStringLiteral("broken.png")));
         QVERIFY(!shown.seen().none());
-        QCOMPARE(ui::Settings().reference(Side::Front).path, picture());
+        QCOMPARE(metadataOf(shown.window).references.at(0).path, std::filesystem::path(picture().toStdString()));
     }
 
     void aFileThatIsGoneIsSaidAndKeepsItsPlace()
     {
-        const ui::StoredReference stored{m_folder.filePath(QStringLiteral("gone.png")), {42, 1, 2, 0.5, true}};
-        ui::Settings().setReference(Side::Front, stored);
+        const std::filesystem::path gone(m_folder.filePath(QStringLiteral("gone.png")).toStdString());
+        core::DocumentMetadata metadata;
+        metadata.references = {{"front", gone, 42, 1, 2, 0.5, true}};
         Shown shown;
+        ui::applyMetadata(shown.window, metadata);
         QTRY_VERIFY(shown.banner().contains(QStringLiteral("gone.png")));
         QVERIFY(shown.seen().none());
-        QCOMPARE(ui::Settings().reference(Side::Front), stored);
+        QVERIFY(metadataOf(shown.window).references == metadata.references);
         QVERIFY(shown.action("reference.remove")->isEnabled());
     }
 
-    /// The pictures that a person chose stay; what was hidden is shown.
+    /// The images stay; what was hidden is shown.
     void resettingKeepsThem()
     {
-        ui::Settings settings;
-        const ui::StoredReference stored{picture(), {42, 1, 2, 0.5, true}};
-        settings.setReference(Side::Left, stored);
-        settings.set(&ui::Setting::showsReferences, false);
-        settings.reset();
-        QCOMPARE(settings.reference(Side::Left), stored);
-        QVERIFY(settings.get(&ui::Setting::showsReferences));
+        Shown shown;
+        drop(shown.window, picture());
+        QTRY_VERIFY(!shown.seen().none());
+        shown.trigger("reference.show");
+        QVERIFY(shown.seen().none());
+        shown.trigger("edit.preferences");
+        Q_EMIT shown.window.findChild<ui::PreferencesDialog*>()->resetRequested();
+        QVERIFY(!shown.seen().none());
+        QVERIFY(ui::Settings().get(&ui::Setting::showsReferences));
     }
 
     /// Levels are uploaded over some frames; in the last the finest is there.
