@@ -5,10 +5,13 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace ui
 {
@@ -32,10 +35,44 @@ MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* wind
 {
     setObjectName(QLatin1StringView(name));
     setMovable(false);
-    toggleViewAction()->setVisible(false); // it is not one of those that a person hides and shows
+    setAutoFillBackground(true);
     setContextMenuPolicy(Qt::PreventContextMenu);
-    window->addToolBarBreak();
-    window->addToolBar(this);
+    view()->installEventFilter(this);
+    window->installEventFilter(this);
+    show();
+    raise();
+    place();
+}
+
+QWidget* MessageBar::view() const
+{
+    auto* window = qobject_cast<QMainWindow*>(parentWidget());
+    return window->centralWidget() ? window->centralWidget() : window;
+}
+
+/// Stands below the bars that came before, as wide as the view, or wider where that is too narrow.
+void MessageBar::place()
+{
+    const QWidget* window = parentWidget();
+    QRect place(view()->mapTo(window, QPoint()), view()->size());
+    for (const MessageBar* bar : window->findChildren<MessageBar*>(Qt::FindDirectChildrenOnly)) {
+        if (bar == this)
+            break;
+        if (!bar->isHidden())
+            place.setTop(bar->geometry().bottom() + 1);
+    }
+    place.setHeight(sizeHint().height());
+    const int missing = std::max(0, std::min(sizeHint().width(), window->width()) - place.width());
+    place.adjust(0, 0, missing, 0);
+    place.moveRight(std::min(place.right(), window->width() - 1));
+    setGeometry(place);
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::LayoutRequest)
+        place();
+    return QToolBar::eventFilter(watched, event);
 }
 
 void MessageBar::setMessage(const char* name, const QString& sentence, const QString& tip)
@@ -63,6 +100,8 @@ void MessageBar::dismiss()
     if (isAncestorOf(QApplication::focusWidget()) && window->centralWidget())
         window->centralWidget()->setFocus();
     hide();
+    for (MessageBar* bar : parentWidget()->findChildren<MessageBar*>(Qt::FindDirectChildrenOnly))
+        bar->place();
     deleteLater();
 }
 } // namespace ui

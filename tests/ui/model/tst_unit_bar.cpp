@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolBar>
 
 using core::UnitDoubt;
 using ui::UnitBar;
@@ -25,6 +26,7 @@ private Q_SLOTS:
     void millimetres_takeTheBarAway();
     void leaving_givesTheFocusBack();
     void longNames_leaveRoomForTheButtons();
+    void theView_staysWhereItIs();
 
 private:
     void show(const QString& name, UnitDoubt guess)
@@ -129,6 +131,28 @@ void TestUnitBar::longNames_leaveRoomForTheButtons()
     QCOMPARE(m_window->width(), 1280);
     for (const char* name : {"asMetres", "asInches", "asCentimetres", "asMillimetres"})
         QTRY_VERIFY2(m_bar->rect().contains(QRect(button(name)->mapTo(m_bar, QPoint()), button(name)->size())), name);
+}
+
+/// Two bars stand one below the other, over the top of the view.
+void TestUnitBar::theView_staysWhereItIs()
+{
+    m_window->addToolBar(QStringLiteral("Tools"))->addAction(QStringLiteral("A tool"));
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    const QRect view = m_window->centralWidget()->geometry();
+    show(QStringLiteral("part.stl"), UnitDoubt::Inches);
+    const QPointer<UnitBar> first = m_bar;
+    show(QStringLiteral("other.stl"), UnitDoubt::Metres);
+    QTRY_VERIFY(first->isVisible() && m_bar->isVisible());
+    QCOMPARE(m_window->centralWidget()->geometry(), view);
+    QCOMPARE(first->geometry().topLeft(), view.topLeft());
+    QCOMPARE(first->width(), view.width());
+    QVERIFY(first->height() >= first->sizeHint().height());
+    QCOMPARE(m_bar->y(), first->y() + first->height());
+    m_window->resize(1000, 700);
+    QTRY_COMPARE(m_bar->width(), m_window->centralWidget()->width());
+    first->dismiss();
+    QCOMPARE(m_bar->y(), m_window->centralWidget()->y());
 }
 
 FETTLE_TEST(TestUnitBar, ui::TestApplication)
