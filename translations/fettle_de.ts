@@ -2975,6 +2975,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Palette</source>
         <translation>Palette</translation>
     </message>
+    <message>
+        <source>Brush presets</source>
+        <translation>Pinselvorlagen</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>

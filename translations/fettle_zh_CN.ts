@@ -2969,6 +2969,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Palette</source>
         <translation>选板</translation>
     </message>
+    <message>
+        <source>Brush presets</source>
+        <translation>笔刷预设</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>

@@ -2,13 +2,16 @@
 
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_bar.h"
+#include "ui/brush/preset_shelf.h"
 #include "ui/util/error_messages.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/panel_layout.h"
 
 #include <QAction>
 #include <QFormLayout>
 #include <QGridLayout>
+#include <QListView>
 #include <QScreen>
 #include <QToolButton>
 
@@ -19,11 +22,12 @@ namespace ui
 namespace
 {
 constexpr int columns = 6;
-constexpr QSize iconSize{24, 24};
+constexpr QSize iconSize{24, 24}, presetSize{48, 48};
+constexpr int presetRows = 2;
 } // namespace
 
-BrushPalette::BrushPalette(BrushSettings* brush, const QList<QAction*>& tools, const QList<QAction*>& commands,
-                           QWidget* parent)
+BrushPalette::BrushPalette(BrushSettings* brush, PresetShelf* presets, const QList<QAction*>& tools,
+                           const QList<QAction*>& commands, QWidget* parent)
     : QFrame(parent, Qt::Popup)
 {
     setObjectName(QStringLiteral("brushPalette"));
@@ -40,6 +44,7 @@ BrushPalette::BrushPalette(BrushSettings* brush, const QList<QAction*>& tools, c
     rows->addWidget(makeButtons(tools));
     rows->addLayout(form);
     rows->addWidget(makeButtons(commands));
+    rows->addWidget(makePresets(presets));
     for (QAction* tool : tools)
         connect(tool, &QAction::triggered, this, &QWidget::close);
 }
@@ -66,6 +71,26 @@ QWidget* BrushPalette::makeButtons(const QList<QAction*>& actions)
     return cells;
 }
 
+QWidget* BrushPalette::makePresets(PresetShelf* presets)
+{
+    auto* view = named(new QListView, "brushPalette.presets", {}, tr("Brush presets"));
+    view->setViewMode(QListView::IconMode);
+    view->setMovement(QListView::Static);
+    view->setResizeMode(QListView::Adjust);
+    view->setIconSize(presetSize);
+    const int cell = presetSize.height() + view->fontMetrics().lineSpacing() + gap;
+    view->setGridSize({presetSize.width() + 2 * gap, cell});
+    view->setFixedHeight(presetRows * cell + 2 * view->frameWidth());
+    view->setMinimumWidth(columns * (iconSize.width() + gap));
+    view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view->setTextElideMode(Qt::ElideRight);
+    view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    presets->showIn(view);
+    connect(presets, &PresetShelf::taken, this, &QWidget::close);
+    return view;
+}
+
 void BrushPalette::openAt(const QPoint& place)
 {
     adjustSize();
@@ -76,7 +101,8 @@ void BrushPalette::openAt(const QPoint& place)
     show();
 }
 
-void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* brush, const Actions& actions)
+void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* brush, PresetShelf* presets,
+                         const Actions& actions)
 {
     const auto open = [=, &actions] {
         QList<QAction*> tools, commands;
@@ -85,7 +111,7 @@ void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* bru
         for (const char* id :
              {"edit.undo", "edit.redo", "symmetry.on", "symmetry.radial", "brush.invert", "brush.presets"})
             commands << actions.get(QLatin1StringView(id));
-        auto* palette = new BrushPalette(brush, tools, commands, window);
+        auto* palette = new BrushPalette(brush, presets, tools, commands, window);
         palette->setAttribute(Qt::WA_DeleteOnClose);
         const QRect view(viewport->mapToGlobal(QPoint()), viewport->size());
         palette->openAt(view.contains(QCursor::pos()) ? QCursor::pos() : view.center());

@@ -113,6 +113,22 @@ void PresetShelf::showEvent(QShowEvent* event)
         m_library.load();
 }
 
+void PresetShelf::showIn(QListView* view)
+{
+    if (!std::exchange(m_isLoaded, true))
+        m_library.load();
+    view->setModel(m_list->model());
+    const auto hide = [this, view] {
+        for (int i = 0; i < m_list->count(); ++i)
+            view->setRowHidden(i, m_list->isRowHidden(i));
+    };
+    hide();
+    connect(&m_library, &PresetLibrary::loaded, view, hide);
+    const auto takeAt = [this](const QModelIndex& index) { take(m_list->item(index.row())); };
+    connect(view, &QListView::clicked, this, takeAt);
+    connect(view, &QListView::activated, this, takeAt);
+}
+
 bool PresetShelf::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange)
@@ -211,7 +227,7 @@ void PresetShelf::exportChosen()
     });
 }
 
-void addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes)
+PresetShelf* addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes)
 {
     auto* shelf = new PresetShelf(brush, shapes);
     QObject::connect(shelf, &PresetShelf::taken, shelf, context.taken);
@@ -219,5 +235,6 @@ void addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, Bru
     SidePanel* panel = context.column->add(QStringLiteral("presetPanel"), PresetShelf::tr("Presets"), shelf);
     QObject::connect(context.actions->get(QStringLiteral("brush.presets")), &QAction::triggered, panel,
                      &SidePanel::bringForward);
+    return shelf;
 }
 } // namespace ui

@@ -6,6 +6,7 @@
 
 #include <functional>
 
+class QListView;
 class QListWidget;
 class QListWidgetItem;
 class QToolButton;
@@ -26,6 +27,9 @@ class PresetShelf : public QWidget
 public:
     /// Keeps both pointers: they must outlive the shelf.
     PresetShelf(BrushSettings* brush, BrushShapes* shapes, QWidget* parent = nullptr);
+
+    /// Shows the presets in another view as well, where a click takes one, too. The shelf must outlive the view.
+    void showIn(QListView* view);
 
 Q_SIGNALS:
     /// One sentence.
@@ -68,6 +72,6 @@ struct PresetShelfContext
     std::function<void(const QString&)> notice;
 };
 
-/// Adds the shelf to the column.
-void addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes);
+/// Adds a shelf to the column.
+PresetShelf* addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

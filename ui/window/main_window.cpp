@@ -80,6 +80,7 @@ struct MainWindow::State
     QToolBar* options = nullptr;
     SideColumn* column = nullptr;
     BrushShapes* shapes = nullptr;
+    PresetShelf* presets = nullptr;
     NotificationBanner* banner = nullptr;
     InfoBar* infoBar = nullptr;
     HistoryPanel* history = nullptr;
@@ -193,7 +194,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addLessonEditor(column, actions);
     addBrushPanels({column, focusModel}, &brush, shapes);
     addColorPanel({column, viewport}, &brush, &settings, actions, notice);
-    addPresetShelf({column, &actions, focusModel, notice}, &brush, shapes);
+    presets = addPresetShelf({column, &actions, focusModel, notice}, &brush, shapes);
     connectInputActions({column, viewport, notice}, &brush, &settings, actions);
     addPrintPanel({column, viewport}, &settings, actions);
     history = addHistoryPanel(column, &settings);
@@ -258,7 +259,7 @@ void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
     connect(shapes, &BrushShapes::ownModelRequested, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
-    connectBrushPalette(q, viewport, &brush, actions);
+    connectBrushPalette(q, viewport, &brush, presets, actions);
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(ErrorMessages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });

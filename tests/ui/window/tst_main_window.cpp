@@ -23,6 +23,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPointer>
@@ -410,6 +411,27 @@ private Q_SLOTS:
             if (button->defaultAction() == act(window, "tool.clay"))
                 button->click();
         QCOMPARE(window.brush()->stroke().tool, core::Tool::Clay);
+        QTRY_VERIFY(!palette);
+    }
+
+    void paletteTakesAPreset()
+    {
+        MainWindow window;
+        window.show();
+        act(window, "brush.palette")->trigger();
+        QPointer<ui::BrushPalette> palette = window.findChild<ui::BrushPalette*>();
+        const auto* presets = palette->findChild<QListView*>(QStringLiteral("brushPalette.presets"));
+        const auto preset = [presets](int row) { return presets->model()->index(row, 0); };
+        QTRY_VERIFY(presets->model()->rowCount() > 8);
+        const auto isDrawn = [&](const QModelIndex& index) {
+            const QImage picture = index.data(Qt::DecorationRole).value<QIcon>().pixmap(48).toImage();
+            return picture.pixelColor(picture.rect().center()).alpha() > 0;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isDrawn(preset(0)) && isDrawn(preset(1)), longestWait);
+        const core::StrokeSettings before = window.brush()->stroke();
+        QTest::mouseClick(presets->viewport(), Qt::LeftButton, {}, presets->visualRect(preset(1)).center());
+        QVERIFY(window.brush()->stroke().tool != before.tool || window.brush()->stroke().strength != before.strength ||
+                window.brush()->stroke().radius != before.radius);
         QTRY_VERIFY(!palette);
     }
 
