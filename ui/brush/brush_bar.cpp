@@ -6,7 +6,10 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +58,17 @@ void NumberBox::fixup(QString& text) const
         Q_EMIT asked(*number);
         text = textFromValue(std::clamp(*number, minimum(), maximum()));
     }
+}
+
+QSize NumberBox::sizeHint() const
+{
+    ensurePolished();
+    const int cursorWidth = 2;
+    const QString longest = QStringLiteral("8888.88") + suffix();
+    const QSize text(fontMetrics().horizontalAdvance(longest) + cursorWidth, lineEdit()->sizeHint().height());
+    QStyleOptionSpinBox option;
+    initStyleOption(&option);
+    return style()->sizeFromContents(QStyle::CT_SpinBox, &option, text, this);
 }
 
 std::optional<double> NumberBox::numberIn(const QString& text) const
