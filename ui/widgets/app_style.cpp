@@ -115,6 +115,9 @@ QIcon AppStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, co
         return themedIcon(QStringLiteral("panel-float"));
     case SP_TitleBarCloseButton:
         return themedIcon(QStringLiteral("panel-close"));
+    case SP_ToolBarHorizontalExtensionButton:
+    case SP_ToolBarVerticalExtensionButton:
+        return themedIcon(QStringLiteral("next"));
     case SP_MessageBoxInformation:
         return themedIcon(QStringLiteral("about"));
     case SP_MessageBoxQuestion:

@@ -10,8 +10,8 @@ QColor hairline(const QPalette& palette);
 
 /// Qt's Fusion style, but for what it draws badly in the dark: outlines of boxes to tick, lines that part things,
 /// shadows of what is disabled, and what is chosen among tabs and tool buttons, which has the highlight's colour here;
-/// and but for the buttons in the titles of panels, the signs beside questions and sentences, the pictures on a
-/// dialog's buttons, which are left out, and the room about their words.
+/// and but for the buttons in the titles of panels, the arrow of a tool bar that has more, the signs beside questions
+/// and sentences, the pictures on a dialog's buttons, which are left out, and the room about their words.
 class AppStyle : public QProxyStyle
 {
 public:

@@ -44,7 +44,7 @@ QPalette lightPalette()
                       .alternate = {245, 247, 249},
                       .button = {240, 242, 244},
                       .text = {28, 31, 36},
-                      .faint = {128, 134, 142},
+                      .faint = {102, 108, 116},
                       .highlight = {38, 116, 184},
                       .link = {24, 96, 164},
                       .tip = {255, 255, 255}});
@@ -57,8 +57,8 @@ QPalette darkPalette()
                       .alternate = {38, 40, 45},
                       .button = {56, 60, 66},
                       .text = {226, 229, 233},
-                      .faint = {135, 140, 148},
-                      .highlight = {52, 124, 190},
+                      .faint = {150, 155, 163},
+                      .highlight = {46, 118, 184},
                       .link = {116, 178, 236},
                       .tip = {62, 66, 72}});
 }

@@ -14,6 +14,7 @@
 #include <QRadioButton>
 #include <QStyleOptionButton>
 #include <QTabBar>
+#include <QToolBar>
 #include <QToolButton>
 
 #include <cmath>
@@ -202,9 +203,33 @@ private Q_SLOTS:
             QVERIFY(contrast(palette.text().color(), palette.alternateBase().color()) > 7);
             QVERIFY(contrast(palette.buttonText().color(), palette.button().color()) > 7);
             QVERIFY(contrast(palette.toolTipText().color(), palette.toolTipBase().color()) > 7);
-            QVERIFY(contrast(palette.highlightedText().color(), palette.highlight().color()) > 4);
+            QVERIFY(contrast(palette.highlightedText().color(), palette.highlight().color()) > 4.5);
+            QVERIFY(contrast(palette.placeholderText().color(), palette.base().color()) > 4.5);
+            QVERIFY(contrast(palette.placeholderText().color(), palette.window().color()) > 4.5);
+            QVERIFY(contrast(palette.link().color(), palette.window().color()) > 4.5);
             QVERIFY(contrast(palette.link().color(), palette.base().color()) > 4.5);
             QVERIFY(contrast(palette.color(QPalette::Disabled, QPalette::WindowText), palette.window().color()) > 2.5);
+        }
+    }
+
+    /// Of a tool bar that has more than it shows.
+    void theArrowOfMoreCanBeSeen()
+    {
+        for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            const ui::Theme theme(choice);
+            QToolBar bar;
+            for (int i = 0; i < 9; ++i)
+                bar.addAction(QStringLiteral("A command"));
+            bar.resize(200, bar.sizeHint().height());
+            bar.show();
+            auto* more = bar.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+            QTRY_VERIFY(more && more->isVisible());
+            const QImage image = more->grab().toImage();
+            double most = 1;
+            for (int y = 2; y < image.height() - 2; ++y)
+                for (int x = 2; x < image.width() - 2; ++x)
+                    most = std::max(most, contrast(image.pixelColor(x, y), bar.palette().window().color()));
+            QVERIFY2(most > 4.5, qPrintable(QString::number(most)));
         }
     }
 
