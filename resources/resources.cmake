@@ -148,6 +148,7 @@ set(FETTLE_RESOURCE_FILES
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
+    icons/symmetry-plane.svg
     icons/take-over.svg
     icons/time-lapse.svg
     icons/tint.svg

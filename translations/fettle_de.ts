@@ -2036,6 +2036,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Färbt schwach ein, was der Pinsel als Nächstes bewegen würde.</translation>
     </message>
     <message>
+        <source>Symmetry &amp;Plane</source>
+        <translation>S&amp;ymmetrieebene</translation>
+    </message>
+    <message>
+        <source>Shows where the model is mirrored while symmetry is on.</source>
+        <translation>Zeigt, wo das Modell gespiegelt wird, solange die Symmetrie an ist.</translation>
+    </message>
+    <message>
         <source>&amp;Ground Grid</source>
         <translation>Boden&amp;gitter</translation>
     </message>

@@ -2030,6 +2030,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>用淡色标出笔刷下一笔会移动的部分。</translation>
     </message>
     <message>
+        <source>Symmetry &amp;Plane</source>
+        <translation>对称平面(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows where the model is mirrored while symmetry is on.</source>
+        <translation>对称开启时显示模型在何处镜像。</translation>
+    </message>
+    <message>
         <source>&amp;Ground Grid</source>
         <translation>地面网格(&amp;G)</translation>
     </message>

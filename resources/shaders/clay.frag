@@ -59,8 +59,8 @@ vec3 withCut(vec3 color)
 {
     float fromCut = dot(cutPlane, vec4(placeAndTint.xyz, 1.0));
     float pixels = abs(fromCut) / max(fwidth(fromCut), 1e-9);
-    vec3 edged = mix(color, vec3(0.02), 0.45 * clamp(2.4 - pixels, 0.0, 1.0));
-    return mix(color, mix(edged, vec3(0.92, 0.96, 1.0), 0.85 * clamp(1.3 - pixels, 0.0, 1.0)), cut);
+    vec3 edged = mix(color, vec3(0.02), 0.25 * clamp(2.0 - pixels, 0.0, 1.0));
+    return mix(color, mix(edged, vec3(0.92, 0.96, 1.0), 0.5 * clamp(1.0 - pixels, 0.0, 1.0)), cut);
 }
 
 // The brush's b(x) at this place, or at its mirror image; 0 outside, with a soft rim where nothing is weighted.

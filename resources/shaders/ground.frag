@@ -33,7 +33,7 @@ void main()
     float fade = pow(clamp(1.0 - away, 0.0, 1.0), 1.5);
     vec3 back = vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]);
     vec3 toEye = normalize(mix(eyePosition - world, back, projectionMatrix[3][3]));
-    fade *= smoothstep(0.02, 0.22, abs(toEye.y));
+    fade *= smoothstep(0.02, 0.22, toEye.y); // from below it would hide the model
     float line = max(0.45 * lines(p, cell), lines(p, 10.0 * cell)) * lineAlpha * fade;
 
     float from = length((p - under.xz) / footprint);

@@ -11,5 +11,5 @@ void main()
 {
     vec2 pixels = (1.0 - abs(at)) / max(fwidth(at), 1e-9);
     float line = clamp(border + 0.5 - min(pixels.x, pixels.y), 0.0, 1.0);
-    fragColor = vec4(color, mix(0.07, 0.6, line));
+    fragColor = vec4(color, mix(0.04, 0.35, line));
 }

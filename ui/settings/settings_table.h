@@ -174,6 +174,7 @@ inline constexpr auto rows<ViewAppearance> = std::tuple{
     row(&ViewAppearance::caption, "view/caption"),
     row(&ViewAppearance::tint, "view/tint"),
     row(&ViewAppearance::cavity, "view/cavity"),
+    row(&ViewAppearance::symmetryPlane, "view/symmetryPlane"),
 };
 
 template <>

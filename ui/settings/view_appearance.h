@@ -44,6 +44,7 @@ struct ViewAppearance
     bool caption = true; ///< of the brush, while VR is worn
     bool tint = true;    ///< colours what the brush would move
     bool cavity = false; ///< darkens valleys, lightens ridges
+    bool symmetryPlane = true;
 
     bool operator==(const ViewAppearance&) const = default;
 };

@@ -476,7 +476,8 @@ void Viewport::paintGL()
     s.placeMark();
     s.placeAvatar();
     s.placeHighlight();
-    s.scene->showPlane(s.brush->stroke().symmetry, s.navigation.box());
+    s.scene->showPlane(s.appearance.symmetryPlane ? s.brush->stroke().symmetry : core::Symmetry::None,
+                       s.navigation.box());
     s.scene->showSectors(s.brush->stroke().radial, s.brush->stroke().symmetry, s.navigation.box());
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setAppearance(s.appearance, darkTheme);
