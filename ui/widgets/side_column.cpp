@@ -69,6 +69,7 @@ SideColumn::SideColumn(QWidget* parent)
     m_rows->setSpacing(1);
     m_rows->addStretch(1);
     setWidget(m_area);
+    m_area->widget()->installEventFilter(this);
 }
 
 SidePanel* SideColumn::add(const QString& name, const QString& title, QWidget* content, SidePanel::State first)
@@ -132,6 +133,9 @@ bool SideColumn::eventFilter(QObject* watched, QEvent* event)
     if ((event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) &&
         qobject_cast<SidePanel*>(watched))
         showWhatIsOpen();
+    const bool isLaidOut = event->type() == QEvent::LayoutRequest && watched == m_area->widget();
+    if (isLaidOut && m_area->minimumSizeHint().width() > m_area->size().width())
+        m_area->updateGeometry(); // another panel is the widest now
     return QDockWidget::eventFilter(watched, event);
 }
 } // namespace ui

@@ -86,6 +86,20 @@ private Q_SLOTS:
         QCOMPARE(c.panel("third")->state(), State::Folded);
     }
 
+    /// A content that becomes wider has all of its width, beside the scroll bar.
+    void widerPanel_isSeenWhole()
+    {
+        const Column c;
+        auto* wide = new QLabel(QStringLiteral("wide"));
+        wide->setMinimumHeight(900);
+        c.column->add(QStringLiteral("wide"), QStringLiteral("wide"), wide, State::Open);
+        QTest::qWait(50);
+        QVERIFY(c.column->width() < 333);
+        wide->setMinimumWidth(333);
+        QTRY_VERIFY(c.area()->viewport()->width() >= 333);
+        QVERIFY(c.area()->verticalScrollBar()->isVisible());
+    }
+
     /// The model beside the column stays where it is when panels come and go.
     void width_isThatOfTheWidestPanel()
     {
