@@ -58,11 +58,14 @@ void LessonPanel::addText(PanelBuilder& builder) const
     builder.add(places[3], {{.icon = QStringLiteral("next")}, ShowLessonPage{shown + 1}, shown + 1 < pages});
 }
 
-/// A sign and the text's weight: colour alone says nothing.
+/// A sign and the text's weight: colour alone says nothing. Of many marks those that are still to be met.
 void LessonPanel::addMarks(PanelBuilder& builder) const
 {
+    QList<LessonMark> shownMarks = marks;
+    if (marks.size() > maxMarks)
+        std::ranges::stable_partition(shownMarks, [](const LessonMark& mark) { return !mark.holds; });
     for (qsizetype i = 0; i < std::min<qsizetype>(marks.size(), maxMarks); ++i) {
-        const LessonMark& mark = marks[i];
+        const LessonMark& mark = shownMarks[i];
         const FittedText shown = fitted(mark.text, builder.innerWidth() - markSign - theme::gap,
                                         {.height = theme::bodyHeight, .minHeight = theme::minHeight, .lines = 2});
         const std::vector<QRectF> places =

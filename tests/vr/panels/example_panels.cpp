@@ -146,8 +146,13 @@ std::vector<ExamplePanel> lessonPanels()
                           5,
                           {},
                           true};
-    shown.marks = {{QStringLiteral("height: at least 115.0 mm (100.0 mm)"), false},
-                   {QStringLiteral("in one piece (1)"), true}};
+    shown.marks = {{QStringLiteral("something sculpted in this step"), false},
+                   {QStringLiteral("no holes"), true},
+                   {QStringLiteral("in one piece"), true},
+                   {QStringLiteral("at least 125 mm tall (now 100 mm)"), false},
+                   {QStringLiteral("at most 110 mm at its widest (now 100 mm)"), true},
+                   {QStringLiteral("flat base: at least 10.0 cm² (now 0.0 mm²)"), false},
+                   {QStringLiteral("ready to print"), true}};
     vr::LessonPanel paged = shown;
     paged.title = QStringLiteral("A very long title of a step that somebody wrote without looking at it");
     paged.text =

@@ -110,6 +110,7 @@ private Q_SLOTS:
     void aPanel_isAsLargeAsItLooks_data() { addExamples(); }
     void aPanel_isAsLargeAsItLooks();
     void everyFile_isOnOnePage();
+    void manyMarks_beginWithThoseToBeMet();
     void aPageThatIsNot_isTheNearest();
     void aChoice_staysOnItsPanel();
     void openingUnsaved_mustBeHeld();
@@ -258,6 +259,21 @@ void TestPanelLayout::everyFile_isOnOnePage()
         for (int i = 0; i < count; ++i)
             QCOMPARE(seen[i], QString::number(i));
     }
+}
+
+void TestPanelLayout::manyMarks_beginWithThoseToBeMet()
+{
+    vr::LessonPanel panel;
+    panel.title = panel.text = QStringLiteral("A");
+    for (int i = 0; i < 9; ++i)
+        panel.marks.append({QStringLiteral("mark %1").arg(i), i % 3 != 2});
+    QStringList seen;
+    for (const PanelItem& item : panel.layout().items)
+        if (const auto* const look = std::get_if<vr::TextLook>(&item.look); look && look->text.startsWith(u'm'))
+            seen << look->text;
+    QVERIFY(seen.size() >= 4);
+    QCOMPARE(seen.mid(0, 4), (QStringList{QStringLiteral("mark 2"), QStringLiteral("mark 5"), QStringLiteral("mark 8"),
+                                          QStringLiteral("mark 0")}));
 }
 
 void TestPanelLayout::aPageThatIsNot_isTheNearest()
