@@ -648,14 +648,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>lesson: &quot;%1&quot; is no lesson: neither one of %2 nor a folder or zip.</source>
         <translation>lesson: „%1“ ist keine Lektion: weder eine von %2 noch ein Ordner oder Zip.</translation>
     </message>
+    <message>
+        <source>no goal</source>
+        <translation>kein Ziel</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonController</name>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what is asked; what is</comment>
-        <translation>%1 (%2)</translation>
-    </message>
     <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
@@ -663,6 +662,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>something sculpted in this step</source>
         <translation>in diesem Schritt modelliert</translation>
+    </message>
+    <message>
+        <source>Step %1 is not done yet. You can go back, or start from the teacher&apos;s model.</source>
+        <translation>Schritt %1 ist noch nicht fertig: zurückgehen, oder mit dem Modell der Lehrkraft anfangen.</translation>
+    </message>
+    <message>
+        <source>This is the teacher&apos;s model. Press Try It and make your own.</source>
+        <translation>Das ist das Modell der Lehrkraft. Versuchen macht Platz für ein eigenes.</translation>
     </message>
 </context>
 <context>
@@ -703,6 +710,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Not saved: %1</source>
         <translation>Nicht gespeichert: %1</translation>
     </message>
+    <message>
+        <source>New Lesson</source>
+        <translation>Neue Lektion</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonSaving</name>
@@ -727,11 +738,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Schritt %1, Strich %2 (%3) ändert nichts mehr.</translation>
     </message>
     <message>
-        <source>Step %1 is not met: %2 (%3).</source>
-        <extracomment>a step&apos;s number; what it asks for; what the teacher&apos;s own model has</extracomment>
-        <translation>Schritt %1 ist nicht erfüllt: %2 (%3).</translation>
-    </message>
-    <message>
         <source>%1, %2 mm</source>
         <extracomment>a stroke&apos;s tool and radius</extracomment>
         <translation>%1, %2 mm</translation>
@@ -743,6 +749,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 is there already; a lesson&apos;s folder gets a name of its own.</source>
         <translation>%1 gibt es schon; der Ordner einer Lektion bekommt einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>Step %1 is not met: %2.</source>
+        <extracomment>a step&apos;s number; what it asks for, and what the teacher&apos;s own model has</extracomment>
+        <translation>Schritt %1 ist nicht erfüllt: %2.</translation>
     </message>
 </context>
 <context>
@@ -851,34 +862,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>dieser Befehl lässt sich an dem Modell, auf das er trifft, nicht einwandfrei ausführen</translation>
     </message>
     <message>
-        <source>holes</source>
-        <translation>Löcher</translation>
-    </message>
-    <message>
-        <source>parts</source>
-        <translation>Teile</translation>
-    </message>
-    <message>
-        <source>height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
         <source>ready to print</source>
         <translation>druckfertig</translation>
     </message>
@@ -887,53 +870,103 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 mm³</source>
-        <translation>%1 mm³</translation>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
     </message>
     <message>
-        <source>yes</source>
-        <translation>ja</translation>
+        <source>%1 to %2</source>
+        <comment>from; to</comment>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>no</source>
-        <translation>nein</translation>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <comment>a fact: its value</comment>
-        <translation>%1: %2</translation>
+        <source>no holes</source>
+        <translation>keine Löcher</translation>
     </message>
     <message>
-        <source>%1: at least %2</source>
-        <translation>%1: mindestens %2</translation>
+        <source>one hole</source>
+        <translation>ein Loch</translation>
     </message>
     <message>
-        <source>%1: %2 to %3</source>
-        <translation>%1: %2 bis %3</translation>
+        <source>holes: %1</source>
+        <translation>Löcher: %1</translation>
     </message>
     <message>
-        <source>%1: at most %2</source>
-        <translation>%1: höchstens %2</translation>
+        <source>in one piece</source>
+        <translation>aus einem Stück</translation>
     </message>
     <message>
-        <source>shape: within %1 mm of the teacher&apos;s</source>
-        <translation>Form: höchstens %1 mm von der der Lehrkraft entfernt</translation>
+        <source>pieces: %1</source>
+        <translation>Stücke: %1</translation>
     </message>
     <message>
-        <source>cannot be said of this model</source>
-        <translation>lässt sich von diesem Modell nicht sagen</translation>
+        <source>%1 tall</source>
+        <extracomment>%1 as in &quot;at least 60 mm&quot;, as in all that follow</extracomment>
+        <translation>%1 hoch</translation>
     </message>
     <message>
-        <source>%1 mm apart, at most %2 mm</source>
-        <translation>%1 mm entfernt, höchstens %2 mm</translation>
+        <source>%1 wide</source>
+        <translation>%1 breit</translation>
+    </message>
+    <message>
+        <source>%1 deep</source>
+        <translation>%1 tief</translation>
+    </message>
+    <message>
+        <source>%1 at its widest</source>
+        <translation>%1 an der breitesten Stelle</translation>
+    </message>
+    <message>
+        <source>legs on the ground: %1</source>
+        <translation>Beine am Boden: %1</translation>
+    </message>
+    <message>
+        <source>flat base: %1</source>
+        <translation>ebene Standfläche: %1</translation>
+    </message>
+    <message>
+        <source>narrow places all around: %1</source>
+        <translation>schmale Stellen ringsum: %1</translation>
+    </message>
+    <message>
+        <source>%1 of clay</source>
+        <translation>%1 Ton</translation>
+    </message>
+    <message>
+        <source>triangles: %1</source>
+        <translation>Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>%1 (cannot be said of this model)</source>
+        <translation>%1 (lässt sich von diesem Modell nicht sagen)</translation>
+    </message>
+    <message>
+        <source>%1 (not yet)</source>
+        <translation>%1 (noch nicht)</translation>
+    </message>
+    <message>
+        <source>%1 (now %2)</source>
+        <translation>%1 (jetzt %2)</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <extracomment>a tool and its radius</extracomment>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm (strength %3)</source>
+        <translation>%1 %2 mm (Stärke %3)</translation>
+    </message>
+    <message>
+        <source>like the teacher&apos;s to %1 mm (now up to %2)</source>
+        <translation>wie das der Lehrkraft, bis auf %1 mm (jetzt bis zu %2)</translation>
     </message>
 </context>
 <context>
     <name>app::LessonWriter</name>
-    <message>
-        <source>lesson</source>
-        <translation>Lektion</translation>
-    </message>
     <message>
         <source>%1 was not written.</source>
         <translation>%1 wurde nicht geschrieben.</translation>
@@ -4452,6 +4485,19 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Lessons</source>
         <translation>Lektionen</translation>
     </message>
+    <message>
+        <source>Start from the Teacher&apos;s Model</source>
+        <translation>Mit dem Modell der Lehrkraft anfangen</translation>
+    </message>
+    <message>
+        <source>Begins this step with the teacher&apos;s model. Undo brings yours back.</source>
+        <translation>Beginnt diesen Schritt mit dem Modell der Lehrkraft. Rückgängig bringt das eigene zurück.</translation>
+    </message>
+    <message>
+        <source>Brush: %1</source>
+        <comment>tools and sizes</comment>
+        <translation>Pinsel: %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::LessonStepEditor</name>
@@ -4579,6 +4625,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1. %2</source>
         <comment>number of a stroke; what it is</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>At its widest, mm</source>
+        <translation>Breiteste Stelle, mm</translation>
+    </message>
+    <message>
+        <source>Legs on the ground</source>
+        <translation>Beine am Boden</translation>
+    </message>
+    <message>
+        <source>Flat base, mm²</source>
+        <translation>Ebene Standfläche, mm²</translation>
+    </message>
+    <message>
+        <source>Narrow places all around</source>
+        <translation>Schmale Stellen ringsum</translation>
     </message>
 </context>
 <context>
@@ -5694,10 +5756,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Diese Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>%1 has changes that were not saved.</source>
-        <translation>%1 hat Änderungen, die nicht gespeichert wurden.</translation>
-    </message>
-    <message>
         <source>The file was changed</source>
         <translation>Die Datei wurde geändert</translation>
     </message>
@@ -5724,6 +5782,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.</source>
         <translation>%1 wurde geschrieben. Ansicht, Pinsel, Symmetrie und Vorlagen behalten nur GLB-Dateien: Speichern unter.</translation>
+    </message>
+    <message>
+        <source>The model %1 has changes that were not saved.</source>
+        <translation>Das Modell %1 hat Änderungen, die nicht gespeichert wurden.</translation>
     </message>
 </context>
 <context>

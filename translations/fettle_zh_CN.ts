@@ -645,14 +645,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>lesson: &quot;%1&quot; is no lesson: neither one of %2 nor a folder or zip.</source>
         <translation>lesson：“%1”不是课程：既不是 %2 之一，也不是文件夹或 zip。</translation>
     </message>
+    <message>
+        <source>no goal</source>
+        <translation>没有目标</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonController</name>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>what is asked; what is</comment>
-        <translation>%1（%2）</translation>
-    </message>
     <message>
         <source>Opening %1</source>
         <translation>正在打开 %1</translation>
@@ -660,6 +659,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>something sculpted in this step</source>
         <translation>在这一步里雕刻过</translation>
+    </message>
+    <message>
+        <source>Step %1 is not done yet. You can go back, or start from the teacher&apos;s model.</source>
+        <translation>第 %1 步还没有完成。可以返回，也可以从老师的模型开始。</translation>
+    </message>
+    <message>
+        <source>This is the teacher&apos;s model. Press Try It and make your own.</source>
+        <translation>这是老师的模型。请按“试一试”，自己做一个。</translation>
     </message>
 </context>
 <context>
@@ -700,6 +707,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Not saved: %1</source>
         <translation>未保存：%1</translation>
     </message>
+    <message>
+        <source>New Lesson</source>
+        <translation>新课程</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonSaving</name>
@@ -724,11 +735,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>第 %1 步的第 %2 笔（%3）不再改变任何东西。</translation>
     </message>
     <message>
-        <source>Step %1 is not met: %2 (%3).</source>
-        <extracomment>a step&apos;s number; what it asks for; what the teacher&apos;s own model has</extracomment>
-        <translation>第 %1 步没有达到：%2（%3）。</translation>
-    </message>
-    <message>
         <source>%1, %2 mm</source>
         <extracomment>a stroke&apos;s tool and radius</extracomment>
         <translation>%1，%2 mm</translation>
@@ -740,6 +746,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 is there already; a lesson&apos;s folder gets a name of its own.</source>
         <translation>%1 已经存在；课程的文件夹要有自己的名称。</translation>
+    </message>
+    <message>
+        <source>Step %1 is not met: %2.</source>
+        <extracomment>a step&apos;s number; what it asks for, and what the teacher&apos;s own model has</extracomment>
+        <translation>第 %1 步未达到：%2。</translation>
     </message>
 </context>
 <context>
@@ -848,34 +859,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>在它遇到的模型上，无法完好地执行这个命令</translation>
     </message>
     <message>
-        <source>holes</source>
-        <translation>孔</translation>
-    </message>
-    <message>
-        <source>parts</source>
-        <translation>部分</translation>
-    </message>
-    <message>
-        <source>height</source>
-        <translation>高度</translation>
-    </message>
-    <message>
-        <source>width</source>
-        <translation>宽度</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>深度</translation>
-    </message>
-    <message>
-        <source>volume</source>
-        <translation>体积</translation>
-    </message>
-    <message>
-        <source>triangles</source>
-        <translation>三角形</translation>
-    </message>
-    <message>
         <source>ready to print</source>
         <translation>可以打印</translation>
     </message>
@@ -884,53 +867,103 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1 mm³</source>
-        <translation>%1 mm³</translation>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
     </message>
     <message>
-        <source>yes</source>
-        <translation>是</translation>
+        <source>%1 to %2</source>
+        <comment>from; to</comment>
+        <translation>%1 到 %2</translation>
     </message>
     <message>
-        <source>no</source>
-        <translation>否</translation>
+        <source>at most %1</source>
+        <translation>最多 %1</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <comment>a fact: its value</comment>
-        <translation>%1：%2</translation>
+        <source>no holes</source>
+        <translation>没有孔</translation>
     </message>
     <message>
-        <source>%1: at least %2</source>
-        <translation>%1：至少 %2</translation>
+        <source>one hole</source>
+        <translation>一个孔</translation>
     </message>
     <message>
-        <source>%1: %2 to %3</source>
-        <translation>%1：%2 到 %3</translation>
+        <source>holes: %1</source>
+        <translation>孔：%1</translation>
     </message>
     <message>
-        <source>%1: at most %2</source>
-        <translation>%1：至多 %2</translation>
+        <source>in one piece</source>
+        <translation>连成一整块</translation>
     </message>
     <message>
-        <source>shape: within %1 mm of the teacher&apos;s</source>
-        <translation>形状：与老师的相差不超过 %1 mm</translation>
+        <source>pieces: %1</source>
+        <translation>块数：%1</translation>
     </message>
     <message>
-        <source>cannot be said of this model</source>
-        <translation>这个模型无法判断</translation>
+        <source>%1 tall</source>
+        <extracomment>%1 as in &quot;at least 60 mm&quot;, as in all that follow</extracomment>
+        <translation>高度%1</translation>
     </message>
     <message>
-        <source>%1 mm apart, at most %2 mm</source>
-        <translation>相差 %1 mm，最多 %2 mm</translation>
+        <source>%1 wide</source>
+        <translation>宽度%1</translation>
+    </message>
+    <message>
+        <source>%1 deep</source>
+        <translation>深度%1</translation>
+    </message>
+    <message>
+        <source>%1 at its widest</source>
+        <translation>最宽处%1</translation>
+    </message>
+    <message>
+        <source>legs on the ground: %1</source>
+        <translation>着地的腿：%1</translation>
+    </message>
+    <message>
+        <source>flat base: %1</source>
+        <translation>平的底面：%1</translation>
+    </message>
+    <message>
+        <source>narrow places all around: %1</source>
+        <translation>四周变窄的地方：%1</translation>
+    </message>
+    <message>
+        <source>%1 of clay</source>
+        <translation>黏土%1</translation>
+    </message>
+    <message>
+        <source>triangles: %1</source>
+        <translation>三角形：%1</translation>
+    </message>
+    <message>
+        <source>%1 (cannot be said of this model)</source>
+        <translation>%1（这个模型无法判断）</translation>
+    </message>
+    <message>
+        <source>%1 (not yet)</source>
+        <translation>%1（还没有）</translation>
+    </message>
+    <message>
+        <source>%1 (now %2)</source>
+        <translation>%1（现在 %2）</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <extracomment>a tool and its radius</extracomment>
+        <translation>%1 %2 毫米</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm (strength %3)</source>
+        <translation>%1 %2 毫米（强度 %3）</translation>
+    </message>
+    <message>
+        <source>like the teacher&apos;s to %1 mm (now up to %2)</source>
+        <translation>与老师的相差不超过 %1 毫米（现在最多 %2）</translation>
     </message>
 </context>
 <context>
     <name>app::LessonWriter</name>
-    <message>
-        <source>lesson</source>
-        <translation>课程</translation>
-    </message>
     <message>
         <source>%1 was not written.</source>
         <translation>未写入 %1。</translation>
@@ -4437,6 +4470,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Lessons</source>
         <translation>课程</translation>
     </message>
+    <message>
+        <source>Start from the Teacher&apos;s Model</source>
+        <translation>从老师的模型开始</translation>
+    </message>
+    <message>
+        <source>Begins this step with the teacher&apos;s model. Undo brings yours back.</source>
+        <translation>用老师的模型开始这一步。撤销可以找回原来的模型。</translation>
+    </message>
+    <message>
+        <source>Brush: %1</source>
+        <comment>tools and sizes</comment>
+        <translation>笔刷：%1</translation>
+    </message>
 </context>
 <context>
     <name>ui::LessonStepEditor</name>
@@ -4564,6 +4610,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1. %2</source>
         <comment>number of a stroke; what it is</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>At its widest, mm</source>
+        <translation>最宽处，mm</translation>
+    </message>
+    <message>
+        <source>Legs on the ground</source>
+        <translation>着地的腿</translation>
+    </message>
+    <message>
+        <source>Flat base, mm²</source>
+        <translation>平的底面，mm²</translation>
+    </message>
+    <message>
+        <source>Narrow places all around</source>
+        <translation>四周变窄的地方</translation>
     </message>
 </context>
 <context>
@@ -5676,10 +5738,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>清空此列表(&amp;C)</translation>
     </message>
     <message>
-        <source>%1 has changes that were not saved.</source>
-        <translation>%1 有尚未保存的更改。</translation>
-    </message>
-    <message>
         <source>The file was changed</source>
         <translation>文件已被更改</translation>
     </message>
@@ -5706,6 +5764,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.</source>
         <translation>已写入 %1。只有 GLB 文件保存视图、笔刷、对称设置和参考图：请使用“另存为”。</translation>
+    </message>
+    <message>
+        <source>The model %1 has changes that were not saved.</source>
+        <translation>模型 %1 有未保存的更改。</translation>
     </message>
 </context>
 <context>

@@ -181,16 +181,17 @@ void list(const LessonOptions& options)
 /// Says the verdict; whether it is met.
 bool print(const core::CheckpointVerdict& verdict)
 {
-    const auto line = [](bool holds, const QString& asked, const QString& found) {
-        CommandLine::print(QStringLiteral("   %1  %2 (%3)\n")
+    const auto line = [](bool holds, const QString& goal) {
+        CommandLine::print(QStringLiteral("   %1  %2\n")
                                .arg(holds ? LessonCommandMessages::tr("yes") : LessonCommandMessages::tr("no"), -4)
-                               .arg(asked, found));
+                               .arg(goal));
     };
     for (const core::FactVerdict& fact : verdict.facts)
-        line(fact.holds, LessonMessages::asked(fact.asked), LessonMessages::found(fact));
+        line(fact.holds, LessonMessages::goal(fact));
     if (verdict.target)
-        line(verdict.target->holds, LessonMessages::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
-             LessonMessages::found(*verdict.target));
+        line(verdict.target->holds, LessonMessages::goal(*verdict.target));
+    if (verdict.facts.empty() && !verdict.target)
+        CommandLine::print(QStringLiteral("   %1\n").arg(LessonCommandMessages::tr("no goal")));
     return verdict.isMet();
 }
 
@@ -198,7 +199,7 @@ void printHead(const core::LessonStep& step, std::size_t index, const LessonOpti
 {
     QStringList tools;
     for (const core::Tool tool : step.tools)
-        tools << QString::fromUtf8(core::name(tool));
+        tools << LessonMessages::tool(tool);
     CommandLine::print(LessonCommandMessages::tr("%1. %2 (strokes: %3; tools: %4)")
                            .arg(index + 1)
                            .arg(inLanguage(step.title, options))
@@ -207,9 +208,9 @@ void printHead(const core::LessonStep& step, std::size_t index, const LessonOpti
                        QLatin1Char('\n'));
 }
 
-void draw(const core::TriangleMesh& mesh, const QString& path)
+void draw(const core::TriangleMesh& mesh, const core::LessonStep& step, const QString& path)
 {
-    if (!lessonPicture(mesh).save(path))
+    if (!lessonPicture(mesh, step.view).save(path))
         CommandLine::fail(LessonCommandMessages::tr("%1: this picture cannot be written.").arg(path));
 }
 
@@ -261,7 +262,7 @@ ExitStatus play(Session& session)
         const core::TriangleMesh mesh = core::extractMesh(playback.mesh());
         isMet = judge(session, i, mesh) && isMet;
         if (!options.pictures.isEmpty())
-            draw(mesh, QDir(options.pictures).filePath(picturesName.arg(i + 1)));
+            draw(mesh, playback.step(), QDir(options.pictures).filePath(picturesName.arg(i + 1)));
     }
     if (!options.out.isEmpty())
         core::writeMesh(toPath(options.out), core::extractMesh(playback.mesh()));

@@ -12,6 +12,8 @@
 
 #include <QAction>
 
+#include <algorithm>
+
 namespace app
 {
 namespace
@@ -24,12 +26,27 @@ QImage pictureOf(const core::Lesson& lesson, const std::string& name)
                                                           static_cast<int>(found->second.size()));
 }
 
+/// "Pull: 42 mm, Smooth: 26 mm": what the step's tools come with.
+QString brushText(const core::LessonStep& step)
+{
+    QStringList brushes;
+    for (const core::LessonBrush& brush : core::brushesOf(step))
+        brushes << LessonMessages::brush(brush);
+    return brushes.join(QStringLiteral(", "));
+}
+
 ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
 {
     const core::LessonStep& step = lesson.steps[index];
-    return {inOurLanguage(lesson.title),     inOurLanguage(step.title),         inOurLanguage(step.text),
-            pictureOf(lesson, step.picture), static_cast<int>(index),           static_cast<int>(lesson.steps.size()),
-            !step.strokes.empty(),           step.checkpoint.target.has_value()};
+    return {inOurLanguage(lesson.title),
+            inOurLanguage(step.title),
+            inOurLanguage(step.text),
+            pictureOf(lesson, step.picture),
+            static_cast<int>(index),
+            static_cast<int>(lesson.steps.size()),
+            !step.strokes.empty(),
+            step.checkpoint.target.has_value(),
+            brushText(step)};
 }
 
 /// Of the lessons that are inside of the program.
@@ -53,6 +70,7 @@ LessonController::LessonController(ui::MainWindow& window, Document& document)
     , m_document(&document)
     , m_checker(new LessonChecker(&document, &document.worker()))
     , m_teacher(window, document)
+    , m_brushes(window.brush())
 {
     using ui::LessonPanel;
     const QList<ui::LessonCard> lessons = cards();
@@ -62,6 +80,12 @@ LessonController::LessonController(ui::MainWindow& window, Document& document)
     connect(m_panel, &LessonPanel::fileRequested, this,
             [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
     connect(m_panel, &LessonPanel::stepRequested, this, &LessonController::goTo);
+    connect(m_panel, &LessonPanel::teachersModelRequested, this, [this] {
+        m_teacher.startFromOwn([this] {
+            if (m_teacher.hasLesson())
+                show();
+        });
+    });
     connect(m_panel, &LessonPanel::closed, this, &LessonController::leave);
     connect(m_panel, &LessonPanel::differenceRequested, this, &LessonController::shade);
     connect(m_document, &Document::opened, this, &LessonController::begin);
@@ -112,8 +136,8 @@ void LessonController::begin()
     m_lesson = opening;
     m_path = m_openingPath;
     m_teacher.setLesson(m_lesson);
-    enter(0);
     m_window->viewport()->navigation()->turnTo(ui::OrbitCamera::Side::Front);
+    enter(0);
 }
 
 void LessonController::leave()
@@ -121,7 +145,7 @@ void LessonController::leave()
     m_teacher.interrupt();
     if (m_teacher.hasLesson()) {
         m_window->viewport()->setShades(nullptr);
-        m_window->brush()->offerTools({});
+        m_brushes.giveBack();
     }
     m_teacher.setLesson(nullptr);
     m_lesson = nullptr;
@@ -139,25 +163,34 @@ void LessonController::show()
 {
     const std::size_t step = m_teacher.stepIndex();
     m_panel->showPage(pageOf(*m_lesson, step));
-    m_window->viewport()->navigation()->frame();
-    const std::vector<core::Tool>& tools = m_lesson->steps[step].tools;
-    m_window->brush()->offerTools(QList<core::Tool>(tools.begin(), tools.end()));
+    m_brushes.take(m_lesson->steps[step]);
+    m_isMet.reset();
     m_checker->setPosition({m_lesson, m_path, step});
 }
 
-/// Forward with the model as it is, back to the model as it was.
+/// Forward with the model as it is, or with all that the teacher does, never with half of it; back to the model as it
+/// was.
 void LessonController::goTo(int step)
 {
-    m_teacher.interrupt();
     const auto target = static_cast<std::size_t>(step);
     if (target < m_teacher.stepIndex()) {
+        m_teacher.interrupt();
         m_teacher.goBack(target);
         return show();
     }
-    m_document->queue().enqueue([this, target] {
-        if (m_teacher.hasLesson() && target == m_teacher.stepIndex() + 1)
-            enter(target);
-    });
+    m_teacher.finish([this, target] { m_document->queue().enqueue([this, target] { goOn(target); }); });
+}
+
+void LessonController::goOn(std::size_t step)
+{
+    if (!m_teacher.hasLesson() || step != m_teacher.stepIndex() + 1)
+        return;
+    const bool isUnmet = !m_isMet.value_or(true) && m_teacher.changedBy() != LessonTeacher::Hand::Teachers;
+    m_teacher.interrupt();
+    enter(step);
+    if (isUnmet && m_window)
+        m_window->showNotice(
+            tr("Step %1 is not done yet. You can go back, or start from the teacher's model.").arg(step));
 }
 
 void LessonController::showVerdict(const core::CheckpointVerdict& verdict,
@@ -165,21 +198,29 @@ void LessonController::showVerdict(const core::CheckpointVerdict& verdict,
 {
     if (!m_panel || !m_window)
         return;
-    QList<ui::LessonMark> marks;
-    if (m_teacher.hasLesson() && !m_teacher.step().strokes.empty() && !(verdict.facts.empty() && !verdict.target))
-        marks.append({m_teacher.hasChanges(), tr("something sculpted in this step")});
-    for (const core::FactVerdict& fact : verdict.facts)
-        marks.append({fact.holds, tr("%1 (%2)", "what is asked; what is")
-                                      .arg(LessonMessages::asked(fact.asked), LessonMessages::found(fact))});
-    if (verdict.target)
-        marks.append({verdict.target->holds,
-                      tr("%1 (%2)", "what is asked; what is")
-                          .arg(LessonMessages::asked(core::CheckpointTarget{{}, verdict.target->tolerance}),
-                               LessonMessages::found(*verdict.target))});
     if (m_teacher.hasLesson())
-        m_panel->setMarks(marks);
+        m_panel->setMarks(marksOf(verdict));
     m_shades = shades;
     shade();
+}
+
+/// A model of the teacher's is nothing that the pupil has done.
+QList<ui::LessonMark> LessonController::marksOf(const core::CheckpointVerdict& verdict)
+{
+    m_isMet.reset();
+    if (verdict.facts.empty() && !verdict.target)
+        return {};
+    if (m_teacher.changedBy() == LessonTeacher::Hand::Teachers)
+        return {{false, tr("This is the teacher's model. Press Try It and make your own.")}};
+    QList<ui::LessonMark> marks;
+    if (!m_teacher.step().strokes.empty())
+        marks.append({m_teacher.changedBy() == LessonTeacher::Hand::Pupils, tr("something sculpted in this step")});
+    for (const core::FactVerdict& fact : verdict.facts)
+        marks.append({fact.holds, LessonMessages::goal(fact)});
+    if (verdict.target)
+        marks.append({verdict.target->holds, LessonMessages::goal(*verdict.target)});
+    m_isMet = std::ranges::all_of(marks, &ui::LessonMark::holds);
+    return marks;
 }
 
 void LessonController::shade()

@@ -2,6 +2,7 @@
 
 #include "app/lesson/lesson_checker.h"
 #include "app/lesson/lesson_teacher.h"
+#include "app/lesson/step_brushes.h"
 
 #include "ui/lesson/lesson_panel.h"
 #include "ui/util/background_thread.h"
@@ -33,8 +34,10 @@ private:
     void leave();
     void enter(std::size_t step);
     void goTo(int step);
+    void goOn(std::size_t step);
     void show();
     void showVerdict(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades);
+    QList<ui::LessonMark> marksOf(const core::CheckpointVerdict& verdict);
     void shade();
 
     QPointer<ui::MainWindow> m_window;
@@ -42,6 +45,8 @@ private:
     Document* m_document;
     LessonChecker* m_checker;
     LessonTeacher m_teacher;
+    StepBrushes m_brushes;
+    std::optional<bool> m_isMet; ///< the step's checkpoint, by the model as it was last judged
     std::shared_ptr<const core::Lesson> m_lesson, m_opening; ///< null: none
     std::filesystem::path m_path, m_openingPath;
     std::shared_ptr<const core::Footprint> m_shades;

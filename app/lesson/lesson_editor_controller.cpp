@@ -20,6 +20,7 @@
 #include <QMessageBox>
 
 #include <cmath>
+#include <numbers>
 
 namespace app
 {
@@ -233,7 +234,10 @@ void LessonEditorController::record(bool on)
 void LessonEditorController::openAtEnd(bool discardsChanges, bool isUnsaved)
 {
     m_opening = std::make_shared<const core::Lesson>(m_draft.complete({}));
-    const LessonModel model{m_opening, toPath(m_path), m_draft.steps()};
+    LessonModel model{m_opening, toPath(m_path), m_draft.steps()};
+    if (model.lesson->title.words.empty()) // of a lesson that has just begun
+        model.name =
+            std::holds_alternative<core::Starter>(m_opening->start) ? tr("New Lesson") : m_document->modelInfo().name;
     const auto make = [model, isUnsaved](const core::JobControl& control) {
         LoadedModel loaded = model.load(control);
         loaded.isUnsaved = isUnsaved;
@@ -248,7 +252,13 @@ void LessonEditorController::begin()
     m_isAllRecorded = opening && m_document->opener().mark() == opening;
     if (!m_isAllRecorded)
         return stopRecording();
-    m_recorder.begin(&m_draft);
+    m_recorder.begin(&m_draft, [this]() -> std::optional<core::LessonView> {
+        if (!m_window)
+            return std::nullopt;
+        constexpr double degree = std::numbers::pi / 180;
+        const ui::OrbitCamera::Pose pose = m_window->viewport()->camera().pose();
+        return core::LessonView{std::round(std::remainder(pose.yaw / degree, 360)), std::round(pose.pitch / degree)};
+    });
     if (m_panel)
         m_panel->setRecording(true);
 }

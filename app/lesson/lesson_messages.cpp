@@ -1,10 +1,15 @@
 #include "app/lesson/lesson_messages.h"
 
+#include "app/worker/stroke_step.h"
+
 #include "ui/util/error_messages.h"
+#include "ui/util/number_format.h"
 #include "ui/util/stroke_file_messages.h"
 
 #include <QDir>
 #include <QLocale>
+
+#include <cmath>
 
 namespace app
 {
@@ -17,9 +22,11 @@ QString bytes(double count)
     return QLocale().formattedDataSize(static_cast<qint64>(count));
 }
 
+/// Without a fraction where it has none.
 QString millimetres(double length)
 {
-    return QLocale().toString(length, 'f', length < 10 ? 2 : 1);
+    const bool isWhole = std::abs(length - std::round(length)) < 0.05;
+    return QLocale().toString(length, 'f', isWhole ? 0 : 1);
 }
 } // namespace
 
@@ -123,54 +130,97 @@ QString LessonMessages::files(const core::LessonError& error)
     }
 }
 
-QString LessonMessages::name(core::Fact fact)
-{
-    const QString names[] = {tr("holes"), tr("parts"),  tr("height"),    tr("width"),
-                             tr("depth"), tr("volume"), tr("triangles"), tr("ready to print")};
-    static_assert(std::size(names) == static_cast<std::size_t>(core::Fact::PrintReady) + 1);
-    return names[static_cast<std::size_t>(fact)];
-}
-
 QString LessonMessages::figure(core::Fact fact, double value)
 {
     switch (fact) {
     case core::Fact::Height:
     case core::Fact::Width:
     case core::Fact::Depth:
+    case core::Fact::Widest:
         return tr("%1 mm").arg(millimetres(value));
+    case core::Fact::BaseArea:
+        return ui::areaText(std::round(value));
     case core::Fact::Volume:
-        return tr("%1 mm³").arg(QLocale().toString(value, 'f', 0));
-    case core::Fact::PrintReady:
-        return value > 0 ? tr("yes") : tr("no");
+        return ui::volumeText(std::abs(value));
     default:
         return QLocale().toString(value, 'f', 0);
     }
 }
 
-QString LessonMessages::asked(const core::FactBounds& bounds)
+QString LessonMessages::quantity(const core::FactBounds& bounds)
 {
     const QString min = figure(bounds.fact, bounds.min);
     if (bounds.min == bounds.max)
-        return tr("%1: %2", "a fact: its value").arg(name(bounds.fact), min);
+        return min;
     if (bounds.max == core::FactBounds::unbounded)
-        return tr("%1: at least %2").arg(name(bounds.fact), min);
+        return tr("at least %1").arg(min);
     const QString max = figure(bounds.fact, bounds.max);
-    return bounds.min > 0 ? tr("%1: %2 to %3").arg(name(bounds.fact), min, max)
-                          : tr("%1: at most %2").arg(name(bounds.fact), max);
+    return bounds.min > 0 ? tr("%1 to %2", "from; to").arg(min, max) : tr("at most %1").arg(max);
 }
 
-QString LessonMessages::asked(const core::CheckpointTarget& target)
+QString LessonMessages::asked(const core::FactBounds& bounds)
 {
-    return tr("shape: within %1 mm of the teacher's").arg(millimetres(target.tolerance));
+    using core::Fact;
+    const bool isOne = bounds.min == 1 && bounds.max == 1;
+    const QString quantity = LessonMessages::quantity(bounds);
+    switch (bounds.fact) {
+    case Fact::Genus:
+        return bounds.max == 0 ? tr("no holes") : isOne ? tr("one hole") : tr("holes: %1").arg(quantity);
+    case Fact::Components:
+        return isOne ? tr("in one piece") : tr("pieces: %1").arg(quantity);
+    //: %1 as in "at least 60 mm", as in all that follow
+    case Fact::Height:
+        return tr("%1 tall").arg(quantity);
+    case Fact::Width:
+        return tr("%1 wide").arg(quantity);
+    case Fact::Depth:
+        return tr("%1 deep").arg(quantity);
+    case Fact::Widest:
+        return tr("%1 at its widest").arg(quantity);
+    case Fact::Feet:
+        return tr("legs on the ground: %1").arg(quantity);
+    case Fact::BaseArea:
+        return tr("flat base: %1").arg(quantity);
+    case Fact::Grooves:
+        return tr("narrow places all around: %1").arg(quantity);
+    case Fact::Volume:
+        return tr("%1 of clay").arg(quantity);
+    case Fact::Faces:
+        return tr("triangles: %1").arg(quantity);
+    case Fact::PrintReady:
+        break;
+    }
+    return tr("ready to print");
 }
 
-QString LessonMessages::found(const core::FactVerdict& verdict)
+QString LessonMessages::goal(const core::FactVerdict& verdict)
 {
-    return verdict.measured ? figure(verdict.asked.fact, *verdict.measured) : tr("cannot be said of this model");
+    const QString asked = LessonMessages::asked(verdict.asked);
+    if (!verdict.measured)
+        return tr("%1 (cannot be said of this model)").arg(asked);
+    if (verdict.holds && verdict.asked.min == verdict.asked.max)
+        return asked;
+    if (verdict.asked.fact == core::Fact::PrintReady)
+        return tr("%1 (not yet)").arg(asked);
+    return tr("%1 (now %2)").arg(asked, figure(verdict.asked.fact, *verdict.measured));
 }
 
-QString LessonMessages::found(const core::TargetVerdict& verdict)
+QString LessonMessages::tool(core::Tool tool)
 {
-    return tr("%1 mm apart, at most %2 mm").arg(millimetres(verdict.nearDistance), millimetres(verdict.largest));
+    return StrokeStep::textOf(tool);
+}
+
+QString LessonMessages::brush(const core::LessonBrush& brush)
+{
+    const QString its = tool(brush.tool), radius = millimetres(brush.radius);
+    //: a tool and its radius
+    return brush.strength == 1 ? tr("%1 %2 mm").arg(its, radius)
+                               : tr("%1 %2 mm (strength %3)").arg(its, radius, QLocale().toString(brush.strength));
+}
+
+QString LessonMessages::goal(const core::TargetVerdict& verdict)
+{
+    return tr("like the teacher's to %1 mm (now up to %2)")
+        .arg(millimetres(verdict.tolerance), millimetres(verdict.nearDistance));
 }
 } // namespace app

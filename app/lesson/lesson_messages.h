@@ -15,19 +15,21 @@ class LessonMessages
 public:
     /// What is wrong with a lesson: one sentence with file, place and reason.
     static QString sentence(const core::LessonError& error);
-    /// What a checkpoint asks: "height: at least 60 mm".
-    static QString asked(const core::FactBounds& bounds);
-    static QString asked(const core::CheckpointTarget& target);
-    /// What the model has: "77.5 mm".
-    static QString found(const core::FactVerdict& verdict);
-    static QString found(const core::TargetVerdict& verdict);
+    /// What a checkpoint asks and what the model has, in a child's words: "at least 60 mm tall (now 42.5 mm)".
+    static QString goal(const core::FactVerdict& verdict);
+    static QString goal(const core::TargetVerdict& verdict);
+
+    static QString tool(core::Tool tool);
+    /// What a tool comes with: "Pull 42 mm", or "Pull 42 mm, strength 0.7".
+    static QString brush(const core::LessonBrush& brush);
 
 private:
     static QString place(const core::LessonError& error);
     static QString reason(const core::LessonError& error);
     static QString json(const core::LessonError& error);
     static QString files(const core::LessonError& error);
-    static QString name(core::Fact fact);
     static QString figure(core::Fact fact, double value);
+    static QString quantity(const core::FactBounds& bounds);
+    static QString asked(const core::FactBounds& bounds);
 };
 } // namespace app

@@ -23,13 +23,6 @@ QString sentenceOf(const core::LessonError& error)
     return sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.');
 }
 
-/// The lesson's title, as files may be called.
-QString modelName(const core::Lesson& lesson)
-{
-    static const QRegularExpression notInNames(QStringLiteral(R"([\\/:*?"<>|])"));
-    return inOurLanguage(lesson.title).replace(notInNames, QStringLiteral(" ")).simplified();
-}
-
 /// The first steps, stroke by stroke, so that it can be stopped between them.
 void play(core::LessonPlayback& playback, std::size_t steps, const core::JobControl& control)
 {
@@ -49,7 +42,7 @@ void play(core::LessonPlayback& playback, std::size_t steps, const core::JobCont
 LoadedModel LessonModel::load(const core::JobControl& control) const
 {
     LoadedModel loaded;
-    loaded.name = modelName(*lesson);
+    loaded.name = name.isEmpty() ? fileNameOf(*lesson) : name;
     loaded.metadata.work.emplace(); // nobody did anything yet
     try {
         core::LessonPlayback playback(lesson, path);
@@ -81,6 +74,14 @@ std::string lessonStartOf(const core::TriangleMesh& mesh)
 QString inOurLanguage(const core::LessonText& text)
 {
     return QString::fromStdString(text.in(QLocale().name().toStdString()));
+}
+
+QString fileNameOf(const core::Lesson& lesson)
+{
+    static const QRegularExpression notInNames(QStringLiteral(R"([\\/:*?"<>|])"));
+    QString title = inOurLanguage(lesson.title);
+    title.replace(QStringLiteral(": "), QStringLiteral(" – ")).replace(QStringLiteral("："), QStringLiteral("——"));
+    return title.replace(notInNames, QStringLiteral(" ")).simplified();
 }
 
 QString lessonOrItsFolder(const QString& path)

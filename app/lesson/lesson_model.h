@@ -13,6 +13,7 @@ struct LessonModel
     std::shared_ptr<const core::Lesson> lesson;
     std::filesystem::path path; ///< of the lesson, for errors
     std::size_t steps = 0;
+    QString name = {}; ///< of the model; empty: the lesson's
 
     LoadedModel load(const core::JobControl& control) const;
 };
@@ -23,6 +24,8 @@ std::string lessonStartOf(const core::TriangleMesh& mesh);
 inline constexpr char lessonStart[] = "start.glb";
 
 QString inOurLanguage(const core::LessonText& text);
+/// The lesson's title, as files may be called; may be empty.
+QString fileNameOf(const core::Lesson& lesson);
 /// What is chosen by its lesson.json is the folder.
 QString lessonOrItsFolder(const QString& path);
 

@@ -27,9 +27,10 @@ LessonRecorder::LessonRecorder(Document& document) : m_document(&document)
     connect(&document.history().stack(), &QUndoStack::indexChanged, this, &LessonRecorder::onIndexChanged);
 }
 
-void LessonRecorder::begin(core::LessonDraft* draft)
+void LessonRecorder::begin(core::LessonDraft* draft, std::function<std::optional<core::LessonView>()> view)
 {
     m_draft = draft;
+    m_view = std::move(view);
     m_steps.clear();
     m_undone.clear();
 }
@@ -48,7 +49,7 @@ void LessonRecorder::add(const core::FileEntry& entry)
         removeLast();
     m_undone.clear();
     m_steps.push_back(m_draft->steps() - 1);
-    m_draft->addStroke(m_steps.back(), entry);
+    m_draft->addStroke(m_steps.back(), entry, m_view());
     refuseUnfit();
     Q_EMIT recorded();
 }

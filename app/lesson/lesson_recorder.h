@@ -4,6 +4,8 @@
 
 #include <QObject>
 
+#include <functional>
+
 namespace app
 {
 class Document;
@@ -20,8 +22,9 @@ public:
 
     bool isOn() const { return m_draft != nullptr; }
     /// The document has just come, as the draft's steps leave it, of which there is one at least. What is done to the
-    /// draft meanwhile leaves the order of its steps and their strokes as they are; it must live until end().
-    void begin(core::LessonDraft* draft);
+    /// draft meanwhile leaves the order of its steps and their strokes as they are; it must live until end(). `view`:
+    /// from where the teacher looks at the model.
+    void begin(core::LessonDraft* draft, std::function<std::optional<core::LessonView>()> view);
     void end();
 
 Q_SIGNALS:
@@ -46,7 +49,8 @@ private:
 
     Document* m_document;
     core::LessonDraft* m_draft = nullptr; ///< null: off
-    std::vector<std::size_t> m_steps;     ///< of what is on the undo stack and done
-    std::vector<Undone> m_undone;         ///< the next one last
+    std::function<std::optional<core::LessonView>()> m_view;
+    std::vector<std::size_t> m_steps; ///< of what is on the undo stack and done
+    std::vector<Undone> m_undone;     ///< the next one last
 };
 } // namespace app

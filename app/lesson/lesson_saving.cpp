@@ -13,6 +13,10 @@
 #include <QDir>
 #include <QLocale>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace app
 {
 namespace
@@ -29,6 +33,26 @@ std::string pngOf(const QImage& image)
     return bytes.toStdString();
 }
 
+/// Whatever side the view is from, the whole box fits.
+core::ThumbnailView seenFrom(const core::LessonView& from, const core::TriangleMesh& mesh)
+{
+    core::Box box;
+    for (const core::Vec3f& p : mesh.points)
+        box.extend(core::Vec3(p.cast<double>()));
+    constexpr double degree = std::numbers::pi / 180;
+    core::ThumbnailView view = core::viewOf(box, pictureSide, pictureSide);
+    view.axes = (Eigen::AngleAxisd(from.pitch * degree, core::Vec3::UnitX()) *
+                 Eigen::AngleAxisd(-from.yaw * degree, core::Vec3::UnitY()))
+                    .toRotationMatrix();
+    double reach = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const core::Vec3 at = view.axes * (box.corner(static_cast<core::Box::CornerType>(corner)) - view.target);
+        reach = std::max({reach, std::abs(at.x()), std::abs(at.y())});
+    }
+    view.extent = 2 * 1.05 * reach;
+    return view;
+}
+
 /// As if it had been written and opened.
 core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::path& path)
 {
@@ -41,9 +65,11 @@ core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::pa
 }
 } // namespace
 
-QImage lessonPicture(const core::TriangleMesh& mesh)
+QImage lessonPicture(const core::TriangleMesh& mesh, const std::optional<core::LessonView>& from)
 {
-    const core::ModelThumbnail picture = core::drawThumbnail(mesh, pictureSide, {}).value();
+    const core::ModelThumbnail picture =
+        (from ? core::drawThumbnail(mesh, seenFrom(*from, mesh), {}) : core::drawThumbnail(mesh, pictureSide, {}))
+            .value();
     return QImage(picture.rgba.data()->data(), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied)
         .copy();
 }
@@ -74,16 +100,15 @@ QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t in
                        .arg(index + 1)
                        .arg(stroke + 1)
                        .arg(nameOf(step.strokes[stroke]));
-    const auto fault = [&](const QString& asked, const QString& found) {
-        //: a step's number; what it asks for; what the teacher's own model has
-        remarks << tr("Step %1 is not met: %2 (%3).").arg(index + 1).arg(asked, found);
+    const auto fault = [&](const QString& goal) {
+        //: a step's number; what it asks for, and what the teacher's own model has
+        remarks << tr("Step %1 is not met: %2.").arg(index + 1).arg(goal);
     };
     for (const core::FactVerdict& fact : check.verdict.facts)
         if (!fact.holds)
-            fault(LessonMessages::asked(fact.asked), LessonMessages::found(fact));
+            fault(LessonMessages::goal(fact));
     if (check.verdict.target && !check.verdict.target->holds)
-        fault(LessonMessages::asked(core::CheckpointTarget{{}, check.verdict.target->tolerance}),
-              LessonMessages::found(*check.verdict.target));
+        fault(LessonMessages::goal(*check.verdict.target));
     return remarks;
 }
 
@@ -112,7 +137,7 @@ CheckedLesson LessonSaving::check(const core::LessonDraft& draft, const std::fil
         std::vector<std::string> pictures(draft.steps());
         const auto draw = [&](std::size_t step, const core::TriangleMesh& mesh) {
             if (draft.makesPicture(step))
-                pictures[step] = pngOf(lessonPicture(mesh));
+                pictures[step] = pngOf(lessonPicture(mesh, draft.step(step).view));
         };
         const std::vector<core::StepCheck> checks = core::checkLesson(playback, draw, control.part(0, afterPlaying));
         if (control.isCancelled())

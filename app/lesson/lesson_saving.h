@@ -18,8 +18,8 @@ struct StepCheck;
 
 namespace app
 {
-/// As the pictures of steps are drawn.
-QImage lessonPicture(const core::TriangleMesh& mesh);
+/// As the pictures of steps are drawn: from the step's view, if it has one.
+QImage lessonPicture(const core::TriangleMesh& mesh, const std::optional<core::LessonView>& from);
 
 /// A lesson that was played to its end.
 struct CheckedLesson

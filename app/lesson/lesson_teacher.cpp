@@ -17,13 +17,15 @@ namespace
 {
 constexpr int tickMs = 16;
 constexpr quint64 maxSamplesBehind = 3; ///< samples that the mesh thread may be behind, so that none is ever dropped
-constexpr double maxTick = 0.1;         ///< s; a window that was held up does not catch up
+constexpr int advancesPerTick = 20;
+constexpr double maxTick = 0.1; ///< s; a window that was held up does not catch up
 } // namespace
 
 LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
     : m_window(&window)
     , m_panel(window.findChild<ui::LessonPanel*>())
     , m_document(&document)
+    , m_camera(window.viewport())
 {
     using ui::LessonPanel;
     m_timer.setInterval(tickMs);
@@ -33,6 +35,7 @@ LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
     connect(m_panel, &LessonPanel::singleStrokeRequested, this, &LessonTeacher::playOne);
     connect(m_panel, &LessonPanel::tryRequested, this, &LessonTeacher::tryIt);
     connect(m_panel, &LessonPanel::speedChosen, this, &LessonTeacher::setSpeed);
+    connect(&document.history().stack(), &QUndoStack::indexChanged, this, &LessonTeacher::onIndexChanged);
     connect(window.viewport()->input(), &ui::PointerInput::strokeBegan, this, &LessonTeacher::interrupt);
     connect(&document.worker().strokes(), &StrokeGate::refused, this, [this] {
         if (m_timer.isActive()) // two strokes at once: whichever was refused, it is the pupil's turn
@@ -50,15 +53,26 @@ void LessonTeacher::setLesson(std::shared_ptr<const core::Lesson> lesson)
     m_player->setSpeed(m_speed);
 }
 
-bool LessonTeacher::hasChanges() const
+LessonTeacher::Hand LessonTeacher::changedBy() const
 {
-    return m_document->history().stack().index() > m_starts.back();
+    if (m_hasShown)
+        return Hand::Teachers;
+    return m_document->history().stack().index() > m_starts.back() ? Hand::Pupils : Hand::Nobodys;
+}
+
+/// Undone to its start, the step has nothing of the teacher's any more.
+void LessonTeacher::onIndexChanged(int index)
+{
+    if (hasLesson() && !m_starts.empty() && !m_timer.isActive() && index <= m_starts.back())
+        m_hasShown = m_isTaught = false;
 }
 
 void LessonTeacher::enter(std::size_t step)
 {
     m_player->setStep(step);
     m_starts.push_back(m_document->history().stack().index());
+    m_hasShown = false;
+    m_camera.show(this->step());
 }
 
 void LessonTeacher::goBack(std::size_t step)
@@ -66,6 +80,8 @@ void LessonTeacher::goBack(std::size_t step)
     m_starts.resize(step + 1);
     m_document->history().goTo(m_starts.back());
     m_player->setStep(step);
+    m_hasShown = false;
+    m_camera.show(this->step());
 }
 
 void LessonTeacher::setSpeed(double speed)
@@ -81,7 +97,9 @@ void LessonTeacher::startStep()
     if (m_isTaught)
         return;
     tryIt();
-    m_isTaught = true;
+    m_isTaught = m_hasShown = true;
+    m_camera.rest();
+    m_camera.show(step());
 }
 
 void LessonTeacher::play(bool on)
@@ -111,6 +129,7 @@ void LessonTeacher::tryIt()
     interrupt();
     m_document->history().goTo(m_starts.back());
     m_player->setStep(m_player->stepIndex());
+    m_hasShown = false;
     m_panel->setProgress(0);
 }
 
@@ -118,6 +137,9 @@ void LessonTeacher::interrupt()
 {
     endStroke();
     m_timer.stop();
+    m_timer.setInterval(tickMs);
+    m_afterHurry = nullptr;
+    m_entered.reset();
     m_isTaught = false;
     if (!m_player)
         return;
@@ -138,8 +160,73 @@ bool LessonTeacher::isBehind() const
     return m_isStrokeOpen && m_posted > m_document->worker().stats().samples - m_consumedBefore + maxSamplesBehind;
 }
 
+void LessonTeacher::finish(std::function<void()> done)
+{
+    if (m_afterHurry)
+        m_afterHurry = [first = std::move(m_afterHurry), then = std::move(done)] {
+            first();
+            then();
+        };
+    else if (m_isTaught && !m_player->isAtEnd())
+        hurry(std::move(done));
+    else
+        done();
+}
+
+/// What the pupil did stays below it, to go back to.
+void LessonTeacher::startFromOwn(std::function<void()> done)
+{
+    const std::size_t step = m_player->stepIndex();
+    interrupt();
+    m_document->changer().apply(core::Reset{});
+    m_player->setStep(0);
+    m_entered = step;
+    hurry(std::move(done));
+}
+
+void LessonTeacher::hurry(std::function<void()> done)
+{
+    m_afterHurry = std::move(done);
+    m_player->play();
+    m_timer.setInterval(0);
+    m_timer.start();
+}
+
+/// As fast as the mesh thread takes it: a few samples at a time.
+void LessonTeacher::tickInHurry()
+{
+    const auto isHeld = [this] {
+        return m_document->job().isBusy() || isBehind() || (!m_isStrokeOpen && !m_document->queue().isSettled());
+    };
+    for (int i = 0; i < advancesPerTick && !isHeld(); ++i) {
+        if (m_player->stepIndex() == m_entered || !m_player->isPlaying())
+            return goOnInHurry();
+        for (const core::LessonCue& cue : m_player->advance(core::LessonPlayer::samplePause / m_player->speed()))
+            run(cue);
+    }
+}
+
+/// To the next step that is to be done, or to whoever waits for it.
+void LessonTeacher::goOnInHurry()
+{
+    if (m_entered && m_player->stepIndex() != m_entered) {
+        m_player->setStep(m_player->stepIndex() + 1);
+        return m_player->play();
+    }
+    if (m_entered) {
+        m_starts.back() = m_document->history().stack().index();
+        m_hasShown = false;
+        m_camera.show(step());
+    }
+    const std::function<void()> done = std::move(m_afterHurry);
+    interrupt();
+    done();
+}
+
 void LessonTeacher::tick()
 {
+    if (m_afterHurry)
+        return tickInHurry();
     const double seconds = std::min(static_cast<double>(m_sinceTick.restart()) / 1000, maxTick);
     if (m_document->job().isBusy() || isBehind() || (!m_isStrokeOpen && !m_document->queue().isSettled()))
         return;
@@ -176,23 +263,27 @@ void LessonTeacher::placeGhost()
 {
     const std::optional<core::GhostBrush> ghost = m_player->ghost();
     if (!ghost || !ghost->direction)
-        return showGhost(ghost ? std::optional(core::Sphere{ghost->position, ghost->radius}) : std::nullopt);
+        return showGhost(ghost, ghost ? ghost->position : core::Vec3::Zero());
     if (std::exchange(m_isGhostAsked, true))
         return;
     m_document->worker().post([this, ghost](core::Sculptor& sculptor) {
         const auto hit = sculptor.hit({ghost->position, *ghost->direction});
-        const auto answer = [this, hit, radius = ghost->radius] {
+        const auto answer = [this, hit, ghost] {
             m_isGhostAsked = false;
             if (m_timer.isActive())
-                showGhost(hit ? std::optional(core::Sphere{hit->position, radius}) : std::nullopt);
+                hit ? showGhost(ghost, hit->position) : showGhost({});
         };
         QMetaObject::invokeMethod(this, answer, Qt::QueuedConnection);
     });
 }
 
-void LessonTeacher::showGhost(const std::optional<core::Sphere>& ghost)
+void LessonTeacher::showGhost(const std::optional<core::GhostBrush>& ghost, const core::Vec3& at)
 {
-    if (m_window)
-        m_window->viewport()->showTeacher(ghost);
+    if (!m_window)
+        return;
+    const auto shown = ghost ? std::optional(core::Sphere{at, ghost->radius}) : std::nullopt;
+    m_window->viewport()->showTeacher(shown);
+    if (shown)
+        m_camera.follow(*ghost, *shown);
 }
 } // namespace app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/lesson/lesson_camera.h"
+
 #include "core/lesson/lesson_player.h"
 
 #include <QElapsedTimer>
@@ -7,6 +9,7 @@
 #include <QPointer>
 #include <QTimer>
 
+#include <functional>
 #include <optional>
 
 namespace ui
@@ -34,8 +37,14 @@ public:
     bool hasLesson() const { return m_player.has_value(); }
     const core::LessonStep& step() const { return m_player->step(); }
     std::size_t stepIndex() const { return m_player->stepIndex(); }
-    /// Something was done since the step was entered.
-    bool hasChanges() const;
+    enum class Hand { Nobodys, Pupils, Teachers };
+    /// Who has changed the model since the step was entered: the teacher, if there is a stroke of the teacher's in it.
+    Hand changedBy() const;
+    /// Does at once what is left of a step that the teacher is in the middle of, then calls `done`; not if a hand goes
+    /// between.
+    void finish(std::function<void()> done);
+    /// Begins the step anew from the model that the teacher has there, as steps to undo; then calls `done`.
+    void startFromOwn(std::function<void()> done);
     /// Enters the step with the model as it is.
     void enter(std::size_t step);
     /// Goes back to an earlier step and to the model as it was when that one was entered.
@@ -52,21 +61,29 @@ public Q_SLOTS:
 
 private:
     void startStep();
+    void hurry(std::function<void()> done);
+    void tickInHurry();
+    void goOnInHurry();
+    void onIndexChanged(int index);
     void setPlaying(bool isPlaying);
     void endStroke();
     void tick();
     void run(const core::LessonCue& cue);
     bool isBehind() const;
     void placeGhost();
-    void showGhost(const std::optional<core::Sphere>& ghost);
+    void showGhost(const std::optional<core::GhostBrush>& ghost, const core::Vec3& at = core::Vec3::Zero());
 
     QPointer<ui::MainWindow> m_window;
     QPointer<ui::LessonPanel> m_panel;
     Document* m_document;
     std::optional<core::LessonPlayer> m_player; ///< while a lesson is open
     std::vector<int> m_starts;                  ///< index of the undo stack where each step up to this one was entered
+    LessonCamera m_camera;
     double m_speed = 1;
     bool m_isTaught = false;                    ///< the teacher is in the middle of the step
+    bool m_hasShown = false;                    ///< the model has strokes of the teacher's since the step was entered
+    std::function<void()> m_afterHurry;         ///< null: the teacher does not hurry
+    std::optional<std::size_t> m_entered;       ///< the step to begin with what the teacher does in a hurry
     bool m_isStrokeOpen = false;                ///< the teacher's
     quint64 m_posted = 0, m_consumedBefore = 0; ///< the stroke's samples
     bool m_isGhostAsked = false;

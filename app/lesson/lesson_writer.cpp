@@ -1,6 +1,7 @@
 #include "app/lesson/lesson_writer.h"
 
 #include "app/document/document.h"
+#include "app/lesson/lesson_model.h"
 #include "app/lesson/lesson_recorder.h"
 #include "app/lesson/lesson_saving.h"
 #include "app/model/model_loader.h"
@@ -38,18 +39,19 @@ void LessonWriter::save(const QString& before)
     const QString missing = LessonSaving::missing(*m_draft);
     if (!missing.isEmpty())
         return m_window->showProblem(missing);
-    const QString title = QFileInfo(before).completeBaseName();
-    ui::askForLessonTarget(m_window, title.isEmpty() ? tr("lesson") : title, [this](const QString& path) {
-        m_document->queue().enqueue([this, path] {
-            if (!m_recorder->isOn())
-                return check(path, *m_draft, {});
-            m_document->worker().post([this, path, draft = *m_draft](core::Sculptor& sculptor) {
-                const std::uint64_t hash = sculptor.mesh().meshHash();
-                QMetaObject::invokeMethod(
-                    this, [this, path, draft, hash] { check(path, draft, hash); }, Qt::QueuedConnection);
+    const QString former = QFileInfo(before).completeBaseName();
+    ui::askForLessonTarget(
+        m_window, former.isEmpty() ? fileNameOf(m_draft->lesson()) : former, [this](const QString& path) {
+            m_document->queue().enqueue([this, path] {
+                if (!m_recorder->isOn())
+                    return check(path, *m_draft, {});
+                m_document->worker().post([this, path, draft = *m_draft](core::Sculptor& sculptor) {
+                    const std::uint64_t hash = sculptor.mesh().meshHash();
+                    QMetaObject::invokeMethod(
+                        this, [this, path, draft, hash] { check(path, draft, hash); }, Qt::QueuedConnection);
+                });
             });
         });
-    });
 }
 
 void LessonWriter::check(const QString& path, const core::LessonDraft& draft, const std::optional<std::uint64_t>& hash)

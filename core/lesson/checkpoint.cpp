@@ -3,6 +3,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/analysis/surface_distance.h"
 #include "core/geometry/face_geometry.h"
+#include "core/lesson/model_facts.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,7 +13,7 @@ namespace core
 {
 namespace
 {
-std::optional<double> measured(Fact fact, const MeshReport& report)
+std::optional<double> measured(Fact fact, const TriangleMesh& model, const MeshReport& report)
 {
     switch (fact) {
     case Fact::Genus:
@@ -25,6 +26,14 @@ std::optional<double> measured(Fact fact, const MeshReport& report)
         return report.size.x();
     case Fact::Depth:
         return report.size.z();
+    case Fact::Widest:
+        return widestOf(model);
+    case Fact::Feet:
+        return static_cast<double>(feetOf(model));
+    case Fact::BaseArea:
+        return baseAreaOf(model, report);
+    case Fact::Grooves:
+        return static_cast<double>(groovesOf(model));
     case Fact::Volume:
         return report.volume;
     case Fact::Faces:
@@ -93,7 +102,7 @@ CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& mod
     if (!checkpoint.facts.empty()) {
         const MeshReport report = checkMesh(model, control.part(0, afterFacts));
         for (const FactBounds& asked : checkpoint.facts) {
-            const std::optional<double> value = measured(asked.fact, report);
+            const std::optional<double> value = measured(asked.fact, model, report);
             verdict.facts.push_back({asked, value, value && *value >= asked.min && *value <= asked.max});
         }
     }

@@ -11,8 +11,9 @@
 
 namespace core
 {
-/// What a checkpoint may ask of a model besides its shape. Height is along y, width along x, depth along z.
-enum class Fact { Genus, Components, Height, Width, Depth, Volume, Faces, PrintReady };
+/// What a checkpoint may ask of a model besides its shape. Height is along y, width along x, depth along z; the four
+/// from Widest on are those of model_facts.h.
+enum class Fact { Genus, Components, Height, Width, Depth, Widest, Feet, BaseArea, Grooves, Volume, Faces, PrintReady };
 
 struct FactInfo
 {
@@ -22,7 +23,8 @@ struct FactInfo
 };
 inline constexpr FactInfo factTable[] = {
     {"genus", 1e4, true},     {"components", 1e4, true},   {"height_mm", 1e6, false}, {"width_mm", 1e6, false},
-    {"depth_mm", 1e6, false}, {"volume_mm3", 1e18, false}, {"faces", 1e9, true},      {"print_ready", 1, true},
+    {"depth_mm", 1e6, false}, {"widest_mm", 1e6, false},   {"feet", 1e4, true},       {"base_mm2", 1e12, false},
+    {"grooves", 1e4, true},   {"volume_mm3", 1e18, false}, {"faces", 1e9, true},      {"print_ready", 1, true},
 };
 constexpr const FactInfo& info(Fact fact)
 {

@@ -5,6 +5,7 @@
 #include "core/operations/starter_models.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,17 +23,38 @@ struct LessonText
     const std::string& in(std::string_view language) const;
 };
 
+/// From where a step is looked at, degrees. 0, 0: from the front, level; yaw above 0 from the right, pitch from above.
+struct LessonView
+{
+    double yaw = 0;   ///< -180 to 180
+    double pitch = 0; ///< -90 to 90
+
+    friend bool operator==(const LessonView&, const LessonView&) = default;
+};
+
+/// A tool, and the brush that the teacher takes it up with.
+struct LessonBrush
+{
+    Tool tool = Tool::Pull;
+    double radius = 0; ///< mm
+    double strength = 1;
+};
+
 /// What is explained, shown, tried and checked at once.
 struct LessonStep
 {
     LessonText title, text;
     std::string picture;     ///< one of Lesson::files; empty: none
     std::vector<Tool> tools; ///< that the pupil may use; empty: all
+    std::optional<LessonView> view;
     std::string strokesFile; ///< that holds the strokes; empty: there are none
     /// The teacher's. They need no files: alphas are built in, stamps balls, nothing is inserted.
     std::vector<FileEntry> strokes;
     Checkpoint checkpoint;
 };
+
+/// The tools of the step's strokes, each with its first brush, in order.
+std::vector<LessonBrush> brushesOf(const LessonStep& step);
 
 /// A lesson: a model to begin with, and steps from there. What teachers write, and pupils play: see lesson_file.h.
 struct Lesson

@@ -128,9 +128,12 @@ void LessonDraft::setTolerance(std::size_t step, double tolerance)
         target = CheckpointTarget{{}, tolerance};
 }
 
-void LessonDraft::addStroke(std::size_t step, FileEntry entry)
+void LessonDraft::addStroke(std::size_t step, FileEntry entry, const std::optional<LessonView>& view)
 {
-    change(step).strokes.push_back(std::move(entry));
+    LessonStep& changed = change(step);
+    if (changed.strokes.empty() && view)
+        changed.view = view;
+    changed.strokes.push_back(std::move(entry));
 }
 
 FileEntry LessonDraft::takeLastStroke(std::size_t step)

@@ -39,7 +39,8 @@ public:
     /// mm; 0: no shape is asked for. The file of the shape stays, if there is one.
     void setTolerance(std::size_t step, double tolerance);
 
-    void addStroke(std::size_t step, FileEntry entry);
+    /// The view of its first stroke is the step's.
+    void addStroke(std::size_t step, FileEntry entry, const std::optional<LessonView>& view = {});
     /// The step has one.
     FileEntry takeLastStroke(std::size_t step);
     void cutStroke(std::size_t step, std::size_t stroke);

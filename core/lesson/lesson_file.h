@@ -17,15 +17,16 @@ namespace core
 ///      "start":"ball",
 ///      "steps":[
 ///        {"title":{"en":"Pull"},"text":{"en":"..."},"picture":"pull.png","tools":["pull","smooth"],
-///         "strokes":"pull.json",
+///         "view":{"yaw_deg":30,"pitch_deg":20},"strokes":"pull.json",
 ///         "checkpoint":{"genus":1,"height_mm":{"least":60},"print_ready":true,"target":{"tolerance_mm":4}}}]}
 ///
 /// Required: format, version, title, start, steps, and in a step title and text. Texts are words by language; where a
 /// language is missing see LessonText. "start": the name of a starter (starter_models.h), or {"file":"start.stl"}.
-/// "picture": PNG or JPEG. "strokes": a stroke file (stroke_file.h) that needs no other file. "tools": by their names
-/// in stroke files. "checkpoint": facts by the keys of factTable, a number, or least and most, or either of them;
-/// "print_ready" is true; "target": {"file":"target.stl","tolerance_mm":2}, and without a file what the step's strokes
-/// leave. Files are named by their way from lesson.json, with "/", and do not leave its folder.
+/// "picture": PNG or JPEG. "view": LessonView, from where the step is looked at. "strokes": a stroke file
+/// (stroke_file.h) that needs no other file. "tools": by their names in stroke files. "checkpoint": facts by the keys
+/// of factTable, a number, or least and most, or either of them; "print_ready" is true; "target":
+/// {"file":"target.stl","tolerance_mm":2}, and without a file what the step's strokes leave. Files are named by their
+/// way from lesson.json, with "/", and do not leave its folder.
 struct LessonError : std::runtime_error
 {
     enum class Kind {

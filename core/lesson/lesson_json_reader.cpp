@@ -193,7 +193,7 @@ std::variant<Starter, std::string> LessonJsonReader::start(const Json& value)
 
 LessonStep LessonJsonReader::step(const Json& object)
 {
-    knowsOnly(object, "steps", {"title", "text", "picture", "tools", "strokes", "checkpoint"});
+    knowsOnly(object, "steps", {"title", "text", "picture", "tools", "view", "strokes", "checkpoint"});
     LessonStep step;
     step.title = text(required(object, "title"), "title");
     step.text = text(required(object, "text"), "text");
@@ -201,6 +201,12 @@ LessonStep LessonJsonReader::step(const Json& object)
         step.picture = picture(object["picture"]);
     if (object.contains("tools"))
         step.tools = tools(object["tools"]);
+    if (object.contains("view")) {
+        const Json& view = object["view"];
+        knowsOnly(view, "view", {"yaw_deg", "pitch_deg"});
+        step.view = LessonView{number(required(view, "yaw_deg"), "yaw_deg", -180, 180),
+                               number(required(view, "pitch_deg"), "pitch_deg", -90, 90)};
+    }
     if (object.contains("strokes")) {
         step.strokesFile = word(object["strokes"], "strokes");
         step.strokes = strokes(step.strokesFile);

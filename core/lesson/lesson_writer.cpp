@@ -63,6 +63,8 @@ Json jsonOf(const LessonStep& step)
         json["picture"] = step.picture;
     for (const Tool tool : step.tools)
         json["tools"].push_back(name(tool));
+    if (step.view)
+        json["view"] = {{"yaw_deg", step.view->yaw}, {"pitch_deg", step.view->pitch}};
     if (!step.strokesFile.empty())
         json["strokes"] = step.strokesFile;
     if (!step.checkpoint.asksNothing())

@@ -88,13 +88,13 @@ def first_clay():
     hand = Hand()
     hand.hold("pull", 42, [[0, 50, 0], [0, 78, 0]], 9)
     yield "pull", hand.take()
-    hand.hold("push", 20, [[0, 84, 0]], 6)
-    hand.hold("push", 34, [[0, -50, 0]], 5)
+    hand.hold("push", 22, [[0, 84, 0]], 11)
     yield "push", hand.take()
     for longitude in range(0, 360, 60):
         hand.drag("smooth", 26, [on_ball(48, longitude, -60), on_ball(50, longitude, 0), [20 * math.sin(math.radians(longitude)), 60, 20 * math.cos(math.radians(longitude))]])
     yield "smooth", hand.take()
     hand.drag("snake", 7, [[0, 72, 0], [0, 80, 0], [3, 92, 0], [7, 100, 0]], spacing=0.1)
+    hand.command("flatten_base", height=4)
     yield "stalk", hand.take()
 
 
@@ -108,10 +108,10 @@ def mug():
     hand.rest_above("push", 28, 13, strength=1.4, detail=0.5)
     hand.turned_above("smooth", 14, 30)
     yield "hollow", hand.take()
-    hand.turned("push", 7, 46, step=4, strength=0.5)
-    hand.turned("push", 7, 57, step=4, strength=0.5)
+    hand.turned("push", 6, 32, step=4, strength=1.2)
+    hand.turned("push", 6, 47, step=4, strength=1.2)
     yield "grooves", hand.take()
-    hand.drag("snake", 15, [[42, 66, 0], [50, 69, 0], *arc([47, 43], 26, 75, -80, 24), [44, 17, 0], [34, 17, 0]], spacing=0.06, place="point")
+    hand.drag("snake", 12, [[42, 66, 0], [50, 69, 0], *arc([47, 43], 26, 75, -80, 24), [44, 17, 0], [34, 17, 0]], spacing=0.06, place="point")
     yield "handle", hand.take()
     for height in (66, 18):
         hand.drag("smooth", 13, [[40, height, 12], [46, height, 10], [50, height, 0], [46, height, -10], [40, height, -12]], spacing=0.15)
@@ -120,8 +120,8 @@ def mug():
 
 def creature():
     hand = Hand(symmetry="x")
-    hand.hold("pull", 24, [on_ball(50, 35, -48), on_ball(66, 35, -48)], 8)
-    hand.hold("pull", 24, [on_ball(50, 145, -48), on_ball(66, 145, -48)], 8)
+    hand.hold("pull", 17, [on_ball(50, 35, -48), on_ball(82, 35, -54)], 17)
+    hand.hold("pull", 17, [on_ball(50, 145, -48), on_ball(82, 145, -54)], 17)
     yield "legs", hand.take()
     hand.drag("snake", 18, [on_ball(50, 55, 48), on_ball(60, 55, 52), on_ball(72, 52, 58), on_ball(84, 44, 62)], spacing=0.06)
     hand.drag("snake", 14, [on_ball(50, 180, -8), on_ball(62, 180, -4), on_ball(74, 180, 6), on_ball(82, 180, 18)], spacing=0.06)

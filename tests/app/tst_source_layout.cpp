@@ -108,8 +108,8 @@ const FolderRule folderRules[] = {
                       "app/document"},
     {"app/lesson",
      "core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
-     "core/journal core/lesson ui/util ui/widgets ui/viewport ui/lesson ui/help ui/window app/model app/worker "
-     "app/document app/analysis"},
+     "core/journal core/lesson ui/util ui/settings ui/widgets ui/viewport ui/lesson ui/help ui/window app/model "
+     "app/worker app/document app/analysis"},
     {"app/commands", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
                      "core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
                      "app/document app/classroom app/lesson"},

@@ -255,7 +255,8 @@ void ModelFiles::exportFor(const ModelInfo& model)
 
 bool ModelFiles::askToDiscard(const std::function<void()>& proceed)
 {
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("%1 has changes that were not saved.").arg(m_name),
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                    tr("The model %1 has changes that were not saved.").arg(m_name),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     box.setObjectName(QStringLiteral("discardQuestion"));
     box.setDefaultButton(QMessageBox::Save);

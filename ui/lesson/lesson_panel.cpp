@@ -25,11 +25,15 @@ constexpr double speeds[] = {0.25, 0.5, 1, 2, 4};
 constexpr int defaultSpeed = 2;                                    ///< its place
 constexpr int pictureSide = 80, cardSide = 72, progressHeight = 8; ///< pixels
 
+/// Other words do not make the panel wider: the model stays where it is.
 QLabel* label(const char* name)
 {
     auto* label = named(new QLabel, name);
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
+    QSizePolicy policy = label->sizePolicy();
+    policy.setHorizontalPolicy(QSizePolicy::Ignored);
+    label->setSizePolicy(policy);
     return label;
 }
 
@@ -97,6 +101,7 @@ void LessonPanel::addHead(QVBoxLayout* page)
     m_text = label("lessonText");
     enlarge(m_title, 1.2);
     m_picture->setFixedWidth(pictureSide);
+    m_picture->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     m_picture->setAlignment(Qt::AlignTop);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* words = new QVBoxLayout;
@@ -107,7 +112,9 @@ void LessonPanel::addHead(QVBoxLayout* page)
     row->addWidget(m_picture);
     row->addLayout(words, 1);
     page->addLayout(row);
+    m_brush = label("lessonBrush");
     page->addWidget(m_text);
+    page->addWidget(m_brush);
     page->addStretch();
 }
 
@@ -159,6 +166,10 @@ void LessonPanel::addNavigation(QVBoxLayout* page)
     for (QPushButton* each : {m_back, m_next, leave})
         row->addWidget(each);
     page->addLayout(row);
+    m_teachers = named(new QPushButton(tr("Start from the Teacher's Model")), "lessonTeachers",
+                       tr("Begins this step with the teacher's model. Undo brings yours back."));
+    page->addWidget(m_teachers);
+    connect(m_teachers, &QPushButton::clicked, this, &LessonPanel::teachersModelRequested);
     connect(m_back, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step - 1); });
     connect(m_next, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step + 1); });
     connect(leave, &QPushButton::clicked, this, &LessonPanel::closed);
@@ -185,6 +196,9 @@ void LessonPanel::showPage(const LessonPage& page)
     m_picture->setPixmap(pixmapOf(page.picture, pictureSide));
     m_picture->setVisible(!page.picture.isNull());
     m_text->setText(page.text);
+    m_brush->setText(tr("Brush: %1", "tools and sizes").arg(page.brush));
+    m_brush->setVisible(!page.brush.isEmpty());
+    m_teachers->setEnabled(page.step > 0);
     m_play->setEnabled(page.isShown);
     m_one->setEnabled(page.isShown);
     m_difference->setVisible(page.isCompared);

@@ -36,6 +36,7 @@ struct LessonPage
     int steps = 1;
     bool isShown = false;    ///< the teacher has strokes for it
     bool isCompared = false; ///< with a shape: there is a difference to be seen
+    QString brush;           ///< tools and their sizes; may be empty
 };
 
 /// One thing that the step's checkpoint asks for.
@@ -88,6 +89,8 @@ Q_SIGNALS:
     void singleStrokeRequested(); ///< the teacher's next stroke alone
     void speedChosen(double speed);
     void tryRequested();
+    /// The step is to begin with the model that the teacher has there.
+    void teachersModelRequested();
     void differenceRequested(bool on);
     void closed();
 
@@ -99,9 +102,11 @@ private:
 
     QStackedWidget* m_stack = nullptr;
     QVBoxLayout* m_cards = nullptr;
-    QLabel *m_lesson = nullptr, *m_title = nullptr, *m_picture = nullptr, *m_text = nullptr, *m_marks = nullptr;
+    QLabel *m_lesson = nullptr, *m_title = nullptr, *m_picture = nullptr, *m_text = nullptr, *m_brush = nullptr,
+           *m_marks = nullptr;
     QProgressBar* m_progress = nullptr;
-    QPushButton *m_play = nullptr, *m_one = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr;
+    QPushButton *m_play = nullptr, *m_one = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr,
+                *m_teachers = nullptr;
     QComboBox* m_speed = nullptr;
     QCheckBox* m_difference = nullptr;
     std::optional<LessonPanelState> m_shown;

@@ -15,7 +15,6 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStyle>
 
 #include <algorithm>
 
@@ -32,14 +31,6 @@ QLabel* sentence(const QString& text)
     auto* label = new QLabel(text);
     label->setWordWrap(true);
     return label;
-}
-
-/// Nothing of it is cut off at its right.
-QScrollArea* scrolledWithAllItsWidth(QWidget* page)
-{
-    QScrollArea* area = scrollablePanel(page);
-    area->setMinimumWidth(page->minimumSizeHint().width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-    return area;
 }
 
 QDoubleSpinBox* spin(double min, double max, int decimals)
@@ -116,7 +107,7 @@ void LessonStepEditor::addTools(const Actions& actions)
     }
     rows->addLayout(grid);
     rows->addStretch();
-    addTab(scrolledWithAllItsWidth(page), tr("Tools"));
+    addTab(page, tr("Tools"));
 }
 
 void LessonStepEditor::addFact(QGridLayout* grid, core::Fact fact, const QString& words)
@@ -153,6 +144,10 @@ void LessonStepEditor::addCheckpoint()
     addFact(grid, Fact::Height, tr("Height, mm"));
     addFact(grid, Fact::Width, tr("Width, mm"));
     addFact(grid, Fact::Depth, tr("Depth, mm"));
+    addFact(grid, Fact::Widest, tr("At its widest, mm"));
+    addFact(grid, Fact::Feet, tr("Legs on the ground"));
+    addFact(grid, Fact::BaseArea, tr("Flat base, mm²"));
+    addFact(grid, Fact::Grooves, tr("Narrow places all around"));
     addFact(grid, Fact::Volume, tr("Volume, mm³"));
     addFact(grid, Fact::Faces, tr("Triangles"));
     m_tolerance = spin(0, maxTolerance, 1);
@@ -180,7 +175,7 @@ void LessonStepEditor::addCheckpoint()
             m_draft->setTolerance(m_step, millimetres);
     });
     connect(factsButton, &QPushButton::clicked, this, &LessonStepEditor::factsRequested);
-    addTab(scrolledWithAllItsWidth(page), tr("Goal"));
+    addTab(page, tr("Goal"));
 }
 
 void LessonStepEditor::storeText()

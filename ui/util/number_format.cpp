@@ -24,7 +24,7 @@ QString number(std::uint64_t n)
 QString millimetres(double value)
 {
     const double size = std::max(std::abs(value), 1e-6);
-    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6);
+    const int decimals = value == 0 ? 1 : std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6);
     return QLocale().toString(value, 'f', decimals);
 }
 

@@ -44,6 +44,7 @@ ViewNavigation::ViewNavigation(OrbitCamera* camera, PointerInput* input, QObject
 void ViewNavigation::showModel(const core::Box& box)
 {
     m_box = box;
+    stop();
     clearMark();
     m_camera->setPivot({});
     m_camera->turnToFirst();
@@ -109,9 +110,27 @@ void ViewNavigation::flyTo(const core::Vec3& point, const core::Vec3& normal, do
     const double size = m_box.isEmpty() ? extent : m_box.sizes().maxCoeff();
     const double shown = std::clamp(extent, minPlaceShare * size, size);
     m_mark = Mark{point, normal, 0.5 * shown};
+    fly(m_camera->facing(point, normal, shown));
+}
+
+void ViewNavigation::flyTo(const core::Box& box, double yaw, double pitch)
+{
+    setFollowing(false);
+    stop();
+    OrbitCamera there = *m_camera;
+    OrbitCamera::Pose pose = there.pose();
+    pose.yaw = yaw;
+    pose.pitch = pitch;
+    there.setPose(pose);
+    there.frame(box);
+    fly(there.pose());
+}
+
+void ViewNavigation::fly(const OrbitCamera::Pose& to)
+{
     m_camera->setPivot({});
     m_from = m_camera->pose();
-    m_to = m_camera->facing(point, normal, shown);
+    m_to = to;
     if (!m_reducesMotion)
         return m_flight.start();
     m_camera->setPose(m_to);
@@ -120,7 +139,8 @@ void ViewNavigation::flyTo(const core::Vec3& point, const core::Vec3& normal, do
 
 void ViewNavigation::clearMark()
 {
-    stop();
+    if (m_mark)
+        stop();
     m_mark.reset();
     Q_EMIT markChanged();
 }

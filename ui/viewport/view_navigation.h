@@ -50,6 +50,9 @@ public:
 
     /// Flies to a place of the surface that is `extent` mm large, and marks it.
     void flyTo(const core::Vec3& point, const core::Vec3& normal, double extent);
+    /// Flies to where the whole box is seen from there; radians as of OrbitCamera::Pose.
+    void flyTo(const core::Box& box, double yaw, double pitch);
+    /// A flight to it ends where it is.
     void clearMark();
     const std::optional<Mark>& mark() const { return m_mark; }
     /// Ends a flight where it is.
@@ -73,6 +76,7 @@ Q_SIGNALS:
 
 private:
     void follow();
+    void fly(const OrbitCamera::Pose& to);
 
     OrbitCamera* m_camera;
     PointerInput* m_input;

@@ -83,7 +83,7 @@ private Q_SLOTS:
             lesson({QStringLiteral("first-clay"), QStringLiteral("--pack"), zip, QStringLiteral("--out"), model,
                     QStringLiteral("--pictures"), folder.path()});
         QVERIFY2(answer.status == 0 && answer.err.isEmpty(), qPrintable(answer.err));
-        QCOMPARE(answer.out.count(QStringLiteral("\n   yes ")), 10);
+        QCOMPARE(answer.out.count(QStringLiteral("\n   yes ")), 17);
         QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 0);
         QCOMPARE(lesson({zip}).out, answer.out);
         QCOMPARE(lesson({lessonsFolder + QStringLiteral("first-clay")}).out, answer.out);
@@ -98,12 +98,25 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const QString zip = folder.filePath(QStringLiteral("clay.zip"));
-        const QString bad = changed(folder, "\"least\": 115", "\"least\": 215");
+        const QString bad = changed(folder, "\"least\": 125", "\"least\": 215");
         const LessonAnswer answer = lesson({bad, QStringLiteral("--pack"), zip});
         QCOMPARE(answer.status, 1);
         QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 1);
-        QVERIFY(answer.out.contains(QStringLiteral("height: at least 215.0 mm (137.5 mm)")));
+        QVERIFY(answer.out.contains(QStringLiteral("at least 215 mm tall (now 137.5 mm)")));
         QVERIFY(!QFile::exists(zip));
+    }
+
+    void stepWithoutGoal_isToldSo()
+    {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("lesson.json")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"format":"fettle-lesson","version":1,"title":{"en":"A"},"start":"ball",
+                       "steps":[{"title":{"en":"B"},"text":{"en":"C"}}]})");
+        file.close();
+        const LessonAnswer answer = lesson({folder.path()});
+        QCOMPARE(answer.status, 0);
+        QVERIFY2(answer.out.endsWith(QStringLiteral("\n   no goal\n")), qPrintable(answer.out));
     }
 
     void pupilsModel_isChecked()
@@ -119,9 +132,9 @@ private Q_SLOTS:
         };
         QCOMPARE(checked(pear, "4").status, 0);
         QCOMPARE(checked(ball, "4").status, 1);
-        const LessonAnswer shape = checked(ball, "3");
-        QCOMPARE(shape.status, 1);
-        QVERIFY(shape.out.contains(QStringLiteral("mm apart")));
+        const LessonAnswer height = checked(ball, "3");
+        QCOMPARE(height.status, 1);
+        QVERIFY(height.out.contains(QStringLiteral("no    105 mm to 132 mm tall (now 100 mm)")));
         QCOMPARE(checked(ball, "5").status, 2);
         QCOMPARE(checked(ball, "0").status, 2);
     }
@@ -147,19 +160,19 @@ private Q_SLOTS:
         QVERIFY(!judged[QStringLiteral("met")].toBool(true));
         QCOMPARE(judged[QStringLiteral("model")].toString(), ball);
         const QJsonObject height =
-            judged[QStringLiteral("steps")].toArray()[0].toObject()[QStringLiteral("goals")].toArray()[1].toObject();
+            judged[QStringLiteral("steps")].toArray()[0].toObject()[QStringLiteral("goals")].toArray()[2].toObject();
         QCOMPARE(height[QStringLiteral("goal")].toString(), QStringLiteral("height_mm"));
-        QCOMPARE(height[QStringLiteral("least")].toDouble(), 115.0);
+        QCOMPARE(height[QStringLiteral("least")].toDouble(), 125.0);
         QCOMPARE(height[QStringLiteral("measured")].toDouble(), 100.0);
         QVERIFY(height[QStringLiteral("most")].isNull() && !height[QStringLiteral("met")].toBool(true));
 
         const QStringList rows =
             lesson(judge + QStringList{QStringLiteral("--csv")}).out.trimmed().split(QLatin1Char('\n'));
-        QCOMPARE(rows.size(), 3);
+        QCOMPARE(rows.size(), 5);
         QCOMPARE(rows[0], QStringLiteral("lesson,model,step,title,goal,least,most,measured,met"));
-        QVERIFY2(rows[2].startsWith(QStringLiteral("first-clay,") + ball) &&
-                     rows[2].endsWith(QStringLiteral(",height_mm,115.0,,100.0,false")),
-                 qPrintable(rows[2]));
+        QVERIFY2(rows[3].startsWith(QStringLiteral("first-clay,") + ball) &&
+                     rows[3].endsWith(QStringLiteral(",height_mm,125.0,,100.0,false")),
+                 qPrintable(rows[3]));
         QCOMPARE(QJsonDocument::fromJson(lesson({QStringLiteral("--json")}).out.toUtf8()).array().size(), 3);
         QCOMPARE(lesson({QStringLiteral("--csv")}).out.count(QLatin1Char('\n')), 4);
     }
@@ -167,9 +180,9 @@ private Q_SLOTS:
     void language_isThatOfTheWholeAnswer()
     {
         const QStringList judge{QStringLiteral("first-clay"), QStringLiteral("--language")};
-        for (const auto& [language, strokes, yes] : {std::tuple("de", "(Striche: 1; Werkzeuge: pull)", "\n   ja "),
-                                                     std::tuple("zh_CN", "（笔触：1；工具：pull）", "\n   是 "),
-                                                     std::tuple("en", "(strokes: 1; tools: pull)", "\n   yes ")}) {
+        for (const auto& [language, strokes, yes] : {std::tuple("de", "(Striche: 1; Werkzeuge: Ziehen)", "\n   ja "),
+                                                     std::tuple("zh_CN", "（笔触：1；工具：拉出）", "\n   是 "),
+                                                     std::tuple("en", "(strokes: 1; tools: Pull)", "\n   yes ")}) {
             const QString out = lesson(judge + QStringList{QString::fromLatin1(language)}).out;
             QVERIFY2(out.contains(QString::fromUtf8(strokes)) && out.contains(QString::fromUtf8(yes)), qPrintable(out));
         }

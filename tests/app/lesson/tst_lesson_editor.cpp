@@ -21,9 +21,14 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace app;
 
@@ -90,6 +95,7 @@ void save(Program& program, const QString& path)
     QTRY_VERIFY_WITH_TIMEOUT(part<QFileDialog>(program, "lessonTargetDialog"), longestWait);
     auto* dialog = part<QFileDialog>(program, "lessonTargetDialog");
     QCOMPARE(dialog->defaultSuffix(), QStringLiteral("zip"));
+    QVERIFY(!dialog->selectedFiles().isEmpty());
     if (path.endsWith(QStringLiteral(".zip"))) {
         chooseFile(program, "lessonTargetDialog", path);
     } else { // where other files are it may choose one of them before a name is typed
@@ -156,6 +162,7 @@ private Q_SLOTS:
         record(program, static_cast<int>(core::Starter::Torus));
         stroke(program, {30, 12});
         stroke(program, {-25, 30});
+        const ui::OrbitCamera::Pose seenFrom = program.window.viewport()->camera().pose();
         write(program, "Out", "Pull it out.");
         press(program, "lesson.tool.pull");
         press(program, "lesson.tool.smooth");
@@ -167,6 +174,8 @@ private Q_SLOTS:
         auto* holes = part<QDoubleSpinBox>(program, "lessonMost.genus");
         QTRY_COMPARE_WITH_TIMEOUT(holes->value(), 1.0, longestWait);
         part<QDoubleSpinBox>(program, "lessonTolerance")->setValue(2.5);
+        part<QDoubleSpinBox>(program, "lessonLeast.feet")->setValue(1);
+        part<QDoubleSpinBox>(program, "lessonMost.widest_mm")->setValue(500);
 
         const QTemporaryDir folder;
         const QString zip = folder.filePath(QStringLiteral("mine.zip")),
@@ -184,6 +193,10 @@ private Q_SLOTS:
             QCOMPARE(lesson.steps[1].title.words.begin()->second, std::string("Blow"));
             QCOMPARE(lesson.steps[1].checkpoint.facts.front(), (core::FactBounds{core::Fact::Genus, 1, 1}));
             QCOMPARE(lesson.steps[1].checkpoint.target->tolerance, 2.5);
+            QVERIFY(std::ranges::count(lesson.steps[1].checkpoint.facts, core::FactBounds{core::Fact::Feet, 1}) == 1);
+            QVERIFY(std::ranges::count(lesson.steps[1].checkpoint.facts,
+                                       core::FactBounds{core::Fact::Widest, 0, 500}) == 1);
+            QVERIFY(std::abs(lesson.steps[0].view.value().pitch - seenFrom.pitch * 180 / std::numbers::pi) <= 0.5);
             for (const core::LessonStep& step : lesson.steps)
                 QVERIFY(QImage::fromData(QByteArray::fromStdString(lesson.files.at(step.picture))).width() > 100);
         }
@@ -199,6 +212,7 @@ private Q_SLOTS:
         const auto before = program.document.modelInfo().size;
         record(program, -1);
         QVERIFY(program.document.savedState().isModified()); // it is in no file of its own
+        QVERIFY(!program.document.modelInfo().name.isEmpty());
         QCOMPARE(program.document.history().stack().count(), 0);
         QVERIFY((program.document.modelInfo().size - before).norm() < 1e-3);
         stroke(program, {-30, 25});
@@ -208,6 +222,36 @@ private Q_SLOTS:
         saveAndWait(program, path);
         QVERIFY(std::holds_alternative<std::string>(core::readLesson(toPath(path)).start));
         QCOMPARE(playedHash(path), meshHash(program.worker));
+    }
+
+    /// Called as the lesson is, as far as files may be.
+    void title_isTheFileThatIsOffered()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Ball));
+        QCOMPARE(program.document.modelInfo().name, QStringLiteral("New Lesson"));
+        stroke(program, {30, 12});
+        QTest::keyClicks(part<QLineEdit>(program, "lessonName"), QStringLiteral("My lesson: a/b"));
+        write(program, "One", "One stroke.");
+        press(program, "lessonSave");
+        QTRY_VERIFY_WITH_TIMEOUT(part<QFileDialog>(program, "lessonTargetDialog"), longestWait);
+        const QStringList offered = part<QFileDialog>(program, "lessonTargetDialog")->selectedFiles();
+        QCOMPARE(QFileInfo(offered.value(0)).completeBaseName(), QStringLiteral("My lesson – a b"));
+        part<QFileDialog>(program, "lessonTargetDialog")->reject();
+    }
+
+    /// All rows of a goal are there at once: the column scrolls, not the page in it.
+    void goal_isSeenWhole()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Ball));
+        auto* pages = program.window.findChild<ui::LessonStepEditor*>();
+        QWidget* const goal = part<QPushButton>(program, "lessonFacts")->parentWidget();
+        pages->setCurrentWidget(goal);
+        QTRY_VERIFY(goal->isVisible() && goal->height() >= goal->minimumSizeHint().height());
+        QVERIFY(!pages->findChild<QScrollArea*>());
     }
 
     void undone_isOutOfTheLesson()
@@ -297,7 +341,8 @@ private Q_SLOTS:
         const QString path = folder.filePath(QStringLiteral("legless.zip"));
         save(program, path);
         QMessageBox* box = question(program, "lessonRemarks");
-        QVERIFY(box->informativeText().contains(QStringLiteral("Step 1 is not met: height")));
+        QVERIFY(
+            box->informativeText().contains(QStringLiteral("Step 1 is not met: at least 108 mm tall (now 100 mm).")));
         box->button(QMessageBox::Cancel)->click();
         QVERIFY(!QFileInfo::exists(path));
         save(program, path);

@@ -48,20 +48,14 @@ private Q_SLOTS:
         LessonPlayback playback(lessonNamed(name.constData()), shelf);
         for (std::size_t i = 0; i < playback.lesson().steps.size(); ++i) {
             playback.goTo(i);
-            const TriangleMesh before = extractMesh(playback.mesh());
             playback.finish();
             VERIFY_VALID(playback.mesh());
-            const TriangleMesh after = extractMesh(playback.mesh());
             const Checkpoint& checkpoint = playback.step().checkpoint;
             QVERIFY(!checkpoint.asksNothing());
             const TriangleMesh target = checkpoint.target ? playback.target() : TriangleMesh();
-            const auto isMetBy = [&](const TriangleMesh& model) {
-                return evaluate(checkpoint, model, checkpoint.target ? &target : nullptr).isMet();
-            };
-            QVERIFY2(isMetBy(after), std::to_string(i).c_str());
-            const bool isJudgedByFacts = !checkpoint.target || checkpoint.facts.size() > 1;
-            if (isJudgedByFacts && i + 1 < playback.lesson().steps.size()) // it asks for something that was not there
-                QVERIFY2(!isMetBy(before), std::to_string(i).c_str());
+            const bool isMet =
+                evaluate(checkpoint, extractMesh(playback.mesh()), checkpoint.target ? &target : nullptr).isMet();
+            QVERIFY2(isMet, std::to_string(i).c_str());
         }
     }
 
@@ -217,7 +211,9 @@ private Q_SLOTS:
 
     void pupilsCopy_isTheirOwn()
     {
-        LessonPlayback playback(lessonNamed("first-clay"), shelf);
+        Lesson lesson = *lessonNamed("first-clay");
+        lesson.steps[1].checkpoint.target = CheckpointTarget{"", 8};
+        LessonPlayback playback(std::make_shared<const Lesson>(lesson), shelf);
         playback.goTo(1);
         const std::uint64_t before = playback.mesh().meshHash();
         Sculptor pupil(std::make_unique<Mesh>(playback.mesh()));

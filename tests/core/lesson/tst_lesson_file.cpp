@@ -51,12 +51,15 @@ Json full()
     lesson["start"] = {{"file", "models/start.stl"}};
     lesson["steps"][0].update({{"picture", "a.png"},
                                {"tools", {"pull", "smooth"}},
+                               {"view", {{"yaw_deg", -30}, {"pitch_deg", 12.5}}},
                                {"strokes", "strokes/one.json"},
                                {"checkpoint",
                                 {{"genus", 1},
                                  {"height_mm", {{"least", 60.1}}},
                                  {"volume_mm3", {{"most", 1e6}}},
                                  {"width_mm", {{"least", 1}, {"most", 1e3}}},
+                                 {"feet", 4},
+                                 {"base_mm2", {{"least", 12.5}}},
                                  {"print_ready", true},
                                  {"target", {{"file", "models/start.stl"}, {"tolerance_mm", 0.1}}}}}});
     lesson["steps"].push_back({{"title", text("D")},
@@ -172,12 +175,11 @@ private Q_SLOTS:
         QCOMPARE(step.tools, (std::vector{Tool::Pull, Tool::Smooth}));
         QCOMPARE(step.strokes.size(), std::size_t(1));
         QCOMPARE(std::get<Stroke>(step.strokes[0]).settings.radius, 9.0);
-        const std::vector<FactBounds> facts = {{Fact::Genus, 1, 1},
-                                               {Fact::Height, 60.1},
-                                               {Fact::Width, 1, 1e3},
-                                               {Fact::Volume, 0, 1e6},
+        const std::vector<FactBounds> facts = {{Fact::Genus, 1, 1},     {Fact::Height, 60.1},   {Fact::Width, 1, 1e3},
+                                               {Fact::Feet, 4, 4},      {Fact::BaseArea, 12.5}, {Fact::Volume, 0, 1e6},
                                                {Fact::PrintReady, 1, 1}};
         QCOMPARE(step.checkpoint.facts, facts);
+        QVERIFY(step.view == std::optional(LessonView{-30, 12.5}) && !lesson.steps[1].view);
         QCOMPARE(step.checkpoint.target->file, std::string("models/start.stl"));
         QCOMPARE(step.checkpoint.target->tolerance, 0.1);
         QVERIFY(lesson.steps[1].checkpoint.target->file.empty());
@@ -482,9 +484,15 @@ void TestLessonFile::refuses_data()
         step(name[0] ? name : "empty name", Kind::BadName, "picture", name);
     step("strokes outside", Kind::BadName, "strokes", "../one.json");
     step("no strokes", Kind::Strokes, "strokes", "a.png");
+    step("half a view", Kind::MissingKey, "view", {{"yaw_deg", 5}});
+    step("a view by name", Kind::WrongType, "view", "front");
+    step("beyond above", Kind::OutOfRange, "view", {{"yaw_deg", 5}, {"pitch_deg", 91}});
+    step("unknown key in a view", Kind::UnknownKey, "view", {{"yaw_deg", 5}, {"pitch_deg", 9}, {"roll_deg", 1}});
     step("empty checkpoint", Kind::WrongType, "checkpoint", Json::object());
     fact("unknown fact", Kind::UnknownKey, "beauty", 5);
     fact("half a hole", Kind::WrongType, "genus", 0.5);
+    fact("half a foot", Kind::WrongType, "feet", {{"least", 3.5}});
+    fact("a base beyond all", Kind::OutOfRange, "base_mm2", 1e13);
     fact("fewer than none", Kind::OutOfRange, "height_mm", -1);
     fact("beyond all", Kind::OutOfRange, "height_mm", {{"most", 1e9}});
     fact("least above most", Kind::WrongType, "height_mm", {{"least", 2}, {"most", 1}});

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/lesson/lesson_player.h"
+#include "ui/viewport/viewport.h"
+
+#include <QElapsedTimer>
+#include <QPointer>
+
+#include <optional>
+
+namespace app
+{
+/// Turns the view to where a step works, and keeps the teacher's brush in sight. Thread: gui.
+class LessonCamera
+{
+public:
+    /// Not owned.
+    explicit LessonCamera(ui::Viewport* viewport) : m_viewport(viewport) {}
+
+    /// Flies to the step's view, where it has one, so that the model and all that the teacher does are in the picture.
+    void show(const core::LessonStep& step);
+    /// The teacher's brush has moved. `shown`: where it meets the model.
+    void follow(const core::GhostBrush& ghost, const core::Sphere& shown);
+    /// The teacher begins, or is done: what comes next does not go on from the last brush.
+    void rest() { m_turned.reset(); }
+
+private:
+    bool isInSight(const core::Sphere& shown) const;
+
+    QPointer<ui::Viewport> m_viewport;
+    std::optional<double> m_turned; ///< radians: the model on the turntable, when the brush moved last
+    QElapsedTimer m_sinceFlight;
+};
+} // namespace app

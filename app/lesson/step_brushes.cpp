@@ -1,0 +1,54 @@
+#include "app/lesson/step_brushes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+StepBrushes::StepBrushes(ui::BrushSettings* brush) : m_brush(brush)
+{
+    connect(brush, &ui::BrushSettings::changed, this, &StepBrushes::follow);
+}
+
+void StepBrushes::take(const core::LessonStep& step)
+{
+    m_tool.reset();
+    m_brushes = core::brushesOf(step);
+    for (const core::LessonBrush& brush : m_brushes)
+        m_before.try_emplace(brush.tool, m_brush->tools()->of(brush.tool));
+    m_brush->offerTools(QList<core::Tool>(step.tools.begin(), step.tools.end()));
+    if (!m_brushes.empty() && m_brush->isOffered(m_brushes.front().tool))
+        m_brush->setTool(m_brushes.front().tool);
+    m_tool = m_brush->tool();
+    setValues();
+}
+
+/// Sets them when another tool is taken up, and only then: the pupil may change them.
+void StepBrushes::follow()
+{
+    if (m_tool && std::exchange(m_tool, m_brush->tool()) != m_brush->tool())
+        setValues();
+}
+
+void StepBrushes::setValues()
+{
+    const auto found = std::ranges::find(m_brushes, m_brush->tool(), &core::LessonBrush::tool);
+    if (found == m_brushes.end())
+        return;
+    m_brush->setValue(core::Parameter::Radius, found->radius);
+    m_brush->setValue(core::Parameter::Strength, found->strength);
+}
+
+void StepBrushes::giveBack()
+{
+    m_tool.reset();
+    m_brushes.clear();
+    for (const auto& [tool, before] : std::exchange(m_before, {})) {
+        ui::ToolValues values = m_brush->tools()->of(tool);
+        values.strength = before.strength;
+        values.radiusShare = before.radiusShare;
+        m_brush->tools()->set(tool, values);
+    }
+    m_brush->offerTools({});
+}
+} // namespace app
