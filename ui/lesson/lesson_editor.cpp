@@ -133,10 +133,10 @@ void LessonEditor::addEditor()
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
     addHead(rows);
+    addRecorder(rows); // in sight, however high the pages are
     addSteps(rows);
     m_step->setMinimumHeight(stepHeight);
     rows->addWidget(m_step, 1);
-    addFoot(rows);
     m_stack->addWidget(page);
     connect(m_step, &LessonStepEditor::titleEdited, this, [this] { m_steps->currentItem()->setText(lineOf(step())); });
     connect(m_step, &LessonStepEditor::aboutToCut, this, &LessonEditor::aboutToChange);
@@ -188,7 +188,7 @@ void LessonEditor::addSteps(QVBoxLayout* rows)
     connect(m_down, &QToolButton::clicked, this, [this] { moveStep(1); });
 }
 
-void LessonEditor::addFoot(QVBoxLayout* rows)
+void LessonEditor::addRecorder(QVBoxLayout* rows)
 {
     m_state = head({});
     m_state->setObjectName(QStringLiteral("lessonState"));

@@ -62,7 +62,7 @@ private:
     void addEditor();
     void addHead(QVBoxLayout* rows);
     void addSteps(QVBoxLayout* rows);
-    void addFoot(QVBoxLayout* rows);
+    void addRecorder(QVBoxLayout* rows);
     std::string language() const;
     void fillLanguages();
     void showTexts();
