@@ -287,6 +287,23 @@ private Q_SLOTS:
         QCOMPARE(sampled[1][0].value<core::StrokeSample>().pressure, 0.75);
     }
 
+    /// From that side, with all of it in the picture; taking away a mark that is not there ends no flight.
+    void aFlightGoesToWhereABoxIsSeen()
+    {
+        Stage s;
+        const core::Box box = s.model.box();
+        const core::Box wide(3 * box.min(), 3 * box.max());
+        s.viewport.navigation()->flyTo(wide, -0.8, 0.4);
+        s.viewport.navigation()->clearMark();
+        QTRY_VERIFY(std::abs(s.viewport.camera().pose().yaw + 0.8) < 1e-9);
+        QVERIFY(std::abs(s.viewport.camera().pose().pitch - 0.4) < 1e-9);
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto at = s.viewport.camera().project(wide.corner(static_cast<core::Box::CornerType>(corner)));
+            QVERIFY(QRectF(s.viewport.rect()).contains(QPointF(at.x(), at.y())));
+        }
+        QCOMPARE(s.viewport.navigation()->box().min(), box.min());
+    }
+
     void theWheelZooms()
     {
         Stage s;
