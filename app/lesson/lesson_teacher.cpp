@@ -36,6 +36,10 @@ LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
     connect(m_panel, &LessonPanel::tryRequested, this, &LessonTeacher::tryIt);
     connect(m_panel, &LessonPanel::speedChosen, this, &LessonTeacher::setSpeed);
     connect(&document.history().stack(), &QUndoStack::indexChanged, this, &LessonTeacher::onIndexChanged);
+    connect(&document, &Document::stepped, this, [this] { // a new step, and no redo
+        if (m_isUndone && !m_starts.empty() && m_document->history().stack().index() == m_starts.back() + 1)
+            m_isUndone = m_hasShown = false;
+    });
     connect(window.viewport()->input(), &ui::PointerInput::strokeBegan, this, &LessonTeacher::interrupt);
     connect(&document.worker().strokes(), &StrokeGate::refused, this, [this] {
         if (m_timer.isActive()) // two strokes at once: whichever was refused, it is the pupil's turn
@@ -60,18 +64,24 @@ LessonTeacher::Hand LessonTeacher::changedBy() const
     return m_document->history().stack().index() > m_starts.back() ? Hand::Pupils : Hand::Nobodys;
 }
 
-/// Undone to its start, the step has nothing of the teacher's any more.
+/// Undone to its start, the step has nothing of the teacher's any more; redone it has.
 void LessonTeacher::onIndexChanged(int index)
 {
-    if (hasLesson() && !m_starts.empty() && !m_timer.isActive() && index <= m_starts.back())
-        m_hasShown = m_isTaught = false;
+    if (!hasLesson() || m_starts.empty() || m_timer.isActive())
+        return;
+    if (index > m_starts.back()) {
+        m_hasShown = m_hasShown || m_isUndone;
+        return;
+    }
+    m_isUndone = m_isUndone || m_hasShown;
+    m_hasShown = m_isTaught = false;
 }
 
 void LessonTeacher::enter(std::size_t step)
 {
     m_player->setStep(step);
     m_starts.push_back(m_document->history().stack().index());
-    m_hasShown = false;
+    m_hasShown = m_isUndone = false;
     m_camera.show(this->step());
 }
 
@@ -80,7 +90,7 @@ void LessonTeacher::goBack(std::size_t step)
     m_starts.resize(step + 1);
     m_document->history().goTo(m_starts.back());
     m_player->setStep(step);
-    m_hasShown = false;
+    m_hasShown = m_isUndone = false;
     m_camera.show(this->step());
 }
 
@@ -98,6 +108,7 @@ void LessonTeacher::startStep()
         return;
     tryIt();
     m_isTaught = m_hasShown = true;
+    m_isUndone = false;
     m_camera.rest();
     m_camera.show(step());
 }
@@ -129,6 +140,7 @@ void LessonTeacher::tryIt()
     interrupt();
     m_document->history().goTo(m_starts.back());
     m_player->setStep(m_player->stepIndex());
+    m_isUndone = m_isUndone || m_hasShown;
     m_hasShown = false;
     m_panel->setProgress(0);
 }
@@ -215,7 +227,7 @@ void LessonTeacher::goOnInHurry()
     }
     if (m_entered) {
         m_starts.back() = m_document->history().stack().index();
-        m_hasShown = false;
+        m_hasShown = m_isUndone = false;
         m_camera.show(step());
     }
     const std::function<void()> done = std::move(m_afterHurry);

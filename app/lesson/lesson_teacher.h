@@ -81,6 +81,7 @@ private:
     LessonCamera m_camera;
     double m_speed = 1;
     bool m_isTaught = false;                    ///< the teacher is in the middle of the step
+    bool m_isUndone = false;                    ///< the teacher's strokes of the step were undone, and may come back
     bool m_hasShown = false;                    ///< the model has strokes of the teacher's since the step was entered
     std::function<void()> m_afterHurry;         ///< null: the teacher does not hurry
     std::optional<std::size_t> m_entered;       ///< the step to begin with what the teacher does in a hurry

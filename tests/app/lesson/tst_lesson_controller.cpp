@@ -158,6 +158,29 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), longestWait);
     }
 
+    /// What the teacher did, and was undone, is the teacher's when it is redone; the pupil's own stroke is not.
+    void redone_isStillTheTeachers()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        const QString teachers = QStringLiteral("○ This is the teacher's model"),
+                      untouched = QStringLiteral("○ something sculpted"), own = QStringLiteral("✓ something sculpted");
+        showStep(program);
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
+        program.document.history().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(untouched), longestWait);
+        program.document.history().redo();
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
+        press(program, "lessonTry");
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(untouched), longestWait);
+        program.document.history().redo();
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
+        press(program, "lessonTry");
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(untouched), longestWait);
+        drag(program.window.viewport(), {30, 0});
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(own), longestWait);
+    }
+
     /// Never half of a step: what the teacher has begun is done to its end, whether it is shown, paused, or shown by
     /// single strokes.
     void next_whileTheTeacherWorks_doesTheWholeStep()
