@@ -154,6 +154,27 @@ private Q_SLOTS:
         QVERIFY(play(draft.complete({})).checks[0].idle.empty());
     }
 
+    /// The step is seen from where its first stroke was made, and each tool has the brush of its first stroke.
+    void firstStroke_saysViewAndBrush()
+    {
+        LessonDraft draft;
+        draft.addStep();
+        Stroke stroke;
+        stroke.settings.radius = 9;
+        stroke.settings.strength = 0.5;
+        draft.addStroke(0, FileCommand{PlaceOnBed{}, {}}, LessonView{10, 20});
+        draft.addStroke(0, stroke, LessonView{50, 60});
+        stroke.settings.radius = 3;
+        draft.addStroke(0, stroke);
+        stroke.settings.tool = Tool::Smooth;
+        draft.addStroke(0, stroke);
+        QVERIFY(draft.step(0).view == std::optional(LessonView{10, 20}));
+        const std::vector<LessonBrush> brushes = brushesOf(draft.step(0));
+        QCOMPARE(brushes.size(), std::size_t(2));
+        QVERIFY(brushes[0].tool == Tool::Pull && brushes[0].radius == 9 && brushes[0].strength == 0.5);
+        QVERIFY(brushes[1].tool == Tool::Smooth && brushes[1].radius == 3);
+    }
+
     void removedAndNewSteps_areCompletedBeforeTheyAreWritten()
     {
         LessonDraft draft;
