@@ -14,7 +14,7 @@ constexpr double border = 0.05;                                ///< of the pictu
 constexpr double behind = 0.3;      ///< of the way to the brush, away from the eye: the model is before it
 constexpr int betweenFlights = 800; ///< ms
 
-/// The model, and the places where the teacher's brush is: what rays meet is the model itself.
+/// Box of the model and of the places where the teacher's brush is: what rays meet is the model itself.
 core::Box reachOf(const core::LessonStep& step, core::Box box)
 {
     for (const core::FileEntry& entry : step.strokes)
@@ -50,7 +50,7 @@ bool LessonCamera::isInSight(const core::Sphere& shown) const
            at.y() < (1 - border) * size.y() && outward.dot(camera.viewDirection()) < behind * outward.norm();
 }
 
-/// On the turntable the view stands still before the brush, and the model turns; else it goes to where the brush is.
+/// Turns with the turntable, so that the brush stands still; else flies to where the brush is, if that is hidden.
 void LessonCamera::follow(const core::GhostBrush& ghost, const core::Sphere& shown)
 {
     if (!m_viewport)

@@ -19,9 +19,9 @@ public:
 
     /// Flies to the step's view, where it has one, so that the model and all that the teacher does are in the picture.
     void show(const core::LessonStep& step);
-    /// The teacher's brush has moved. `shown`: where it meets the model.
+    /// Follows the teacher's brush, which has moved. `shown`: where it meets the model.
     void follow(const core::GhostBrush& ghost, const core::Sphere& shown);
-    /// The teacher begins, or is done: what comes next does not go on from the last brush.
+    /// Forgets the last brush: the teacher begins, or is done.
     void rest() { m_turned.reset(); }
 
 private:

@@ -204,7 +204,7 @@ void LessonController::showVerdict(const core::CheckpointVerdict& verdict,
     shade();
 }
 
-/// A model of the teacher's is nothing that the pupil has done.
+/// Ticks nothing in a model of the teacher's: the pupil has not done it.
 QList<ui::LessonMark> LessonController::marksOf(const core::CheckpointVerdict& verdict)
 {
     m_isMet.reset();

@@ -22,7 +22,7 @@ QString bytes(double count)
     return QLocale().formattedDataSize(static_cast<qint64>(count));
 }
 
-/// Without a fraction where it has none.
+/// Shows no fraction where there is none.
 QString millimetres(double length)
 {
     const bool isWhole = std::abs(length - std::round(length)) < 0.05;

@@ -15,12 +15,12 @@ class LessonMessages
 public:
     /// What is wrong with a lesson: one sentence with file, place and reason.
     static QString sentence(const core::LessonError& error);
-    /// What a checkpoint asks and what the model has, in a child's words: "at least 60 mm tall (now 42.5 mm)".
+    /// Says a goal and what the model has, in a child's words: "at least 60 mm tall (now 42.5 mm)".
     static QString goal(const core::FactVerdict& verdict);
     static QString goal(const core::TargetVerdict& verdict);
 
     static QString tool(core::Tool tool);
-    /// What a tool comes with: "Pull 42 mm", or "Pull 42 mm, strength 0.7".
+    /// Says a tool and its size: "Pull 42 mm", or "Pull 42 mm, strength 0.7".
     static QString brush(const core::LessonBrush& brush);
 
 private:

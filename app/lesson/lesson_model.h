@@ -24,7 +24,7 @@ std::string lessonStartOf(const core::TriangleMesh& mesh);
 inline constexpr char lessonStart[] = "start.glb";
 
 QString inOurLanguage(const core::LessonText& text);
-/// The lesson's title, as files may be called; may be empty.
+/// Returns the lesson's title, as files may be called; may be empty.
 QString fileNameOf(const core::Lesson& lesson);
 /// What is chosen by its lesson.json is the folder.
 QString lessonOrItsFolder(const QString& path);

@@ -33,7 +33,7 @@ std::string pngOf(const QImage& image)
     return bytes.toStdString();
 }
 
-/// Whatever side the view is from, the whole box fits.
+/// Fits the whole model into the picture, whatever side it is seen from.
 core::ThumbnailView seenFrom(const core::LessonView& from, const core::TriangleMesh& mesh)
 {
     core::Box box;

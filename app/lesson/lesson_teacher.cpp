@@ -64,7 +64,7 @@ LessonTeacher::Hand LessonTeacher::changedBy() const
     return m_document->history().stack().index() > m_starts.back() ? Hand::Pupils : Hand::Nobodys;
 }
 
-/// Undone to its start, the step has nothing of the teacher's any more; redone it has.
+/// Forgets the teacher when the step is undone to its start, and remembers when it is redone.
 void LessonTeacher::onIndexChanged(int index)
 {
     if (!hasLesson() || m_starts.empty() || m_timer.isActive())
@@ -185,7 +185,7 @@ void LessonTeacher::finish(std::function<void()> done)
         done();
 }
 
-/// What the pupil did stays below it, to go back to.
+/// Keeps what the pupil did, to go back to.
 void LessonTeacher::startFromOwn(std::function<void()> done)
 {
     const std::size_t step = m_player->stepIndex();
@@ -204,7 +204,7 @@ void LessonTeacher::hurry(std::function<void()> done)
     m_timer.start();
 }
 
-/// As fast as the mesh thread takes it: a few samples at a time.
+/// Advances as fast as the mesh thread takes it: a few samples at a time.
 void LessonTeacher::tickInHurry()
 {
     const auto isHeld = [this] {
@@ -218,7 +218,7 @@ void LessonTeacher::tickInHurry()
     }
 }
 
-/// To the next step that is to be done, or to whoever waits for it.
+/// Goes on to the next step that is to be done, or to whoever waits for it.
 void LessonTeacher::goOnInHurry()
 {
     if (m_entered && m_player->stepIndex() != m_entered) {

@@ -38,7 +38,7 @@ public:
     const core::LessonStep& step() const { return m_player->step(); }
     std::size_t stepIndex() const { return m_player->stepIndex(); }
     enum class Hand { Nobodys, Pupils, Teachers };
-    /// Who has changed the model since the step was entered: the teacher, if there is a stroke of the teacher's in it.
+    /// Returns whose changes the model has since the step was entered: the teacher's, if any stroke of it is.
     Hand changedBy() const;
     /// Does at once what is left of a step that the teacher is in the middle of, then calls `done`; not if a hand goes
     /// between.

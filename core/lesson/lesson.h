@@ -23,7 +23,7 @@ struct LessonText
     const std::string& in(std::string_view language) const;
 };
 
-/// From where a step is looked at, degrees. 0, 0: from the front, level; yaw above 0 from the right, pitch from above.
+/// Direction that a step is seen from, degrees. 0, 0: the front, level; yaw above 0 from the right, pitch from above.
 struct LessonView
 {
     double yaw = 0;   ///< -180 to 180
@@ -53,7 +53,7 @@ struct LessonStep
     Checkpoint checkpoint;
 };
 
-/// The tools of the step's strokes, each with its first brush, in order.
+/// Returns the tools of the step's strokes, each with its first brush, in order.
 std::vector<LessonBrush> brushesOf(const LessonStep& step);
 
 /// A lesson: a model to begin with, and steps from there. What teachers write, and pupils play: see lesson_file.h.

@@ -4,16 +4,16 @@
 
 namespace core
 {
-// What lessons ask of a model besides what checkMesh() says. Y is up; a model that is turned about it, mirrored or
-// moved has the same. Cost: O(faces), and a sort of the points for the widest.
+// Facts that lessons ask for besides what checkMesh() says. Y is up; a model that is turned about it, mirrored or moved
+// has the same. Cost: O(faces), and a sort of the points for the widest.
 
-/// mm: the longest distance between two of its points, seen from above.
+/// Returns the longest distance between two of its points, seen from above, in mm.
 double widestOf(const TriangleMesh& mesh);
-/// Into so many pieces a level cut within the lowest tenth of its height parts what is below, at the best height: legs
-/// may be of unequal length, and grow together further up.
+/// Returns into how many pieces a level cut within the lowest tenth of its height parts what is below, at the best
+/// height: legs may be of unequal length, and grow together further up.
 std::size_t feetOf(const TriangleMesh& mesh);
-/// mm^2: flat surface on the bed, as the print check has it.
+/// Returns how much flat surface lies on the bed, in mm^2, as the print check has it.
 double baseAreaOf(const TriangleMesh& mesh, const MeshReport& report);
-/// How often its outline becomes narrower and wider again on the way up: grooves all around it.
+/// Counts how often its outline becomes narrower and wider again on the way up: grooves all around it.
 std::size_t groovesOf(const TriangleMesh& mesh);
 } // namespace core

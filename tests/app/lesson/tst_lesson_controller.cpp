@@ -204,8 +204,8 @@ private Q_SLOTS:
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 2));
     }
 
-    /// Over a goal that is not met one may go on, is told so, and may have what the teacher has there: as steps, so
-    /// that the pupil's own model is not lost.
+    /// Next over a goal that is not met goes on and says so; what the teacher has there may be had, as steps, so that
+    /// the pupil's own model is not lost.
     void unmet_canGoOnFromTheTeachersModel()
     {
         Program program;
@@ -283,7 +283,7 @@ private Q_SLOTS:
         }
     }
 
-    /// All around the pear: the model is seldom before the teacher's brush.
+    /// Strokes go all around the pear, and the model is seldom before the teacher's brush.
     void shown_isSeen()
     {
         Program program;
