@@ -7774,12 +7774,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Linksherum drehen</translation>
     </message>
     <message>
-        <source>Uniform or adaptive</source>
-        <translation>Gleichmäßig oder angepasst</translation>
+        <source>Uniform or not</source>
+        <translation>Gleichmäßig oder nicht</translation>
     </message>
     <message>
         <source>Slide: scale</source>
         <translation>Wischen: Größe</translation>
+    </message>
+    <message>
+        <source>Press, push: scale</source>
+        <translation>Drücken, schieben: Größe</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -7822,6 +7826,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wischen: Radius</translation>
     </message>
     <message>
+        <source>Press, push: radius</source>
+        <translation>Drücken, schieben: Radius</translation>
+    </message>
+    <message>
         <source>Colour</source>
         <translation>Farbe</translation>
     </message>
@@ -7836,6 +7844,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Slide: value</source>
         <translation>Wischen: Wert</translation>
+    </message>
+    <message>
+        <source>Press, push: value</source>
+        <translation>Drücken, schieben: Wert</translation>
     </message>
     <message>
         <source>Sculpt</source>

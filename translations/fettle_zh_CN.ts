@@ -7752,12 +7752,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>逆时针旋转</translation>
     </message>
     <message>
-        <source>Uniform or adaptive</source>
-        <translation>均匀或自适应</translation>
+        <source>Uniform or not</source>
+        <translation>均匀与否</translation>
     </message>
     <message>
         <source>Slide: scale</source>
         <translation>滑动：缩放</translation>
+    </message>
+    <message>
+        <source>Press, push: scale</source>
+        <translation>按住推动：缩放</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -7800,6 +7804,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>滑动：半径</translation>
     </message>
     <message>
+        <source>Press, push: radius</source>
+        <translation>按住推动：半径</translation>
+    </message>
+    <message>
         <source>Colour</source>
         <translation>颜色</translation>
     </message>
@@ -7814,6 +7822,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Slide: value</source>
         <translation>滑动：数值</translation>
+    </message>
+    <message>
+        <source>Press, push: value</source>
+        <translation>按住推动：数值</translation>
     </message>
     <message>
         <source>Sculpt</source>

@@ -20,8 +20,8 @@ struct Rows
     static constexpr PresetRow paper[] = {
         {Support, Plain,    PadLeft,   F::TurnClockwise,     QT_TRANSLATE_NOOP("vr::Presets", "Turn clockwise")},
         {Support, Plain,    PadRight,  F::TurnAnticlockwise, QT_TRANSLATE_NOOP("vr::Presets", "Turn anticlockwise")},
-        {Support, Plain,    PadTop,    F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
-        {Support, Plain,    PadBottom, F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
+        {Support, Plain,    PadTop,    F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or not")},
+        {Support, Plain,    PadBottom, F::ToggleTopology,    QT_TRANSLATE_NOOP("vr::Presets", "Uniform or not")},
         {Support, Any,      Slide,     F::ScaleModel,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: scale")},
         {Support, Any,      Menu,      F::ToggleToolMenu,    QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
         {Support, ToolMenu, PadLeft,   F::PreviousTool,      QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
@@ -46,8 +46,8 @@ struct Rows
     static constexpr PresetRow studio[] = {
         {Support, Any, PadLeft,   F::Undo,           QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
         {Support, Any, PadRight,  F::Redo,           QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
-        {Support, Any, PadTop,    F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
-        {Support, Any, PadBottom, F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or adaptive")},
+        {Support, Any, PadTop,    F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or not")},
+        {Support, Any, PadBottom, F::ToggleTopology, QT_TRANSLATE_NOOP("vr::Presets", "Uniform or not")},
         {Support, Any, Menu,      F::ToggleToolMenu, QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
         {Support, Any, Trigger,   F::Smooth,         QT_TRANSLATE_NOOP("vr::Presets", "Smooth")},
         {Support, Any, Squeeze,   F::MoveModel,      QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
@@ -115,6 +115,21 @@ constexpr bool isClear(std::span<const PresetRow> table)
     return true;
 }
 static_assert(isClear(Rows::paper) && isClear(Rows::studio) && isClear(Rows::oneHand));
+
+/// Returns what the label says at a thumbstick, which slides only while it is pressed in.
+const char* stickLabel(const PresetRow& row)
+{
+    switch (row.function) {
+    case WandFunction::ScaleModel:
+        return QT_TRANSLATE_NOOP("vr::Presets", "Press, push: scale");
+    case WandFunction::SetRadius:
+        return QT_TRANSLATE_NOOP("vr::Presets", "Press, push: radius");
+    case WandFunction::SetChannel:
+        return QT_TRANSLATE_NOOP("vr::Presets", "Press, push: value");
+    default:
+        return row.label;
+    }
+}
 } // namespace
 
 std::span<const PresetRow> presetRows(ButtonPreset preset)
@@ -139,8 +154,8 @@ std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& c
     return std::nullopt;
 }
 
-QString labelOf(const PresetRow& row)
+QString labelOf(const PresetRow& row, bool isStick)
 {
-    return QCoreApplication::translate("vr::Presets", row.label);
+    return QCoreApplication::translate("vr::Presets", isStick ? stickLabel(row) : row.label);
 }
 } // namespace vr

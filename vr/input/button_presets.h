@@ -24,6 +24,7 @@ enum class HandMode {
     ToolMenu,
     ColorPanel
 };
+inline constexpr std::size_t handModeCount = 4;
 
 /// A move of a finger on a wand. Trigger, the four of the pad and Squeeze, the side button, last as long as the press.
 enum class Gesture {
@@ -91,6 +92,6 @@ struct WandControl
 /// Returns the function of the gesture; nothing if it has none.
 std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control);
 
-/// Returns the label in the program's language.
-QString labelOf(const PresetRow& row);
+/// Returns the label in the program's language. `isStick`: the wand has a thumbstick in place of the pad.
+QString labelOf(const PresetRow& row, bool isStick);
 } // namespace vr

@@ -27,8 +27,9 @@ struct WandState
     Eigen::Vector2d pad = Eigen::Vector2d::Zero(); ///< -1 to 1; x right, y away from the hand
     bool padTouched = false;
     bool padPressed = false;
-    bool isStick = false; ///< the pad is a thumbstick: it springs back to the middle
-    bool side = false;    ///< squeezed, or a grip button
+    bool isStick = false;  ///< the pad is a thumbstick: it springs back to the middle
+    bool isSimple = false; ///< it has a trigger and a menu button only
+    bool side = false;     ///< squeezed, or a grip button
     bool menu = false;
 };
 

@@ -19,10 +19,17 @@ XrDuration nanoseconds(double seconds)
     return seconds > 0 ? static_cast<XrDuration>(std::llround(seconds * 1e9)) : XR_MIN_HAPTIC_DURATION;
 }
 
-bool hasThumbstick(const std::string& profile)
+/// Returns null where the runtime has another kind, or none yet.
+const WandProfile* profileOf(const std::string& path)
 {
-    return std::ranges::any_of(wandProfiles(),
-                               [&](const WandProfile& one) { return one.isStick && profile == one.path; });
+    const auto found = std::ranges::find(wandProfiles(), path, &WandProfile::path);
+    return found == wandProfiles().end() ? nullptr : &*found;
+}
+
+bool hasPad(const WandProfile& profile)
+{
+    return std::ranges::any_of(profile.bindings,
+                               [](const Binding& binding) { return binding.control == Control::Pad; });
 }
 } // namespace
 
@@ -134,6 +141,7 @@ Wands Actions::read(XrSpace room, XrTime time, bool hasFocus)
         rest.grip = m_wands[side].grip;
         rest.aim = m_wands[side].aim;
         rest.isStick = m_hands[side].isStick;
+        rest.isSimple = m_hands[side].isSimple;
         m_wands[side] = rest;
         readPoses(side, room, time);
         if (hasButtons)
@@ -222,7 +230,9 @@ void Actions::refreshProfiles()
         XrInteractionProfileState state{};
         state.type = XR_TYPE_INTERACTION_PROFILE_STATE;
         check(xrGetCurrentInteractionProfile(m_session, hand.path, &state), "xrGetCurrentInteractionProfile");
-        hand.isStick = hasThumbstick(m_instance.text(state.interactionProfile));
+        const WandProfile* profile = profileOf(m_instance.text(state.interactionProfile));
+        hand.isStick = profile && profile->isStick;
+        hand.isSimple = profile && !hasPad(*profile);
     }
 }
 } // namespace vr

@@ -36,7 +36,7 @@ private:
     {
         XrPath path = XR_NULL_PATH;
         SpaceHandle grip, aim;
-        bool isStick = false;
+        bool isStick = false, isSimple = false; ///< as WandState has them
     };
 
     static QString nameOf(Control control);

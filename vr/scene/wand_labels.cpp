@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vr
 {
@@ -36,6 +37,11 @@ WandSpot spotOf(Gesture gesture)
         return WandSpot::Side;
     }
     return WandSpot::PadMiddle;
+}
+
+bool isOnSimpleWand(WandSpot spot)
+{
+    return spot == WandSpot::Trigger || spot == WandSpot::Menu;
 }
 
 std::uint32_t bitOf(std::size_t row)
@@ -103,7 +109,8 @@ void WandLabels::step(const InputFrame& frame, const Pose& head, const WandMappi
 {
     const double seconds = m_clock.step(frame.time);
     if (m_settings != hands.settings())
-        write(hands);
+        begin(hands);
+    updateKinds(frame, hands);
     note(hands, commands);
     m_behind = behind(frame, head);
     for (const Side side : sides) {
@@ -126,27 +133,42 @@ std::array<WandLabel, wandSpotCount> WandLabels::labels(Side side) const
     return result;
 }
 
-void WandLabels::write(const WandMapping& hands)
+void WandLabels::begin(const WandMapping& hands)
 {
     m_settings = hands.settings();
     m_used = 0;
     m_hands = {};
+    for (const Side side : sides) {
+        write(at(side), hands.roleOf(side));
+        at(side).mode = hands.modeOf(side);
+    }
+}
+
+void WandLabels::write(Hand& hand, HandRole role) const
+{
     const std::span<const PresetRow> table = presetRows(m_settings->preset);
     assert(table.size() <= 32);
-    const auto fill = [&](Lines& lines, HandRole role, HandMode mode) {
+    hand.linesOf = {};
+    for (const HandMode mode : {HandMode::Plain, HandMode::ToolMenu, HandMode::ColorPanel})
         for (std::size_t row = 0; row < table.size(); ++row) {
-            if (table[row].hand != role || !isIn(table[row], mode))
+            const WandSpot spot = spotOf(table[row].gesture);
+            if (table[row].hand != role || !isIn(table[row], mode) || (hand.kind.isSimple && !isOnSimpleWand(spot)))
                 continue;
-            Line& line = lines[static_cast<std::size_t>(spotOf(table[row].gesture))];
-            line.text += line.text.isEmpty() ? labelOf(table[row]) : QStringLiteral(" \u00B7 ") + labelOf(table[row]);
+            Line& line = hand.linesOf[static_cast<std::size_t>(mode)][static_cast<std::size_t>(spot)];
+            const QString label = labelOf(table[row], hand.kind.isStick);
+            line.text += line.text.isEmpty() ? label : QStringLiteral(" \u00B7 ") + label;
             line.rows |= bitOf(row);
         }
-    };
+}
+
+/// Another wand is in the hand, or the first one.
+void WandLabels::updateKinds(const InputFrame& frame, const WandMapping& hands)
+{
     for (const Side side : sides) {
-        const HandRole role = hands.roleOf(side);
-        fill(at(side).closed, role, HandMode::Plain);
-        fill(at(side).open, role, role == HandRole::Support ? HandMode::ToolMenu : HandMode::ColorPanel);
-        at(side).mode = hands.modeOf(side);
+        const WandState& wand = frame.wands[static_cast<std::size_t>(side)];
+        const WandKind kind{wand.isStick, wand.isSimple};
+        if (std::exchange(at(side).kind, kind) != kind)
+            write(at(side), hands.roleOf(side));
     }
 }
 

@@ -23,7 +23,7 @@ inline constexpr double labelGapSlack = 3, labelGapSlackMetres = 0.03;
 /// until what it tells of was done once, all of it where a button has two functions; then it comes back while the wand
 /// is looked at. A wand that draws is not: it is the clay that is looked at. One that points at a panel has none, which
 /// would stand before what it points at; nor has the farther of two wands between which there is no room for the labels
-/// of both. With another preset, or other hands, all of them are new.
+/// of both. A wand that lacks a part has no label there. With another preset, or other hands, all of them are new.
 ///
 /// Pure: any thread, no clock but the frames' own. Allocates nothing but in the step that finds another choice.
 class WandLabels
@@ -45,9 +45,17 @@ private:
     };
     using Lines = std::array<Line, wandSpotCount>;
 
+    /// What a wand is made of, as WandState has it.
+    struct WandKind
+    {
+        bool isStick = false, isSimple = false;
+        bool operator==(const WandKind&) const = default;
+    };
+
     struct Hand
     {
-        Lines closed, open; ///< as its panel is
+        std::array<Lines, handModeCount> linesOf; ///< by HandMode
+        WandKind kind;                            ///< that the lines are of
         HandMode mode = HandMode::Plain;
         std::array<float, wandSpotCount> opacities{};
         bool isNear = false; ///< to where the head looks, in the last frame
@@ -55,10 +63,12 @@ private:
 
         bool look(double degrees, double seconds);
         bool isSeen() const;
-        const Lines& lines() const { return mode == HandMode::Plain ? closed : open; }
+        const Lines& lines() const { return linesOf[static_cast<std::size_t>(mode)]; }
     };
 
-    void write(const WandMapping& hands);
+    void begin(const WandMapping& hands);
+    void write(Hand& hand, HandRole role) const;
+    void updateKinds(const InputFrame& frame, const WandMapping& hands);
     void note(const WandMapping& hands, std::span<const WandCommand> commands);
     void use(const WandMapping& hands, Side side, Gesture gesture);
     void setMode(Hand& hand, HandMode mode);

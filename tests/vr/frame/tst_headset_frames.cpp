@@ -296,6 +296,10 @@ void TestHeadsetFrames::wandsMayChange()
     const SeenFrame frame = visitor.client->last();
     QVERIFY(frame.wands[0].isStick && frame.wands[0].menu);
     QVERIFY((frame.wands[0].pad - Eigen::Vector2d(0.25, 0.5)).norm() < 1e-6);
+    QVERIFY(!frame.wands[0].isSimple);
+    m_headset->step("{'profile': '/interaction_profiles/khr/simple_controller'}");
+    QVERIFY(m_headset->frames(4));
+    QVERIFY(visitor.client->last().wands[0].isSimple && !visitor.client->last().wands[0].isStick);
     leave(visitor);
 }
 

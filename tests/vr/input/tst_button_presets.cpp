@@ -204,8 +204,11 @@ private Q_SLOTS:
         std::map<WandFunction, std::set<QString>> labels;
         for (const ButtonPreset preset : presets)
             for (const PresetRow& row : vr::presetRows(preset)) {
-                const QString label = vr::labelOf(row);
-                QVERIFY(!label.isEmpty() && label.size() <= 20 && label.split(u' ').size() <= 3);
+                for (const bool isStick : {false, true}) {
+                    const QString text = vr::labelOf(row, isStick);
+                    QVERIFY(!text.isEmpty() && text.size() <= 20 && text.split(u' ').size() <= 3);
+                }
+                const QString label = vr::labelOf(row, false);
                 QCOMPARE(label.startsWith(QStringLiteral("Hold: ")), isHeld(row.gesture));
                 labels[row.function].insert(QString(label).remove(QStringLiteral("Hold: ")).toLower());
             }
@@ -217,7 +220,7 @@ private Q_SLOTS:
     {
         ContextCollector teller;
         QVERIFY(QCoreApplication::installTranslator(&teller));
-        const QString label = vr::labelOf(vr::presetRows(ButtonPreset::Paper)[0]);
+        const QString label = vr::labelOf(vr::presetRows(ButtonPreset::Paper)[0], false);
         QCOMPARE(label, QStringLiteral("vr::Presets: Turn clockwise"));
         QCoreApplication::removeTranslator(&teller);
     }
