@@ -66,6 +66,12 @@ double radiusOn(const BrushState& brush, const ModelPlacement& placement)
     return std::clamp(placement.lengthToModel(brush.radius), range.min, range.max);
 }
 
+void setSymmetric(BrushState& brush, bool isSymmetric)
+{
+    const core::Symmetry plane = brush.plane.value_or(firstPlane(brush.preset));
+    brush.stroke.symmetry = isSymmetric ? plane : core::Symmetry::None;
+}
+
 void chooseTopology(BrushState& brush, core::Topology topology)
 {
     brush.stroke.topology = topology;
@@ -77,6 +83,11 @@ void chooseTopology(BrushState& brush, core::Topology topology)
 core::Topology firstTopology(ButtonPreset preset)
 {
     return preset == ButtonPreset::Paper ? core::Topology::Adaptive : core::Topology::Refine;
+}
+
+core::Symmetry firstPlane(ButtonPreset preset)
+{
+    return preset == ButtonPreset::Paper ? core::Symmetry::Y : core::Symmetry::X;
 }
 
 std::vector<core::Tool> toolOrder(ButtonPreset preset)
@@ -105,7 +116,7 @@ BrushState changed(BrushState brush, const WandAction& action)
         [&](ToggleTopology) {
             stroke.topology = stroke.topology == Topology::Uniform ? brush.topology : Topology::Uniform;
         },
-        [&](ToggleSymmetry) { stroke.symmetry = stroke.symmetry == Symmetry::None ? brush.plane : Symmetry::None; },
+        [&](ToggleSymmetry) { setSymmetric(brush, stroke.symmetry == Symmetry::None); },
         [&](const ScaleRadius& scale) { brush.radius = std::clamp(brush.radius * scale.factor, minRadius, maxRadius); },
         [&](const ChangeChannel& step) { stroke.color = changedColor(stroke.color, step); },
         [](const auto&) {},
@@ -131,7 +142,7 @@ BrushState changed(BrushState brush, const PanelAction& action)
             if (stroke.topology != core::Topology::Uniform)
                 stroke.topology = brush.topology;
         },
-        [&](const ChooseSymmetry& symmetry) { stroke.symmetry = symmetry.isOn ? brush.plane : core::Symmetry::None; },
+        [&](const ChooseSymmetry& symmetry) { setSymmetric(brush, symmetry.isOn); },
         [&](const ChooseRadial& chosen) { stroke.radial = chosen.count; },
         [&](const ChooseColor& chosen) { stroke.color = chosen.color; },
         [&](const Slide& slide) { stroke.color = changedColor(stroke.color, slide); },

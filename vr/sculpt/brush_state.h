@@ -20,7 +20,7 @@ struct BrushState
     bool addsNext = false;       ///< the next stroke adds a ball, or the stamp's model, and does nothing else
     bool isInverse = false;      ///< strokes do the opposite, where the tool has one
     ButtonPreset preset = ButtonPreset::Paper; ///< gives the order in which the pad steps through the tools
-    core::Symmetry plane = core::Symmetry::Y;  ///< of symmetry when it is on; the paper's is the xz plane
+    std::optional<core::Symmetry> plane;       ///< of symmetry when it is on; nothing: none was chosen yet
     core::Topology topology =
         core::Topology::Adaptive; ///< of the headset when it is not uniform; at first the preset's
     core::AirbrushRates airbrush = core::defaultAirbrushRates();                ///< as the window has them
@@ -31,6 +31,9 @@ struct BrushState
 /// Returns the topology, other than uniform, with which a preset begins: the paper's adapts to the brush, the others'
 /// keep detail.
 core::Topology firstTopology(ButtonPreset preset);
+
+/// Returns the plane of symmetry with which a preset begins: the paper's lies level, the others' parts left and right.
+core::Symmetry firstPlane(ButtonPreset preset);
 
 /// Returns the tools in the order in which a preset's pad steps through them: the palette's, except that with Paper the
 /// five of the paper (section 4.1) come first.

@@ -47,7 +47,7 @@ struct DocumentUpdate
     /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose
     /// brush.radius for it, mm.
     quint64 radiusChange = 0;
-    core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is switched on
+    std::optional<core::Symmetry> plane; ///< of symmetry when it is switched on; nothing: none was chosen yet
     bool canUndo = false, canRedo = false;
     bool isModified = false; ///< opening another file would lose something
     bool isBusy = false;     ///< opening, saving or changing the whole model: nothing of that kind can begin

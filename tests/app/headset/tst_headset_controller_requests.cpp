@@ -149,7 +149,7 @@ void TestHeadsetControllerRequests::update_isWholeAtFirst()
     QVERIFY(update->box.sizes().isApprox(core::Vec3(100, 100, 100), 0.02));
     QVERIFY(update->shading == ui::shadingOf(visit.program.window.viewport()->appearance().material));
     QVERIFY(!update->canUndo && !update->canRedo && !update->isModified && !update->isBusy);
-    QCOMPARE(update->plane, core::Symmetry::Y);
+    QVERIFY(!update->plane);
     QVERIFY(!update->swatches.isEmpty());
     QCOMPARE(update->folder, QDir(m_folder->path()).dirName());
     visit.stroke({50, 0, 0});
@@ -411,9 +411,9 @@ void TestHeadsetControllerRequests::brush_fromTheWindow()
     const vr::DocumentUpdate update = visit.update();
     QVERIFY(update.brushChange > changes);
     QCOMPARE(update.brush.tool, core::Tool::Smooth);
-    QCOMPARE(update.plane, core::Symmetry::Z);
+    QVERIFY(update.plane == core::Symmetry::Z);
     brush.setSymmetric(false);
-    QCOMPARE(visit.update().plane, core::Symmetry::Z);
+    QVERIFY(visit.update().plane == core::Symmetry::Z);
     const quint64 before = visit.update().brushChange;
     brush.set(&core::StrokeSettings::radial, 7);
     QVERIFY(visit.update().brushChange > before && visit.update().brush.radial == 7);

@@ -183,7 +183,7 @@ void TestHeadsetStudio::sculptingPad_choosesBrushSymmetryAndTool()
     QCOMPARE(v.brush().brush, core::BrushShape::Ray);
     v.hand.pressPad(Side::Right, 0, -0.8);
     v.hand.settle();
-    QCOMPARE(v.brush().symmetry, core::Symmetry::Y);
+    QCOMPARE(v.brush().symmetry, core::Symmetry::X);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.settle();
     QCOMPARE(v.brush().tool, core::Tool::Push);

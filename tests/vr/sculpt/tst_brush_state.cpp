@@ -12,6 +12,7 @@
 
 using core::Vec3;
 using vr::BrushState;
+using vr::ButtonPreset;
 using vr::ModelPlacement;
 
 namespace
@@ -67,6 +68,22 @@ private Q_SLOTS:
         QCOMPARE(brush.stroke.symmetry, core::Symmetry::None);
         QCOMPARE(after(brush, {vr::ToggleSymmetry{}}).stroke.symmetry, core::Symmetry::Y);
         QVERIFY(brush.radius >= vr::minRadius && brush.radius <= vr::maxRadius);
+    }
+
+    /// The paper's plane lies level; that of a face parts left and right. One that was chosen stays.
+    void theFirstPlaneIsThePresets()
+    {
+        const std::pair<ButtonPreset, core::Symmetry> firsts[] = {{ButtonPreset::Paper, core::Symmetry::Y},
+                                                                  {ButtonPreset::Studio, core::Symmetry::X},
+                                                                  {ButtonPreset::OneHand, core::Symmetry::X}};
+        for (const auto& [preset, plane] : firsts) {
+            BrushState brush;
+            brush.preset = preset;
+            QCOMPARE(after(brush, {vr::ToggleSymmetry{}}).stroke.symmetry, plane);
+            QCOMPARE(changed(brush, vr::PanelAction(vr::ChooseSymmetry{true})).stroke.symmetry, plane);
+            brush.plane = core::Symmetry::Z;
+            QCOMPARE(after(brush, {vr::ToggleSymmetry{}}).stroke.symmetry, core::Symmetry::Z);
+        }
     }
 
     void toolsComeRoundInOrder()
