@@ -404,6 +404,7 @@ void MainWindow::showSaved(const ModelInfo& modelInfo)
 {
     m_state->model = modelInfo;
     m_state->showName();
+    m_state->infoBar->setModelInfo(modelInfo);
     showExported(modelInfo.path);
     m_state->files.setSaved(modelInfo);
 }

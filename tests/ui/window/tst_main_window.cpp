@@ -91,6 +91,9 @@ private Q_SLOTS:
         QCOMPARE(child<QLabel>(window, "facts.name")->text(), QStringLiteral("lion.stl"));
         QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(2562)));
         QVERIFY(child<QLabel>(window, "facts.size")->text().contains(QLocale().toString(80.0, 'f', 1)));
+        window.showSaved(modelInfo(QStringLiteral("lion-001.glb"), 80)); // by the headset, under another name
+        QVERIFY(window.windowTitle().startsWith(QStringLiteral("lion-001.glb[*]")));
+        QCOMPARE(child<QLabel>(window, "facts.name")->text(), QStringLiteral("lion-001.glb"));
         QVERIFY(!window.isWindowModified());
         window.setWindowModified(true);
         QVERIFY(window.isWindowModified());
