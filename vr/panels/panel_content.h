@@ -30,8 +30,7 @@ public:
     bool isInverse = false; ///< strokes do the opposite
     bool addsNext = false;  ///< the next stroke adds a ball
     bool canUndo = false, canRedo = false;
-    bool canChange = true;                          ///< the model as a whole: restore it, or change its mask
-    bool showsFiles = false, showsSettings = false; ///< those panels
+    bool canChange = true; ///< the model as a whole: restore it, or change its mask
 
     bool operator==(const ToolPanel&) const = default;
     PanelLayout layout() const;

@@ -1,6 +1,10 @@
 #include "vr/panels/panel_manager.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace vr
 {
@@ -33,6 +37,16 @@ DefaultPosition defaultPositionOf(PanelKind kind)
         return {0, -0.1}; // a sentence a little above where the person looks
     }
 }
+
+/// The tools, and what they lead to.
+constexpr PanelKind pages[] = {PanelKind::Tools, PanelKind::Files, PanelKind::Settings};
+
+/// A head at the same place that looks there.
+Pose lookingAt(const core::Vec3& point, const Pose& head)
+{
+    const core::Vec3 way = point - head.position;
+    return {Eigen::Quaterniond(Eigen::AngleAxisd(std::atan2(-way.x(), -way.z()), core::Vec3::UnitY())), head.position};
+}
 } // namespace
 
 void PanelManager::create(QOpenGLExtraFunctions* gl)
@@ -50,15 +64,23 @@ void PanelManager::destroy()
 void PanelManager::open(PanelKind kind, bool isOpen)
 {
     Place& place = at(kind);
-    if (isOpen && !place.isOpen)
+    if (isOpen && !place.isOpen) {
         place.pose.reset();
+        place.replaced.reset();
+        if (std::ranges::find(pages, kind) != std::end(pages))
+            for (const PanelKind page : pages)
+                if (std::exchange(at(page).isOpen, false))
+                    place.replaced = at(page).pose;
+    }
     place.isOpen = isOpen;
 }
 
 void PanelManager::resetPlacement()
 {
-    for (Place& place : m_places)
+    for (Place& place : m_places) {
         place.pose.reset();
+        place.replaced.reset();
+    }
 }
 
 void PanelManager::show(const PanelContent& content, float opacity)
@@ -95,14 +117,15 @@ std::optional<Side> PanelManager::carrier(PanelKind kind) const
                                       : std::nullopt;
 }
 
-Pose PanelManager::placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout)
+Pose PanelManager::placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout,
+                                  const std::optional<Pose>& replaced)
 {
     const DefaultPosition position = defaultPositionOf(kind);
-    AheadPanelPlacement ahead{layout.metres(), layout.distance, position.aside,
-                              position.below,  sight.model,     position.aside < 0 ? -1.0 : 1.0};
+    AheadPanelPlacement ahead{layout.metres(), layout.distance, replaced ? 0 : position.aside, position.below,
+                              sight.model};
     if (kind == PanelKind::Notice)
         ahead.clear.reset();
-    return placeAhead(sight.head, ahead);
+    return placeAhead(replaced ? lookingAt(replaced->position, sight.head) : sight.head, ahead);
 }
 
 Pose PanelManager::placeOf(PanelKind kind, const Sight& sight) const
@@ -114,8 +137,9 @@ Pose PanelManager::placeOf(PanelKind kind, const Sight& sight) const
         return grip ? placeAtHand(*grip, sight.head, {size, sight.model, *side == Side::Left ? 1.0 : -1.0})
                     : place.pose.value_or(placeAhead(sight.head, {.size = size, .clear = {}}));
     }
-    return place.pose && !isOutOfReach(*place.pose, sight.head) ? *place.pose
-                                                                : placeOnOpening(kind, sight, *place.placed.layout);
+    if (place.pose && !isOutOfReach(*place.pose, sight.head))
+        return *place.pose;
+    return placeOnOpening(kind, sight, *place.placed.layout, place.pose ? std::nullopt : place.replaced);
 }
 
 void PanelManager::place(const Sight& sight)

@@ -16,7 +16,8 @@ public:
     void create(QOpenGLExtraFunctions* gl);
     void destroy();
 
-    /// A panel that opens is placed anew where the person looks, unless it goes with a hand.
+    /// A panel that opens is placed anew where the person looks, unless it goes with a hand. Of the tools and what they
+    /// lead to, files and settings, one is open at a time: the next one takes its place, where the person looks.
     void open(PanelKind kind, bool isOpen = true);
     bool isOpen(PanelKind kind) const { return at(kind).isOpen; }
     /// Room space has changed: all are placed again.
@@ -35,8 +36,9 @@ public:
         bool isOneHanded = false;                         ///< no panel goes with a hand
     };
     void place(const Sight& sight);
-    /// Where a panel that goes with no hand is placed when it opens. Pure.
-    static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout);
+    /// Where a panel that goes with no hand is placed when it opens, perhaps in another's place. Pure.
+    static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout,
+                               const std::optional<Pose>& replaced = {});
 
     /// Once a frame and hand, before press() and release(). No ray: the wand is lost. Nobody points at what the same
     /// hand carries. What a slider or a held item wants.
@@ -54,7 +56,8 @@ private:
     {
         bool isOpen = false;
         std::optional<Pose> pose;
-        PlacedPanel placed; ///< its layout is null until it was painted
+        std::optional<Pose> replaced; ///< of the panel whose place it takes
+        PlacedPanel placed;           ///< its layout is null until it was painted
         Texture picture;
         float opacity = 1;
     };

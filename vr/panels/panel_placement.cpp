@@ -104,12 +104,17 @@ Pose placeAtHand(const Pose& grip, const Pose& head, const HandPanelPlacement& p
 
 Pose placeAhead(const Pose& head, const AheadPanelPlacement& place)
 {
-    if (!place.clear)
-        return ahead(head, place, place.aside);
-    for (double more = 0; more <= maxAside; more += asideStep)
-        if (const Pose pose = ahead(head, place, place.aside + place.asideSign * more);
-            isClear(pose, head, place.size, *place.clear))
-            return pose;
+    const auto clearAt = [&](double aside) -> std::optional<Pose> {
+        const Pose pose = ahead(head, place, aside);
+        return !place.clear || isClear(pose, head, place.size, *place.clear) ? std::optional(pose) : std::nullopt;
+    };
+    if (const std::optional<Pose> wanted = clearAt(place.aside))
+        return *wanted;
+    const double preferred = place.aside < 0 ? -1 : 1;
+    for (double away = 0; away <= maxAside; away += asideStep)
+        for (const double sign : {preferred, -preferred})
+            if (const std::optional<Pose> pose = clearAt(sign * away))
+                return *pose;
     return ahead(head, place, place.aside);
 }
 

@@ -30,9 +30,9 @@ struct AheadPanelPlacement
     double distance = 0.6;          ///< metres from the head to its middle
     double aside = 0;               ///< radians, to the left of where the head looks
     double below = 0.05;            ///< metres, its middle below the eyes
-    /// Of the room: it keeps out of that, and out of what that hides, by standing farther aside.
+    /// Of the room: it keeps out of that, and out of what that hides. Where it would not, it stands as near to where
+    /// the head looks as it can, on either side.
     std::optional<core::Sphere> clear{};
-    double asideSign = 1; ///< 1: aside is to the left, -1: to the right
 };
 
 /// Upright, ahead of the head or aside, turned to it about the vertical. It is placed once, and does not follow the

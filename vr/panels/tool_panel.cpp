@@ -76,10 +76,9 @@ void ToolPanel::addPanelButtons(PanelBuilder& builder) const
 {
     const std::vector<QRectF> upper =
         cells(builder.nextRow(buttonHeight), {filesButtonWidth, 0, placeButtonWidth, placeButtonWidth});
-    builder.add(upper[0], {{.text = tr("Files"), .icon = QStringLiteral("files"), .isChosen = showsFiles},
-                           ShowPanel{PanelKind::Files, !showsFiles}});
-    builder.add(upper[1], {{.text = tr("Settings"), .icon = QStringLiteral("preferences"), .isChosen = showsSettings},
-                           ShowPanel{PanelKind::Settings, !showsSettings}});
+    builder.add(upper[0], {{.text = tr("Files"), .icon = QStringLiteral("files")}, ShowPanel{PanelKind::Files}});
+    builder.add(upper[1],
+                {{.text = tr("Settings"), .icon = QStringLiteral("preferences")}, ShowPanel{PanelKind::Settings}});
     builder.add(upper[2], {{.text = tr("Recentre"), .icon = QStringLiteral("recentre")}, PanelCommand::Recentre});
     builder.add(upper[3], {{.text = tr("Level"), .icon = QStringLiteral("level")}, PanelCommand::LevelModel});
     const std::vector<QRectF> lower = cells(builder.nextRow(buttonHeight), {addButtonWidth, 0, leaveButtonWidth});

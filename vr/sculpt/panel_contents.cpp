@@ -15,7 +15,7 @@ bool isSameStep(const std::optional<LessonPanel>& a, const std::optional<LessonP
     return a && b && a->lesson == b->lesson && a->step == b->step;
 }
 
-ToolPanel toolPanel(const PanelManager& panels, const PanelContents::Sources& sources)
+ToolPanel toolPanel(const PanelContents::Sources& sources)
 {
     const core::StrokeSettings& stroke = sources.brush.stroke;
     return {stroke.tool,
@@ -27,9 +27,7 @@ ToolPanel toolPanel(const PanelManager& panels, const PanelContents::Sources& so
             sources.brush.addsNext,
             sources.document.canUndo,
             sources.document.canRedo,
-            !sources.document.isBusy,
-            panels.isOpen(PanelKind::Files),
-            panels.isOpen(PanelKind::Settings)};
+            !sources.document.isBusy};
 }
 } // namespace
 
@@ -58,7 +56,7 @@ void PanelContents::apply(const PanelAction& action)
 void PanelContents::show(PanelManager& panels, const Sources& sources)
 {
     if (panels.isOpen(PanelKind::Tools))
-        panels.show(toolPanel(panels, sources));
+        panels.show(toolPanel(sources));
     if (panels.isOpen(PanelKind::Color))
         panels.show(ColorPanel{sources.brush.stroke.color, sources.channel, sources.document.swatches});
     if (panels.isOpen(PanelKind::Files))

@@ -295,7 +295,10 @@ void SculptClient::handle(Side side, const PanelAction& action)
                 m_placement.level();
             m_output.leave = m_output.leave || command == PanelCommand::LeaveVr;
         },
-        [&](const ShowPanel& panel) { m_panels.open(panel.kind, panel.isShown); },
+        [&](const ShowPanel& panel) {
+            m_panels.open(panel.kind, panel.isShown);
+            m_mapping.setToolMenuOpen(m_panels.isOpen(PanelKind::Tools));
+        },
         [&](LessonRequest request) { m_port->request(request); },
         [&](const ChooseChannel& channel) { m_mapping.selectChannel(channel.channel); },
         // discardsChanges is what the pressed item said: the picture may be older than the changes.

@@ -215,10 +215,18 @@ public:
         if (layout.kind == vr::PanelKind::Tools || layout.kind == vr::PanelKind::Color)
             return vr::placeAtHand(m_grips[static_cast<std::size_t>(carrier)], at,
                                    {layout.metres(), clay, carrier == vr::Side::Left ? 1.0 : -1.0});
-        const auto place = vr::PanelManager::placeOnOpening(layout.kind, {at, {}, sculpting(), clay}, layout);
+        const bool replacesTools = layout.kind == vr::PanelKind::Files || layout.kind == vr::PanelKind::Settings;
+        const auto place = vr::PanelManager::placeOnOpening(layout.kind, {at, {}, sculpting(), clay}, layout,
+                                                            replacesTools ? m_tools : std::nullopt);
         return m_ahead.emplace(layout.kind, place).first->second;
     }
     void forgetPanels() { m_ahead.clear(); }
+    /// By its button on the tools, whose place it takes.
+    void openFromTools(const vr::ToolPanel& tools, vr::PanelKind kind)
+    {
+        click(tools, vr::ShowPanel{kind});
+        m_tools = placeOf(vr::layoutOf(tools));
+    }
     /// The middle of an item, or of what a slider is to be set to. Room space.
     core::Vec3 placeOf(const vr::PanelLayout& layout, const vr::PanelAction& item)
     {
@@ -313,6 +321,7 @@ private:
     ScriptedHeadset m_headset;
     std::array<vr::Pose, vr::sideCount> m_grips; ///< by Side
     std::map<vr::PanelKind, vr::Pose> m_ahead;   ///< panels
+    std::optional<vr::Pose> m_tools;             ///< whose place was taken
     vr::ModelPlacement m_room;
     vr::AvatarState m_seen;
     bool m_isStalled = false;

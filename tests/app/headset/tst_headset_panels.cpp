@@ -48,12 +48,8 @@ struct AtTools : Alone
     {
         return hand.choose(tools(), item, happened, count);
     }
-    /// The tools, which may stand before it, are put away.
-    void open(PanelKind kind)
-    {
-        hand.click(tools(), vr::ShowPanel{kind, true});
-        hand.press(Side::Left, "menu");
-    }
+    /// It takes the tools' place.
+    void open(PanelKind kind) { hand.openFromTools(tools(), kind); }
     vr::HeadsetSettings settings() const { return HeadsetSettingsStore().load(); }
 
     /// What the person sees who turns to that place of the room, and back.
@@ -482,8 +478,8 @@ void TestHeadsetPanels::settings_swapHands()
     QVERIFY(v.isUntouched());
 
     v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
-    v.hand.put(Side::Right, {0.3, 1.15, -0.2}); // before the settings, which stand at that side
-    v.hand.press(Side::Right, "menu");          // the tools go with the other hand
+    v.hand.put(Side::Right, {0.3, 1.15, -0.2});
+    v.hand.press(Side::Right, "menu"); // the tools go with the other hand, in the settings' stead
     QVERIFY(v.choose(core::Tool::Paint, [&] { return v.brush().tool == core::Tool::Paint; }));
     v.hand.press(Side::Right, "menu");
     v.hand.put(Side::Left, {-0.35, 1.25, -0.3});

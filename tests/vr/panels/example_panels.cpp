@@ -100,8 +100,7 @@ std::vector<ExamplePanel> toolPanels()
     busy.tool = core::Tool::Paint;
     busy.brush = core::BrushShape::Ray;
     busy.topology = core::Topology::Uniform;
-    busy.isSymmetric = busy.isInverse = busy.addsNext = busy.canUndo = busy.canRedo = busy.showsFiles =
-        busy.showsSettings = true;
+    busy.isSymmetric = busy.isInverse = busy.addsNext = busy.canUndo = busy.canRedo = true;
     return {{"tools", plain}, {"tools-all", busy}};
 }
 

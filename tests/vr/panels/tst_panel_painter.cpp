@@ -292,8 +292,6 @@ void TestPanelPainter::aValue_isSeen_data()
     row("undo", 0, [](vr::ToolPanel& panel) { panel.canUndo = true; });
     row("redo", 0, [](vr::ToolPanel& panel) { panel.canRedo = true; });
     row("cannot change", 0, [](vr::ToolPanel& panel) { panel.canChange = false; });
-    row("files shown", 0, [](vr::ToolPanel& panel) { panel.showsFiles = true; });
-    row("settings shown", 0, [](vr::ToolPanel& panel) { panel.showsSettings = true; });
     row("red", 2, [](vr::ColorPanel& panel) { panel.color.r = 10; });
     row("channel", 2, [](vr::ColorPanel& panel) { panel.channel = 2; });
     row("swatch", 2, [](vr::ColorPanel& panel) { panel.swatches[2] = {}; });

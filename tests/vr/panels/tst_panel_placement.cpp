@@ -73,6 +73,8 @@ private Q_SLOTS:
     void ahead_itIsWhereTheHeadTurnsTo();
     void ahead_itKeepsClearOfTheModel_data();
     void ahead_itKeepsClearOfTheModel();
+    void ahead_itIsInSight();
+    void ahead_itTakesAnothersPlace();
     void ahead_whereNothingIsClear_itIsAhead();
     void ahead_noneHidesAnother();
     void somebodyWalksAway();
@@ -230,15 +232,65 @@ void TestPanelPlacement::ahead_itKeepsClearOfTheModel()
     placement.place(head({0, 1.6, 0}, {}));
     const core::Sphere model{placement.middle(), vr::ModelPlacement::comfortableSize / 2};
     const Pose eyes = head({0, 1.6, 0}, {yaw, -20, 0});
-    const Pose panel = vr::placeAhead(eyes, {.size = large, .clear = model, .asideSign = turnsTo});
+    const double aside = turnsTo * 0.1;
+    const Pose panel = vr::placeAhead(eyes, {.size = large, .aside = aside, .clear = model});
     for (double x = -0.5; x <= 0.5; x += 0.1)
         for (double y = -0.5; y <= 0.5; y += 0.1)
             for (double t = 0; t <= 1; t += 0.02) {
                 const Vec3 point = panel * Vec3(x * large.x(), y * large.y(), 0);
                 QVERIFY((eyes.position + t * (point - eyes.position) - model.center).norm() > 0.97 * model.radius);
             }
-    const Vec3 aside = panel.position - vr::placeAhead(eyes, {.size = large}).position;
-    QVERIFY(aside.dot(eyes.rotation * Vec3::UnitX()) * turnsTo <= 1e-9);
+    const auto wanted = vr::placeAhead(eyes, {.size = large, .aside = aside});
+    const bool isWanted = (panel.position - wanted.position).norm() < 1e-9;
+    const auto awayFromGaze = [&](const Pose& pose) {
+        return (pose.position - vr::placeAhead(eyes, {.size = large}).position).norm();
+    };
+    for (const double side : {1.0, -1.0}) // neither side has a nearer one
+        QVERIFY(isWanted ||
+                awayFromGaze(panel) <=
+                    awayFromGaze(vr::placeAhead(eyes, {.size = large, .aside = side * 1.9, .clear = model})) + 1e-9);
+}
+
+/// Wherever the user looks while the model is somewhere else.
+void TestPanelPlacement::ahead_itIsInSight()
+{
+    using vr::PanelKind;
+    vr::ModelPlacement placement;
+    placement.place(head({0, 1.6, 0}, {}));
+    const core::Sphere model{placement.middle(), vr::ModelPlacement::comfortableSize / 2};
+    const vr::PanelContent contents[] = {vr::ToolPanel(), vr::ColorPanel(), vr::FilesPanel(), vr::SettingsPanel()};
+    for (const vr::PanelContent& content : contents)
+        for (double yaw = -180; yaw < 180; yaw += 5) {
+            const vr::PanelManager::Sight sight{head({0, 1.6, 0}, {yaw, 0, 0}), {}, vr::Side::Right, model};
+            const vr::PanelLayout layout = vr::layoutOf(content);
+            const auto angleTo = [&](const Pose& panel, const Pose& eyes) {
+                const Vec3 way = eyes.inverse().rotation * (panel.position - eyes.position);
+                return std::abs(std::atan2(way.x(), -way.z())) / degree;
+            };
+            const double angle = angleTo(vr::PanelManager::placeOnOpening(layout.kind, sight, layout), sight.head);
+            QVERIFY2(angle < 60, qPrintable(QStringLiteral("%1: %2").arg(yaw).arg(angle)));
+        }
+}
+
+/// Tools hang beside the model, at a hand; the user looks at them, or past them at the model.
+void TestPanelPlacement::ahead_itTakesAnothersPlace()
+{
+    vr::ModelPlacement placement;
+    placement.place(head({0, 1.6, 0}, {}));
+    const core::Sphere model{placement.middle(), vr::ModelPlacement::comfortableSize / 2};
+    const vr::PanelLayout tools = vr::layoutOf(vr::ToolPanel());
+    for (const vr::PanelContent& content : {vr::PanelContent(vr::FilesPanel()), vr::PanelContent(vr::SettingsPanel())})
+        for (const double side : {1.0, -1.0})
+            for (double yaw = -60; yaw <= 60; yaw += 10) {
+                const vr::PanelManager::Sight sight{head({0, 1.6, 0}, {yaw, -15, 0}), {}, vr::Side::Right, model};
+                const Pose grip{Eigen::Quaterniond::Identity(), {-side * 0.3, 1.2, -0.3}};
+                const Pose before = vr::placeAtHand(grip, sight.head, {tools.metres(), model, side});
+                const vr::PanelLayout layout = vr::layoutOf(content);
+                const Pose panel = vr::PanelManager::placeOnOpening(layout.kind, sight, layout, before);
+                const Vec3 a = before.position - sight.head.position, b = panel.position - sight.head.position;
+                const double angle = std::atan2(a.x() * b.z() - a.z() * b.x(), a.x() * b.x() + a.z() * b.z());
+                QVERIFY2(std::abs(angle) < 11 * degree, qPrintable(QString::number(angle / degree)));
+            }
 }
 
 void TestPanelPlacement::ahead_whereNothingIsClear_itIsAhead()
