@@ -161,7 +161,7 @@ bool PanelManager::isThere(const Place& place)
     return place.isOpen && place.opacity > 0 && place.placed.layout;
 }
 
-std::optional<PanelAction> PanelManager::aim(Side side, const std::optional<core::Ray>& ray, double time)
+std::optional<PanelAction> PanelManager::aim(Side side, const std::optional<PanelPointer::Aim>& aim, double time)
 {
     m_targets.clear();
     for (std::size_t i = 0; i < panelKindCount; ++i) {
@@ -169,7 +169,7 @@ std::optional<PanelAction> PanelManager::aim(Side side, const std::optional<core
         if (isThere(m_places[i]) && kind != PanelKind::Notice && carrier(kind) != side)
             m_targets.push_back(m_places[i].placed);
     }
-    return pointer(side).aim(ray, time, m_targets);
+    return pointer(side).aim(aim, time, m_targets);
 }
 
 void PanelManager::list(std::vector<Panel>& panels) const

@@ -40,9 +40,11 @@ public:
     static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout,
                                const std::optional<Pose>& replaced = {});
 
-    /// Once a frame and hand, before press() and release(). No ray: the wand is lost. Nobody points at what the same
-    /// hand carries. What a slider or a held item wants.
-    std::optional<PanelAction> aim(Side side, const std::optional<core::Ray>& ray, double time);
+    /// Once a frame and hand, before press() and release(). Nothing: the wand is lost. Nobody points at what the same
+    /// hand carries. What a slider, a held item or a poke wants.
+    std::optional<PanelAction> aim(Side side, const std::optional<PanelPointer::Aim>& aim, double time);
+    /// The hand is about something else than what it points at.
+    void lookAway(Side side) { pointer(side).lookAway(); }
     /// Where that hand points.
     const std::optional<PanelPointer::Spot>& spot(Side side) const { return pointer(side).spot(); }
     std::optional<PanelAction> press(Side side) { return pointer(side).press(); }

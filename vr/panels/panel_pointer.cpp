@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vr
 {
@@ -34,7 +35,7 @@ void PanelPointer::find(const core::Ray& ray, std::span<const PlacedPanel> panel
         m_spot = Spot{m_place->panel.layout->kind, ray.origin + m_place->point.distance * ray.direction.normalized()};
 }
 
-std::optional<PanelAction> PanelPointer::aim(const std::optional<core::Ray>& ray, double time,
+std::optional<PanelAction> PanelPointer::aim(const std::optional<Aim>& aim, double time,
                                              std::span<const PlacedPanel> panels)
 {
     m_time += m_clock.step(time);
@@ -42,9 +43,31 @@ std::optional<PanelAction> PanelPointer::aim(const std::optional<core::Ray>& ray
     m_spot.reset();
     if (m_press && !isThere(m_press->panel, panels))
         m_press.reset();
-    if (ray)
-        find(*ray, panels);
-    return keepPressing();
+    if (aim)
+        find(aim->ray, panels);
+    const std::optional<PanelAction> poked = poke(aim);
+    return poked ? poked : keepPressing();
+}
+
+void PanelPointer::lookAway()
+{
+    m_before.reset();
+    if (m_press)
+        return;
+    m_place.reset();
+    m_spot.reset();
+}
+
+/// A press that begins when the tip goes through an item from the front, and ends when it comes back, or leaves aside.
+std::optional<PanelAction> PanelPointer::poke(const std::optional<Aim>& aim)
+{
+    const bool isThrough = aim && m_spot && m_place->point.distance < aim->tip;
+    const std::optional<PanelKind> before =
+        std::exchange(m_before, m_spot && !isThrough ? std::optional(m_spot->kind) : std::nullopt);
+    if (m_press && m_press->isPoke && !isThrough)
+        return release(m_spot.has_value());
+    const bool begins = !m_press && isThrough && aim->mayPoke && before == m_spot->kind;
+    return begins ? begin(true) : std::nullopt;
 }
 
 const PanelItem* PanelPointer::itemUnder() const
@@ -88,10 +111,15 @@ std::optional<PanelAction> PanelPointer::keepPressing()
 
 std::optional<PanelAction> PanelPointer::press()
 {
+    return begin(false);
+}
+
+std::optional<PanelAction> PanelPointer::begin(bool isPoke)
+{
     const PanelItem* item = itemUnder();
     if (!item)
         return std::nullopt;
-    m_press = Press{kindOf(*item), m_place->panel.layout->kind, *item->action, m_time};
+    m_press = Press{kindOf(*item), m_place->panel.layout->kind, *item->action, m_time, isPoke};
     return m_press->kind == PressKind::Slide ? slide() : std::nullopt;
 }
 

@@ -17,7 +17,8 @@ struct PlacedPanel
     std::shared_ptr<const PanelLayout> layout; ///< never null
 };
 
-/// One wand that points at panels and presses their items. Pure: no clock but the frames' own.
+/// One wand that points at panels and presses their items, by its trigger or by its tip, which is put through an item
+/// and drawn back. Pure: no clock but the frames' own.
 ///
 /// A press acts when it is let go over the item on which it began. A slider follows it from the first moment on, also
 /// beyond its ends and the panel's edge. An item that must be held acts once, when it has been held for holdSeconds
@@ -33,10 +34,19 @@ public:
         core::Vec3 point; ///< room space
     };
 
-    /// Once a frame, before press() and release(). No ray: the wand is lost. `time` in seconds. What a slider or a held
-    /// item wants.
-    std::optional<PanelAction> aim(const std::optional<core::Ray>& ray, double time,
-                                   std::span<const PlacedPanel> panels);
+    /// Where a wand is.
+    struct Aim
+    {
+        core::Ray ray;       ///< from the palm
+        double tip = 0;      ///< metres from there along the ray
+        bool mayPoke = true; ///< false: the hand does something else
+    };
+
+    /// Once a frame, before press() and release(). Nothing: the wand is lost. `time` in seconds. What a slider, a held
+    /// item or a poke wants.
+    std::optional<PanelAction> aim(const std::optional<Aim>& aim, double time, std::span<const PlacedPanel> panels);
+    /// The hand is about something else than what it points at.
+    void lookAway();
     /// As vr::PressPanel and vr::ReleasePanel have it. A press elsewhere than on an item does nothing.
     std::optional<PanelAction> press();
     std::optional<PanelAction> release(bool isClick);
@@ -61,6 +71,7 @@ private:
         PanelKind panel;
         PanelAction item;
         double time;
+        bool isPoke = false;
         bool isOver = false; ///< what must be held has acted, or was left
     };
 
@@ -69,6 +80,8 @@ private:
     const PanelItem* itemUnder() const;
     bool isOnPressed() const;
     double held() const;
+    std::optional<PanelAction> begin(bool isPoke);
+    std::optional<PanelAction> poke(const std::optional<Aim>& aim);
     std::optional<PanelAction> keepPressing();
     std::optional<PanelAction> slide();
     std::optional<PanelTouch> pressedTouch() const;
@@ -78,5 +91,6 @@ private:
     std::optional<Place> m_place; ///< where it points; while it presses, on the plane of the panel that it presses
     std::optional<Spot> m_spot;
     std::optional<Press> m_press;
+    std::optional<PanelKind> m_before; ///< the panel that the tip was right before, in the last frame
 };
 } // namespace vr

@@ -71,6 +71,13 @@ WandPart partOf(Sector sector)
     return WandPart::PadMiddle;
 }
 
+/// Whether the hand holds no button with which it does something.
+bool isHandFree(const WandMapping& mapping, Side side)
+{
+    const WandGestures& gestures = mapping.gestures(side);
+    return !gestures.trigger.isDown && !gestures.side.isDown;
+}
+
 /// Returns what is seen of a wand, except the colour of its tip.
 ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side)
 {
@@ -214,15 +221,18 @@ void SculptClient::aimAtPanels(const FrameInput& input)
     m_brush.aim(m_tip);
     for (const Side side : {Side::Left, Side::Right}) {
         const WandState& wand = input.wands[static_cast<std::size_t>(side)];
-        const Pose tip = tipOf(wand);
-        const std::optional<core::Ray> ray =
-            wand.isTracked ? std::optional(core::Ray{tip.position, tip.forward()}) : std::nullopt;
-        if (const std::optional<PanelAction> action = m_panels.aim(side, ray, input.seconds()))
+        std::optional<PanelPointer::Aim> aim;
+        if (wand.isTracked)
+            aim = {{wand.grip.position, wand.aim.forward()}, tipReach, isHandFree(m_mapping, side)};
+        if (const std::optional<PanelAction> action = m_panels.aim(side, aim, input.seconds()))
             handle(side, *action);
+        if (!pointsAtPanel(side))
+            m_panels.lookAway(side);
     }
 }
 
-/// A brush that is in the model sculpts, whatever is behind it; so does a ray that meets the model before a panel.
+/// A tip that has gone through a panel is the panel's. A brush that is in the model sculpts, whatever is behind it; so
+/// does a ray that meets the model before a panel.
 bool SculptClient::pointsAtPanel(Side side) const
 {
     const std::optional<PanelPointer::Spot>& spot = m_panels.spot(side);
@@ -230,8 +240,11 @@ bool SculptClient::pointsAtPanel(Side side) const
         return false;
     if (side != m_settings.wands.sculpting || !m_tip)
         return true;
+    const double ahead = (spot->point - m_tip->position).dot(m_tip->forward());
+    if (ahead < 0)
+        return true;
     const std::optional<double> reach = m_brush.reach(m_placement);
-    return !m_brush.touches(m_placement) && !(reach && *reach < (spot->point - m_tip->position).norm());
+    return !m_brush.touches(m_placement) && !(reach && *reach < ahead);
 }
 
 void SculptClient::updateHaptics()
@@ -364,10 +377,11 @@ void SculptClient::updateScene(const FrameInput& input)
                                        m_placement.lengthToRoom(m_update.teacher->radius)};
     m_panels.list(m_state.panels);
     m_state.lasers = {};
-    for (const Side side : {Side::Left, Side::Right})
-        if (pointsAtPanel(side))
-            m_state.lasers[static_cast<std::size_t>(side)] =
-                Laser{tipOf(input.wands[static_cast<std::size_t>(side)]).position, m_panels.spot(side)->point};
+    for (const Side side : {Side::Left, Side::Right}) {
+        const Pose tip = tipOf(input.wands[static_cast<std::size_t>(side)]);
+        if (pointsAtPanel(side) && (m_panels.spot(side)->point - tip.position).dot(tip.forward()) > 0)
+            m_state.lasers[static_cast<std::size_t>(side)] = Laser{tip.position, m_panels.spot(side)->point};
+    }
     if (m_brush.footprint() != m_tint) {
         m_tint = m_brush.footprint();
         m_scene.tint(m_tint.get());

@@ -31,16 +31,27 @@ public:
     /// At a place of a panel's item: 0 its left and upper edge, 1 the right and the lower one.
     std::optional<PanelAction> at(std::size_t panel, const PanelAction& item, const QPointF& share = {0.5, 0.5})
     {
+        return to(placeOf(panel, item, share));
+    }
+    Vec3 placeOf(std::size_t panel, const PanelAction& item, const QPointF& share = {0.5, 0.5}) const
+    {
         const vr::PanelLayout& layout = *m_panels[panel].layout;
         const PanelItem* panelItem = layout.itemFor(item);
         const QPointF point = panelItem->area.topLeft() +
                               QPointF(share.x() * panelItem->area.width(), share.y() * panelItem->area.height());
         const Vec3 offset =
             Vec3(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y(), 0) * layout.distance / 1000;
-        return to(m_panels[panel].pose.position + offset);
+        return m_panels[panel].pose.position + offset;
     }
-    std::optional<PanelAction> to(const Vec3& target) { return aim(core::Ray{from, target - from}); }
-    std::optional<PanelAction> away() { return aim(core::Ray{from, Vec3::UnitZ()}); }
+    std::optional<PanelAction> to(const Vec3& target) { return aim(ahead(core::Ray{from, target - from})); }
+    std::optional<PanelAction> away() { return aim(ahead(core::Ray{from, Vec3::UnitZ()})); }
+    /// The tip at that place and depth behind the panel, pointing straight at it.
+    std::optional<PanelAction> poke(std::size_t panel, const PanelAction& item, double depth, bool mayPoke = true)
+    {
+        constexpr double length = 0.13;
+        const Vec3 palm = placeOf(panel, item) + Vec3(0, 0, length - depth);
+        return aim(vr::PanelPointer::Aim{{palm, -Vec3::UnitZ()}, length, mayPoke});
+    }
     std::optional<PanelAction> lost() { return aim(std::nullopt); }
     /// Nothing moves for so long. What is wanted in any of the frames.
     std::optional<PanelAction> wait(double seconds)
@@ -55,7 +66,7 @@ public:
     std::optional<PanelAction> stall(double seconds)
     {
         m_time += seconds - frame;
-        return aim(m_ray);
+        return aim(m_aim);
     }
     void replace(std::vector<PlacedPanel> panels) { m_panels = std::move(panels); }
 
@@ -65,15 +76,16 @@ public:
 private:
     static constexpr double frame = 1.0 / 90;
 
-    std::optional<PanelAction> aim(const std::optional<core::Ray>& ray)
+    static vr::PanelPointer::Aim ahead(const core::Ray& ray) { return {ray, 0, true}; }
+    std::optional<PanelAction> aim(const std::optional<vr::PanelPointer::Aim>& aim)
     {
-        m_ray = ray;
+        m_aim = aim;
         m_time += frame;
-        return pointer.aim(ray, m_time, m_panels);
+        return pointer.aim(aim, m_time, m_panels);
     }
 
     std::vector<PlacedPanel> m_panels;
-    std::optional<core::Ray> m_ray;
+    std::optional<vr::PanelPointer::Aim> m_aim;
     double m_time = 0;
 };
 
@@ -129,6 +141,11 @@ private Q_SLOTS:
     void aPanelThatGoes_takesThePressAlong();
     void anItemThatChanges_isStillTheSame();
     void anItemThatMustBeHeldByNow_isNotClicked();
+    void aPoke_actsWhenItIsDrawnBack();
+    void aPoke_fromElsewhereDoesNothing();
+    void aPoke_setsASlider();
+    void aTriggerWithinAPoke_actsOnce();
+    void aHandElsewhere_pointsAtNothing();
     void whereItPoints_isOnThePanel();
     void aTouch_isWhatThePictureShows();
 };
@@ -363,6 +380,68 @@ void TestPanelPointer::anItemThatMustBeHeldByNow_isNotClicked()
     wand.replace({placed(files, middle)});
     wand.wait(0.1);
     QVERIFY(!wand.pointer.release(isClick));
+}
+
+void TestPanelPointer::aPoke_actsWhenItIsDrawnBack()
+{
+    Wand wand = beforeTools();
+    for (const double depth : {0.001, 0.03, 0.1}) {
+        QVERIFY(!wand.poke(0, paint, -0.03));
+        QVERIFY(!wand.poke(0, paint, depth));
+        QVERIFY((wand.pointer.touch(vr::PanelKind::Tools) == vr::PanelTouch{paint, true, 0}));
+        QVERIFY(wand.pointer.spot()); // also for a trigger: it presses, and does not sculpt
+        QVERIFY(wand.poke(0, paint, -0.01) == paint);
+        QVERIFY(!wand.poke(0, paint, -0.03));
+    }
+}
+
+/// From behind, from the side, out at the side or over another item, and by a hand that does something else.
+void TestPanelPointer::aPoke_fromElsewhereDoesNothing()
+{
+    Wand wand = beforeTools();
+    wand.lost();
+    QVERIFY(!wand.poke(0, paint, 0.03));
+    QVERIFY(!wand.poke(0, paint, -0.03));
+    QVERIFY(!wand.poke(0, paint, 0.03));
+    QVERIFY(!wand.poke(0, push, -0.03));
+    QVERIFY(!wand.poke(0, paint, 0.03));
+    QVERIFY(!wand.lost());
+    QVERIFY(!wand.poke(0, paint, -0.03));
+    QVERIFY(!wand.poke(0, paint, 0.03, false));
+    QVERIFY(!wand.poke(0, paint, 0.03));
+    QVERIFY(!wand.poke(0, paint, -0.03));
+}
+
+void TestPanelPointer::aPoke_setsASlider()
+{
+    Wand wand = beforeColors();
+    wand.poke(0, green, -0.03);
+    QVERIFY(slidTo(wand.poke(0, green, 0.01)) > 0);
+    QVERIFY(!wand.poke(0, green, -0.03));
+}
+
+void TestPanelPointer::aTriggerWithinAPoke_actsOnce()
+{
+    Wand wand = beforeTools();
+    wand.poke(0, paint, -0.03);
+    wand.poke(0, paint, 0.03);
+    QVERIFY(!wand.pointer.press());
+    QVERIFY(!wand.wait(0.2));
+    QVERIFY(wand.pointer.release(isClick) == paint);
+    QVERIFY(!wand.poke(0, paint, -0.03));
+}
+
+/// While it sculpts, what is behind does not look as if the trigger pressed it.
+void TestPanelPointer::aHandElsewhere_pointsAtNothing()
+{
+    Wand wand = beforeTools();
+    wand.at(0, paint);
+    wand.pointer.lookAway();
+    QVERIFY(!wand.pointer.touch(vr::PanelKind::Tools) && !wand.pointer.spot());
+    wand.at(0, paint);
+    wand.pointer.press();
+    wand.pointer.lookAway(); // what it presses it holds
+    QVERIFY(wand.pointer.release(isClick) == paint);
 }
 
 void TestPanelPointer::whereItPoints_isOnThePanel()
