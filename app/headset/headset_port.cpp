@@ -4,6 +4,15 @@
 
 namespace app
 {
+namespace
+{
+/// Whether the hand is to feel it. A pull that begins too close to the surface to add a ball waits for its first touch.
+bool isRefusal(core::Shortfall shortfall)
+{
+    return shortfall != core::Shortfall::None && shortfall != core::Shortfall::TooClose;
+}
+} // namespace
+
 HeadsetPort::HeadsetPort(SculptWorker* worker) : m_worker(worker) {}
 
 // --- the gui thread's side
@@ -25,7 +34,7 @@ void HeadsetPort::begin()
         [self](quint64 fusions, core::Shortfall shortfall) {
             const std::lock_guard lock(self->m_mutex);
             self->m_effect.fusions += static_cast<int>(fusions);
-            self->m_effect.refusals += shortfall != core::Shortfall::None;
+            self->m_effect.refusals += isRefusal(shortfall);
         },
         Qt::DirectConnection);
     m_worker->setInbox(Source::Headset, m_inbox);

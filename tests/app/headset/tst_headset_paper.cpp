@@ -45,6 +45,8 @@ private Q_SLOTS:
     void rightSlide_setsTheRadius();
     void rightMenu_opensTheColoursWhichThePadSets();
     void rightTrigger_sculptsAsHardAsItIsPulled();
+    void rightTrigger_pulledBeforeTheSurfaceWaitsForIt_data();
+    void rightTrigger_pulledBeforeTheSurfaceWaitsForIt();
     void rightSideHeld_restoresAndThatCanBeUndone();
     void handsMaySwap();
     void whatIsHeld_fillsARing();
@@ -268,6 +270,38 @@ void TestHeadsetPaper::rightTrigger_sculptsAsHardAsItIsPulled()
     };
     const double light = height(0.6), full = height(1);
     QVERIFY2(light > 50.1 && full > light + 0.3, qPrintable(QStringLiteral("%1 %2").arg(light).arg(full)));
+}
+
+void TestHeadsetPaper::rightTrigger_pulledBeforeTheSurfaceWaitsForIt_data()
+{
+    QTest::addColumn<double>("before");
+    QTest::addColumn<int>("steps");
+    QTest::addColumn<core::Symmetry>("symmetry");
+    for (const double radii : {1.01, 1.1})
+        for (const int steps : {1, 12, 40})
+            for (const core::Symmetry symmetry : {core::Symmetry::None, core::Symmetry::X})
+                QTest::addRow("%g radii, %d steps, symmetry %d", radii, steps, int(symmetry))
+                    << radii << steps << symmetry;
+}
+
+/// A hand in the air presses early. Nothing is refused, and what would have been too close to be added is not missed.
+void TestHeadsetPaper::rightTrigger_pulledBeforeTheSurfaceWaitsForIt()
+{
+    QFETCH(double, before);
+    QFETCH(int, steps);
+    QFETCH(core::Symmetry, symmetry);
+    Alone v;
+    v.program.window.brush()->set(&core::StrokeSettings::symmetry, symmetry);
+    v.hand.frames(2);
+    const double radius = vr::defaultRadius / v.scale();
+    const int refusals = pulsesOf(v.hand, Side::Right, {.refused = true});
+    const core::Vec3 way = core::Vec3(1, 2, 1).normalized();
+    v.hand.begin((50 + before * radius) * way, (50 + before * radius) * way, 30);
+    v.hand.stroke((50 + before * radius) * way, (50 - 0.5 * radius) * way, steps);
+    QCOMPARE(v.changes(), 1);
+    QVERIFY(!v.isUntouched());
+    QCOMPARE(pulsesOf(v.hand, Side::Right, {.refused = true}), refusals);
+    QVERIFY2(!notice(v.program).contains(QStringLiteral("Nothing")), qPrintable(notice(v.program)));
 }
 
 void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
