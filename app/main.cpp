@@ -172,7 +172,7 @@ int showWindow(const app::WindowStart& start)
     app::connectRecovery(window, document, recoveryStore);
     app::connectLessonAutosave(document, app::RecoveryStore::defaultRoot().parent_path() / "lessons");
     if (simulator)
-        new app::SimulatorController(&window, std::move(simulator));
+        new app::SimulatorController(&window, &worker, std::move(simulator));
     window.show();
     if (start.entersVr)
         enterVrOnce(document, window);
@@ -208,7 +208,7 @@ int showClass(QApplication& application, const app::WindowStart& start)
     app::ClassroomMode mode({&window, &document, &recoveryStore}, classroom, paths);
     app::connectClassroom(window, mode);
     if (simulator)
-        new app::SimulatorController(&window, std::move(simulator));
+        new app::SimulatorController(&window, &worker, std::move(simulator));
     if (classroom.fullScreen)
         window.showFullScreen();
     else

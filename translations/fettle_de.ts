@@ -6929,6 +6929,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>VR starts…</source>
         <translation>VR startet …</translation>
     </message>
+    <message>
+        <source>%1 cm before the surface</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>%1 cm vor der Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 cm behind the surface</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>%1 cm hinter der Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>ui::SimulatorWindow</name>
@@ -6937,8 +6947,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Maus</translation>
     </message>
     <message>
-        <source>moves the wand</source>
-        <translation>bewegt den Controller</translation>
+        <source>moves the wand on the surface</source>
+        <translation>bewegt den Controller auf der Oberfläche</translation>
     </message>
     <message>
         <source>Wheel</source>

@@ -6908,6 +6908,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>VR starts…</source>
         <translation>VR 正在启动…</translation>
     </message>
+    <message>
+        <source>%1 cm before the surface</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>在表面前 %1 厘米</translation>
+    </message>
+    <message>
+        <source>%1 cm behind the surface</source>
+        <extracomment>%1: a number</extracomment>
+        <translation>在表面后 %1 厘米</translation>
+    </message>
 </context>
 <context>
     <name>ui::SimulatorWindow</name>
@@ -6916,8 +6926,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>鼠标</translation>
     </message>
     <message>
-        <source>moves the wand</source>
-        <translation>移动手柄</translation>
+        <source>moves the wand on the surface</source>
+        <translation>在表面上移动手柄</translation>
     </message>
     <message>
         <source>Wheel</source>

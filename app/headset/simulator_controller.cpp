@@ -1,9 +1,13 @@
 #include "app/headset/simulator_controller.h"
 
 #include "app/headset/headset.h"
+#include "app/headset/headset_settings_store.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "ui/headset/simulator_view.h"
 #include "ui/headset/simulator_window.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "vr/openxr/wand_state.h"
 
@@ -41,15 +45,23 @@ void add(QJsonObject& wand, const ui::SimulatedButtons& buttons)
     wand[QStringLiteral("pad_press")] = buttons.pressesPad;
 }
 
+vr::Side sideOf(SimulatedHand hand)
+{
+    return hand == SimulatedHand::Left ? vr::Side::Left : vr::Side::Right;
+}
+
 std::size_t indexOf(SimulatedHand hand)
 {
     return static_cast<std::size_t>(hand);
 }
 } // namespace
 
-SimulatorController::SimulatorController(ui::MainWindow* window, std::unique_ptr<Simulator> simulator)
+SimulatorController::SimulatorController(ui::MainWindow* window, SculptWorker* worker,
+                                         std::unique_ptr<Simulator> simulator)
     : QObject(window)
     , m_simulator(std::move(simulator))
+    , m_worker(worker)
+    , m_main(window)
     , m_headset(window->findChild<Headset*>())
     , m_window(new ui::SimulatorWindow(window))
 {
@@ -57,7 +69,12 @@ SimulatorController::SimulatorController(ui::MainWindow* window, std::unique_ptr
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &SimulatorController::tick);
     connect(m_headset, &Headset::reported, this, &SimulatorController::onReport);
+    connect(m_headset, &Headset::avatarChanged, this,
+            [this](const std::optional<vr::AvatarState>& avatar) { m_seen = avatar; });
+    connect(worker, &SculptWorker::answeredSimulator, this,
+            [this](const std::optional<core::SurfaceHit>& hit) { m_hit = hit; });
     connect(m_window, &ui::SimulatorWindow::closed, m_headset, &Headset::leave);
+    connect(m_window->view(), &ui::SimulatorView::headTurned, this, [this] { m_gaze.letGo(); });
     connect(m_window->view(), &ui::SimulatorView::buttonsChanged, this, &SimulatorController::queueButtons);
 }
 
@@ -71,6 +88,9 @@ void SimulatorController::onReport(const vr::HeadsetReport& report)
         m_pendingButtons.clear();
         m_sentButtons = {};
         m_picturesSince = minPicturesApart;
+        m_seen.reset();
+        m_hit.reset();
+        m_gaze = {};
         m_window->begin();
         m_clock.start();
         m_timer.start();
@@ -80,12 +100,72 @@ void SimulatorController::onReport(const vr::HeadsetReport& report)
 
 void SimulatorController::tick()
 {
-    m_window->view()->advance(static_cast<double>(m_clock.restart()) / 1000);
+    const double seconds = static_cast<double>(m_clock.restart()) / 1000;
+    m_window->view()->advance(seconds);
+    if (m_seen && m_seen->head) {
+        const bool isAtOnce = m_main->viewport()->reducesMotion();
+        m_window->view()->turnHead(
+            m_gaze.step(m_seen->panels, *m_seen->head, ui::SimulatorControls::sideTangent, isAtOnce ? 0 : seconds), 0);
+    }
     if (const QImage picture = m_simulator->picture(); !picture.isNull()) {
         ++m_picturesSince;
         m_window->view()->setPicture(picture);
     }
+    look();
     move();
+}
+
+/// Asks what of the model is under the mouse now, and lets the wand follow what was, and the panels.
+void SimulatorController::look()
+{
+    if (!m_seen || !m_seen->head)
+        return;
+    const core::Ray sight = sightInRoom();
+    const Eigen::Affine3d toModel = m_seen->model.inverse();
+    m_worker->ask(Source::Simulator, {toModel * sight.origin, toModel.linear() * sight.direction});
+    const bool isRay = m_main->brush()->stroke().brush == core::BrushShape::Ray;
+    m_window->view()->meet(surfaceUnderMouse(), following(), isRay);
+}
+
+/// Room space is not the simulator's own once the user has recentred it.
+core::Ray SimulatorController::sightInRoom() const
+{
+    const ui::SimulatorControls& controls = m_window->view()->controls();
+    const Eigen::Affine3d toRoom = m_seen->head->matrix() * controls.head().inverse();
+    const core::Ray sight = controls.sight();
+    return {toRoom * sight.origin, toRoom.linear() * sight.direction};
+}
+
+/// Returns the nearest.
+std::optional<ui::SimulatorControls::Surface> SimulatorController::surfaceUnderMouse() const
+{
+    using Surface = ui::SimulatorControls::Surface;
+    const ui::SimulatorControls& controls = m_window->view()->controls();
+    const core::Ray sight = sightInRoom();
+    std::optional<Surface> nearest;
+    if (m_hit)
+        nearest = Surface{(m_seen->model * m_hit->position - sight.origin).norm(), false};
+    for (const vr::PanelTarget& panel : m_seen->panels) {
+        const bool isCarried = panel.carrier && sideOf(controls.hand()) == *panel.carrier;
+        const std::optional<vr::PlanePoint> point = vr::intersect(sight, panel.pose);
+        if (!isCarried && point && (2 * point->at.cwiseAbs() - panel.size).maxCoeff() <= 0 &&
+            (!nearest || point->distance < nearest->distance))
+            nearest = Surface{point->distance, true};
+    }
+    return nearest;
+}
+
+/// Returns how the wand goes along: what is grabbed goes with the hand, and not the hand with that.
+ui::SimulatorControls::Following SimulatorController::following() const
+{
+    using Following = ui::SimulatorControls::Following;
+    const ui::SimulatorControls& controls = m_window->view()->controls();
+    if (controls.buttons(SimulatedHand::Left).squeezes || controls.buttons(SimulatedHand::Right).squeezes)
+        return Following::Not;
+    if (controls.buttons(controls.hand()).trigger == 0)
+        return Following::Freely;
+    const bool sculpts = sideOf(controls.hand()) == HeadsetSettingsStore().load().wands.sculpting;
+    return sculpts && !core::isDragTool(m_main->brush()->tool()) ? Following::WithTheMouse : Following::Not;
 }
 
 void SimulatorController::queueButtons()

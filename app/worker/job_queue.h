@@ -13,9 +13,10 @@
 
 namespace app
 {
-/// Whose hand strokes, and whose eyes look: mouse and pen at the window, wands and headset. The drawings only look.
-enum class Source { Desktop, Headset, Drawings };
-inline constexpr std::size_t sourceCount = 3;
+/// Whose hand strokes, and whose eyes look: mouse and pen at the window, wands and headset. The drawings only look, and
+/// so does the mouse over the VR simulator's picture.
+enum class Source { Desktop, Headset, Drawings, Simulator };
+inline constexpr std::size_t sourceCount = 4;
 
 struct BeginStroke
 {

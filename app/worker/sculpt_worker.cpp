@@ -121,6 +121,8 @@ void SculptWorker::run(const Question& question)
     const quint64 epoch = m_publisher.epoch();
     if (question.source == Source::Desktop)
         m_mailbox.post([this, hit, footprint, epoch] { Q_EMIT answeredDesktop(hit, footprint, epoch); });
+    else if (question.source == Source::Simulator)
+        m_mailbox.post([this, hit] { Q_EMIT answeredSimulator(hit); });
     else
         Q_EMIT answeredHeadset(hit, footprint, epoch);
 }

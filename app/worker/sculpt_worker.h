@@ -43,8 +43,7 @@ public:
     /// Replaces the last stroke, without dropping samples. Emits strokeFinished(). Precondition: strokes() is held.
     void replaceLastStroke(const StrokeReplacement& replacement);
 
-    /// Asks a Question for a viewer. Only its newest question is answered, once, by answeredDesktop() or
-    /// answeredHeadset().
+    /// Asks a Question for a viewer. Only its newest question is answered, once, by the viewer's own signal below.
     void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
     /// Puts another model in place of the present one, and into every inbox. Ends an open stroke first. `journal`
@@ -74,6 +73,8 @@ Q_SIGNALS:
     /// Answers ask(Source::Headset, ...). Thread: mesh, so that no window delays it; connect it directly.
     void answeredHeadset(const std::optional<core::SurfaceHit>& hit,
                          const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
+    /// Answers ask(Source::Simulator, ...).
+    void answeredSimulator(const std::optional<core::SurfaceHit>& hit);
     /// Emitted after each sample of the headset. `fusions`: number of surfaces joined or parted. `shortfall`: the most
     /// important one of its dabs. Thread: mesh; connect it directly.
     void sampledHeadset(quint64 fusions, core::Shortfall shortfall);

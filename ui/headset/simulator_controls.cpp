@@ -1,6 +1,7 @@
 #include "ui/headset/simulator_controls.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ui
 {
@@ -14,10 +15,12 @@ using Eigen::Isometry3d;
 constexpr double maxOffset = 3, minEyeHeight = 0.3, maxEyeHeight = 2.5;
 constexpr double steepest = 1.4;
 constexpr double minReach = 0.15, maxReach = 2;
+constexpr double standOff = 0.15; ///< of a tip that points, from the place at which it does
 /// The right one, as seen from the eyes: a wand comes from there, out of the view's way.
 const Vec3 wrist{0.14, -0.24, 0.08};
-const Vec3 restPosition{0.26, -0.34,
-                        -0.42};   ///< the right one's tip, as seen from the eyes of a head that looks straight
+/// The right one's tip, as seen from the eyes of a head that looks straight: so far in that a panel above it is seen
+/// whole.
+const Vec3 restPosition{0.12, -0.4, -0.5};
 constexpr double restPitch = 0.3; ///< a wand at rest points so far up
 
 double sideOf(SimulatedHand hand)
@@ -66,10 +69,22 @@ Isometry3d SimulatorControls::head() const
     return body() * AngleAxisd(m_pitch, Vec3::UnitX());
 }
 
+/// As seen from the eye, of unit length.
+Vec3 SimulatorControls::way() const
+{
+    return Vec3(m_place.x() * sideTangent, m_place.y() * upTangent, -1).normalized();
+}
+
+core::Ray SimulatorControls::sight() const
+{
+    return {head().translation(), head().linear() * way()};
+}
+
 Isometry3d SimulatorControls::atMouse() const
 {
-    const Vec3 way = Vec3(m_place.x() * sideTangent, m_place.y() * upTangent, -1).normalized();
-    return head() * pointing(mirrored(wrist, m_hand), m_reach * way) * AngleAxisd(m_turn, Vec3::UnitZ());
+    const Vec3 from = mirrored(wrist, m_hand), place = m_reach * way();
+    const double afar = m_pointsFromAfar ? std::min(standOff, (place - from).norm() / 2) : 0;
+    return head() * pointing(from, place) * Eigen::Translation3d(0, 0, afar) * AngleAxisd(m_turn, Vec3::UnitZ());
 }
 
 Isometry3d SimulatorControls::tip(SimulatedHand hand) const
@@ -101,8 +116,33 @@ void SimulatorControls::pointAt(const Eigen::Vector2d& place)
     m_place = place.cwiseMax(-1).cwiseMin(1);
 }
 
+void SimulatorControls::meet(const std::optional<Surface>& surface, Following following, bool isRay)
+{
+    const Vec3 way = sight().direction;
+    const double moved = m_reach * (way - std::exchange(m_lastWay, way)).norm();
+    const bool presses = following == Following::WithTheMouse;
+    const bool hasLeft = presses && surface && m_surface && surface->isPanel != m_surface->isPanel;
+    if (following == Following::Not || hasLeft)
+        return;
+    m_surface = surface;
+    if (!presses)
+        m_pointsFromAfar = isRay || (surface && surface->isPanel);
+    if (!surface)
+        return;
+    const double offset = m_pointsFromAfar ? 0 : m_offset;
+    const double by = std::clamp(surface->distance + offset, minReach, maxReach) - m_reach;
+    m_reach += following == Following::Freely ? by : std::clamp(by, -moved, moved);
+}
+
 void SimulatorControls::reach(double metres)
 {
-    m_reach = std::clamp(m_reach + metres, minReach, maxReach);
+    const double before = std::exchange(m_reach, std::clamp(m_reach + metres, minReach, maxReach));
+    if (m_surface && !m_pointsFromAfar)
+        m_offset += m_reach - before;
+}
+
+std::optional<double> SimulatorControls::depth() const
+{
+    return m_surface && !m_pointsFromAfar ? std::optional(m_reach - m_surface->distance) : std::nullopt;
 }
 } // namespace ui

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace ui
 {
@@ -45,7 +46,6 @@ public:
     SimulatedHand hand() const { return m_hand; }
     /// The hand used so far returns to its rest pose; if it holds something, it stays.
     void swapHands();
-    void releaseAll() { m_buttons = {}; }
 
     /// Radians to the left and up.
     void turnHead(double left, double up);
@@ -53,8 +53,29 @@ public:
     void walk(const core::Vec3& metres);
     /// Where the mouse is in what the eye sees, of which there is one: -1 to 1, right and up.
     void pointAt(const Eigen::Vector2d& place);
+    /// From the eye through where the mouse is.
+    core::Ray sight() const;
+    /// What is under the mouse.
+    struct Surface
+    {
+        double distance = 0; ///< metres from the eye
+        bool isPanel = false;
+    };
+    /// How the wand goes along with what is under the mouse.
+    enum class Following {
+        Freely,
+        WithTheMouse, ///< while it presses: on what it began, and no faster than the mouse moves, or what grows below
+                      ///< a resting wand would drive it on
+        Not
+    };
+    /// Puts the wand's tip to the surface under the mouse, or as far before or behind it as reach() has brought it.
+    /// Without one it stays as far from the eye as it is. At a panel, and for a ray brush, the tip stays short of that
+    /// place and points at it.
+    void meet(const std::optional<Surface>& surface, Following following, bool isRay);
     /// The wand goes farther along the eye's way to it.
     void reach(double metres);
+    /// Metres of the tip behind the surface under the mouse; nothing where none is, or the wand points from afar.
+    std::optional<double> depth() const;
     /// The wand turns about the way that it points; radians, anticlockwise as seen from the hand.
     void turn(double angle) { m_turn += angle; }
 
@@ -63,13 +84,18 @@ private:
     static constexpr double initialPitch = -0.26; ///< radians: models are placed below the eyes
 
     Eigen::Isometry3d body() const;
+    core::Vec3 way() const;
     Eigen::Isometry3d atMouse() const;
 
     core::Vec3 m_position{0, standingEyeHeight, 0}; ///< of the head
     double m_yaw = 0, m_pitch = initialPitch;
     SimulatedHand m_hand = SimulatedHand::Right;
     Eigen::Vector2d m_place{0.3, -0.3}; ///< beside the model
-    double m_reach = initialReach;      ///< from the eye
+    double m_reach = initialReach;      ///< from the eye to the tip, or to the place at which it points
+    double m_offset = 0;                ///< metres behind the surface that reach() has chosen
+    std::optional<Surface> m_surface;
+    bool m_pointsFromAfar = false;
+    core::Vec3 m_lastWay = -core::Vec3::UnitZ(); ///< room space: of the last meet()
     double m_turn = 0;
     std::array<SimulatedButtons, simulatedHandCount> m_buttons;
     Eigen::Isometry3d m_restingWand; ///< the other hand's wand, as seen from the body

@@ -1,9 +1,11 @@
 #include "ui/headset/simulator_view.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ui
@@ -15,13 +17,15 @@ using core::Vec3;
 /// A press that sculpts half as strongly as a whole one: the middle between where a trigger begins to count and its
 /// end.
 constexpr double halfPull = 0.725;
-constexpr double padEdge = 0.8;             ///< where a thumb presses a side of the pad
-constexpr double radiansPerPixel = 0.004;   ///< of looking about
-constexpr double slidePerPixel = 1.0 / 120; ///< of the thumb, in radii of the pad
-constexpr double reachPerNotch = 0.02;      ///< metres
-constexpr double radiansPerNotch = 0.2;     ///< of a wand that turns
-constexpr double notch = 120;               ///< of a wheel, in Qt's units
-constexpr double walkingSpeed = 0.8;        ///< metres a second
+constexpr double padEdge = 0.8;                  ///< where a thumb presses a side of the pad
+constexpr double radiansPerPixel = 0.004;        ///< of looking about
+constexpr double slidePerPixel = 1.0 / 120;      ///< of the thumb, in radii of the pad
+constexpr double reachPerNotch = 0.02;           ///< metres
+constexpr double radiansPerNotch = 0.2;          ///< of a wand that turns
+constexpr double notch = 120;                    ///< of a wheel, in Qt's units
+constexpr double walkingSpeed = 0.8;             ///< metres a second
+constexpr double leastDepth = 0.005;             ///< metres that are told
+constexpr double textMargin = 6, textAbove = 40; ///< pixels: around the depth, and from the mouse up to it
 
 struct WalkingKey
 {
@@ -41,6 +45,35 @@ const PadKey padKeys[] = {{Qt::Key_Left, {-padEdge, 0}},
                           {Qt::Key_Up, {0, padEdge}},
                           {Qt::Key_Down, {0, -padEdge}}};
 
+/// Returns what is said of a tip so far behind the surface under the mouse; empty if it is there.
+QString depthText(double depth)
+{
+    if (std::abs(depth) < leastDepth)
+        return {};
+    const QString centimetres = QLocale().toString(100 * std::abs(depth), 'f', 0);
+    //: %1: a number
+    return depth < 0 ? SimulatorView::tr("%1 cm before the surface").arg(centimetres)
+                     : SimulatorView::tr("%1 cm behind the surface").arg(centimetres);
+}
+
+/// Above the mouse, where neither the wand nor its labels are, and within the picture.
+void paintAbove(QPainter& painter, const QString& text, const QPointF& mouse, const QRectF& picture)
+{
+    if (text.isEmpty())
+        return;
+    QRectF plate = QFontMetricsF(painter.font()).boundingRect(text);
+    plate.adjust(-textMargin, -textMargin, textMargin, textMargin);
+    const QPointF wanted = mouse - QPointF(plate.width() / 2, plate.height() + textAbove);
+    plate.moveTopLeft(
+        {std::clamp(wanted.x(), picture.left(), std::max(picture.left(), picture.right() - plate.width())),
+         std::clamp(wanted.y(), picture.top(), std::max(picture.top(), picture.bottom() - plate.height()))});
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 190));
+    painter.drawRoundedRect(plate, textMargin, textMargin);
+    painter.setPen(Qt::white);
+    painter.drawText(plate, Qt::AlignCenter, text);
+}
 } // namespace
 
 SimulatorView::SimulatorView(QWidget* parent) : QWidget(parent)
@@ -93,8 +126,10 @@ void SimulatorView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (!m_picture.isNull())
-        return painter.drawImage(frame(), m_picture);
+    if (!m_picture.isNull()) {
+        painter.drawImage(frame(), m_picture);
+        return paintAbove(painter, depthText(m_controls.depth().value_or(0)), m_mouse, frame());
+    }
     painter.setPen(Qt::white);
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("VR starts…"));
 }
@@ -117,8 +152,11 @@ void SimulatorView::mouseMoveEvent(QMouseEvent* event)
     const QPointF by = event->position() - std::exchange(m_mouse, event->position());
     if (event->modifiers().testFlag(Qt::ControlModifier))
         return slide(by);
-    if (event->buttons().testFlag(Qt::RightButton))
-        return m_controls.turnHead(-radiansPerPixel * by.x(), -radiansPerPixel * by.y());
+    if (event->buttons().testFlag(Qt::RightButton)) {
+        m_controls.turnHead(-radiansPerPixel * by.x(), -radiansPerPixel * by.y());
+        Q_EMIT headTurned();
+        return;
+    }
     const QRectF area = frame();
     const QPointF from = m_mouse - area.center();
     m_controls.pointAt({2 * from.x() / area.width(), -2 * from.y() / area.height()});
@@ -239,7 +277,8 @@ void SimulatorView::changeHand()
 void SimulatorView::focusOutEvent(QFocusEvent* event)
 {
     m_walking.clear();
-    m_controls.releaseAll();
+    for (const SimulatedHand hand : {SimulatedHand::Left, SimulatedHand::Right})
+        m_controls.buttons(hand) = {};
     Q_EMIT buttonsChanged();
     QWidget::focusOutEvent(event);
 }

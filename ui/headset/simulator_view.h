@@ -20,9 +20,17 @@ public:
     explicit SimulatorView(QWidget* parent = nullptr);
 
     const SimulatorControls& controls() const { return m_controls; }
+    /// What is under the mouse, as SimulatorControls::meet() has it.
+    void meet(const std::optional<SimulatorControls::Surface>& surface, SimulatorControls::Following following,
+              bool isRay)
+    {
+        m_controls.meet(surface, following, isRay);
+    }
     /// A new one, with nothing pressed, and nothing to see yet.
     void begin();
     void setPicture(const QImage& picture);
+    /// As SimulatorControls::turnHead().
+    void turnHead(double left, double up) { m_controls.turnHead(left, up); }
     /// So much time has passed: keys that are down walk.
     void advance(double seconds);
 
@@ -37,6 +45,8 @@ Q_SIGNALS:
     void buttonsChanged();
     /// Another hand follows the mouse.
     void handChanged();
+    /// The mouse has turned the head.
+    void headTurned();
     void escaped();
 
 protected:

@@ -64,7 +64,7 @@ QWidget* SimulatorWindow::legend()
     grid->addWidget(m_hand, 0, 0, 1, 2);
     grid->setRowMinimumHeight(1, gap);
     const std::pair<QString, QString> controls[] = {
-        {tr("Mouse"), tr("moves the wand")},
+        {tr("Mouse"), tr("moves the wand on the surface")},
         {tr("Wheel"), tr("farther and nearer")},
         {tr("Shift and wheel"), tr("turns the wand about itself")},
         {tr("Left button, Space"), tr("trigger; with Shift half as strong")},

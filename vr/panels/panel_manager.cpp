@@ -172,6 +172,15 @@ std::optional<PanelAction> PanelManager::aim(Side side, const std::optional<Pane
     return pointer(side).aim(aim, time, m_targets);
 }
 
+std::vector<PanelTarget> PanelManager::targets() const
+{
+    std::vector<PanelTarget> targets;
+    for (std::size_t i = 0; i < panelKindCount; ++i)
+        if (const auto kind = static_cast<PanelKind>(i); isThere(m_places[i]) && kind != PanelKind::Notice)
+            targets.push_back({m_places[i].placed.pose, m_places[i].placed.layout->metres(), carrier(kind), kind});
+    return targets;
+}
+
 void PanelManager::list(std::vector<Panel>& panels) const
 {
     panels.clear();

@@ -50,6 +50,9 @@ public:
     std::optional<PanelAction> press(Side side) { return pointer(side).press(); }
     std::optional<PanelAction> release(Side side, bool isClick) { return pointer(side).release(isClick); }
 
+    /// At which wands may point.
+    std::vector<PanelTarget> targets() const;
+
     /// What is seen: into `panels`, in place of what that held.
     void list(std::vector<Panel>& panels) const;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "vr/openxr/wand_state.h"
+#include "vr/panels/panel_action.h"
 #include "vr/util/pose.h"
 
 #include <Eigen/Core>
@@ -41,6 +43,15 @@ Pose placeAhead(const Pose& head, const AheadPanelPlacement& place);
 
 /// Whether somebody has walked away from a panel that was placed ahead: it may be placed anew.
 bool isOutOfReach(const Pose& panel, const Pose& head);
+
+/// A panel at which a wand may point.
+struct PanelTarget
+{
+    Pose pose;
+    Eigen::Vector2d size;        ///< metres
+    std::optional<Side> carrier; ///< the hand with which it goes; that one does not point at it
+    PanelKind kind = PanelKind::Tools;
+};
 
 /// Where a ray meets a panel's plane.
 struct PlanePoint

@@ -2,6 +2,7 @@
 
 #include "vr/input/headset_settings.h"
 #include "vr/panels/panel_content.h"
+#include "vr/panels/panel_placement.h"
 #include "vr/util/pose.h"
 
 #include "core/mesh/footprint.h"
@@ -93,6 +94,7 @@ struct AvatarState
     std::optional<core::Sphere> brush;                   ///< the spherical one
     double radius = 0;                                   ///< of the brush, whatever its shape; metres
     Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document to room
+    std::vector<PanelTarget> panels;
 };
 
 /// The brush that the window shall have, too: what DocumentUpdate::brush says, but for falloff, strength, detail and

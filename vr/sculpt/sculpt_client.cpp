@@ -100,9 +100,11 @@ ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side
 }
 
 /// Returns what the window sees of the user. `radius`: of the brush, metres.
-AvatarState avatarOf(const FrameInput& input, const SceneState& scene, double radius)
+AvatarState avatarOf(const FrameInput& input, const SceneState& scene, double radius,
+                     std::vector<PanelTarget> panels)
 {
     AvatarState avatar;
+    avatar.panels = std::move(panels);
     avatar.head = input.head;
     for (std::size_t i = 0; i < sideCount; ++i)
         if (input.wands[i].isTracked)
@@ -162,7 +164,7 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     m_contents.show(m_panels,
                     {m_update, m_settings, m_brush.state(), m_mapping.channel(), input.timings, input.seconds()});
     updateScene(input);
-    m_port->show(avatarOf(input, m_state, m_brush.state().radius));
+    m_port->show(avatarOf(input, m_state, m_brush.state().radius, m_panels.targets()));
     m_output.pulses = m_haptics.step(input.seconds(), m_hapticInputs);
     return m_output;
 }

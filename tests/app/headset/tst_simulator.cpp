@@ -15,12 +15,13 @@
 #include "tests/vr/vr_test.h"
 #include "ui/headset/simulator_view.h"
 #include "ui/headset/simulator_window.h"
+#include "ui/settings/brush_settings.h"
+#include "vr/panels/panel_content.h"
 
 #include <QFile>
 #include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <QWheelEvent>
 
 #include <future>
 
@@ -37,7 +38,7 @@ struct SimulatorFixture
         QSettings().clear();
         HeadsetSettingsStore().save(settings);
         core::writeMesh(m_folder.filePath(QStringLiteral("clay.glb")).toStdU16String(), core::icosphere(4, 50));
-        new SimulatorController(&program.window, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
+        new SimulatorController(&program.window, &program.worker, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
         window = program.window.findChild<ui::SimulatorWindow*>();
         view = window->view();
         openFile(program, m_folder.filePath(QStringLiteral("clay.glb")), {640, 480});
@@ -78,18 +79,13 @@ struct SimulatorFixture
                                own.y() / ui::SimulatorControls::upTangent) /
                -own.z();
     }
-    /// Over the middle of the model's front, the tip a little inside.
+    Vec3 tip() const { return view->controls().tip(view->controls().hand()).translation(); }
+    /// Over the middle of the model's front.
     void touchModel()
     {
-        const Vec3 front = seen.model * Vec3(0, 0, 48);
+        const Vec3 front = seen.model * Vec3(0, 0, 50);
         move(placeOf(front));
-        const Vec3 eye = view->controls().head().translation();
-        const Vec3 tip = view->controls().tip(view->controls().hand()).translation();
-        constexpr double metresPerNotch = 0.02;
-        const double notches = ((front - eye).norm() - (tip - eye).norm()) / metresPerNotch;
-        QWheelEvent event(QPointF(9, 9), view->mapToGlobal(QPointF(9, 9)), {}, {0, qRound(120 * notches)}, {}, {},
-                          Qt::NoScrollPhase, false);
-        QCoreApplication::sendEvent(view, &event);
+        QTRY_VERIFY_WITH_TIMEOUT((tip() - front).norm() < 0.005, longestWait);
         frames(3);
     }
     /// With the left button, to the side.
@@ -152,6 +148,8 @@ private Q_SLOTS:
     void initTestCase() { SKIP_WITHOUT_GLX(); }
 
     void visit_fromTheFirstFrameToTheNextVisit();
+    void mouse_isWhereTheWandSculptsAndPoints();
+    void restingHand_showsItsPanelWhole();
     void hand_thatRestsMovesTheModel();
     void bothHands_stretchTheModel();
     void window_closedLeavesVr();
@@ -200,6 +198,87 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
     QCOMPARE(fixture.runtime.clientErrors(), QStringList());
     QCOMPARE(fixture.runtime.clientWarnings(), QStringList());
+}
+
+/// The ball on the surface, and the ray and a panel's laser, which come from the wand, where the mouse is.
+void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
+{
+    SimulatorFixture fixture;
+    fixture.enter();
+    const auto isOnSurface = [&](double slack) {
+        const Vec3 place = fixture.seen.model.inverse() * fixture.tip();
+        return std::abs(place.norm() - 50) < slack;
+    };
+    for (const Vec3& place : {Vec3(0, 0, 50), Vec3(-30, 0, 40), Vec3(0, 30, 40)}) {
+        fixture.move(fixture.placeOf(fixture.seen.model * place));
+        QTRY_VERIFY_WITH_TIMEOUT(isOnSurface(1), longestWait);
+        const auto isBrushThere = [&] {
+            return fixture.seen.brush &&
+                   (fixture.placeOf(fixture.seen.brush->center) - fixture.placeOf(fixture.tip())).norm() < 0.02;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isBrushThere(), longestWait);
+    }
+    fixture.program.window.brush()->set(&core::StrokeSettings::brush, core::BrushShape::Ray);
+    for (const Vec3& place : {Vec3(0, 0, 50), Vec3(-30, 0, 40), Vec3(0, 30, 40)}) {
+        const Vec3 wanted = fixture.seen.model * place;
+        fixture.move(fixture.placeOf(wanted));
+        const auto missesBy = [&] {
+            const Eigen::Isometry3d wand = fixture.view->controls().tip(fixture.view->controls().hand());
+            const Vec3 way = wanted - wand.translation(), forward = wand.linear() * -Vec3::UnitZ();
+            return (way - way.dot(forward) * forward).norm();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(missesBy() < 0.005, longestWait);
+    }
+    fixture.click(Qt::Key_Tab); // the left wand's menu opens the tools
+    fixture.click(Qt::Key_M);
+    fixture.click(Qt::Key_Tab);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.seen.panels.empty(), longestWait);
+    const auto isSeenWhole = [&] {
+        const vr::PanelTarget panel = fixture.seen.panels.front();
+        double farthest = 0;
+        for (const double x : {-0.5, 0.5})
+            for (const double y : {-0.5, 0.5}) {
+                const Vec3 corner = panel.pose * Vec3(x * panel.size.x(), y * panel.size.y(), 0);
+                farthest = std::max(farthest, fixture.placeOf(corner).cwiseAbs().maxCoeff());
+            }
+        return farthest < 1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isSeenWhole(), longestWait); // the head turns there
+    fixture.frames(20);
+    const vr::PanelTarget panel = fixture.seen.panels.front();
+    const Vec3 corner = panel.pose * Vec3(panel.size.x() * 0.4, panel.size.y() * 0.2, 0);
+    fixture.move(fixture.placeOf(corner));
+    const auto missesBy = [&] {
+        const Eigen::Isometry3d wand = fixture.view->controls().tip(fixture.view->controls().hand());
+        const vr::PanelTarget seen = fixture.seen.panels.front();
+        const auto laser = vr::intersect({wand.translation(), wand.linear() * -Vec3::UnitZ()}, seen.pose);
+        const auto sight = vr::intersect(fixture.view->controls().sight(), seen.pose);
+        return laser && sight ? (laser->at - sight->at).norm() : 1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(missesBy() < 0.005, longestWait);
+    QTest::keyClick(fixture.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
+}
+
+/// As soon as the head turns to it. Where nothing is in its way it stands above the hand.
+void TestSimulator::restingHand_showsItsPanelWhole()
+{
+    const ui::SimulatorControls controls;
+    const Eigen::Isometry3d eye = controls.head(), wand = controls.tip(ui::SimulatedHand::Left);
+    const auto poseOf = [](const Eigen::Isometry3d& at) {
+        return vr::Pose{Eigen::Quaterniond(at.linear()), at.translation()};
+    };
+    const vr::Pose grip = poseOf(wand * Eigen::Translation3d(0, 0, vr::tipReach));
+    for (const vr::PanelContent& content : {vr::PanelContent(vr::ToolPanel()), vr::PanelContent(vr::ColorPanel())}) {
+        const Eigen::Vector2d size = vr::layoutOf(content).metres();
+        const vr::Pose panel = vr::placeAtHand(grip, poseOf(eye), {size});
+        for (const double x : {-0.5, 0.5})
+            for (const double y : {-0.5, 0.5}) {
+                const Vec3 own = eye.inverse() * (panel * Vec3(x * size.x(), y * size.y(), 0));
+                QVERIFY(own.z() < 0 && std::abs(own.x() / own.z()) < 0.98 * ui::SimulatorControls::sideTangent &&
+                        std::abs(own.y() / own.z()) < 0.98 * ui::SimulatorControls::upTangent);
+            }
+    }
 }
 
 /// In the paper's preset the other hand's trigger grabs.

@@ -84,6 +84,77 @@ private Q_SLOTS:
         QVERIFY(farFromEye(at.controls()) > 0.1);
     }
 
+    /// By default the tip is on what is under the mouse, and the wheel keeps it before or behind that.
+    void tip_goesWithTheSurface()
+    {
+        using Following = SimulatorControls::Following;
+        Seated at;
+        const auto isAt = [&](double distance) { return std::abs(farFromEye(at.controls()) - distance) < 1e-9; };
+        const double before = farFromEye(at.controls());
+        QVERIFY(!at.controls().depth());
+        at.view.meet({}, Following::Freely, false);
+        QVERIFY(isAt(before));
+        at.view.meet(SimulatorControls::Surface{0.5}, Following::Freely, false);
+        QVERIFY(isAt(0.5) && at.controls().depth() == 0.0);
+        wheel(at.view, -2);
+        QVERIFY(isAt(0.46));
+        at.view.meet(SimulatorControls::Surface{0.7}, Following::Freely, false);
+        QVERIFY(isAt(0.66) && std::abs(*at.controls().depth() + 0.04) < 1e-9);
+        at.view.meet(SimulatorControls::Surface{0.6}, Following::Not, false);
+        QVERIFY(isAt(0.66));
+        at.view.meet({}, Following::Freely, false);
+        QVERIFY(isAt(0.66) && !at.controls().depth());
+    }
+
+    /// A surface that grows towards the eye below a resting wand does not take the wand along; one along which the
+    /// mouse moves does.
+    void tip_thatSculptsGoesAsTheMouseDoes()
+    {
+        using Following = SimulatorControls::Following;
+        Seated at;
+        move(at.view, {0, 0});
+        at.view.meet(SimulatorControls::Surface{0.6}, Following::Freely, false);
+        for (int i = 0; i < 9; ++i)
+            at.view.meet(SimulatorControls::Surface{0.5}, Following::WithTheMouse, false);
+        QVERIFY(std::abs(farFromEye(at.controls()) - 0.6) < 1e-9);
+        move(at.view, {0.1, 0});
+        at.view.meet(SimulatorControls::Surface{0.5}, Following::WithTheMouse, false);
+        const double by = 0.6 - farFromEye(at.controls());
+        QVERIFY2(by > 0.05 && by < 0.08, qPrintable(QString::number(by)));
+    }
+
+    /// At a panel, and with a ray: what is hit is what the mouse is over, from any distance.
+    void wand_thatPointsHitsWhatIsUnderTheMouse()
+    {
+        using Following = SimulatorControls::Following;
+        for (const bool isPanel : {false, true})
+            for (const double distance : {0.3, 0.6, 1.4})
+                for (const Eigen::Vector2d& place :
+                     {Eigen::Vector2d(0, 0), Eigen::Vector2d(-0.7, 0.4), Eigen::Vector2d(0.9, -0.8)}) {
+                    Seated at;
+                    move(at.view, place);
+                    at.view.meet(SimulatorControls::Surface{distance, isPanel}, Following::Freely, !isPanel);
+                    const core::Ray sight = at.controls().sight();
+                    const Vec3 target = sight.origin + distance * sight.direction;
+                    QVERIFY((seen(at.controls(), target) - place).norm() < 0.01);
+                    const Eigen::Isometry3d tip = at.controls().tip(SimulatedHand::Right);
+                    const Vec3 way = target - tip.translation(), forward = tip.linear() * -Vec3::UnitZ();
+                    QVERIFY(way.norm() > 0.05 && way.cross(forward).norm() < 1e-9 && way.dot(forward) > 0);
+                    QVERIFY(!at.controls().depth());
+                }
+    }
+
+    /// What was pressed on a panel keeps its distance where the panel ends.
+    void wand_thatPressesAPanelStaysWithIt()
+    {
+        using Following = SimulatorControls::Following;
+        Seated at;
+        at.view.meet(SimulatorControls::Surface{0.5, true}, Following::Freely, false);
+        const Eigen::Isometry3d before = at.controls().tip(SimulatedHand::Right);
+        at.view.meet(SimulatorControls::Surface{0.9, false}, Following::WithTheMouse, false);
+        QVERIFY((at.controls().tip(SimulatedHand::Right).translation() - before.translation()).norm() < 1e-9);
+    }
+
     void wheel_withShiftTurnsTheWandAboutItself()
     {
         Seated at;
