@@ -12,7 +12,9 @@ constexpr double labelHeight = 0.0185;
 constexpr double readable = 0.45;   ///< metres
 constexpr double rowPitch = 1.24;   ///< label heights
 constexpr double columnGap = 0.052; ///< metres from the wand's middle
-constexpr double lift = 0.012;      ///< metres before the pad
+/// Metres from the pad towards the head: a wand that dips into the clay does not take its labels along. Near the eyes
+/// it is less: a share of the way.
+constexpr double lift = 0.1, maxLiftShare = 1.0 / 3;
 
 // From top to bottom.
 constexpr WandSpot leftColumn[] = {WandSpot::PadUp, WandSpot::PadLeft, WandSpot::PadDown, WandSpot::Trigger};
@@ -22,6 +24,7 @@ struct Column
 {
     core::Vec3 origin; ///< the middle between the columns
     core::Vec3 outward, right, up;
+    double gap; ///< metres
     double scale;
 };
 
@@ -36,7 +39,7 @@ void place(const Column& column, std::span<const WandSpot> spots, const Pose& gr
         if (!isThere(spot))
             continue;
         const double width = height * *aspects[static_cast<std::size_t>(spot)];
-        const core::Vec3 edge = column.origin + columnGap * column.outward + row * rowPitch * height * column.up;
+        const core::Vec3 edge = column.origin + column.gap * column.outward + row * rowPitch * height * column.up;
         into[static_cast<std::size_t>(spot)] = LabelPlace{grip * placeOf(spot), edge, edge + width / 2 * column.outward,
                                                           width / 2 * column.right, height / 2 * column.up};
         --row;
@@ -60,8 +63,14 @@ LabelPlaces labelPlaces(const Pose& grip, const Pose& head, const LabelAspects& 
 {
     const core::Vec3 middle = grip * placeOf(WandSpot::PadMiddle);
     const Eigen::Matrix3d axes = axesFacing(head, middle);
-    const double scale = std::max(1.0, (head.position - middle).norm() / readable);
-    Column column{middle + lift * axes.col(2), -axes.col(0), axes.col(0), axes.col(1), scale};
+    const double distance = (head.position - middle).norm(), lifted = std::min(lift, maxLiftShare * distance);
+    const double nearer = distance > 0 ? 1 - lifted / distance : 1; // as large for the eye as at the wand
+    Column column{middle + lifted * axes.col(2),
+                  -axes.col(0),
+                  axes.col(0),
+                  axes.col(1),
+                  nearer * columnGap,
+                  nearer * std::max(1.0, distance / readable)};
     LabelPlaces places;
     place(column, leftColumn, grip, aspects, places);
     column.outward = column.right;

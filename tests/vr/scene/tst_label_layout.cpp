@@ -49,6 +49,7 @@ class TestLabelLayout : public QObject
 private Q_SLOTS:
     void labels_faceTheHeadAndDoNotOverlap();
     void labels_areReadableAtAnyDistance();
+    void labels_standBeforeTheWand();
     void axes_areFiniteAnywhere();
 };
 
@@ -83,10 +84,27 @@ void TestLabelLayout::labels_areReadableAtAnyDistance()
     for (int i = 0; i < 500; ++i) {
         const Case made = randomCase(random);
         for (const auto& place : vr::labelPlaces(made.grip, made.head, made.aspects))
-            if (place)
-                QVERIFY(2 * std::atan(place->halfY.norm() /
-                                      (made.head.position - made.grip * vr::placeOf(vr::WandSpot::PadMiddle)).norm()) >
+            if (place) {
+                const core::Vec3 middle = made.grip * vr::placeOf(vr::WandSpot::PadMiddle);
+                const core::Vec3 back = (made.head.position - middle).normalized();
+                QVERIFY(2 * std::atan(place->halfY.norm() / (made.head.position - place->center).dot(back)) >
                         2.3 * std::numbers::pi / 180);
+            }
+    }
+}
+
+/// A wand that has dipped into the clay has its labels before that, and they are as readable there.
+void TestLabelLayout::labels_standBeforeTheWand()
+{
+    StrokeFuzzer random(11);
+    for (int i = 0; i < 500; ++i) {
+        const Case made = randomCase(random);
+        const core::Vec3 middle = made.grip * vr::placeOf(vr::WandSpot::PadMiddle), way = made.head.position - middle;
+        for (const auto& place : vr::labelPlaces(made.grip, made.head, made.aspects))
+            if (place) {
+                const double before = (place->center - middle).dot(way.normalized());
+                QVERIFY(before > std::min(0.09, 0.3 * way.norm()) && before < 0.4 * way.norm());
+            }
     }
 }
 
