@@ -11,6 +11,7 @@ namespace vr
 namespace
 {
 constexpr double degree = std::numbers::pi / 180;
+constexpr double noticeHeights[] = {-0.1, -0.3, 0.3, -0.5}; ///< metres below the eyes, the best first
 
 /// Relative to where the user looks; the model is in the middle.
 struct DefaultPosition
@@ -34,7 +35,7 @@ DefaultPosition defaultPositionOf(PanelKind kind)
     case PanelKind::Performance:
         return {0, -0.38}; // above the model: the settings, which switch it on, are beside it
     default:
-        return {0, -0.1}; // a sentence a little above where the person looks
+        return {0, noticeHeights[0]}; // a sentence a little above where the person looks
     }
 }
 
@@ -139,7 +140,25 @@ Pose PanelManager::placeOf(PanelKind kind, const Sight& sight) const
     }
     if (place.pose && !isOutOfReach(*place.pose, sight.head))
         return *place.pose;
+    if (kind == PanelKind::Notice)
+        return placeOfNotice(sight);
     return placeOnOpening(kind, sight, *place.placed.layout, place.pose ? std::nullopt : place.replaced);
+}
+
+/// Where it hides no other panel: a little above where the user looks, or higher, or below.
+Pose PanelManager::placeOfNotice(const Sight& sight) const
+{
+    const PanelLayout& layout = *at(PanelKind::Notice).placed.layout;
+    const std::vector<PanelTarget> others = targets();
+    const auto below = [&](double metres) {
+        return placeAhead(sight.head, {.size = layout.metres(), .distance = layout.distance, .below = metres});
+    };
+    for (const double metres : noticeHeights) {
+        const PanelTarget notice{below(metres), layout.metres(), {}, PanelKind::Notice};
+        if (std::ranges::none_of(others, [&](const auto& it) { return overlapInSight(notice, it, sight.head); }))
+            return notice.pose;
+    }
+    return below(noticeHeights[0]);
 }
 
 void PanelManager::place(const Sight& sight)

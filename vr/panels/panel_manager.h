@@ -74,6 +74,7 @@ private:
     static bool isThere(const Place& place);
     std::optional<Side> carrier(PanelKind kind) const;
     Pose placeOf(PanelKind kind, const Sight& sight) const;
+    Pose placeOfNotice(const Sight& sight) const;
     void takePicture();
 
     PanelImages m_images;

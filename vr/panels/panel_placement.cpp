@@ -118,6 +118,21 @@ Pose placeAhead(const Pose& head, const AheadPanelPlacement& place)
     return ahead(head, place, place.aside);
 }
 
+bool overlapInSight(const PanelTarget& a, const PanelTarget& b, const Pose& head)
+{
+    const auto boundsOf = [&head](const PanelTarget& panel) {
+        Eigen::AlignedBox2d bounds; // radians to the right and up
+        for (const double x : {-0.5, 0.5})
+            for (const double y : {-0.5, 0.5}) {
+                const Vec3 own = head.inverse() * (panel.pose * Vec3(x * panel.size.x(), y * panel.size.y(), 0));
+                bounds.extend(
+                    Eigen::Vector2d(std::atan2(own.x(), -own.z()), std::atan2(own.y(), std::hypot(own.x(), own.z()))));
+            }
+        return bounds;
+    };
+    return !boundsOf(a).intersection(boundsOf(b)).isEmpty();
+}
+
 bool isOutOfReach(const Pose& panel, const Pose& head)
 {
     return (panel.position - head.position).norm() > farthestReach;

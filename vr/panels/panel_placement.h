@@ -53,6 +53,9 @@ struct PanelTarget
     PanelKind kind = PanelKind::Tools;
 };
 
+/// Whether one hides a part of the other from the head, or nearly.
+bool overlapInSight(const PanelTarget& a, const PanelTarget& b, const Pose& head);
+
 /// Where a ray meets a panel's plane.
 struct PlanePoint
 {

@@ -77,6 +77,7 @@ private Q_SLOTS:
     void ahead_itTakesAnothersPlace();
     void ahead_whereNothingIsClear_itIsAhead();
     void ahead_noneHidesAnother();
+    void overlap_isInSight();
     void somebodyWalksAway();
     void aRay_meetsItFromTheFrontOnly();
     void aRay_meetsThePointItAimsAt();
@@ -324,6 +325,31 @@ void TestPanelPlacement::ahead_noneHidesAnother()
                     const auto point = vr::intersect({sight.head.position, way}, other.pose);
                     QVERIFY(!point || !other.layout->contains(point->at));
                 }
+}
+
+/// As the eye finds it, along rays.
+void TestPanelPlacement::overlap_isInSight()
+{
+    const Pose eyes = head({0, 1.6, 0}, {20, -10, 0});
+    const vr::PanelTarget far{vr::placeAhead(eyes, {.distance = 0.9}), {0.4, 0.3}, {}};
+    int hidden = 0, apart = 0;
+    for (double aside = -0.9; aside <= 0.9; aside += 0.06)
+        for (double below = -0.6; below <= 0.6; below += 0.04) {
+            const vr::PanelTarget near{vr::placeAhead(eyes, {.aside = aside, .below = below}), {0.4, 0.3}, {}};
+            bool isHidden = false;
+            for (double u = -0.5; u <= 0.5; u += 0.05)
+                for (double v = -0.5; v <= 0.5; v += 0.05) {
+                    const Vec3 way = far.pose * Vec3(u * far.size.x(), v * far.size.y(), 0) - eyes.position;
+                    const auto point = vr::intersect({eyes.position, way}, near.pose);
+                    isHidden = isHidden || (point && (2 * point->at.cwiseAbs() - near.size).maxCoeff() <= 0);
+                }
+            const bool overlap = vr::overlapInSight(near, far, eyes);
+            QVERIFY(overlap || !isHidden);
+            QCOMPARE(overlap, vr::overlapInSight(far, near, eyes));
+            hidden += isHidden;
+            apart += !overlap;
+        }
+    QVERIFY(hidden > 50 && apart > 200);
 }
 
 void TestPanelPlacement::somebodyWalksAway()
