@@ -185,6 +185,8 @@ set(FETTLE_RESOURCE_FILES
     shaders/ghost.vert
     shaders/ground.frag
     shaders/ground.vert
+    shaders/hidden.frag
+    shaders/hidden.vert
     shaders/layer.frag
     shaders/line.frag
     shaders/line.vert

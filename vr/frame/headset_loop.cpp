@@ -30,7 +30,7 @@ HeadsetLoop::HeadsetLoop(const Parts& parts)
     , m_session(parts.instance, parts.binding)
     , m_actions(parts.instance, m_session.handle())
     , m_spaces(m_session.handle())
-    , m_views(m_session)
+    , m_views(parts.instance, m_session)
     , m_drawCallMs(parts.client.drawCallMs())
 {
     for (const QString& refused : m_actions.refusedProfiles())
@@ -79,6 +79,9 @@ std::optional<HeadsetEnd> HeadsetLoop::handleEvent(const XrEvent& event)
         return {};
     case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
         m_areProfilesStale = true;
+        return {};
+    case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
+        m_views.hidden().handle(event.as<XrEventDataVisibilityMaskChangedKHR>());
         return {};
     default:
         return {};

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <vector>
+
 namespace vr
 {
 /// What a runtime wants filled: a GL_TEXTURE_2D of one sample and one level.
@@ -14,6 +16,9 @@ struct EyeImage
     friend bool operator==(const EyeImage&, const EyeImage&) = default;
 };
 
+/// What of a picture no eye sees, because of the lens: triangles, three points each, in eye space at z = -1.
+using HiddenArea = std::vector<Eigen::Vector2f>;
+
 /// What one eye draws into and how.
 struct EyeView
 {
@@ -22,5 +27,6 @@ struct EyeView
     bool isSrgb = true;           ///< the image encodes what is written
     Eigen::Matrix4f projection = Eigen::Matrix4f::Identity(); ///< OpenGL clip space, asymmetric
     Eigen::Isometry3f view = Eigen::Isometry3f::Identity();   ///< room to eye space
+    const HiddenArea* hidden = nullptr;                       ///< need not be drawn; null: nothing
 };
 } // namespace vr

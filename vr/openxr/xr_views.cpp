@@ -42,10 +42,11 @@ private:
 };
 } // namespace
 
-Views::Views(const Session& session)
+Views::Views(const Instance& instance, const Session& session)
     : m_session(session.handle())
     , m_viewConfiguration(session.viewConfiguration())
     , m_format(session.imageFormat())
+    , m_hidden(instance, session)
     , m_views(session.imageSizes().size(), unknownView)
 {
     for (const ImageSize& size : session.imageSizes())
@@ -100,6 +101,7 @@ EyeView Views::viewOf(std::size_t eye) const
     view.width = m_swapchains[eye].size().width;
     view.height = m_swapchains[eye].size().height;
     view.isSrgb = m_format.isSrgb;
+    view.hidden = &m_hidden.of(eye);
     view.projection = projectionOf(m_views[eye].fov, nearPlane, farPlane);
     view.view = Eigen::Isometry3f(pose.matrix().cast<float>().matrix());
     return view;

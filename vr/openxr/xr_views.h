@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vr/gl/eye_image.h"
+#include "vr/openxr/xr_hidden_areas.h"
 #include "vr/openxr/xr_session.h"
 
 #include <functional>
@@ -11,8 +12,9 @@ namespace vr
 class Views
 {
 public:
-    explicit Views(const Session& session);
+    Views(const Instance& instance, const Session& session);
 
+    HiddenAreas& hidden() { return m_hidden; }
     std::size_t count() const { return m_swapchains.size(); }
 
     /// Where the eyes will be; false while that is not known, and nothing can be shown. What is lost of them for a
@@ -32,6 +34,7 @@ private:
     XrSession m_session;
     XrViewConfigurationType m_viewConfiguration;
     ImageFormat m_format;
+    HiddenAreas m_hidden;
     bool m_isKnown = false; ///< the places are, from now or from before
     std::vector<Swapchain> m_swapchains;
     std::vector<XrView> m_views;

@@ -2,6 +2,7 @@
 // from far to near.
 #include "vr/scene/scene.h"
 
+#include "vr/scene/hidden_renderer.h"
 #include "vr/scene/label_layout.h"
 #include "vr/scene/mesh_buffer.h"
 #include "vr/scene/mesh_program.h"
@@ -94,6 +95,7 @@ struct Scene::State
     MeshStream<MeshBuffer> mesh;
     MeshProgram meshProgram;
     WandRenderer wandRenderer;
+    HiddenRenderer hiddenRenderer;
     RoomRenderer roomRenderer;
     TranslucentRenderer translucentRenderer;
     LabelTextures labels;
@@ -171,9 +173,10 @@ bool Scene::create(QOpenGLExtraFunctions* gl)
     s.wandRenderer.create(gl, &s.clock);
     s.labels.create(gl);
     const bool mesh = s.meshProgram.create(gl);
+    const bool hidden = s.hiddenRenderer.create(gl, &s.clock);
     const bool room = s.roomRenderer.create(gl, &s.clock);
     const bool translucent = s.translucentRenderer.create(gl, &s.clock);
-    return mesh && room && translucent;
+    return mesh && hidden && room && translucent;
 }
 
 void Scene::destroy()
@@ -182,6 +185,7 @@ void Scene::destroy()
     s.mesh.destroy();
     s.meshProgram.destroy();
     s.wandRenderer.destroy();
+    s.hiddenRenderer.destroy();
     s.roomRenderer.destroy();
     s.translucentRenderer.destroy();
     s.labels.destroy();
@@ -233,6 +237,8 @@ void Scene::draw(const EyeView& eye)
     s.gl->glClearDepthf(1);
     s.gl->glClearColor(0, 0, 0, 1);
     s.clock.run([&] { s.gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); });
+    if (eye.hidden)
+        s.hiddenRenderer.draw(*eye.hidden, eye.projection);
     s.drawOpaque(uniforms);
     s.drawTranslucent(uniforms);
 }

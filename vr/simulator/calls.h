@@ -87,6 +87,10 @@ XrResult enumerateBoundSourcesForAction(Call&, XrSession, const XrBoundSourcesFo
 XrResult getInputSourceLocalizedName(Call&, XrSession, const XrInputSourceLocalizedNameGetInfo*, std::uint32_t capacity,
                                      std::uint32_t* count, char* buffer);
 
+// extension_calls.cpp
+XrResult getVisibilityMask(Call&, XrSession, XrViewConfigurationType, std::uint32_t view, XrVisibilityMaskTypeKHR,
+                           XrVisibilityMaskKHR*);
+
 // haptic_calls.cpp
 XrResult applyHapticFeedback(Call&, XrSession, const XrHapticActionInfo*, const XrHapticBaseHeader*);
 XrResult stopHapticFeedback(Call&, XrSession, const XrHapticActionInfo*);

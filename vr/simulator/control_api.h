@@ -23,13 +23,15 @@
 ///                                 "stick_press", "menu", "button_a", "button_b": numbers, or true and false
 ///     "aim": {"position", "rotation"}          where wands point, as seen from their grips
 ///     "profile": path             which kind of wands they are
-///     "size": [w,h], "hz", "views": "stereo"|"mono"|"mono_first", "eye_distance", "fov": [left,right,up,down] degrees
-///     of the left eye "stage": bool, "bounds": [w,d]|null "runtime", "headset", "opengl": bool     whether there is
-///     one, for who asks next "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's, else a
-///     slow client has slow time "worn", "visible", "focus", "should_render": bool "exit": true                the
-///     session is asked to stop for good "late_ms": n                the frame comes so much later, and its display
-///     time as many periods "recentre": {"space": "local"|"stage", "position", "rotation", "after": n}   the space's
-///     new origin in the room "lose_session": n, "lose_instance": n    foretold now, lost n frames later "fail":
+///     "size": [w,h], "hz", "views": "stereo"|"mono"|"mono_first", "eye_distance", "fov":
+///     [left,right,up,down] degrees of the left eye "hidden": share of a picture's sides at its corners that the lens
+///     hides "extensions": bool whether those are offered that no client needs "stage": bool, "bounds": [w,d]|null
+///     "runtime", "headset", "opengl": bool     whether there is one, for who asks next "pace":
+///     "real"|"live"|"fast"|"stepped"   live: the display time is the clock's, else a slow client has slow time "worn",
+///     "visible", "focus", "should_render": bool "exit": true                the session is asked to stop for good
+///     "late_ms": n                the frame comes so much later, and its display time as many periods "recentre":
+///     {"space": "local"|"stage", "position", "rotation", "after": n}   the space's new origin in the room
+///     "lose_session": n, "lose_instance": n    foretold now, lost n frames later "fail":
 ///     {"call": name, "result": XrResult's name, "times": n}                 answers in the call's stead "freeze": name
 ///     that call does not return until another is named, or "" "wake_at_exit": true        or until the process ends by
 ///     exit(), which then gives it a moment "keep": true|[frames], "keep_every": n   whose pictures are kept; true: of

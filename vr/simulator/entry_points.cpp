@@ -171,13 +171,28 @@ const std::map<std::string_view, PFN_xrVoidFunction>& instanceEntries()
     return entries;
 }
 
-const auto openGlEntry = FETTLE_ENTRY(xrGetOpenGLGraphicsRequirementsKHR, getOpenGlRequirements);
+/// Functions of an extension.
+struct ExtensionEntries
+{
+    const char* extension;
+    std::map<std::string_view, PFN_xrVoidFunction> entries;
+};
 
-bool takesOpenGl(XrInstance handle)
+const std::vector<ExtensionEntries>& extensionEntries()
+{
+    static const std::vector<ExtensionEntries> all{
+        {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME,
+         {FETTLE_ENTRY(xrGetOpenGLGraphicsRequirementsKHR, getOpenGlRequirements)}},
+        {XR_KHR_VISIBILITY_MASK_EXTENSION_NAME, {FETTLE_ENTRY(xrGetVisibilityMaskKHR, getVisibilityMask)}},
+    };
+    return all;
+}
+
+bool isEnabled(XrInstance handle, const char* extension)
 {
     Runtime& runtime = Runtime::get();
     const std::lock_guard lock(runtime.mutex);
-    return runtime.handles.find<Instance>(handle)->takesOpenGl;
+    return runtime.handles.find<Instance>(handle)->extensions.contains(extension);
 }
 
 PFN_xrVoidFunction find(const std::map<std::string_view, PFN_xrVoidFunction>& entries, std::string_view name)
@@ -195,8 +210,10 @@ PFN_xrVoidFunction functionFor(XrInstance instance, std::string_view name)
     if (const auto global = find(globalEntries(), name))
         return global;
     require(instance != XR_NULL_HANDLE, XR_ERROR_HANDLE_INVALID, "without an instance there is none of that name");
-    const bool isGl = takesOpenGl(instance) && name == openGlEntry.first;
-    return isGl ? openGlEntry.second : find(instanceEntries(), name);
+    for (const ExtensionEntries& one : extensionEntries())
+        if (const auto function = find(one.entries, name); function && isEnabled(instance, one.extension))
+            return function;
+    return find(instanceEntries(), name);
 }
 
 XrResult XRAPI_CALL getInstanceProcAddr(XrInstance instance, const char* name, PFN_xrVoidFunction* function)

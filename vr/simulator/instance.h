@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,8 +45,8 @@ class Instance : public Object
 public:
     Paths paths;
     Events events;
-    XrVersion apiVersion = 0; ///< the client asked for it
-    bool takesOpenGl = false; ///< the client enabled the extension
+    XrVersion apiVersion = 0;                      ///< the client asked for it
+    std::set<std::string, std::less<>> extensions; ///< that the client enabled
     bool requirementsAsked = false;
     std::optional<std::int64_t> lostAt;                 ///< frame of the session
     std::vector<std::shared_ptr<ActionSet>> actionSets; ///< also those whose handles are destroyed: bindings live on

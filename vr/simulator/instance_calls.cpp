@@ -6,19 +6,35 @@ namespace simulator
 {
 namespace
 {
-constexpr const char* openGlExtension = XR_KHR_OPENGL_ENABLE_EXTENSION_NAME;
-
-std::vector<std::string> offeredExtensions(const SimulatedWorld& world)
+struct Extension
 {
-    return world.hasOpenGl ? std::vector<std::string>{openGlExtension} : std::vector<std::string>{};
+    const char* name;
+    std::uint32_t version;
+};
+
+constexpr Extension openGl{XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_KHR_opengl_enable_SPEC_VERSION};
+constexpr Extension others[] = {
+    {XR_KHR_VISIBILITY_MASK_EXTENSION_NAME, XR_KHR_visibility_mask_SPEC_VERSION},
+};
+
+std::vector<Extension> offeredExtensions(const SimulatedWorld& world)
+{
+    std::vector<Extension> offered;
+    if (world.hasOpenGl)
+        offered.push_back(openGl);
+    if (world.hasExtensions)
+        offered.insert(offered.end(), std::begin(others), std::end(others));
+    return offered;
 }
 
 void checkExtensions(const XrInstanceCreateInfo& info, const SimulatedWorld& world)
 {
-    const std::vector<std::string> offered = offeredExtensions(world);
+    const std::vector<Extension> offered = offeredExtensions(world);
     for (std::uint32_t i = 0; i < info.enabledExtensionCount; ++i) {
         const char* name = (&validated(info.enabledExtensionNames))[i];
-        const bool isOffered = std::find(offered.begin(), offered.end(), &validated(name)) != offered.end();
+        validated(name);
+        const bool isOffered =
+            std::ranges::any_of(offered, [name](const Extension& one) { return std::strcmp(one.name, name) == 0; });
         require(isOffered, XR_ERROR_EXTENSION_NOT_PRESENT, "an extension is not offered");
     }
 }
@@ -52,10 +68,10 @@ XrResult enumerateInstanceExtensionProperties(Call& call, const char* layer, std
 {
     require(!layer, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no layers");
     writeItems(OutputArray<XrExtensionProperties>{capacity, count, properties}, offeredExtensions(call.runtime.world),
-               [](XrExtensionProperties& to, const std::string& name) {
+               [](XrExtensionProperties& to, const Extension& from) {
                    validated(&to, XR_TYPE_EXTENSION_PROPERTIES);
-                   copyText(to.extensionName, name);
-                   to.extensionVersion = XR_KHR_opengl_enable_SPEC_VERSION;
+                   copyText(to.extensionName, from.name);
+                   to.extensionVersion = from.version;
                });
     return XR_SUCCESS;
 }
@@ -75,7 +91,8 @@ XrResult createInstance(Call& call, const XrInstanceCreateInfo* info, XrInstance
     require(!runtime.instance, XR_ERROR_LIMIT_REACHED, "one instance at a time");
     runtime.instance = std::make_shared<Instance>();
     runtime.instance->apiVersion = version;
-    runtime.instance->takesOpenGl = info->enabledExtensionCount > 0;
+    for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
+        runtime.instance->extensions.insert(info->enabledExtensionNames[i]);
     *instance = runtime.handles.add<XrInstance>(runtime.instance, nullptr);
     return XR_SUCCESS;
 }

@@ -2,6 +2,7 @@
 
 #include "vr/simulator/enum_names.h"
 #include "vr/simulator/session.h"
+#include "vr/simulator/system.h"
 #include "vr/simulator/xr_pose.h"
 
 #include <cstdlib>
@@ -80,6 +81,16 @@ void Runtime::recentre(const Recentring& recentring)
     instance->events.push(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING,
                                                                  nullptr, session->handle(), recentring.space, time,
                                                                  XR_TRUE, toXr(inPrevious)});
+}
+
+void Runtime::hide(double share)
+{
+    world.headset.hiddenShare = share;
+    if (!session || !instance->extensions.contains(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
+        return;
+    for (std::uint32_t view = 0; view < viewCount(session->views()); ++view)
+        instance->events.push(XrEventDataVisibilityMaskChangedKHR{XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR,
+                                                                  nullptr, session->handle(), session->views(), view});
 }
 
 void Runtime::loseSession(std::int64_t afterFrames)

@@ -43,6 +43,8 @@ public:
     std::int64_t nextFrame() const;
     /// Moves the origin of a reference space, and sends the session the event.
     void recentre(const Recentring& recentring);
+    /// Hides that share of the pictures' sides at their corners, and sends the session the events.
+    void hide(double share);
     /// Announces the loss of the session after so many frames.
     void loseSession(std::int64_t afterFrames);
     /// Announces the loss of the instance after so many frames.

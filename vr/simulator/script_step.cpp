@@ -56,6 +56,11 @@ Change fovChange(const json& value, Over)
     return [fov](Runtime& runtime, XrTime) { runtime.world.headset.fov = fov; };
 }
 
+Change hiddenChange(const json& value, Over)
+{
+    return [share = readAmount(value)](Runtime& runtime, XrTime) { runtime.hide(share); };
+}
+
 Change paceChange(const json& value, Over)
 {
     const Pace pace = readOneOf<Pace>(
@@ -199,6 +204,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"runtime", flag<&SimulatedWorld::hasRuntime>},
         {"headset", flag<&SimulatedWorld::hasHeadset>},
         {"opengl", flag<&SimulatedWorld::hasOpenGl>},
+        {"extensions", flag<&SimulatedWorld::hasExtensions>},
         {"stage", flag<&SimulatedWorld::hasStage>},
         {"worn", flag<&SimulatedWorld::isWorn>},
         {"visible", flag<&SimulatedWorld::isVisible>},
@@ -214,6 +220,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"views", viewsChange},
         {"eye_distance", eyeDistanceChange},
         {"fov", fovChange},
+        {"hidden", hiddenChange},
         {"pace", paceChange},
         {"late_ms", lateChange},
         {"bounds", boundsChange},

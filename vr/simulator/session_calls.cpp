@@ -24,7 +24,8 @@ XrResult createSession(Call& call, XrInstance handle, const XrSessionCreateInfo*
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
     requireSystem(info->systemId);
     const auto client = ShareContext::find(info->next);
-    require(instance.takesOpenGl && client, XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL binding for Xlib");
+    require(instance.extensions.contains(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME) && client,
+            XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL binding for Xlib");
     require(instance.requirementsAsked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
             "xrGetOpenGLGraphicsRequirementsKHR was not called");
     require(!runtime.session, XR_ERROR_LIMIT_REACHED, "one session at a time");

@@ -31,6 +31,7 @@ struct Headset
     Views views = Views::Stereo;
     double eyeDistance = 0.064;               ///< metres
     XrFovf fov{-0.94F, 0.81F, 0.96F, -0.98F}; ///< of the left eye; the right one's is its mirror image
+    double hiddenShare = 0;                   ///< of a picture's sides, at each corner, which a lens hides
 };
 
 struct Head
@@ -71,6 +72,7 @@ struct SimulatedWorld
     Headset headset;
 
     bool hasRuntime = true, hasHeadset = true, hasOpenGl = true;
+    bool hasExtensions = true; ///< besides OpenGL's
     bool isWorn = true, isVisible = true, hasFocus = true, shouldRender = true;
 
     Head head;

@@ -7,6 +7,7 @@
 
 #include <QJsonArray>
 
+#include <array>
 #include <cmath>
 
 using core::Vec3;
@@ -40,6 +41,8 @@ private Q_SLOTS:
     void picturesArrive();
     void sizesAndViewsAreTheRuntimes_data();
     void sizesAndViewsAreTheRuntimes();
+    void hiddenAreasAreTheRuntimes();
+    void hiddenAreasAreNotAskedForInVain();
     void eyesAreBesideEachOther();
     void nothingIsDrawnThatIsNotShown();
     void lostHeadsShowNothing();
@@ -155,6 +158,52 @@ void TestHeadsetFrames::sizesAndViewsAreTheRuntimes()
 }
 
 /// The head looks along -Z from (0, 1.7, 0), with eyes 6.4 cm apart.
+/// In eye space at z = -1, so that they lie at the edges of each eye's own view; another mask is taken when it comes.
+void TestHeadsetFrames::hiddenAreasAreTheRuntimes()
+{
+    m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25}}");
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    const auto shares = [&] {
+        std::vector<double> seen;
+        for (const vr::EyeView& view : visitor.client->views()) {
+            double area = 0;
+            for (std::size_t i = 0; i < view.hidden->size(); i += 3) {
+                std::array<Eigen::Vector2f, 3> corners;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Eigen::Vector2f& point = (*view.hidden)[i + k];
+                    corners[k] = (view.projection * Eigen::Vector4f(point.x(), point.y(), -1, 1)).head<2>();
+                    [&] { QVERIFY(corners[k].cwiseAbs().maxCoeff() < 1 + 1e-4F); }();
+                }
+                const Eigen::Vector2f a = corners[1] - corners[0], b = corners[2] - corners[0];
+                area += std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
+            }
+            seen.push_back(area / 4); // of clip space
+        }
+        return seen;
+    };
+    for (const double share : {0.25, 0.5, 0.0}) {
+        m_headset->step(qPrintable(QStringLiteral("{'hidden': %1}").arg(share)));
+        QVERIFY(m_headset->frames(2));
+        QCOMPARE(shares().size(), std::size_t(2));
+        for (const double seen : shares())
+            QVERIFY2(std::abs(seen - 2 * share * share) < 1e-3, qPrintable(QString::number(seen)));
+    }
+    leave(visitor);
+}
+
+/// Of a runtime that does not offer them.
+void TestHeadsetFrames::hiddenAreasAreNotAskedForInVain()
+{
+    m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25, 'extensions': false}}");
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(m_headset->frames(1));
+    for (const vr::EyeView& view : visitor.client->views())
+        QVERIFY(view.hidden->empty());
+    leave(visitor);
+}
+
 void TestHeadsetFrames::eyesAreBesideEachOther()
 {
     Visitor visitor(*m_headset);

@@ -87,6 +87,7 @@ private Q_SLOTS:
     void wandParts_lightUp();
     void labels_standWhereTheyAreLaidOut();
     void holdRing_fills();
+    void hiddenArea_isNotDrawn();
     void steadyState_allocatesNothing();
     void floor_isSeenBelow();
 
@@ -636,6 +637,34 @@ void TestHeadsetScene::holdRing_fills()
     for (const double hold : {0.25, 0.5, 0.75})
         QVERIFY(std::abs(amber(hold) - hold * full) < 0.08 * full);
     QCOMPARE(amber(1.7), full);
+}
+
+/// A triangle of either winding across the middle of the ball: black, and all beside it as without.
+void TestHeadsetScene::hiddenArea_isNotDrawn()
+{
+    m_scene.apply(SphereModel(200, 4).whole());
+    SceneState state = bare();
+    state.hasFloor = true;
+    const vr::EyeView whole = eye(state.head);
+    const QImage before = picture(state, whole);
+    for (const bool isTurned : {false, true}) {
+        vr::HiddenArea area{{-0.1F, -0.1F}, {0.2F, -0.1F}, {-0.1F, 0.2F}};
+        if (isTurned)
+            std::swap(area[1], area[2]);
+        vr::EyeView view = whole;
+        view.hidden = &area;
+        const QImage after = picture(state, view);
+        int hidden = 0;
+        for (int y = 0; y < size.height(); ++y)
+            for (int x = 0; x < size.width(); ++x) {
+                const bool isBlack = after.pixelColor(x, y) == QColor(Qt::black);
+                hidden += isBlack;
+                QVERIFY(isBlack || after.pixelColor(x, y) == before.pixelColor(x, y));
+            }
+        const Eigen::Vector2f scale = whole.projection.diagonal().head<2>() / 2;
+        const double share = 0.045 * scale.x() * scale.y();
+        QVERIFY(std::abs(hidden / double(size.width() * size.height()) - share) < 0.002);
+    }
 }
 
 void TestHeadsetScene::steadyState_allocatesNothing()

@@ -1,0 +1,63 @@
+#include "vr/openxr/xr_hidden_areas.h"
+
+#include <algorithm>
+
+namespace vr
+{
+namespace
+{
+/// Triangles without their indices; none if an index leads nowhere.
+HiddenArea triangles(const std::vector<XrVector2f>& points, const std::vector<std::uint32_t>& indices)
+{
+    HiddenArea area;
+    const bool isWhole =
+        indices.size() % 3 == 0 && std::ranges::all_of(indices, [&](std::uint32_t i) { return i < points.size(); });
+    for (std::size_t i = 0; isWhole && i < indices.size(); ++i)
+        area.emplace_back(points[indices[i]].x, points[indices[i]].y);
+    return area;
+}
+} // namespace
+
+HiddenAreas::HiddenAreas(const Instance& instance, const Session& session)
+    : m_session(session.handle())
+    , m_viewConfiguration(session.viewConfiguration())
+    , m_areas(session.imageSizes().size())
+{
+    if (!instance.has(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
+        return;
+    m_getMask = instance.function<PFN_xrGetVisibilityMaskKHR>("xrGetVisibilityMaskKHR");
+    for (std::size_t eye = 0; eye < m_areas.size(); ++eye)
+        read(eye);
+}
+
+void HiddenAreas::handle(const XrEventDataVisibilityMaskChangedKHR& event)
+{
+    const bool isOurs = event.session == m_session && event.viewConfigurationType == m_viewConfiguration;
+    if (m_getMask && isOurs && event.viewIndex < m_areas.size())
+        read(event.viewIndex);
+}
+
+/// The sizes, then what they are the sizes of. A mask that has changed in between is read again when its event comes.
+void HiddenAreas::read(std::size_t eye)
+{
+    XrVisibilityMaskKHR mask{};
+    mask.type = XR_TYPE_VISIBILITY_MASK_KHR;
+    const auto ask = [&] {
+        check(m_getMask(m_session, m_viewConfiguration, static_cast<std::uint32_t>(eye),
+                        XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask),
+              "xrGetVisibilityMaskKHR");
+    };
+    ask();
+    std::vector<XrVector2f> points(mask.vertexCountOutput);
+    std::vector<std::uint32_t> indices(mask.indexCountOutput);
+    m_areas[eye].clear();
+    if (points.empty() || indices.empty())
+        return;
+    mask.vertexCapacityInput = mask.vertexCountOutput;
+    mask.vertices = points.data();
+    mask.indexCapacityInput = mask.indexCountOutput;
+    mask.indices = indices.data();
+    ask();
+    m_areas[eye] = triangles(points, indices);
+}
+} // namespace vr

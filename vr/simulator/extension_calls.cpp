@@ -1,0 +1,58 @@
+#include "vr/simulator/calls.h"
+#include "vr/simulator/spaces.h"
+#include "vr/simulator/system.h"
+
+#include <array>
+#include <cmath>
+
+namespace simulator
+{
+namespace
+{
+struct Triangles
+{
+    std::vector<XrVector2f> points;
+    std::vector<std::uint32_t> indices;
+};
+
+/// The corners of an eye's picture, at the distance of 1: right-angled triangles of that share of its sides.
+Triangles cornersOf(const XrFovf& fov, double share)
+{
+    Triangles corners;
+    if (share <= 0)
+        return corners;
+    const std::array across{std::tan(fov.angleLeft), std::tan(fov.angleRight)};
+    const std::array along{std::tan(fov.angleDown), std::tan(fov.angleUp)};
+    const auto towards = [&](float from, float to) { return from + static_cast<float>(share) * (to - from); };
+    for (const std::size_t i : {0, 1})
+        for (const std::size_t j : {0, 1}) {
+            corners.points.insert(corners.points.end(), {{across[i], along[j]},
+                                                         {towards(across[i], across[1 - i]), along[j]},
+                                                         {across[i], towards(along[j], along[1 - j])}});
+            for (int k = 0; k < 3; ++k)
+                corners.indices.push_back(static_cast<std::uint32_t>(corners.indices.size()));
+        }
+    return corners;
+}
+} // namespace
+
+XrResult getVisibilityMask(Call& call, XrSession handle, XrViewConfigurationType views, std::uint32_t view,
+                           XrVisibilityMaskTypeKHR type, XrVisibilityMaskKHR* mask)
+{
+    call.get<Session>(handle);
+    validated(mask, XR_TYPE_VISIBILITY_MASK_KHR);
+    const SimulatedWorld& world = call.runtime.world;
+    requireViews(world, views);
+    require(view < viewCount(views), XR_ERROR_VALIDATION_FAILURE, "no such view");
+    require(type >= XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR && type <= XR_VISIBILITY_MASK_TYPE_LINE_LOOP_KHR,
+            XR_ERROR_VALIDATION_FAILURE, "no such kind of mask");
+    const bool isTold = type == XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR;
+    const Triangles told =
+        isTold ? cornersOf(fovOf(world.headset, views, view), world.headset.hiddenShare) : Triangles();
+    writeItems(OutputArray<XrVector2f>{mask->vertexCapacityInput, &mask->vertexCountOutput, mask->vertices},
+               told.points);
+    writeItems(OutputArray<std::uint32_t>{mask->indexCapacityInput, &mask->indexCountOutput, mask->indices},
+               told.indices);
+    return XR_SUCCESS;
+}
+} // namespace simulator
