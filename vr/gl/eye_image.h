@@ -12,6 +12,8 @@ struct EyeImage
     unsigned int texture = 0;
     unsigned int format = 0; ///< OpenGL's sized one, GL_SRGB8_ALPHA8 or another that can be drawn into
     int width = 0, height = 0;
+    unsigned int depthTexture = 0; ///< the same for depth, to be filled, too; 0: nobody wants it
+    unsigned int depthFormat = 0;
 
     friend bool operator==(const EyeImage&, const EyeImage&) = default;
 };

@@ -68,16 +68,26 @@ SessionHandle makeSession(const Instance& instance, const GlBinding& binding)
     return SessionHandle(made);
 }
 
+std::vector<std::int64_t> formatsOf(XrSession session)
+{
+    return enumerate("xrEnumerateSwapchainFormats", std::int64_t{}, [&](auto capacity, auto* count, auto* items) {
+        return xrEnumerateSwapchainFormats(session, capacity, count, items);
+    });
+}
+
 ImageFormat imageFormatOf(XrSession session)
 {
-    const auto offered =
-        enumerate("xrEnumerateSwapchainFormats", std::int64_t{}, [&](auto capacity, auto* count, auto* items) {
-            return xrEnumerateSwapchainFormats(session, capacity, count, items);
-        });
-    if (const auto best = bestFormat(offered))
+    if (const auto best = bestFormat(formatsOf(session)))
         return *best;
     throw XrError("xrEnumerateSwapchainFormats", XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED);
 }
+
+std::optional<ImageFormat> depthFormatOf(const Instance& instance, XrSession session)
+{
+    const bool isWanted = instance.has(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+    return isWanted ? bestDepthFormat(formatsOf(session)) : std::nullopt;
+}
+
 } // namespace
 
 Session::Session(const Instance& instance, const GlBinding& binding)
@@ -86,6 +96,7 @@ Session::Session(const Instance& instance, const GlBinding& binding)
     , m_imageSizes(imageSizesOf(instance, m_viewConfiguration))
     , m_handle(makeSession(instance, binding))
     , m_imageFormat(imageFormatOf(handle()))
+    , m_depthFormat(depthFormatOf(instance, handle()))
 {}
 
 void Session::begin()

@@ -29,6 +29,9 @@ public:
     /// One for each view, as the runtime recommends; it may do otherwise in the next session.
     const std::vector<ImageSize>& imageSizes() const { return m_imageSizes; }
     const ImageFormat& imageFormat() const { return m_imageFormat; }
+    /// Of the depth that the runtime wants to be given with the pictures (XR_KHR_composition_layer_depth); nothing
+    /// where it does not.
+    const std::optional<ImageFormat>& depthFormat() const { return m_depthFormat; }
     XrViewConfigurationType viewConfiguration() const { return m_viewConfiguration; }
 
     void begin();
@@ -46,6 +49,7 @@ private:
     std::vector<ImageSize> m_imageSizes;
     SessionHandle m_handle;
     ImageFormat m_imageFormat;
+    std::optional<ImageFormat> m_depthFormat;
 };
 
 /// A frame that is begun, and is ended whatever happens: by show(), or without a picture when this goes.

@@ -18,11 +18,23 @@ namespace
 constexpr ImageFormat formats[] = {
     {GL_SRGB8_ALPHA8, true}, {GL_RGBA16F, false}, {GL_RGB10_A2, false}, {GL_RGBA8, false}};
 
+/// Sixteen bits are too few: they would take the clay's surface in steps of millimetres.
+constexpr ImageFormat depthFormats[] = {{GL_DEPTH_COMPONENT24, false, true}, {GL_DEPTH_COMPONENT32F, false, true}};
+
+std::optional<ImageFormat> firstOffered(std::span<const ImageFormat> wanted, std::span<const std::int64_t> offered)
+{
+    for (const ImageFormat& format : wanted)
+        if (std::find(offered.begin(), offered.end(), format.name) != offered.end())
+            return format;
+    return {};
+}
+
 SwapchainHandle makeSwapchain(XrSession session, const ImageFormat& format, const ImageSize& size)
 {
     XrSwapchainCreateInfo info{};
     info.type = XR_TYPE_SWAPCHAIN_CREATE_INFO;
-    info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT;
+    info.usageFlags = XR_SWAPCHAIN_USAGE_SAMPLED_BIT | (format.isDepth ? XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                                                       : XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT);
     info.format = format.name;
     info.sampleCount = 1;
     info.width = static_cast<std::uint32_t>(size.width);
@@ -38,10 +50,12 @@ SwapchainHandle makeSwapchain(XrSession session, const ImageFormat& format, cons
 
 std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered)
 {
-    for (const ImageFormat& format : formats)
-        if (std::find(offered.begin(), offered.end(), format.name) != offered.end())
-            return format;
-    return {};
+    return firstOffered(formats, offered);
+}
+
+std::optional<ImageFormat> bestDepthFormat(std::span<const std::int64_t> offered)
+{
+    return firstOffered(depthFormats, offered);
 }
 
 Swapchain::Swapchain(XrSession session, const ImageFormat& format, const ImageSize& size)

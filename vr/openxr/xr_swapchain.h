@@ -15,12 +15,15 @@ struct ImageFormat
     std::int64_t name = 0; ///< OpenGL's
     /// OpenGL encodes what is written where GL_FRAMEBUFFER_SRGB is on; else the image holds linear light as written.
     bool isSrgb = false;
+    bool isDepth = false;
 
     friend bool operator==(const ImageFormat&, const ImageFormat&) = default;
 };
 
 /// The best of those that are offered; none if we could draw into none of them.
 std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered);
+/// The same for depth.
+std::optional<ImageFormat> bestDepthFormat(std::span<const std::int64_t> offered);
 
 struct ImageSize
 {

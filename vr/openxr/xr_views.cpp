@@ -2,6 +2,8 @@
 
 #include "vr/openxr/xr_convert.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 
 namespace vr
@@ -51,6 +53,30 @@ Views::Views(const Instance& instance, const Session& session)
 {
     for (const ImageSize& size : session.imageSizes())
         m_swapchains.emplace_back(m_session, session.imageFormat(), size);
+    if (session.depthFormat())
+        makeDepths(session);
+}
+
+/// A runtime that makes no such images after all is given none.
+void Views::makeDepths(const Session& session)
+{
+    m_depthFormat = *session.depthFormat();
+    try {
+        for (const ImageSize& size : session.imageSizes())
+            m_depths.emplace_back(m_session, m_depthFormat, size);
+    } catch (const XrError& error) {
+        m_depths.clear();
+        qInfo("The OpenXR runtime takes no depth: %s", qPrintable(error.text()));
+    }
+    XrCompositionLayerDepthInfoKHR info{};
+    info.type = XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR;
+    info.maxDepth = 1;
+    info.nearZ = nearPlane;
+    info.farZ = farPlane;
+    for (const Swapchain& depth : m_depths) {
+        info.subImage = {depth.handle(), {{0, 0}, {depth.size().width, depth.size().height}}, 0};
+        m_depthInfos.push_back(info);
+    }
 }
 
 bool Views::locate(XrSpace room, XrTime time)
@@ -84,11 +110,18 @@ void Views::draw(std::size_t eye, const std::function<void(const EyeImage&, cons
 {
     Swapchain& swapchain = m_swapchains[eye];
     Acquired image(swapchain);
+    std::optional<Acquired> depth;
+    if (!m_depths.empty())
+        depth.emplace(m_depths[eye]);
     const ImageSize& size = swapchain.size();
-    draw({image.texture(), static_cast<unsigned int>(m_format.name), size.width, size.height}, viewOf(eye));
+    draw({image.texture(), static_cast<unsigned int>(m_format.name), size.width, size.height,
+          depth ? depth->texture() : 0, static_cast<unsigned int>(m_depthFormat.name)},
+         viewOf(eye));
     image.release();
+    if (depth)
+        depth->release();
     m_pictures.push_back({XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW,
-                          nullptr,
+                          depth ? &m_depthInfos[eye] : nullptr,
                           m_views[eye].pose,
                           m_views[eye].fov,
                           {swapchain.handle(), {{0, 0}, {size.width, size.height}}, 0}});

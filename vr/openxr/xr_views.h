@@ -29,15 +29,18 @@ public:
     std::span<const XrCompositionLayerProjectionView> pictures() const { return m_pictures; }
 
 private:
+    void makeDepths(const Session& session);
     EyeView viewOf(std::size_t eye) const;
 
     XrSession m_session;
     XrViewConfigurationType m_viewConfiguration;
-    ImageFormat m_format;
+    ImageFormat m_format, m_depthFormat;
     HiddenAreas m_hidden;
     bool m_isKnown = false; ///< the places are, from now or from before
     std::vector<Swapchain> m_swapchains;
     std::vector<XrView> m_views;
     std::vector<XrCompositionLayerProjectionView> m_pictures;
+    std::vector<Swapchain> m_depths;                          ///< by eye; none where the runtime wants no depth
+    std::vector<XrCompositionLayerDepthInfoKHR> m_depthInfos; ///< the pictures lead to them
 };
 } // namespace vr

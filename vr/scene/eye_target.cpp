@@ -29,7 +29,7 @@ void EyeTarget::destroy()
 
 unsigned int EyeTarget::framebufferFor(const EyeImage& image)
 {
-    const EyeImage wanted{0, image.format, image.width, image.height};
+    const EyeImage wanted{0, image.format, image.width, image.height, 0, image.depthFormat};
     if (wanted != m_made) {
         m_made = wanted;
         GLint maxSamples = 0;
@@ -46,7 +46,9 @@ bool EyeTarget::allocate(const EyeImage& image, int samples)
     m_gl->glBindRenderbuffer(GL_RENDERBUFFER, m_color);
     m_gl->glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, image.format, image.width, image.height);
     m_gl->glBindRenderbuffer(GL_RENDERBUFFER, m_depth);
-    m_gl->glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, image.width, image.height);
+    const GLenum depthFormat =
+        image.depthFormat ? image.depthFormat : GL_DEPTH_COMPONENT24; // resolved to the same only
+    m_gl->glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, depthFormat, image.width, image.height);
     m_gl->glBindRenderbuffer(GL_RENDERBUFFER, 0);
     m_gl->glBindFramebuffer(GL_FRAMEBUFFER, m_drawn);
     m_gl->glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m_color);
@@ -59,18 +61,22 @@ bool EyeTarget::resolve(const EyeImage& image)
 {
     m_gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn);
     m_gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_resolved);
-    m_gl->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.texture, 0);
+    const auto attach = [this](GLenum attachment, unsigned int texture) {
+        m_gl->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
+    };
+    attach(GL_COLOR_ATTACHMENT0, image.texture);
+    attach(GL_DEPTH_ATTACHMENT, image.depthTexture);
     const bool isComplete =
         m_isComplete && m_gl->glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     if (isComplete) {
         m_gl->glEnable(GL_FRAMEBUFFER_SRGB);
         m_clock.run([&] {
-            m_gl->glBlitFramebuffer(0, 0, image.width, image.height, 0, 0, image.width, image.height,
-                                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+            const GLbitfield what = GL_COLOR_BUFFER_BIT | (image.depthTexture ? GL_DEPTH_BUFFER_BIT : 0U);
+            m_gl->glBlitFramebuffer(0, 0, image.width, image.height, 0, 0, image.width, image.height, what, GL_NEAREST);
         });
     }
-    m_gl->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0,
-                                 0); // the runtime may delete it
+    attach(GL_COLOR_ATTACHMENT0, 0); // the runtime may delete them
+    attach(GL_DEPTH_ATTACHMENT, 0);
     m_gl->glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return isComplete;
 }

@@ -53,6 +53,21 @@ void allocate(const TextureForm& form)
                                                             form.height);
 }
 
+/// Of the texture that is bound: 24 bits of each depth in red, green and blue.
+void readDepth(const TextureForm& form, std::vector<std::uint8_t>& pixels)
+{
+    constexpr double deepest = (1 << 24) - 1;
+    std::vector<float> depths(pixels.size() / 4);
+    glGetTexImage(targetOf(form), 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const auto bits = static_cast<std::uint32_t>(std::lround(deepest * depths[i]));
+        pixels[4 * i] = static_cast<std::uint8_t>(bits >> 16);
+        pixels[4 * i + 1] = static_cast<std::uint8_t>(bits >> 8 & 0xFF);
+        pixels[4 * i + 2] = static_cast<std::uint8_t>(bits & 0xFF);
+        pixels[4 * i + 3] = 255;
+    }
+}
+
 /// The part of one layer's pixels, turned upside up.
 Picture cut(const TexturePart& part, const std::uint8_t* layer)
 {
@@ -173,7 +188,10 @@ Picture ShareContext::read(const TexturePart& part) const
         static_cast<std::size_t>(part.form.width) * static_cast<std::size_t>(part.form.height) * 4;
     std::vector<std::uint8_t> pixels(layerSize * static_cast<std::size_t>(part.form.layers));
     glBindTexture(targetOf(part.form), part.texture);
-    glGetTexImage(targetOf(part.form), 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    if (isDepth(part.form.format))
+        readDepth(part.form, pixels);
+    else
+        glGetTexImage(targetOf(part.form), 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     Picture picture = cut(part, pixels.data() + layerSize * static_cast<std::size_t>(part.layer));
     if (part.form.format == GL_RGBA8) {
         for (std::size_t i = 0; i < picture.rgba.size(); ++i)

@@ -62,6 +62,28 @@ void compareWithView(Call& call, const Session& session, const XrCompositionLaye
         call.warn("a view is not where xrLocateViews says it is at the frame's display time");
 }
 
+/// From a view's chain; null where no depth comes with it.
+const XrCompositionLayerDepthInfoKHR* depthOf(const XrCompositionLayerProjectionView& view)
+{
+    for (auto* it = static_cast<const XrBaseInStructure*>(view.next); it; it = it->next)
+        if (it->type == XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR)
+            return reinterpret_cast<const XrCompositionLayerDepthInfoKHR*>(it);
+    return nullptr;
+}
+
+TexturePart checkedDepth(Call& call, const Session& session, const XrCompositionLayerDepthInfoKHR& depth)
+{
+    require(session.instance().extensions.contains(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME),
+            XR_ERROR_VALIDATION_FAILURE, "depth of which the extension is not enabled");
+    const TexturePart part = checkedPart(call, depth.subImage);
+    require(ShareContext::isDepth(part.form.format), XR_ERROR_LAYER_INVALID, "depth in an image that is none");
+    require(depth.minDepth >= 0 && depth.minDepth < depth.maxDepth && depth.maxDepth <= 1, XR_ERROR_VALIDATION_FAILURE,
+            "a range of depth that is none");
+    require(depth.nearZ >= 0 && depth.farZ >= 0 && depth.nearZ != depth.farZ, XR_ERROR_VALIDATION_FAILURE,
+            "planes at no distance from each other");
+    return part;
+}
+
 json projection(Call& call, const Session& session, const XrCompositionLayerProjection& layer, Layers& layers)
 {
     constexpr const char* eyes[] = {"left", "right"};
@@ -84,6 +106,12 @@ json projection(Call& call, const Session& session, const XrCompositionLayerProj
                          {"fov", listOf(view.fov)},
                          {"rect", {part.x, part.y, part.width, part.height}},
                          {"layer", part.layer}});
+        if (const XrCompositionLayerDepthInfoKHR* depth = depthOf(view)) {
+            const TexturePart depthPart = checkedDepth(call, session, *depth);
+            if (isFirst)
+                layers.shown.push_back({layers.shown.back().name + "_depth", depthPart});
+            views.back()["depth"] = {depth->minDepth, depth->maxDepth, depth->nearZ, depth->farZ};
+        }
     }
     return {{"type", "projection"}, {"space", nameOf(call.get<Space>(layer.space))}, {"views", views}};
 }

@@ -10,7 +10,9 @@ struct Layers
 {
     struct Shown
     {
-        std::string name; ///< left, right or mono of the first projection layer; quad0, quad1 ...
+        /// left, right or mono of the first projection layer, and left_depth ... where depth comes with it; quad0,
+        /// quad1 ...
+        std::string name;
         TexturePart part;
         bool isQuad = false;
         bool isOpaque = true;

@@ -104,6 +104,15 @@ struct Look
     }
 };
 
+/// Metres from the eye along its axis, of a pixel of an eye's picture of depth ("left_depth"), between planes at these
+/// distances.
+inline double distanceAt(const QImage& depth, const QPoint& at, double nearest = 0.03, double farthest = 60)
+{
+    const QColor color = depth.pixelColor(at);
+    const double share = (color.red() * 65536 + color.green() * 256 + color.blue()) / double((1 << 24) - 1);
+    return nearest * farthest / (farthest - share * (farthest - nearest));
+}
+
 /// The pulses of a run that feel like that.
 inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HapticInput& feeling)
 {

@@ -91,6 +91,7 @@ private Q_SLOTS:
     void repeatedVisits_midStroke();
     void firstFrame_holdsTheModel();
     void eyes_seeTheModelApart();
+    void depth_isTheModels();
 
     void partner_changesAndUndoes();
     void partner_seesGhostsAndFollows();
@@ -202,6 +203,25 @@ void TestHeadsetVisits::firstFrame_holdsTheModel()
 }
 
 /// Each from its own place and with its own field of view. What is painted is 35 to 60 cm away.
+/// What the runtime is told of depth, beside the picture: the ball, front, side and what is not there.
+void TestHeadsetVisits::depth_isTheModels()
+{
+    Visit v({}, HeadsetHand::enough);
+    v.hand.put(Side::Left, {-1, 0.5, 0.5});
+    v.hand.put(Side::Right, {1, 0.5, 0.5});
+    v.hand.frames(2);
+    const Look depth{v.hand.picture("left_depth"), v.hand.head};
+    QVERIFY(!depth.picture.isNull());
+    const core::Vec3 eye = v.hand.head.position + core::Vec3(-0.032, 0, 0);
+    for (const core::Vec3& place : {core::Vec3(0, 0, 50), core::Vec3(-30, 0, 40), core::Vec3(0, 30, 40)}) {
+        const core::Vec3 point = v.hand.place(place);
+        const double seen = distanceAt(depth.picture, depth.at(point)), wanted = eye.z() - point.z();
+        QVERIFY2(std::abs(seen - wanted) < 0.01, qPrintable(QStringLiteral("%1 %2").arg(seen).arg(wanted)));
+    }
+    QVERIFY(distanceAt(depth.picture, depth.at(v.hand.place({0, 60, 0}))) > 50);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
 void TestHeadsetVisits::eyes_seeTheModelApart()
 {
     HeadsetFixture fixture({}, HeadsetHand::enough);

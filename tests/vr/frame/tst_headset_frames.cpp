@@ -43,6 +43,7 @@ private Q_SLOTS:
     void sizesAndViewsAreTheRuntimes();
     void hiddenAreasAreTheRuntimes();
     void hiddenAreasAreNotAskedForInVain();
+    void depthComesWithThePictures();
     void eyesAreBesideEachOther();
     void nothingIsDrawnThatIsNotShown();
     void lostHeadsShowNothing();
@@ -202,6 +203,37 @@ void TestHeadsetFrames::hiddenAreasAreNotAskedForInVain()
     for (const vr::EyeView& view : visitor.client->views())
         QVERIFY(view.hidden->empty());
     leave(visitor);
+}
+
+/// Of each eye its own, and told how to read it; a runtime that does not offer it gets none.
+void TestHeadsetFrames::depthComesWithThePictures()
+{
+    for (const bool isOffered : {true, false}) {
+        m_headset->load(isOffered ? "{'start': {'pace': 'stepped'}}"
+                                  : "{'start': {'pace': 'stepped', 'extensions': false}}");
+        Visitor visitor(*m_headset);
+        enter(visitor);
+        m_headset->step("{'keep': true}");
+        QVERIFY(m_headset->frames(1));
+        const int frame = visitor.client->frames - 1;
+        for (const vr::EyeImage& image : visitor.client->images())
+            QCOMPARE(image.depthTexture != 0, isOffered);
+        leave(visitor);
+        QCOMPARE(m_headset->complaints(), QString());
+        if (!isOffered)
+            continue;
+        std::size_t eye = 0;
+        for (const char* name : {"left_depth", "right_depth"}) {
+            const QImage picture = m_headset->picture(0, frame, name);
+            const double written = RecordingClient::depth(eye++);
+            QCOMPARE(picture.size(), QSize(1080, 1200));
+            for (const QPoint at : {QPoint(0, 0), QPoint(540, 600), QPoint(1079, 1199)}) {
+                const QColor seen = picture.pixelColor(at);
+                const double depth = (seen.red() * 65536 + seen.green() * 256 + seen.blue()) / 16777215.0;
+                QVERIFY2(std::abs(depth - written) < 1e-6, qPrintable(QString::number(depth)));
+            }
+        }
+    }
 }
 
 void TestHeadsetFrames::eyesAreBesideEachOther()

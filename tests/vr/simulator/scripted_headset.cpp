@@ -51,11 +51,14 @@ void RecordingClient::draw(std::size_t eye, const vr::EyeImage& image, const vr:
     const QColor color = linear(eye);
     gl->glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
     gl->glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.texture, 0);
+    gl->glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, image.depthTexture, 0);
     gl->glViewport(0, 0, image.width, image.height);
     gl->glDisable(GL_SCISSOR_TEST);
     gl->glEnable(framebufferSrgb);
     gl->glClearColor(color.redF(), color.greenF(), color.blueF(), 1);
-    m_clock.run([gl] { gl->glClear(GL_COLOR_BUFFER_BIT); });
+    gl->glDepthMask(GL_TRUE);
+    gl->glClearDepthf(static_cast<float>(depth(eye)));
+    m_clock.run([gl] { gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); });
     glErrors += gl->glGetError() == GL_NO_ERROR ? 0 : 1;
     gl->glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const std::lock_guard lock(m_mutex);

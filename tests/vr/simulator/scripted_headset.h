@@ -41,7 +41,8 @@ public:
     std::vector<vr::EyeImage> images() const; ///< by eye, of the last frame; none if it was not drawn
     std::vector<vr::EyeView> views() const;   ///< the same
 
-    static QColor linear(std::size_t eye); ///< what it is filled with
+    static QColor linear(std::size_t eye);                                  ///< what it is filled with
+    static double depth(std::size_t eye) { return eye == 0 ? 0.25 : 0.75; } ///< the same, where it is wanted
 
     std::atomic<bool> canDraw = true;
     std::atomic<int> creates = 0, destroys = 0, frames = 0, draws = 0, idleCalls = 0, moves = 0, glErrors = 0;
