@@ -3,7 +3,10 @@
 #define XR_USE_GRAPHICS_API_OPENGL
 #include <openxr/openxr_platform.h>
 
+#include <QtGlobal>
+
 #include <algorithm>
+#include <cmath>
 
 namespace vr
 {
@@ -88,6 +91,23 @@ std::optional<ImageFormat> depthFormatOf(const Instance& instance, XrSession ses
     return isWanted ? bestDepthFormat(formatsOf(session)) : std::nullopt;
 }
 
+/// The offered rate that is nearest to the wanted one. A runtime that refuses keeps its own.
+void requestRefreshRate(const Instance& instance, XrSession session)
+{
+    const auto enumerateRates =
+        instance.function<PFN_xrEnumerateDisplayRefreshRatesFB>("xrEnumerateDisplayRefreshRatesFB");
+    const auto request = instance.function<PFN_xrRequestDisplayRefreshRateFB>("xrRequestDisplayRefreshRateFB");
+    const std::vector<float> offered =
+        enumerate("xrEnumerateDisplayRefreshRatesFB", 0.0F, [&](auto capacity, auto* count, auto* items) {
+            return enumerateRates(session, capacity, count, items);
+        });
+    const auto nearest =
+        std::ranges::min_element(offered, {}, [](float rate) { return std::abs(rate - wantedRefreshRate); });
+    if (nearest == offered.end())
+        return;
+    if (const XrResult result = request(session, *nearest); XR_FAILED(result))
+        qInfo("The OpenXR runtime keeps its frame rate: %s", qPrintable(resultName(result)));
+}
 } // namespace
 
 Session::Session(const Instance& instance, const GlBinding& binding)
@@ -97,7 +117,10 @@ Session::Session(const Instance& instance, const GlBinding& binding)
     , m_handle(makeSession(instance, binding))
     , m_imageFormat(imageFormatOf(handle()))
     , m_depthFormat(depthFormatOf(instance, handle()))
-{}
+{
+    if (instance.has(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME))
+        requestRefreshRate(instance, handle());
+}
 
 void Session::begin()
 {

@@ -18,6 +18,10 @@ struct FrameTime
     bool shouldRender = false;
 };
 
+/// Frames a second at which a headset is asked to show ours, where it can be asked: as a Vive does, for which all is
+/// measured. Less tires; more is not drawn in time everywhere.
+inline constexpr float wantedRefreshRate = 90;
+
 /// A session with one headset, and what the runtime wants to be given for it. Members throw XrError; the context that
 /// the binding tells of is current whenever one of them is called.
 class Session

@@ -90,6 +90,9 @@ XrResult getInputSourceLocalizedName(Call&, XrSession, const XrInputSourceLocali
 // extension_calls.cpp
 XrResult getVisibilityMask(Call&, XrSession, XrViewConfigurationType, std::uint32_t view, XrVisibilityMaskTypeKHR,
                            XrVisibilityMaskKHR*);
+XrResult enumerateDisplayRefreshRates(Call&, XrSession, std::uint32_t capacity, std::uint32_t* count, float* rates);
+XrResult getDisplayRefreshRate(Call&, XrSession, float* rate);
+XrResult requestDisplayRefreshRate(Call&, XrSession, float rate);
 
 // haptic_calls.cpp
 XrResult applyHapticFeedback(Call&, XrSession, const XrHapticActionInfo*, const XrHapticBaseHeader*);

@@ -23,7 +23,7 @@
 ///                                 "stick_press", "menu", "button_a", "button_b": numbers, or true and false
 ///     "aim": {"position", "rotation"}          where wands point, as seen from their grips
 ///     "profile": path             which kind of wands they are
-///     "size": [w,h], "hz", "views": "stereo"|"mono"|"mono_first", "eye_distance", "fov":
+///     "size": [w,h], "hz", "rates": [hz], "views": "stereo"|"mono"|"mono_first", "eye_distance", "fov":
 ///     [left,right,up,down] degrees of the left eye "hidden": share of a picture's sides at its corners that the lens
 ///     hides "extensions": bool whether those are offered that no client needs "stage": bool, "bounds": [w,d]|null
 ///     "runtime", "headset", "opengl": bool     whether there is one, for who asks next "pace":

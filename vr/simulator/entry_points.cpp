@@ -184,6 +184,10 @@ const std::vector<ExtensionEntries>& extensionEntries()
         {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME,
          {FETTLE_ENTRY(xrGetOpenGLGraphicsRequirementsKHR, getOpenGlRequirements)}},
         {XR_KHR_VISIBILITY_MASK_EXTENSION_NAME, {FETTLE_ENTRY(xrGetVisibilityMaskKHR, getVisibilityMask)}},
+        {XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME,
+         {FETTLE_ENTRY(xrEnumerateDisplayRefreshRatesFB, enumerateDisplayRefreshRates),
+          FETTLE_ENTRY(xrGetDisplayRefreshRateFB, getDisplayRefreshRate),
+          FETTLE_ENTRY(xrRequestDisplayRefreshRateFB, requestDisplayRefreshRate)}},
     };
     return all;
 }

@@ -55,4 +55,32 @@ XrResult getVisibilityMask(Call& call, XrSession handle, XrViewConfigurationType
                told.indices);
     return XR_SUCCESS;
 }
+
+XrResult enumerateDisplayRefreshRates(Call& call, XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+                                      float* rates)
+{
+    call.get<Session>(handle);
+    writeItems(OutputArray<float>{capacity, count, rates}, call.runtime.world.headset.rates());
+    return XR_SUCCESS;
+}
+
+XrResult getDisplayRefreshRate(Call& call, XrSession handle, float* rate)
+{
+    call.get<Session>(handle);
+    validated(rate) = static_cast<float>(call.runtime.world.headset.hertz);
+    return XR_SUCCESS;
+}
+
+XrResult requestDisplayRefreshRate(Call& call, XrSession handle, float rate)
+{
+    call.get<Session>(handle);
+    Headset& headset = call.runtime.world.headset;
+    const std::vector<float> rates = headset.rates();
+    const bool isOffered = rate == 0 || std::find(rates.begin(), rates.end(), rate) != rates.end();
+    require(isOffered, XR_ERROR_DISPLAY_REFRESH_RATE_UNSUPPORTED_FB, "the display has no such rate");
+    call.line["rate"] = rate;
+    if (rate > 0)
+        headset.hertz = rate;
+    return XR_SUCCESS;
+}
 } // namespace simulator

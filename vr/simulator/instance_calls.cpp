@@ -16,6 +16,7 @@ constexpr Extension openGl{XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_KHR_opengl_en
 constexpr Extension others[] = {
     {XR_KHR_VISIBILITY_MASK_EXTENSION_NAME, XR_KHR_visibility_mask_SPEC_VERSION},
     {XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME, XR_KHR_composition_layer_depth_SPEC_VERSION},
+    {XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME, XR_FB_display_refresh_rate_SPEC_VERSION},
 };
 
 std::vector<Extension> offeredExtensions(const SimulatedWorld& world)

@@ -36,6 +36,14 @@ Change hertzChange(const json& value, Over)
     return [hertz = readPositive(value)](Runtime& runtime, XrTime) { runtime.world.headset.hertz = hertz; };
 }
 
+Change ratesChange(const json& value, Over)
+{
+    std::vector<float> rates;
+    for (const json& rate : value)
+        rates.push_back(static_cast<float>(readPositive(rate)));
+    return [rates](Runtime& runtime, XrTime) { runtime.world.headset.otherRates = rates; };
+}
+
 Change viewsChange(const json& value, Over)
 {
     const Views views =
@@ -217,6 +225,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"profile", profileChange},
         {"size", sizeChange},
         {"hz", hertzChange},
+        {"rates", ratesChange},
         {"views", viewsChange},
         {"eye_distance", eyeDistanceChange},
         {"fov", fovChange},

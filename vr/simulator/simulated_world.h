@@ -3,6 +3,7 @@
 #include "vr/simulator/motion.h"
 #include "vr/simulator/profiles.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -28,6 +29,16 @@ struct Headset
 {
     int width = 1080, height = 1200; ///< pixels of one eye, recommended
     double hertz = 90;
+    std::vector<float> otherRates; ///< that the display can have, in hertz
+
+    /// All that it can have.
+    std::vector<float> rates() const
+    {
+        std::vector<float> all = otherRates;
+        if (std::find(all.begin(), all.end(), static_cast<float>(hertz)) == all.end())
+            all.push_back(static_cast<float>(hertz));
+        return all;
+    }
     Views views = Views::Stereo;
     double eyeDistance = 0.064;               ///< metres
     XrFovf fov{-0.94F, 0.81F, 0.96F, -0.98F}; ///< of the left eye; the right one's is its mirror image

@@ -44,6 +44,8 @@ private Q_SLOTS:
     void hiddenAreasAreTheRuntimes();
     void hiddenAreasAreNotAskedForInVain();
     void depthComesWithThePictures();
+    void refreshRateIsTheNearestToTheWanted_data();
+    void refreshRateIsTheNearestToTheWanted();
     void eyesAreBesideEachOther();
     void nothingIsDrawnThatIsNotShown();
     void lostHeadsShowNothing();
@@ -234,6 +236,30 @@ void TestHeadsetFrames::depthComesWithThePictures()
             }
         }
     }
+}
+
+void TestHeadsetFrames::refreshRateIsTheNearestToTheWanted_data()
+{
+    QTest::addColumn<QByteArray>("offered");
+    QTest::addColumn<double>("wanted");
+    QTest::newRow("with 90") << QByteArray("'hz': 72, 'rates': [72, 80, 90, 120]") << 90.0;
+    QTest::newRow("without") << QByteArray("'hz': 60, 'rates': [60, 72, 144]") << 72.0;
+    QTest::newRow("one") << QByteArray("'hz': 144") << 144.0;
+    QTest::newRow("not asked") << QByteArray("'hz': 72, 'rates': [90], 'extensions': false") << 72.0;
+}
+
+void TestHeadsetFrames::refreshRateIsTheNearestToTheWanted()
+{
+    QFETCH(QByteArray, offered);
+    QFETCH(double, wanted);
+    m_headset->load(QByteArray("{'start': {'pace': 'stepped', " + offered + "}}").constData());
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    const std::int64_t before = visitor.client->last().displayNs;
+    QVERIFY(m_headset->frames(1));
+    const double seconds = static_cast<double>(visitor.client->last().displayNs - before) * 1e-9;
+    QVERIFY2(std::abs(seconds * wanted - 1) < 1e-6, qPrintable(QString::number(1 / seconds)));
+    leave(visitor);
 }
 
 void TestHeadsetFrames::eyesAreBesideEachOther()
