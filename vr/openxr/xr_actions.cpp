@@ -146,6 +146,7 @@ Wands Actions::read(XrSpace room, XrTime time, bool hasFocus)
         readPoses(side, room, time);
         if (hasButtons)
             readButtons(side);
+        m_hands[side].isSqueezed = m_wands[side].side;
     }
     return m_wands;
 }
@@ -188,6 +189,16 @@ bool Actions::isPressed(Control control, std::size_t side) const
     return state.isActive && state.currentState;
 }
 
+/// A button that is only pressed or not says 1 or 0.
+bool Actions::isSqueezed(std::size_t side) const
+{
+    const XrActionStateGetInfo info = stateGetInfo(Control::Side, side);
+    XrActionStateFloat state{};
+    state.type = XR_TYPE_ACTION_STATE_FLOAT;
+    check(xrGetActionStateFloat(m_session, &info, &state), "xrGetActionStateFloat");
+    return state.isActive && state.currentState >= (m_hands[side].isSqueezed ? squeezeRelease : squeezePress);
+}
+
 void Actions::readButtons(std::size_t side)
 {
     WandState& wand = m_wands[side];
@@ -207,7 +218,7 @@ void Actions::readButtons(std::size_t side)
         wand.pad = {pad.currentState.x, pad.currentState.y};
     wand.padTouched = isPressed(Control::PadTouch, side);
     wand.padPressed = isPressed(Control::PadPress, side);
-    wand.side = isPressed(Control::Side, side);
+    wand.side = isSqueezed(side);
     wand.menu = isPressed(Control::Menu, side);
 }
 

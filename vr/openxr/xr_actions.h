@@ -10,6 +10,9 @@
 
 namespace vr
 {
+// Shares of the way, or of the force. Hands rest on the grips of some wands: a squeeze is more than that.
+inline constexpr float squeezePress = 0.7F, squeezeRelease = 0.5F;
+
 /// The wands: poses and buttons in, pulses out. One for each session, made before it begins. Members throw XrError.
 class Actions
 {
@@ -37,6 +40,7 @@ private:
         XrPath path = XR_NULL_PATH;
         SpaceHandle grip, aim;
         bool isStick = false, isSimple = false; ///< as WandState has them
+        bool isSqueezed = false;                ///< in the frame before
     };
 
     static QString nameOf(Control control);
@@ -49,6 +53,7 @@ private:
     void readButtons(std::size_t side);
     XrActionStateGetInfo stateGetInfo(Control control, std::size_t side) const;
     bool isPressed(Control control, std::size_t side) const;
+    bool isSqueezed(std::size_t side) const;
     XrAction action(Control control) const { return m_actions[static_cast<std::size_t>(control)].get(); }
 
     const Instance& m_instance;

@@ -26,7 +26,7 @@ inline constexpr std::array<ControlKind, controlCount> controlKinds{{
     {"pad", XR_ACTION_TYPE_VECTOR2F_INPUT},
     {"pad_touch", XR_ACTION_TYPE_BOOLEAN_INPUT},
     {"pad_press", XR_ACTION_TYPE_BOOLEAN_INPUT},
-    {"side", XR_ACTION_TYPE_BOOLEAN_INPUT},
+    {"side", XR_ACTION_TYPE_FLOAT_INPUT},
     {"menu", XR_ACTION_TYPE_BOOLEAN_INPUT},
     {"pulse", XR_ACTION_TYPE_VIBRATION_OUTPUT},
 }};

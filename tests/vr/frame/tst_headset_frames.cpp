@@ -53,6 +53,7 @@ private Q_SLOTS:
     void handsAndHeadAreWhereTheyWillBeSeen();
     void lostWandsStayWhereTheyWere();
     void wandsMayChange();
+    void restingHandsSqueezeNothing();
     void refusedKindsOfWandsAreLeftOut();
     void pulsesAreFelt();
     void theClientRecentres_data();
@@ -407,6 +408,24 @@ void TestHeadsetFrames::wandsMayChange()
     m_headset->step("{'profile': '/interaction_profiles/khr/simple_controller'}");
     QVERIFY(m_headset->frames(4));
     QVERIFY(visitor.client->last().wands[0].isSimple && !visitor.client->last().wands[0].isStick);
+    leave(visitor);
+}
+
+/// On the grip of a Touch: a squeeze begins with more than a hand that rests does, and ends with less than it began.
+void TestHeadsetFrames::restingHandsSqueezeNothing()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'profile': '/interaction_profiles/oculus/touch_controller'}");
+    QVERIFY(m_headset->frames(4));
+    const auto isSqueezed = [&](double squeeze) {
+        m_headset->step(qPrintable(QStringLiteral("{'right': {'squeeze': %1}}").arg(squeeze)));
+        [&] { QVERIFY(m_headset->frames(2)); }();
+        return visitor.client->last().wands[1].side;
+    };
+    QVERIFY(!isSqueezed(0.1) && !isSqueezed(0.4) && !isSqueezed(0.6));
+    QVERIFY(isSqueezed(0.8) && isSqueezed(0.6));
+    QVERIFY(!isSqueezed(0.4) && !isSqueezed(0.6) && isSqueezed(1));
     leave(visitor);
 }
 
