@@ -80,6 +80,11 @@ std::optional<HeadsetEnd> HeadsetLoop::handleEvent(const XrEvent& event)
     case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
         m_areProfilesStale = true;
         return {};
+    case XR_TYPE_EVENT_DATA_EVENTS_LOST: // they may have told of anything: what can be asked for is
+        qInfo("The OpenXR runtime has lost events");
+        m_areProfilesStale = true;
+        m_views.hidden().refresh();
+        return {};
     case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
         m_views.hidden().handle(event.as<XrEventDataVisibilityMaskChangedKHR>());
         return {};

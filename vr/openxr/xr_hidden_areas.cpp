@@ -26,7 +26,12 @@ HiddenAreas::HiddenAreas(const Instance& instance, const Session& session)
     if (!instance.has(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
         return;
     m_getMask = instance.function<PFN_xrGetVisibilityMaskKHR>("xrGetVisibilityMaskKHR");
-    for (std::size_t eye = 0; eye < m_areas.size(); ++eye)
+    refresh();
+}
+
+void HiddenAreas::refresh()
+{
+    for (std::size_t eye = 0; eye < m_areas.size() && m_getMask; ++eye)
         read(eye);
 }
 

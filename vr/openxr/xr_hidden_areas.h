@@ -14,6 +14,8 @@ public:
 
     /// The runtime says that those of an eye have changed.
     void handle(const XrEventDataVisibilityMaskChangedKHR& event);
+    /// All of them anew.
+    void refresh();
     /// Empty where nothing is hidden.
     const HiddenArea& of(std::size_t eye) const { return m_areas[eye]; }
 

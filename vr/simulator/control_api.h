@@ -25,11 +25,12 @@
 ///     "profile": path             which kind of wands they are
 ///     "size": [w,h], "hz", "rates": [hz], "views": "stereo"|"mono"|"mono_first", "eye_distance", "fov":
 ///     [left,right,up,down] degrees of the left eye "hidden": share of a picture's sides at its corners that the lens
-///     hides "extensions": bool whether those are offered that no client needs "stage": bool, "bounds": [w,d]|null
-///     "runtime", "headset", "opengl": bool     whether there is one, for who asks next "pace":
-///     "real"|"live"|"fast"|"stepped"   live: the display time is the clock's, else a slow client has slow time "worn",
-///     "visible", "focus", "should_render": bool "exit": true                the session is asked to stop for good
-///     "late_ms": n                the frame comes so much later, and its display time as many periods "recentre":
+///     hides "extensions": bool whether those are offered that no client needs "stage":
+///     bool, "bounds": [w,d]|null "runtime", "headset", "opengl": bool     whether there is one, for who asks next
+///     "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's, else a slow client has slow time
+///     "worn", "visible", "focus", "should_render": bool "lose_events": true   those that wait, but for a session's
+///     states "exit": true                the session is asked to stop for good "late_ms": n                the frame
+///     comes so much later, and its display time as many periods "recentre":
 ///     {"space": "local"|"stage", "position", "rotation", "after": n}   the space's new origin in the room
 ///     "lose_session": n, "lose_instance": n    foretold now, lost n frames later "fail":
 ///     {"call": name, "result": XrResult's name, "times": n}                 answers in the call's stead "freeze": name

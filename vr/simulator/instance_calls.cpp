@@ -57,10 +57,18 @@ std::optional<XrEventDataBuffer> Events::take()
     return first;
 }
 
+void Events::lose()
+{
+    const auto lost = static_cast<std::uint32_t>(std::erase_if(m_waiting, [](const XrEventDataBuffer& event) {
+        return event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED;
+    }));
+    push(XrEventDataEventsLost{XR_TYPE_EVENT_DATA_EVENTS_LOST, nullptr, lost});
+}
+
 void Events::drop(XrSession session)
 {
     std::erase_if(m_waiting, [session](const XrEventDataBuffer& event) {
-        return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
+        return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING && event.type != XR_TYPE_EVENT_DATA_EVENTS_LOST &&
                reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == session;
     });
 }

@@ -1,6 +1,7 @@
 #include "vr/simulator/script_step.h"
 
 #include "vr/simulator/enum_names.h"
+#include "vr/simulator/instance.h"
 #include "vr/simulator/runtime.h"
 #include "vr/simulator/script_devices.h"
 #include "vr/simulator/script_values.h"
@@ -133,6 +134,14 @@ Change loseInstance(const json& value, Over)
     return [after = readCount(value)](Runtime& runtime, XrTime) { runtime.loseInstance(after); };
 }
 
+Change loseEvents(const json& value, Over)
+{
+    return [loses = readBool(value)](Runtime& runtime, XrTime) {
+        if (loses && runtime.instance)
+            runtime.instance->events.lose();
+    };
+}
+
 Change exitChange(const json& value, Over)
 {
     return [exits = readBool(value)](Runtime& runtime, XrTime) {
@@ -237,6 +246,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"lose_session", loseSession},
         {"lose_instance", loseInstance},
         {"exit", exitChange},
+        {"lose_events", loseEvents},
         {"keep", keepChange},
         {"keep_every", keepEveryChange},
         {"watch_drawing", flag<&SimulatedWorld::watchesDrawing>},

@@ -44,6 +44,7 @@ private Q_SLOTS:
     void hiddenAreasAreTheRuntimes();
     void hiddenAreasAreNotAskedForInVain();
     void depthComesWithThePictures();
+    void lostEventsAreMadeUpFor();
     void refreshRateIsTheNearestToTheWanted_data();
     void refreshRateIsTheNearestToTheWanted();
     void eyesAreBesideEachOther();
@@ -237,6 +238,22 @@ void TestHeadsetFrames::depthComesWithThePictures()
             }
         }
     }
+}
+
+/// What they told of is asked for: here another mask.
+void TestHeadsetFrames::lostEventsAreMadeUpFor()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    for (const vr::EyeView& view : visitor.client->views())
+        QVERIFY(view.hidden->empty());
+    m_headset->step("{'hidden': 0.25}");
+    m_headset->step("{'lose_events': true}");
+    QVERIFY(m_headset->frames(3));
+    QCOMPARE(visitor.client->views().size(), std::size_t(2));
+    for (const vr::EyeView& view : visitor.client->views())
+        QVERIFY(!view.hidden->empty());
+    leave(visitor);
 }
 
 void TestHeadsetFrames::refreshRateIsTheNearestToTheWanted_data()
