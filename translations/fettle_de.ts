@@ -7720,6 +7720,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>The headset is in use here.</source>
         <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
     </message>
+    <message>
+        <source>%1 needs OpenGL %2, and the graphics driver has %3. Install a later driver, then enter VR again.</source>
+        <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
+        <translation>%1 braucht OpenGL %2, und der Grafiktreiber hat %3. Bitte einen neueren Treiber installieren und VR erneut betreten.</translation>
+    </message>
 </context>
 <context>
     <name>vr::PerformancePanel</name>

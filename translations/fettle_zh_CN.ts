@@ -7698,6 +7698,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>The headset is in use here.</source>
         <translation>头显正在本程序中使用。</translation>
     </message>
+    <message>
+        <source>%1 needs OpenGL %2, and the graphics driver has %3. Install a later driver, then enter VR again.</source>
+        <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
+        <translation>%1 需要 OpenGL %2，而显卡驱动只有 %3。请安装更新的驱动，然后重新进入 VR。</translation>
+    </message>
 </context>
 <context>
     <name>vr::PerformancePanel</name>

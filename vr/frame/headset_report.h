@@ -19,7 +19,7 @@ enum class HeadsetStage {
 enum class HeadsetEnd {
     Left,               ///< we wanted it
     EndedByRuntime,     ///< the runtime wanted it
-    Unavailable,        ///< no runtime or no headset
+    Unavailable,        ///< no runtime, no headset, or one that takes no pictures of this OpenGL
     NoBinding,          ///< the window's OpenGL is of a kind that the runtime does not take
     CannotRender,       ///< the room cannot be drawn here
     RuntimeLost,        ///< or it restarts

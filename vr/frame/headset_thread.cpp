@@ -91,6 +91,10 @@ HeadsetReport HeadsetThread::Visit::runWith(const OnReport& onReport)
     const auto binding = gl.claim() ? currentGlBinding() : nullptr;
     if (!binding || !instance.has(binding->extension()))
         return HeadsetReport::ended(HeadsetEnd::NoBinding, windowSystem);
+    const auto [major, minor] = gl.context().format().version();
+    if (const QString problem = OpenXrRuntime::openGlProblem(instance, QVersionNumber(major, minor));
+        !problem.isEmpty())
+        return HeadsetReport::ended(HeadsetEnd::Unavailable, problem);
     const CreatedClient created(*client, gl);
     if (!created.isCreated())
         return HeadsetReport::ended(HeadsetEnd::CannotRender);

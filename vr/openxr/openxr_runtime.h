@@ -2,9 +2,12 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QVersionNumber>
 
 namespace vr
 {
+class Instance;
+
 /// What the machine offers for VR at this moment.
 struct HeadsetStatus
 {
@@ -34,5 +37,8 @@ public:
 
     /// One or two sentences for people, with the reason.
     static QString textOf(const HeadsetStatus& status);
+
+    /// The same where the runtime wants a later OpenGL than there is; empty if it does not.
+    static QString openGlProblem(const Instance& instance, const QVersionNumber& present);
 };
 } // namespace vr

@@ -52,19 +52,9 @@ std::vector<ImageSize> imageSizesOf(const Instance& instance, XrViewConfiguratio
     return sizes;
 }
 
-/// OpenXR wants to be asked before a session is made; what it answers is for people who choose a driver.
-void queryRequirements(const Instance& instance)
-{
-    XrGraphicsRequirementsOpenGLKHR requirements{};
-    requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;
-    check(instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>("xrGetOpenGLGraphicsRequirementsKHR")(
-              instance.handle(), instance.system(), &requirements),
-          "xrGetOpenGLGraphicsRequirementsKHR");
-}
-
 SessionHandle makeSession(const Instance& instance, const GlBinding& binding)
 {
-    queryRequirements(instance);
+    leastOpenGl(instance);
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, binding.next(), 0, instance.system()};
     XrSession made = XR_NULL_HANDLE;
     check(xrCreateSession(instance.handle(), &info, &made), "xrCreateSession");
@@ -109,6 +99,16 @@ void requestRefreshRate(const Instance& instance, XrSession session)
         qInfo("The OpenXR runtime keeps its frame rate: %s", qPrintable(resultName(result)));
 }
 } // namespace
+
+XrVersion leastOpenGl(const Instance& instance)
+{
+    XrGraphicsRequirementsOpenGLKHR requirements{};
+    requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;
+    check(instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>("xrGetOpenGLGraphicsRequirementsKHR")(
+              instance.handle(), instance.system(), &requirements),
+          "xrGetOpenGLGraphicsRequirementsKHR");
+    return requirements.minApiVersionSupported;
+}
 
 Session::Session(const Instance& instance, const GlBinding& binding)
     : m_viewConfiguration(viewConfigurationOf(instance))

@@ -22,6 +22,10 @@ struct FrameTime
 /// measured. Less tires; more is not drawn in time everywhere.
 inline constexpr float wantedRefreshRate = 90;
 
+/// The least version of OpenGL that the runtime takes pictures of. OpenXR wants it to be asked for before a session is
+/// made. Throws XrError.
+XrVersion leastOpenGl(const Instance& instance);
+
 /// A session with one headset, and what the runtime wants to be given for it. Members throw XrError; the context that
 /// the binding tells of is current whenever one of them is called.
 class Session

@@ -100,8 +100,7 @@ ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side
 }
 
 /// Returns what the window sees of the user. `radius`: of the brush, metres.
-AvatarState avatarOf(const FrameInput& input, const SceneState& scene, double radius,
-                     std::vector<PanelTarget> panels)
+AvatarState avatarOf(const FrameInput& input, const SceneState& scene, double radius, std::vector<PanelTarget> panels)
 {
     AvatarState avatar;
     avatar.panels = std::move(panels);

@@ -25,7 +25,7 @@
 ///     "profile": path             which kind of wands they are
 ///     "size": [w,h], "hz", "rates": [hz], "views": "stereo"|"mono"|"mono_first", "eye_distance", "fov":
 ///     [left,right,up,down] degrees of the left eye "hidden": share of a picture's sides at its corners that the lens
-///     hides "extensions": bool whether those are offered that no client needs "stage":
+///     hides "least_opengl": [major,minor] "extensions": bool whether those are offered that no client needs "stage":
 ///     bool, "bounds": [w,d]|null "runtime", "headset", "opengl": bool     whether there is one, for who asks next
 ///     "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's, else a slow client has slow time
 ///     "worn", "visible", "focus", "should_render": bool "lose_events": true   those that wait, but for a session's

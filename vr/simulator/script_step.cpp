@@ -37,6 +37,14 @@ Change hertzChange(const json& value, Over)
     return [hertz = readPositive(value)](Runtime& runtime, XrTime) { runtime.world.headset.hertz = hertz; };
 }
 
+Change leastOpenGlChange(const json& value, Over)
+{
+    const std::vector<double> version = readNumbers(value, 2);
+    const XrVersion least =
+        XR_MAKE_VERSION(static_cast<std::uint64_t>(version[0]), static_cast<std::uint64_t>(version[1]), 0);
+    return [least](Runtime& runtime, XrTime) { runtime.world.leastOpenGl = least; };
+}
+
 Change ratesChange(const json& value, Over)
 {
     std::vector<float> rates;
@@ -221,6 +229,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"runtime", flag<&SimulatedWorld::hasRuntime>},
         {"headset", flag<&SimulatedWorld::hasHeadset>},
         {"opengl", flag<&SimulatedWorld::hasOpenGl>},
+        {"least_opengl", leastOpenGlChange},
         {"extensions", flag<&SimulatedWorld::hasExtensions>},
         {"stage", flag<&SimulatedWorld::hasStage>},
         {"worn", flag<&SimulatedWorld::isWorn>},

@@ -84,6 +84,7 @@ struct SimulatedWorld
 
     bool hasRuntime = true, hasHeadset = true, hasOpenGl = true;
     bool hasExtensions = true; ///< besides OpenGL's
+    XrVersion leastOpenGl = XR_MAKE_VERSION(3, 3, 0);
     bool isWorn = true, isVisible = true, hasFocus = true, shouldRender = true;
 
     Head head;

@@ -122,8 +122,8 @@ XrResult getOpenGlRequirements(Call& call, XrInstance handle, XrSystemId system,
     Instance& instance = call.get<Instance>(handle);
     validated(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
     requireSystem(system);
-    requirements->minApiVersionSupported = XR_MAKE_VERSION(3, 3, 0);
-    requirements->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);
+    requirements->minApiVersionSupported = call.runtime.world.leastOpenGl;
+    requirements->maxApiVersionSupported = XR_MAKE_VERSION(99, 9, 0);
     instance.requirementsAsked = true;
     return XR_SUCCESS;
 }

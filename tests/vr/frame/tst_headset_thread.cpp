@@ -101,6 +101,7 @@ private Q_SLOTS:
 
     void whatIsNotThereIsAnAnswer_data();
     void whatIsNotThereIsAnAnswer();
+    void anOldOpenGlIsSaid();
     void faults_data();
     void faults();
     void refusals_data();
@@ -290,6 +291,20 @@ void TestHeadsetThread::whatIsNotThereIsAnAnswer()
     m_headset->load(small);
     QVERIFY(visitor.enterAndRun());
     QVERIFY(visitor.leave());
+}
+
+/// Before anything is made with it.
+void TestHeadsetThread::anOldOpenGlIsSaid()
+{
+    m_headset->step("{'least_opengl': [9, 7]}");
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enter());
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Unavailable);
+    const QString text = visitor.reports.last().text;
+    QVERIFY2(text.contains(QStringLiteral("OpenGL 9.7")), qPrintable(text));
+    QCOMPARE(visitor.client->creates, 0);
+    QCOMPARE(m_headset->complaints(), QString());
 }
 
 void TestHeadsetThread::faults_data()
