@@ -29,7 +29,7 @@ HeadsetLoop::HeadsetLoop(const Parts& parts)
     : m_parts(parts)
     , m_session(parts.instance, parts.binding)
     , m_actions(parts.instance, m_session.handle())
-    , m_spaces(m_session.handle())
+    , m_spaces(parts.instance, m_session.handle())
     , m_views(parts.instance, m_session)
     , m_drawCallMs(parts.client.drawCallMs())
 {

@@ -14,9 +14,12 @@ constexpr XrVersion requestedVersion = XR_MAKE_VERSION(1, 0, 20);
 
 /// We draw with OpenGL; under EGL that needs the second, too.
 constexpr const char* openGlExtension = "XR_KHR_opengl_enable";
-constexpr const char* wantedExtensions[] = {
-    openGlExtension, "XR_MNDX_egl_enable", XR_KHR_VISIBILITY_MASK_EXTENSION_NAME,
-    XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME, XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME};
+constexpr const char* wantedExtensions[] = {openGlExtension,
+                                            "XR_MNDX_egl_enable",
+                                            XR_KHR_VISIBILITY_MASK_EXTENSION_NAME,
+                                            XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
+                                            XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME,
+                                            localFloorExtension};
 
 template <std::size_t N> QString textOf(const char (&name)[N])
 {

@@ -11,6 +11,9 @@
 
 namespace vr
 {
+/// Headers may be too old for it.
+inline constexpr const char* localFloorExtension = "XR_EXT_local_floor";
+
 /// What the runtime has to tell.
 class XrEvent
 {

@@ -21,14 +21,19 @@ SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& 
     return SpaceHandle(made);
 }
 
-XrReferenceSpaceType roomSpaceType(XrSession session)
+/// Of XR_EXT_local_floor, which headers may be too old for.
+constexpr auto localFloor = static_cast<XrReferenceSpaceType>(1000426000);
+
+XrReferenceSpaceType roomSpaceType(const Instance& instance, XrSession session)
 {
     const auto offered =
         enumerate("xrEnumerateReferenceSpaces", XrReferenceSpaceType{}, [&](auto capacity, auto* count, auto* items) {
             return xrEnumerateReferenceSpaces(session, capacity, count, items);
         });
-    const bool hasStage = std::find(offered.begin(), offered.end(), XR_REFERENCE_SPACE_TYPE_STAGE) != offered.end();
-    return hasStage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+    const auto has = [&](XrReferenceSpaceType type) { return std::ranges::find(offered, type) != offered.end(); };
+    if (has(XR_REFERENCE_SPACE_TYPE_STAGE))
+        return XR_REFERENCE_SPACE_TYPE_STAGE;
+    return instance.has(localFloorExtension) && has(localFloor) ? localFloor : XR_REFERENCE_SPACE_TYPE_LOCAL;
 }
 
 /// Of the room in the runtime's space before anybody has recentred.
@@ -41,9 +46,9 @@ Pose firstBase(XrReferenceSpaceType type)
 }
 } // namespace
 
-Spaces::Spaces(XrSession session)
+Spaces::Spaces(const Instance& instance, XrSession session)
     : m_session(session)
-    , m_type(roomSpaceType(session))
+    , m_type(roomSpaceType(instance, session))
     , m_base(firstBase(m_type))
     , m_room(makeSpace(session, m_type, m_base))
     , m_view(makeSpace(session, XR_REFERENCE_SPACE_TYPE_VIEW, {}))

@@ -8,12 +8,13 @@
 
 namespace vr
 {
-/// The spaces that a session measures in. Room space is STAGE, which has the real floor; where the runtime has none it
-/// is LOCAL, with the floor taken to be 1.5 m below the eyes. Members throw XrError.
+/// The spaces that a session measures in. Room space is STAGE, which has the real floor, or else LOCAL_FLOOR, which has
+/// it, too; where the runtime has neither it is LOCAL, with the floor taken to be 1.5 m below the eyes. Members throw
+/// XrError.
 class Spaces
 {
 public:
-    explicit Spaces(XrSession session);
+    Spaces(const Instance& instance, XrSession session);
 
     XrSpace room() const { return m_room.get(); }
     /// In room space; none as long as the runtime has not known it. While it knows no more than how the head stands,

@@ -1,6 +1,7 @@
 #include "vr/simulator/actions.h"
 #include "vr/simulator/calls.h"
 #include "vr/simulator/enum_names.h"
+#include "vr/simulator/system.h"
 
 namespace simulator
 {
@@ -26,6 +27,8 @@ std::vector<Extension> offeredExtensions(const SimulatedWorld& world)
         offered.push_back(openGl);
     if (world.hasExtensions)
         offered.insert(offered.end(), std::begin(others), std::end(others));
+    if (world.hasLocalFloor)
+        offered.push_back({localFloorExtension, 1});
     return offered;
 }
 

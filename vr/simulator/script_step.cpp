@@ -232,6 +232,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"least_opengl", leastOpenGlChange},
         {"extensions", flag<&SimulatedWorld::hasExtensions>},
         {"stage", flag<&SimulatedWorld::hasStage>},
+        {"local_floor", flag<&SimulatedWorld::hasLocalFloor>},
         {"worn", flag<&SimulatedWorld::isWorn>},
         {"visible", flag<&SimulatedWorld::isVisible>},
         {"focus", flag<&SimulatedWorld::hasFocus>},

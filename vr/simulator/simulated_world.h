@@ -92,7 +92,7 @@ struct SimulatedWorld
     vr::Pose aim; ///< where a wand points, as seen from its grip
     std::string profile = "/interaction_profiles/htc/vive_controller";
 
-    bool hasStage = true;
+    bool hasStage = true, hasLocalFloor = false;
     Motion stage, local; ///< origins
     std::optional<XrExtent2Df> bounds = XrExtent2Df{3, 2};
 

@@ -8,17 +8,19 @@ namespace simulator
 {
 namespace
 {
-std::vector<XrReferenceSpaceType> offeredSpaces(const SimulatedWorld& world)
+std::vector<XrReferenceSpaceType> offeredSpaces(const Session& session, const SimulatedWorld& world)
 {
     std::vector<XrReferenceSpaceType> spaces{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
     if (world.hasStage)
         spaces.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
+    if (session.instance().extensions.contains(localFloorExtension))
+        spaces.push_back(localFloor);
     return spaces;
 }
 
-void requireSpace(const SimulatedWorld& world, XrReferenceSpaceType type)
+void requireSpace(const Session& session, const SimulatedWorld& world, XrReferenceSpaceType type)
 {
-    const auto offered = offeredSpaces(world);
+    const auto offered = offeredSpaces(session, world);
     require(std::find(offered.begin(), offered.end(), type) != offered.end(), XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
             "the reference space is not offered");
 }
@@ -49,8 +51,8 @@ void tellVelocity(void* chain, const SpaceLocation& located)
 XrResult enumerateReferenceSpaces(Call& call, XrSession handle, std::uint32_t capacity, std::uint32_t* count,
                                   XrReferenceSpaceType* spaces)
 {
-    call.get<Session>(handle);
-    writeItems(OutputArray<XrReferenceSpaceType>{capacity, count, spaces}, offeredSpaces(call.runtime.world));
+    const Session& session = call.get<Session>(handle);
+    writeItems(OutputArray<XrReferenceSpaceType>{capacity, count, spaces}, offeredSpaces(session, call.runtime.world));
     return XR_SUCCESS;
 }
 
@@ -59,7 +61,7 @@ XrResult createReferenceSpace(Call& call, XrSession handle, const XrReferenceSpa
     Session& session = call.get<Session>(handle);
     validated(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
     validated(out);
-    requireSpace(call.runtime.world, info->referenceSpaceType);
+    requireSpace(session, call.runtime.world, info->referenceSpaceType);
     const auto space = std::make_shared<Space>(info->referenceSpaceType, fromXr(info->poseInReferenceSpace));
     *out = call.runtime.handles.add<XrSpace>(space, &session);
     call.line["space"] = nameOf(*space);
@@ -68,10 +70,10 @@ XrResult createReferenceSpace(Call& call, XrSession handle, const XrReferenceSpa
 
 XrResult getReferenceSpaceBoundsRect(Call& call, XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds)
 {
-    call.get<Session>(handle);
+    const Session& session = call.get<Session>(handle);
     validated(bounds) = {};
     const SimulatedWorld& world = call.runtime.world;
-    requireSpace(world, type);
+    requireSpace(session, world, type);
     if (type != XR_REFERENCE_SPACE_TYPE_STAGE || !world.bounds)
         return XR_SPACE_BOUNDS_UNAVAILABLE;
     *bounds = *world.bounds;

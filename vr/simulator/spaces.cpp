@@ -1,6 +1,7 @@
 #include "vr/simulator/spaces.h"
 
 #include "vr/simulator/actions.h"
+#include "vr/simulator/system.h"
 #include "vr/simulator/xr_pose.h"
 
 namespace simulator
@@ -19,13 +20,16 @@ SpaceLocation moving(const Motion& motion, Tracking tracking, XrTime time)
 
 SpaceLocation originAt(const SimulatedWorld& world, XrReferenceSpaceType type, XrTime time)
 {
+    const vr::Pose local = world.local.at(time);
+    if (type == localFloor) // below the other's origin
+        return {{local.rotation, {local.position.x(), 0, local.position.z()}}};
     switch (type) {
     case XR_REFERENCE_SPACE_TYPE_VIEW:
         return moving(world.head.motion, world.head.tracking, time);
     case XR_REFERENCE_SPACE_TYPE_STAGE:
         return {world.stage.at(time)};
     default:
-        return {world.local.at(time)};
+        return {local};
     }
 }
 
@@ -93,6 +97,8 @@ std::string nameOf(const Space& space)
     const auto* type = std::get_if<XrReferenceSpaceType>(&space.origin());
     if (!type)
         return "action";
+    if (*type == localFloor)
+        return "local_floor";
     switch (*type) {
     case XR_REFERENCE_SPACE_TYPE_VIEW:
         return "view";

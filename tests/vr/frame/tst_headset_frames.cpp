@@ -59,6 +59,7 @@ private Q_SLOTS:
     void pulsesAreFelt();
     void theClientRecentres_data();
     void theClientRecentres();
+    void theFloorIsTheRuntimes();
     void theRuntimeRecentres();
     void theClientLeaves();
     void lateFramesAreCounted();
@@ -509,6 +510,25 @@ void TestHeadsetFrames::theClientRecentres()
         QVERIFY(std::abs(now.forward().x()) < 1e-4 && now.forward().z() < 0);
         QVERIFY(std::abs(now.forward().y()) > 0.1);
     }
+    leave(visitor);
+}
+
+/// Without a stage it is that of LOCAL_FLOOR, if there is one: recentring leaves the eyes as high above it as they are.
+/// The validation layer knows no such space.
+void TestHeadsetFrames::theFloorIsTheRuntimes()
+{
+    const auto layer = m_headset->withoutLayer();
+    m_headset->load("{'start': {'pace': 'stepped', 'stage': false, 'local_floor': true}}");
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'head': {'position': [1, 1.2, 2], 'yaw_pitch_roll': [70, 20, 10]}}");
+    QVERIFY(m_headset->frames(2));
+    QVERIFY(isClose(visitor.client->last().head->position, {1, 1.2, 2}));
+    vr::FrameOutput output;
+    output.recentre = true;
+    visitor.client->answer(output);
+    QVERIFY(m_headset->frames(3));
+    QVERIFY(isClose(visitor.client->last().head->position, {0, 1.2, 0}));
     leave(visitor);
 }
 
