@@ -3,6 +3,7 @@
 #include "ui/headset/simulator_view.h"
 #include "ui/widgets/spacing.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -99,6 +100,7 @@ void SimulatorWindow::begin()
     show();
     activateWindow();
     m_view->setFocus();
+    showQuestion();
 }
 
 /// To its right, as far as the screen goes.
@@ -116,6 +118,27 @@ void SimulatorWindow::showHand()
 {
     m_hand->setText(m_view->controls().hand() == SimulatedHand::Left ? tr("The mouse moves the left wand.")
                                                                      : tr("The mouse moves the right wand."));
+}
+
+/// A question of the program's, without whose answer nothing goes on here, is not hidden behind this window, which
+/// comes back after that.
+bool SimulatorWindow::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowBlocked)
+        QMetaObject::invokeMethod(this, &SimulatorWindow::showQuestion, Qt::QueuedConnection);
+    if (event->type() == QEvent::WindowUnblocked && isVisible()) {
+        raise();
+        activateWindow();
+    }
+    return QWidget::event(event);
+}
+
+void SimulatorWindow::showQuestion()
+{
+    if (QWidget* question = QApplication::activeModalWidget()) {
+        question->raise();
+        question->activateWindow();
+    }
 }
 
 void SimulatorWindow::closeEvent(QCloseEvent* event)

@@ -25,11 +25,13 @@ Q_SIGNALS:
     void closed();
 
 protected:
+    bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
 private:
     QWidget* legend();
     void placeBesideMain();
+    void showQuestion();
     void showHand();
 
     SimulatorView* m_view;

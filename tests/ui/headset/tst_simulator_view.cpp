@@ -2,9 +2,12 @@
 #include "ui/headset/simulator_view.h"
 #include "ui/headset/simulator_window.h"
 
+#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
+#include <QApplication>
+#include <QDialog>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -41,6 +44,20 @@ void wheel(SimulatorView& view, int notches, Qt::KeyboardModifiers modifiers = {
                       Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &event);
 }
+
+/// What came to the front last of what it filters.
+class Raised : public QObject
+{
+public:
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() == QEvent::ZOrderChange)
+            last = object;
+        return false;
+    }
+
+    QObject* last = nullptr;
+};
 
 struct Seated
 {
@@ -289,6 +306,28 @@ private Q_SLOTS:
         const Vec3 from = at.controls().head().translation();
         at.view.advance(1);
         QCOMPARE(at.controls().head().translation(), from);
+    }
+
+    /// Without its answer nothing goes on here. It comes to the front when the window opens, and when it opens itself.
+    void question_isNotHiddenBehindTheWindow()
+    {
+        QWidget main;
+        main.show();
+        auto* window = new ui::SimulatorWindow(&main);
+        Raised raised;
+        QDialog before(&main), after(&main);
+        for (QDialog* question : {&before, &after}) {
+            question->setModal(true);
+            question->installEventFilter(&raised);
+        }
+        before.show();
+        window->begin();
+        QTRY_VERIFY_WITH_TIMEOUT(raised.last == &before, longestWait);
+        window->installEventFilter(&raised);
+        before.close();
+        QTRY_VERIFY_WITH_TIMEOUT(raised.last == window, longestWait);
+        after.show();
+        QTRY_VERIFY_WITH_TIMEOUT(raised.last == &after, longestWait);
     }
 
     void window_saysItsKeysAndCloses()
