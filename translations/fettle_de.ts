@@ -609,8 +609,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Zeigen, was Schüler lesen, statt abzuspielen.</translation>
     </message>
     <message>
-        <source>Judge this model, a pupil&apos;s, instead of playing; or -.</source>
-        <translation>Dieses Modell beurteilen, das eines Schülers, statt abzuspielen; oder -.</translation>
+        <source>Judge this model, a pupil&apos;s, instead of playing; or -. Of a folder, or of a class&apos;s works: each.</source>
+        <translation>Dieses Modell beurteilen, das eines Schülers, statt abzuspielen; oder -. Bei einem Ordner oder den Arbeiten einer Klasse: jedes.</translation>
     </message>
     <message>
         <source>Step whose checkpoint judges the model, from 1 (default: the last).</source>
@@ -637,8 +637,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Ein JSON-Objekt.</translation>
     </message>
     <message>
-        <source>CSV with a header row: a row for each goal.</source>
-        <translation>CSV mit Kopfzeile: eine Zeile für jedes Ziel.</translation>
+        <source>CSV with a header row: a row for each goal; of a folder, for each model.</source>
+        <translation>CSV mit Kopfzeile: eine Zeile für jedes Ziel, bei einem Ordner für jedes Modell.</translation>
     </message>
     <message>
         <source>%1 is not a folder.</source>
@@ -1472,8 +1472,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ReportCommand</name>
     <message>
-        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took.</source>
-        <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit.</translation>
+        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took. A class&apos;s works stand under their pupils&apos; names, with the time of the turn. Status 1: not all models can be read.</source>
+        <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit. Die Arbeiten einer Klasse stehen unter den Namen der Kinder, mit der Zeit, die jedes hatte. Status 1: nicht alle Modelle sind lesbar.</translation>
     </message>
     <message>
         <source>The models; of folders further down only the works of a class in turns are looked at.</source>
@@ -1516,8 +1516,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::SheetCommand</name>
     <message>
-        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. Status 1: not all of them have one.</source>
-        <translation>Schreibt maßstäbliche Zeichnungen von Modellen, je eine Seite A4, nach Namen geordnet. Status 1: nicht alle haben eine.</translation>
+        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. A class&apos;s works are called by their pupils. Status 1: not all of them have one.</source>
+        <translation>Schreibt maßstäbliche Zeichnungen von Modellen, je eine Seite A4, nach Namen geordnet. Die Arbeiten einer Klasse heißen nach den Kindern. Status 1: nicht alle haben eine.</translation>
     </message>
     <message>
         <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>

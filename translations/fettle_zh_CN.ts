@@ -606,8 +606,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>不播放，而是输出学生读到的文字。</translation>
     </message>
     <message>
-        <source>Judge this model, a pupil&apos;s, instead of playing; or -.</source>
-        <translation>不播放，而是评判这个（学生的）模型；或 -。</translation>
+        <source>Judge this model, a pupil&apos;s, instead of playing; or -. Of a folder, or of a class&apos;s works: each.</source>
+        <translation>不播放，而是评判这个（学生的）模型；或 -。若为文件夹或课堂作品：逐个评判。</translation>
     </message>
     <message>
         <source>Step whose checkpoint judges the model, from 1 (default: the last).</source>
@@ -634,8 +634,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>一个 JSON 对象。</translation>
     </message>
     <message>
-        <source>CSV with a header row: a row for each goal.</source>
-        <translation>CSV，带表头：每个目标一行。</translation>
+        <source>CSV with a header row: a row for each goal; of a folder, for each model.</source>
+        <translation>CSV，带表头：每个目标一行；若为文件夹，则每个模型一行。</translation>
     </message>
     <message>
         <source>%1 is not a folder.</source>
@@ -1468,8 +1468,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ReportCommand</name>
     <message>
-        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took.</source>
-        <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。</translation>
+        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took. A class&apos;s works stand under their pupils&apos; names, with the time of the turn. Status 1: not all models can be read.</source>
+        <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。课堂的作品列在学生姓名下，并附该轮的用时。状态 1：有模型无法读取。</translation>
     </message>
     <message>
         <source>The models; of folders further down only the works of a class in turns are looked at.</source>
@@ -1511,8 +1511,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::SheetCommand</name>
     <message>
-        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. Status 1: not all of them have one.</source>
-        <translation>按比例写出模型的图纸，每个模型一页 A4，按名称排序。状态 1：并非每个模型都有图纸。</translation>
+        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. A class&apos;s works are called by their pupils. Status 1: not all of them have one.</source>
+        <translation>按比例写出模型的图纸，每个模型一页 A4，按名称排序。课堂的作品以学生姓名为名。状态 1：并非每个模型都有图纸。</translation>
     </message>
     <message>
         <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>

@@ -1,6 +1,7 @@
 #include "app/classroom/report_writer.h"
 
-#include "app/classroom/work_archive.h"
+#include "app/classroom/class_works.h"
+#include "app/classroom/turn_answers.h"
 #include "app/model/model_loader.h"
 
 #include "core/drawing/model_thumbnail.h"
@@ -9,8 +10,6 @@
 #include "ui/files/thumbnail_maker.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
-
-#include <QFileInfo>
 
 #include <new>
 
@@ -28,63 +27,34 @@ QString folderName(const std::filesystem::path& folder)
     return ui::displayName(whole.has_filename() ? whole.filename() : folder);
 }
 
-struct FoundModel
-{
-    std::filesystem::path file;
-    QString work; ///< folder of the turn that left it; empty: nobody knows
-};
-
-/// Returns the folder's own models, then the works of turns. Throws core::FileError if there is none.
-QList<FoundModel> modelsAndWorks(const std::filesystem::path& folder)
-{
-    QList<FoundModel> works, models;
-    for (const QString& work : WorkArchive::worksIn(ui::displayName(folder)))
-        works << FoundModel{toPath(WorkArchive::modelOf(work)), work};
-    try {
-        for (const std::filesystem::path& file : ui::modelsIn(folder))
-            models << FoundModel{file, {}};
-    } catch (const core::FileError& error) {
-        if (error.kind != core::FileErrorKind::NoModel || works.isEmpty())
-            throw;
-    }
-    return models + works;
-}
-
-/// Adds the answers of a work. A turn that was resumed has left several, of which the last counts, also without
-/// answers.
-void add(QList<TurnAnswers>& turns, const TurnAnswers& answers)
-{
-    turns.removeIf(
-        [&answers](const TurnAnswers& other) { return !other.turnId.isEmpty() && other.turnId == answers.turnId; });
-    if (!answers.questionnaire.isEmpty())
-        turns << answers;
-}
 } // namespace
 
-void ReportWriter::run(const ReportRequest& request, const core::JobControl& control)
+QStringList ReportWriter::run(const ReportRequest& request, const core::JobControl& control)
 {
     core::AtomicFile file(request.file); // where nothing can be written, nothing is looked at
     const QList<FoundModel> models = modelsAndWorks(request.folder);
     ui::ClassReport report{folderName(request.folder), QDate::currentDate(), {}};
-    QList<TurnAnswers> turns;
+    QStringList unreadable;
     for (const FoundModel& model : models) {
         ui::ReportRow row = rowOf(model.file, request.unit, control);
         if (!model.work.isEmpty()) {
-            TurnAnswers answers = TurnAnswers::read(model.work);
-            answers.turnId = WorkArchive::turnIdOf(model.work); // without answers, too
-            row.name = QFileInfo(model.work).fileName();
+            const TurnAnswers answers = TurnAnswers::read(model.work);
+            row.name = model.pupil;
+            row.turnSeconds = model.turn.seconds();
             row.answersProblem = answers.problem;
-            add(turns, answers);
+            if (!answers.questionnaire.isEmpty())
+                report.questionnaires << answers.questionnaire;
         }
+        if (!row.problem.isEmpty())
+            unreadable << (row.name.isEmpty() ? row.problem : QStringLiteral("%1: %2").arg(row.name, row.problem));
         report.rows << row;
         control.reportProgress(static_cast<double>(report.rows.size()) / static_cast<double>(models.size()));
     }
-    for (const TurnAnswers& answers : turns)
-        report.questionnaires << answers.questionnaire;
     ui::writeReport(file, report);
     if (control.isCancelled())
         throw core::ReadingCancelled();
     file.commit();
+    return unreadable;
 }
 
 /// In its sentence a file is called by its name alone: that is what the row is called, too.

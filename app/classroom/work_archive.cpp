@@ -35,7 +35,8 @@ constexpr int staleHours = 24;
 constexpr qint64 maxTurnBytes = 64 << 10; ///< of turn.json
 const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json"), modelFile = QStringLiteral("model.glb");
-const QString turnIdKey = QStringLiteral("id");
+const QString turnIdKey = QStringLiteral("id"), turnNameKey = QStringLiteral("name"),
+              turnBegunKey = QStringLiteral("begun"), turnEndedKey = QStringLiteral("ended");
 
 void writeFile(const QString& path, const QByteArray& bytes)
 {
@@ -78,12 +79,12 @@ QByteArray turnOf(const TurnWork& work)
     QJsonObject turn{{QStringLiteral("format"), QStringLiteral("fettle-turn")},
                      {QStringLiteral("version"), 1},
                      {turnIdKey, work.id},
-                     {QStringLiteral("name"), work.pupil},
-                     {QStringLiteral("ended"), work.ended.toString(Qt::ISODate)},
+                     {turnNameKey, work.pupil},
+                     {turnEndedKey, work.ended.toString(Qt::ISODate)},
                      {QStringLiteral("steps"), work.steps},
                      {QStringLiteral("mesh_hash"), QStringLiteral("%1").arg(work.meshHash, 16, 16, QLatin1Char('0'))}};
     if (work.begun.isValid())
-        turn.insert(QStringLiteral("begun"), work.begun.toString(Qt::ISODate));
+        turn.insert(turnBegunKey, work.begun.toString(Qt::ISODate));
     return QJsonDocument(turn).toJson();
 }
 
@@ -284,16 +285,28 @@ QStringList WorkArchive::worksIn(const QString& classFolder)
     std::sort(names.begin(), names.end(), ui::nameCollator());
     for (const QString& name : names) {
         const QString folder = classFolder + u'/' + name;
-        if (QFileInfo(folder + u'/' + turnFile).isFile() && QFileInfo(modelOf(folder)).isFile())
+        if (isWork(folder))
             works << folder;
     }
     return works;
 }
 
-QString WorkArchive::turnIdOf(const QString& work)
+bool WorkArchive::isWork(const QString& folder)
+{
+    return QFileInfo(folder + u'/' + turnFile).isFile() && QFileInfo(modelOf(folder)).isFile();
+}
+
+TurnFacts WorkArchive::turnOf(const QString& work)
 {
     QFile file(work + u'/' + turnFile);
-    return file.open(QIODevice::ReadOnly) ? idIn(file.read(maxTurnBytes)) : QString();
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QJsonObject turn = QJsonDocument::fromJson(file.read(maxTurnBytes)).object();
+    const auto time = [&turn](const QString& key) {
+        return QDateTime::fromString(turn.value(key).toString(), Qt::ISODate);
+    };
+    return {turn.value(turnIdKey).toString(), turn.value(turnNameKey).toString(), time(turnBegunKey),
+            time(turnEndedKey)};
 }
 
 QString WorkArchive::modelOf(const QString& work)

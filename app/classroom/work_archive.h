@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/classroom/class_works.h"
 #include "app/classroom/classroom_turn.h"
 #include "app/classroom/turn_answers.h"
 
@@ -80,8 +81,10 @@ public:
 
     /// Returns the folders in a class's folder that hold a whole work, by name.
     static QStringList worksIn(const QString& classFolder);
-    /// Returns the id of the turn that left a work; an empty text if its folder does not say.
-    static QString turnIdOf(const QString& work);
+    /// Whether a folder holds a whole work.
+    static bool isWork(const QString& folder);
+    /// Returns what a work's folder says about its turn.
+    static TurnFacts turnOf(const QString& work);
     /// Returns the path of the model's file in a work's folder.
     static QString modelOf(const QString& work);
 

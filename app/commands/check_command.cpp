@@ -35,6 +35,7 @@ struct CheckOptions
     CommandModels models;
     bool json = false, csv = false;
     bool table = false;                     ///< several files, or a folder
+    bool hasWorks = false;                  ///< of a class: then each has a pupil, or null
     int nameColumns = 0;                    ///< of the table
     double unit = 1;                        ///< of the files, in mm
     std::optional<core::PrintLimits> print; ///< asked for
@@ -108,26 +109,39 @@ Json toJson(const QString& file, const Checked& checked)
             {"time_spent_s", checked.work ? Json(std::llround(checked.work->seconds)) : Json(nullptr)}};
 }
 
-Json jsonOf(const CheckOptions& options, const QString& file, const Checked& checked)
+/// After all others.
+void addTurn(Json& json, const FoundModel& model)
+{
+    const auto text = [](const QString& value) { return value.isEmpty() ? Json(nullptr) : Json(value.toStdString()); };
+    json["pupil"] = text(model.turn.pupil);
+    json["turn_begun"] = text(model.turn.begun.toString(Qt::ISODate));
+    json["turn_s"] = orNull(model.turn.seconds());
+}
+
+Json jsonOf(const CheckOptions& options, const QString& file, const FoundModel& model, const Checked& checked)
 {
     Json json = toJson(file, checked);
     if (checked.print)
         addPrint(json, options, checked);
+    if (options.hasWorks)
+        addTurn(json, model);
     return json;
 }
 
 /// Of a file that cannot be read: nothing is known of it.
-Json unknown(const CheckOptions& options, const QString& file)
+Json unknown(const CheckOptions& options, const QString& file, const FoundModel& model)
 {
     Checked nothing;
     if (options.print)
         nothing.print.emplace();
-    Json json = jsonOf(options, file, nothing);
+    Json json = jsonOf(options, file, {}, nothing);
     for (auto& [key, value] : json.items())
         if (value.is_array())
             std::fill(value.begin(), value.end(), nullptr);
         else if (key != "file")
             value = nullptr;
+    if (options.hasWorks)
+        addTurn(json, model);
     return json;
 }
 
@@ -233,9 +247,9 @@ QStringList tableHead(const CheckOptions& options)
     return head;
 }
 
-QStringList tableFields(const CheckOptions& options, const QString& file, const Json& json)
+QStringList tableFields(const CheckOptions& options, const QString& name, const Json& json)
 {
-    QStringList fields = {shortened(file, options.nameColumns), word(json["faces"]), word(json["size_mm"]),
+    QStringList fields = {shortened(name, options.nameColumns), word(json["faces"]), word(json["size_mm"]),
                           word(json["print_ready"])};
     const auto toDecimals = [](const Json& value, int decimals) {
         return value.is_null() ? QStringLiteral("-") : QString::number(value.get<double>(), 'f', decimals);
@@ -259,8 +273,9 @@ QString jsonLine(const Json& report, const QString& problem)
     return QString::fromStdString(line.dump(-1, ' ', false, Json::error_handler_t::replace)) + QLatin1Char('\n');
 }
 
-/// Writes what was found of one file; the first is preceded by the table's head. `problem`: why it cannot be read.
-void printReport(const CheckOptions& options, const QString& file, const Json& json, bool isFirst,
+/// Writes what was found of one file; the first is preceded by the table's head. `name`: in the table. `problem`: why
+/// it cannot be read.
+void printReport(const CheckOptions& options, const QString& name, const Json& json, bool isFirst,
                  const QString& problem = {})
 {
     if (options.json)
@@ -269,7 +284,7 @@ void printReport(const CheckOptions& options, const QString& file, const Json& j
         CommandLine::print((isFirst ? csvLine(json, true) : QString()) + csvLine(json, false));
     else
         CommandLine::print((isFirst ? rowOf(options, tableHead(options)) : QString()) +
-                           rowOf(options, tableFields(options, file, json)));
+                           rowOf(options, tableFields(options, name, json)));
 }
 
 Checked check(const CheckOptions& options, const std::filesystem::path& file)
@@ -345,13 +360,19 @@ void addOptions(QCommandLineParser& parser)
     StandardFiles::addFrom(parser);
 }
 
+/// In the table.
+QString shownName(const FoundModel& model)
+{
+    return model.work.isEmpty() ? StandardFiles::named(ui::displayName(model.file)) : model.pupil;
+}
+
 /// As many as the longest name needs, but few enough that the rest is seen, too.
-int nameColumns(const QList<std::filesystem::path>& files)
+int nameColumns(const QList<FoundModel>& models)
 {
     constexpr int minColumns = 32, maxColumns = 64;
     int columns = minColumns;
-    for (const std::filesystem::path& file : files)
-        columns = std::max(columns, columnsOf(ui::displayName(file)));
+    for (const FoundModel& model : models)
+        columns = std::max(columns, columnsOf(shownName(model)));
     return std::min(columns, maxColumns);
 }
 
@@ -372,6 +393,7 @@ std::optional<CheckOptions> parseCheckOptions(const QStringList& arguments)
     options.hasBed = given.has(QStringLiteral("bed"));
     options.models = commandModels(given);
     options.table = options.models.hasFolder || options.models.files.size() > 1;
+    options.hasWorks = std::ranges::any_of(options.models.files, [](const FoundModel& m) { return !m.work.isEmpty(); });
     options.nameColumns = nameColumns(options.models.files);
     return options;
 }
@@ -384,15 +406,15 @@ ExitStatus checkCommand(const QStringList& arguments)
         return Done;
     ExitStatus status = options->models.status;
     bool isFirst = true;
-    for (const std::filesystem::path& path : options->models.files) {
-        const QString file = StandardFiles::named(ui::displayName(path));
+    for (const FoundModel& model : options->models.files) {
+        const QString file = StandardFiles::named(ui::displayName(model.file)), name = shownName(model);
         try {
-            const Checked checked = check(*options, path);
-            const Json json = jsonOf(*options, file, checked);
+            const Checked checked = check(*options, model.file);
+            const Json json = jsonOf(*options, file, model, checked);
             if (options->isPage())
                 CommandLine::print(page(*options, file, json, checked));
             else
-                printReport(*options, file, json, std::exchange(isFirst, false));
+                printReport(*options, name, json, std::exchange(isFirst, false));
             if (const QString left = ui::ErrorMessages::remarks(file, checked.remarks); !left.isEmpty())
                 CommandLine::printError(left);
             status = std::max(status, checked.report.printReady() ? Done : AnswerIsNo);
@@ -400,7 +422,7 @@ ExitStatus checkCommand(const QStringList& arguments)
             const QString problem = StandardFiles::named(ui::ErrorMessages::sentence(error));
             CommandLine::printError(problem);
             if (options->table)
-                printReport(*options, file, unknown(*options, file), std::exchange(isFirst, false), problem);
+                printReport(*options, name, unknown(*options, file, model), std::exchange(isFirst, false), problem);
             status = BadInput;
         }
     }

@@ -4,7 +4,6 @@
 #include "app/model/model_loader.h"
 
 #include "ui/util/error_messages.h"
-#include "ui/util/path_display.h"
 
 #include <QFileInfo>
 
@@ -25,12 +24,12 @@ CommandModels commandModels(const CommandOptions& options)
     CommandModels models;
     for (const QString& name : options.files()) {
         if (!QFileInfo(name).isDir()) {
-            models.files << toPath(StandardFiles::input(options, name));
+            models.files << FoundModel{toPath(StandardFiles::input(options, name))};
             continue;
         }
         models.hasFolder = true;
         try {
-            models.files << ui::modelsIn(toPath(name));
+            models.files << modelsAndWorks(toPath(name));
         } catch (const core::FileError& error) {
             CommandLine::printError(ui::ErrorMessages::sentence(error));
             models.status = BadInput;

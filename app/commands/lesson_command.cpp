@@ -1,5 +1,6 @@
 // lesson: a lesson played to its end without a window, and each of its checkpoints evaluated; or one of them on a
 // pupil's model.
+#include "app/commands/class_results.h"
 #include "app/commands/command_line.h"
 #include "app/commands/lesson_results.h"
 #include "app/commands/standard_files.h"
@@ -25,6 +26,8 @@ namespace app
 {
 namespace
 {
+using core::CheckpointVerdict; // lupdate would lose its place at a function that returns a core::CheckpointVerdict
+
 class LessonCommandMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonCommand)
@@ -53,8 +56,10 @@ void addLessonOptions(QCommandLineParser& parser)
         {{QStringLiteral("language"),
           LessonCommandMessages::tr("Language of the lesson and of the answer (default: the system's)."),
           QStringLiteral("CODE")},
-         {QStringLiteral("model"), LessonCommandMessages::tr("Judge this model, a pupil's, instead of playing; or -."),
-          QStringLiteral("FILE")},
+         {QStringLiteral("model"),
+          LessonCommandMessages::tr(
+              "Judge this model, a pupil's, instead of playing; or -. Of a folder, or of a class's works: each."),
+          QStringLiteral("FILE|FOLDER")},
          {QStringLiteral("step"),
           LessonCommandMessages::tr("Step whose checkpoint judges the model, from 1 (default: the last)."),
           QStringLiteral("N")},
@@ -70,7 +75,8 @@ void addLessonOptions(QCommandLineParser& parser)
           QStringLiteral("FILE")},
          {QStringLiteral("texts"), LessonCommandMessages::tr("Print what pupils read, instead of playing.")},
          {QStringLiteral("json"), LessonCommandMessages::tr("One JSON object.")},
-         {QStringLiteral("csv"), LessonCommandMessages::tr("CSV with a header row: a row for each goal.")}});
+         {QStringLiteral("csv"),
+          LessonCommandMessages::tr("CSV with a header row: a row for each goal; of a folder, for each model.")}});
     StandardFiles::addFrom(parser);
     CommandOptions::addNoClobber(parser);
 }
@@ -273,7 +279,8 @@ ExitStatus play(Session& session)
     return isMet ? Done : AnswerIsNo;
 }
 
-ExitStatus checkModel(Session& session)
+/// Goes to the step whose checkpoint is to judge.
+void goToJudgedStep(Session& session)
 {
     const core::Lesson& lesson = session.lesson;
     const std::size_t step = session.options.step.value_or(lesson.steps.size() - 1);
@@ -283,9 +290,63 @@ ExitStatus checkModel(Session& session)
                               .arg(lesson.steps.size()));
     if (lesson.steps[step].checkpoint.asksNothing())
         CommandLine::fail(LessonCommandMessages::tr("lesson: step %1 has no checkpoint.").arg(step + 1));
-    const core::TriangleMesh model = core::readMesh(toPath(session.options.model));
     session.playback.goTo(step);
-    return judge(session, step, model) ? Done : AnswerIsNo;
+}
+
+ExitStatus checkModel(Session& session)
+{
+    const core::TriangleMesh model = core::readMesh(toPath(session.options.model));
+    goToJudgedStep(session);
+    return judge(session, session.playback.stepIndex(), model) ? Done : AnswerIsNo;
+}
+
+/// What the checkpoint asks, without an answer.
+CheckpointVerdict unanswered(const core::Checkpoint& checkpoint)
+{
+    CheckpointVerdict verdict;
+    for (const core::FactBounds& asked : checkpoint.facts)
+        verdict.facts.push_back({asked, std::nullopt, false});
+    if (checkpoint.target)
+        verdict.target.emplace().tolerance = checkpoint.target->tolerance;
+    return verdict;
+}
+
+/// Judges each model of a folder. What cannot be read is on standard error.
+ExitStatus checkFolder(Session& session)
+{
+    const QList<FoundModel> models = modelsAndWorks(toPath(session.options.model));
+    goToJudgedStep(session);
+    const std::size_t index = session.playback.stepIndex();
+    const core::LessonStep& step = session.playback.step();
+    const core::TriangleMesh target = step.checkpoint.target ? session.playback.target() : core::TriangleMesh();
+    std::optional<ClassResults> results;
+    if (session.options.form)
+        results.emplace(*session.options.form, session.options.lesson, index, inLanguage(step.title, session.options));
+    else
+        printHead(step, index, session.options);
+    ExitStatus status = Done;
+    for (const FoundModel& model : models) {
+        try {
+            const core::CheckpointVerdict verdict =
+                core::evaluate(step.checkpoint, core::readMesh(model.file), step.checkpoint.target ? &target : nullptr);
+            status = std::max(status, verdict.isMet() ? Done : AnswerIsNo);
+            if (results) {
+                results->add(model, verdict);
+                continue;
+            }
+            CommandLine::print(model.title() + u'\n');
+            print(verdict);
+        } catch (const core::FileError& error) {
+            const QString problem = ui::ErrorMessages::sentence(error);
+            CommandLine::printError(problem);
+            status = BadInput;
+            if (results)
+                results->add(model, unanswered(step.checkpoint), problem);
+        }
+    }
+    if (results)
+        CommandLine::print(results->text());
+    return status;
 }
 
 /// Refuses a word that names no lesson of ours, and no file or folder.
@@ -306,6 +367,8 @@ ExitStatus run(const LessonOptions& options)
     }
     core::LessonPlayback playback(lesson, toPath(options.lesson));
     Session session{*lesson, playback, options, {}};
+    if (!options.model.isEmpty() && QFileInfo(options.model).isDir())
+        return checkFolder(session);
     if (options.form)
         session.results.emplace(*options.form, options.lesson, inLanguage(lesson->title, options),
                                 StandardFiles::named(options.model));

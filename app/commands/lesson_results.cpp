@@ -60,20 +60,16 @@ LessonResults::LessonResults(Form form, const QString& lesson, const QString& ti
 void LessonResults::add(std::size_t index, const QString& title, const core::LessonStep& step,
                         const core::CheckpointVerdict& verdict)
 {
-    Json tools = Json::array(), goals = Json::array();
+    Json tools = Json::array();
     for (const core::Tool tool : step.tools)
         tools.push_back(core::name(tool));
-    for (const core::FactVerdict& fact : verdict.facts)
-        goals.push_back(toJson(fact));
-    if (verdict.target)
-        goals.push_back(toJson(*verdict.target));
     m_all["met"] = m_all["met"].get<bool>() && verdict.isMet();
     m_all["steps"].push_back({{"step", index + 1},
                               {"title", title.toStdString()},
                               {"strokes", step.strokes.size()},
                               {"tools", tools},
                               {"met", verdict.isMet()},
-                              {"goals", goals}});
+                              {"goals", goalsOf(verdict)}});
 }
 
 QString LessonResults::csv() const
@@ -96,6 +92,16 @@ QString LessonResults::text() const
     if (m_form == Form::Csv)
         return csv();
     return QString::fromStdString(m_all.dump(-1, ' ', false, Json::error_handler_t::replace)) + u'\n';
+}
+
+Json goalsOf(const core::CheckpointVerdict& verdict)
+{
+    Json goals = Json::array();
+    for (const core::FactVerdict& fact : verdict.facts)
+        goals.push_back(toJson(fact));
+    if (verdict.target)
+        goals.push_back(toJson(*verdict.target));
+    return goals;
 }
 
 QString csvOf(const Json& rows)

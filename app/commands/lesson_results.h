@@ -30,6 +30,9 @@ private:
     nlohmann::ordered_json m_all;
 };
 
+/// Returns an object for each goal of a checkpoint: what is asked, what was measured, and whether it is met.
+nlohmann::ordered_json goalsOf(const core::CheckpointVerdict& verdict);
+
 /// Returns the rows, objects with the same keys, as CSV with a header row.
 QString csvOf(const nlohmann::ordered_json& rows);
 } // namespace app

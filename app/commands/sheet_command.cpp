@@ -14,6 +14,8 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace app
 {
 namespace
@@ -38,8 +40,8 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     const QString shaded = QStringLiteral("shaded");
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        SheetMessages::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. "
-                          "Status 1: not all of them have one."));
+        SheetMessages::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. A "
+                          "class's works are called by their pupils. Status 1: not all of them have one."));
     parser.addPositionalArgument(QStringLiteral("FILE..."), SheetMessages::tr("Models, or folders of models; or -."));
     CommandOptions::addOutput(parser, QStringLiteral("OUT.pdf"));
     CommandUnit::addTo(parser);
@@ -58,15 +60,19 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     if (QFileInfo(options.out).suffix().toLower() != QLatin1String("pdf"))
         CommandLine::fail(ui::ErrorMessages::notABook(options.out));
     options.models = commandModels(given);
-    ui::sortByName(options.models.files);
+    const QCollator collator = ui::nameCollator();
+    std::ranges::stable_sort(options.models.files, [&collator](const FoundModel& a, const FoundModel& b) {
+        const int byName = collator.compare(a.title(), b.title());
+        return byName != 0 ? byName < 0 : a.file < b.file;
+    });
     return options;
 }
 
 /// Throws CommandFailure for a surface that has no inside: its drawing would lack lines, and its volume mean nothing.
-DrawingSheet sheetOf(const SheetOptions& options, const std::filesystem::path& file)
+DrawingSheet sheetOf(const SheetOptions& options, const FoundModel& model)
 {
-    const QString name = ui::displayName(file);
-    core::TriangleMesh mesh = core::readMesh(file);
+    const QString name = ui::displayName(model.file);
+    core::TriangleMesh mesh = core::readMesh(model.file);
     if (options.unit != 1)
         CommandUnit::scale(name, mesh, options.unit);
     const core::MeshReport report = core::checkMesh(mesh);
@@ -74,7 +80,7 @@ DrawingSheet sheetOf(const SheetOptions& options, const std::filesystem::path& f
         CommandLine::fail(SheetMessages::tr("%1 has no sheet, because its surface does not enclose anything (%2).")
                               .arg(name, ui::ErrorMessages::faults(report)));
     auto drawing = core::drawLines(core::drawArraysOf(mesh), ui::sheetDetail(options.shaded), {});
-    return {ui::displayName(file.filename()), QDate::currentDate(), *std::move(drawing), options.shaded};
+    return {model.title(), QDate::currentDate(), *std::move(drawing), options.shaded};
 }
 
 /// Standard error says which have none.
@@ -85,9 +91,9 @@ ExitStatus addSheets(ui::SheetBook& book, const SheetOptions& options)
         CommandLine::printError(sentence);
         status = AnswerIsNo;
     };
-    for (const std::filesystem::path& file : options.models.files) {
+    for (const FoundModel& model : options.models.files) {
         try {
-            book.add(sheetOf(options, file));
+            book.add(sheetOf(options, model));
         } catch (const core::FileError& error) {
             leaveOut(ui::ErrorMessages::sentence(error));
         } catch (const CommandFailure& failure) {

@@ -80,6 +80,13 @@ fs::path folderOf(const fs::path& file)
 }
 } // namespace
 
+std::optional<double> ReportRow::seconds() const
+{
+    if (turnSeconds || !work)
+        return turnSeconds;
+    return work->seconds;
+}
+
 ReportCells cellsOf(const ReportRow& row)
 {
     ReportCells cells{plain(row.name.isEmpty() ? displayName(row.file.filename()) : row.name),
@@ -96,10 +103,10 @@ ReportCells cellsOf(const ReportRow& row)
             QStringLiteral("%1 × %2 × %3").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z()));
         cells.volume = row.report->volume ? volumeText(std::abs(*row.report->volume)) : QString();
     }
-    if (row.work) {
-        cells.time = durationText(row.work->seconds);
+    if (const auto seconds = row.seconds())
+        cells.time = durationText(*seconds);
+    if (row.work)
         cells.strokes = number(row.work->strokes);
-    }
     return cells;
 }
 

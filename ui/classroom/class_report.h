@@ -26,6 +26,10 @@ struct ReportRow
     std::optional<core::WorkDone> work;     ///< none: the file does not say
     QString name = {};                      ///< empty: the file's
     QString answersProblem = {};            ///< one sentence, if not all answers beside the file can be read
+    std::optional<double> turnSeconds = {}; ///< a pupil's turn took; none: it is no work of a class
+
+    /// Seconds that the turn took or, of other files, the strokes.
+    std::optional<double> seconds() const;
 };
 
 /// A folder of models for whoever has to judge them all: a row each, in the order in which they are to stand.

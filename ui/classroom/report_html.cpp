@@ -148,14 +148,12 @@ QString rowText(const ReportRow& row, const std::filesystem::path& path)
         row.picture.isNull() ? QString()
                              : QStringLiteral("<a href=\"%1\"><img width=\"%2\" height=\"%2\" alt=\"\" src=\"%3\"></a>")
                                    .arg(link, QString::number(shownSide), pictureData(row.picture));
-    const auto work = [&row](auto member) {
-        return row.work ? std::optional(static_cast<double>((*row.work).*member)) : std::nullopt;
-    };
+    const std::optional<double> strokes =
+        row.work ? std::optional(static_cast<double>(row.work->strokes)) : std::nullopt;
     return QStringLiteral("<tr>\n<td class=\"picture\">%1</td>\n").arg(picture) +
            QStringLiteral("<th scope=\"row\"><a href=\"%1\"><bdi>%2</bdi></a></th>\n").arg(link, escaped(cells.name)) +
            figureCell(longestSide(row), cells.size) + figureCell(volumeOf(row), cells.volume) + verdictCell(cells) +
-           figureCell(work(&core::WorkDone::seconds), cells.time) +
-           figureCell(work(&core::WorkDone::strokes), cells.strokes) + QStringLiteral("</tr>\n");
+           figureCell(row.seconds(), cells.time) + figureCell(strokes, cells.strokes) + QStringLiteral("</tr>\n");
 }
 
 QString headRow()
