@@ -1,4 +1,5 @@
 #include "app/classroom/class_file.h"
+#include "app/classroom/class_file_controller.h"
 #include "app/classroom/classroom_mode.h"
 #include "app/commands/command_line.h"
 #include "app/commit.h"
@@ -13,6 +14,7 @@
 
 #include "ui/scene/scene.h"
 #include "ui/settings/settings.h"
+#include "ui/util/format_filters.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/main_window.h"
@@ -21,6 +23,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QLibraryInfo>
+#include <QProcess>
 #include <QSettings>
 #include <QTranslator>
 
@@ -148,6 +151,15 @@ void enterVrOnce(const app::Document& document, ui::MainWindow& window)
                      how);
 }
 
+/// Asks whether the class of a file is to begin, when the first model is there.
+void offerOnce(const app::Document& document, ui::MainWindow& window, const QString& classFile)
+{
+    const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+    QObject::connect(
+        &document, &app::Document::opened, &window,
+        [&window, classFile] { window.findChild<app::ClassFileController*>()->offer(classFile); }, how);
+}
+
 /// If that is wanted, before anything asks for VR. Throws CommandFailure.
 std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
 {
@@ -176,13 +188,20 @@ int showWindow(const app::WindowStart& start)
     window.show();
     if (start.entersVr)
         enterVrOnce(document, window);
-    if (start.file.isEmpty())
+    const auto* classFiles = window.findChild<app::ClassFileController*>();
+    if (start.file.isEmpty() || ui::isClassFile(start.file))
         document.opener().openBall();
     else
         document.opener().open(start.file);
+    if (ui::isClassFile(start.file))
+        offerOnce(document, window, start.file);
     if (start.file.isEmpty() && !start.entersVr && ui::Settings().get(&ui::Setting::showsStartPage))
         window.action(QStringLiteral("help.start"))->trigger();
-    return QApplication::exec();
+    const int status = QApplication::exec();
+    if (!classFiles->next().isEmpty())
+        QProcess::startDetached(QCoreApplication::applicationFilePath(),
+                                {QStringLiteral("--classroom"), classFiles->next()});
+    return status;
 }
 
 /// Journals, settings and words are the class's own: what pupils change is not the teacher's. Each start begins as a

@@ -104,6 +104,41 @@
     </message>
 </context>
 <context>
+    <name>app::ClassFileController</name>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>A double click on %1 begins it, on every computer that has Fettle.</source>
+        <translation>Ein Doppelklick auf %1 beginnt sie, auf jedem Rechner mit Fettle.</translation>
+    </message>
+    <message>
+        <source>Classroom</source>
+        <translation>Klassenraum</translation>
+    </message>
+    <message>
+        <source>Begin the class &quot;%1&quot; now?</source>
+        <translation>Die Klasse „%1“ jetzt beginnen?</translation>
+    </message>
+    <message>
+        <source>This window closes, and only the class is there. Leaving it asks for your PIN.</source>
+        <translation>Dieses Fenster schließt sich, und nur die Klasse ist da. Verlassen wird sie mit Ihrer PIN.</translation>
+    </message>
+    <message>
+        <source>&amp;Begin the Class Now</source>
+        <translation>Klasse jetzt &amp;beginnen</translation>
+    </message>
+    <message>
+        <source>C&amp;hange…</source>
+        <translation>Ä&amp;ndern…</translation>
+    </message>
+    <message>
+        <source>&amp;Not Now</source>
+        <translation>Ni&amp;cht jetzt</translation>
+    </message>
+</context>
+<context>
     <name>app::TurnAnswers</name>
     <message>
         <source>%1 is a link to a file that is not there.</source>
@@ -174,10 +209,6 @@
     <message>
         <source># A class for Fettle. It begins with: fettle --classroom and the name of this file.</source>
         <translation># Eine Klasse für Fettle. Sie beginnt mit: fettle --classroom und dem Namen dieser Datei.</translation>
-    </message>
-    <message>
-        <source>%1 was written. The class begins with: fettle --classroom %1</source>
-        <translation>%1 wurde geschrieben. Die Klasse beginnt mit: fettle --classroom %1</translation>
     </message>
     <message>
         <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
@@ -319,14 +350,14 @@
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
-  fettle [--vr] --classroom CLASS.ini
+  fettle [--vr] --classroom CLASS.fettleclass
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
 </source>
         <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
 
   fettle [--vr] [FILE]             das Fenster öffnen, mit einem Modell oder einer Tonkugel; --vr betritt damit VR
   fettle --vr-simulator [FILE]     dasselbe ohne VR-Brille: ein Fenster zeigt ihr Bild, Maus und Tasten sind Kopf und Controller
-  fettle [--vr] --classroom CLASS.ini
+  fettle [--vr] --classroom CLASS.fettleclass
                                    eine Klasse beginnen, wie ihre Lehrkraft sie eingerichtet hat (Bearbeiten &gt; Klassenraum)
 </translation>
     </message>
@@ -3422,6 +3453,26 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Next Pupil shows a form about the program first. Its answers are kept with the work and summed in the class report; each may be left out.</source>
         <translation>Nächstes Kind zeigt zuerst einen Fragebogen über das Programm. Die Antworten werden mit der Arbeit aufgehoben und im Klassenbericht zusammengezählt; jede darf ausbleiben.</translation>
     </message>
+    <message>
+        <source>&amp;Open a Class…</source>
+        <translation>Klasse &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>Shows a class here, to be changed.</source>
+        <translation>Zeigt hier eine Klasse, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>unverändert</translation>
+    </message>
+    <message>
+        <source>&amp;Make This Folder</source>
+        <translation>Diesen &amp;Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>This folder cannot be made.</source>
+        <translation>Dieser Ordner lässt sich nicht anlegen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ColorPanel</name>
@@ -3735,8 +3786,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die Klasse speichern</translation>
     </message>
     <message>
-        <source>class</source>
-        <translation>klasse</translation>
+        <source>Open a Class</source>
+        <translation>Klasse öffnen</translation>
+    </message>
+    <message>
+        <source>Classes (%1)</source>
+        <translation>Klassen (%1)</translation>
     </message>
     <message>
         <source>Write the Class Report</source>

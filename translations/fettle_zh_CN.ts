@@ -104,6 +104,41 @@
     </message>
 </context>
 <context>
+    <name>app::ClassFileController</name>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 已写出。</translation>
+    </message>
+    <message>
+        <source>A double click on %1 begins it, on every computer that has Fettle.</source>
+        <translation>在任何装有 Fettle 的电脑上双击 %1 即可开始。</translation>
+    </message>
+    <message>
+        <source>Classroom</source>
+        <translation>课堂</translation>
+    </message>
+    <message>
+        <source>Begin the class &quot;%1&quot; now?</source>
+        <translation>现在开始课堂“%1”吗？</translation>
+    </message>
+    <message>
+        <source>This window closes, and only the class is there. Leaving it asks for your PIN.</source>
+        <translation>此窗口将关闭，只留下课堂。离开课堂需要您的 PIN。</translation>
+    </message>
+    <message>
+        <source>&amp;Begin the Class Now</source>
+        <translation>现在开始课堂(&amp;B)</translation>
+    </message>
+    <message>
+        <source>C&amp;hange…</source>
+        <translation>修改(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>&amp;Not Now</source>
+        <translation>暂不(&amp;N)</translation>
+    </message>
+</context>
+<context>
     <name>app::TurnAnswers</name>
     <message>
         <source>%1 is a link to a file that is not there.</source>
@@ -174,10 +209,6 @@
     <message>
         <source># A class for Fettle. It begins with: fettle --classroom and the name of this file.</source>
         <translation># Fettle 的课堂。启动方式：fettle --classroom 加上此文件的名称。</translation>
-    </message>
-    <message>
-        <source>%1 was written. The class begins with: fettle --classroom %1</source>
-        <translation>已写入 %1。启动课堂：fettle --classroom %1</translation>
     </message>
     <message>
         <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
@@ -317,14 +348,14 @@
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
-  fettle [--vr] --classroom CLASS.ini
+  fettle [--vr] --classroom CLASS.fettleclass
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
 </source>
         <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
 
   fettle [--vr] [FILE]             打开窗口，载入模型或一个黏土球；--vr 同时进入 VR
   fettle --vr-simulator [FILE]     同上，但不需要头显：由一个窗口显示画面，鼠标和键盘充当头部和手柄
-  fettle [--vr] --classroom CLASS.ini
+  fettle [--vr] --classroom CLASS.fettleclass
                                    按教师的设置开始课堂（编辑 &gt; 课堂）
 </translation>
     </message>
@@ -3413,6 +3444,26 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Next Pupil shows a form about the program first. Its answers are kept with the work and summed in the class report; each may be left out.</source>
         <translation>“下一位”会先显示一份关于程序的问卷。回答与作品一起保存，并在班级报告中汇总；每个问题都可以不答。</translation>
     </message>
+    <message>
+        <source>&amp;Open a Class…</source>
+        <translation>打开课堂(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Shows a class here, to be changed.</source>
+        <translation>在此显示一个课堂，以便修改。</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>&amp;Make This Folder</source>
+        <translation>新建此文件夹(&amp;M)</translation>
+    </message>
+    <message>
+        <source>This folder cannot be made.</source>
+        <translation>无法新建此文件夹。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ColorPanel</name>
@@ -3725,8 +3776,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>保存课堂</translation>
     </message>
     <message>
-        <source>class</source>
-        <translation>课堂</translation>
+        <source>Open a Class</source>
+        <translation>打开课堂</translation>
+    </message>
+    <message>
+        <source>Classes (%1)</source>
+        <translation>课堂 (%1)</translation>
     </message>
     <message>
         <source>Write the Class Report</source>

@@ -333,7 +333,7 @@ QString CommandLine::help()
            "VR with it\n"
            "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse "
            "and keys are head and wands\n"
-           "  fettle [--vr] --classroom CLASS.ini\n"
+           "  fettle [--vr] --classroom CLASS.fettleclass\n"
            "                                   begin a class in turns, as its teacher set it up (Edit > "
            "Classroom)\n");
     for (const CommandRow& row : commandTable)

@@ -2,8 +2,7 @@
 
 #include "app/analysis/model_analysis.h"
 #include "app/analysis/print_analysis.h"
-#include "app/classroom/class_file.h"
-#include "app/classroom/class_pin.h"
+#include "app/classroom/class_file_controller.h"
 #include "app/classroom/classroom_mode.h"
 #include "app/classroom/report_controller.h"
 #include "app/document/document.h"
@@ -30,6 +29,7 @@
 #include "ui/model/unit_bar.h"
 #include "ui/print/print_panel.h"
 #include "ui/reference/reference_images.h"
+#include "ui/util/format_filters.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_metadata.h"
@@ -142,7 +142,9 @@ void connectClosing(ui::MainWindow& window, Document& document, Headset* headset
     using ui::PointerInput;
     PointerInput* input = window.viewport()->input();
     QObject::connect(
-        window.files(), &ui::ModelFiles::openRequested, &document, [input, &document](const QString& path) {
+        window.files(), &ui::ModelFiles::openRequested, &document, [input, &document, &window](const QString& path) {
+            if (ui::isClassFile(path))
+                return window.findChild<ClassFileController*>()->offer(path);
             input->finish();
             if (!input->isPressPending())
                 return document.opener().open(path);
@@ -305,19 +307,6 @@ void connectReports(ui::MainWindow& window, Document& document)
     QObject::connect(controller, &ReportController::noticed, &window, &ui::MainWindow::showNotice);
     QObject::connect(controller, &ReportController::refused, &window, &ui::MainWindow::showProblem);
 }
-
-void connectClassFiles(ui::MainWindow& window)
-{
-    QObject::connect(&window, &ui::MainWindow::classroomDrafted, &window, [&window](const ui::ClassroomDraft& draft) {
-        ui::Classroom classroom = draft.classroom;
-        classroom.pin = pinRecord(draft.pin);
-        const QString problem = ClassFile::write(draft.path, classroom);
-        if (!problem.isEmpty())
-            return window.showProblem(problem);
-        window.showNotice(ClassFile::tr("%1 was written. The class begins with: fettle --classroom %1")
-                              .arg(QDir::toNativeSeparators(draft.path)));
-    });
-}
 } // namespace
 
 void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker,
@@ -341,7 +330,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectDrawings(window, worker);
     connectReports(window, document);
     new TimeLapseController(window, document);
-    connectClassFiles(window);
+    new ClassFileController(window, document);
 }
 
 void connectRecovery(ui::MainWindow& window, Document& document, RecoveryStore& recoveryStore)

@@ -116,12 +116,12 @@ const FolderRule folderRules[] = {
     {"app/headset", "ui/util ui/settings ui/scene ui/viewport ui/files ui/brush ui/lesson ui/headset ui/window "
                     "vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
                     "app/document app/commands"},
-    {"app/window",
-     "ui/viewport ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/headset ui/window app/worker "
-     "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
+    {"app/window", "ui/util ui/viewport ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/headset "
+                   "ui/window app/worker "
+                   "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
     {"app",
      "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window app/worker"
-     " ui/scene ui/settings ui/viewport ui/widgets ui/window vr/openxr"},
+     " ui/scene ui/settings ui/util ui/viewport ui/widgets ui/window vr/openxr"},
 };
 
 const QStringList libraries{"core", "ui", "vr", "app"};

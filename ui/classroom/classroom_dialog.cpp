@@ -10,8 +10,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
-#include <QDialog>
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -22,199 +20,266 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include <algorithm>
+
 namespace ui
 {
 namespace
 {
 constexpr int textWidth = 460, columns = 4;
 
-class ClassroomDialog : public QDialog
+QString starterId(core::Starter starter)
 {
-    Q_DECLARE_TR_FUNCTIONS(ui::ClassroomDialog)
-
-public:
-    ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder)
-        : QDialog(parent)
-        , m_startFolder(folder)
-    {
-        QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
-        QVBoxLayout* page = addScrolledPage(column);
-        page->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
-                                      "the work in the class's folder. "
-                                      "Pupils cannot reach other files; leaving asks for your PIN."),
-                                   textWidth));
-        auto* form = new QFormLayout;
-        form->setSpacing(dialogGap);
-        addNames(form);
-        addTimes(form);
-        addPin(form);
-        page->addLayout(form);
-        page->addWidget(choices(tr("Starting shapes"), actions, MenuId::New));
-        page->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
-        m_word = dialogText({}, textWidth);
-        m_word->setObjectName(QStringLiteral("classroomWord"));
-        column->addWidget(m_word);
-        addDialogButtons(this, tr("&Save…"));
-        m_title->setFocus();
-    }
-
-    ClassroomDraft draft() const
-    {
-        ClassroomDraft draft;
-        Classroom& classroom = draft.classroom;
-        classroom.title = m_title->text().simplified();
-        classroom.folder = folder();
-        for (const core::Starter starter : core::starters)
-            if (box(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)))->isChecked())
-                classroom.starters << starter;
-        for (const std::string_view name : core::toolNames())
-            if (box(QStringLiteral("tool.") + QString::fromUtf8(name))->isChecked())
-                classroom.tools << *core::named<core::Tool>(name);
-        classroom.turnMinutes = m_turn->value();
-        classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
-        classroom.fullScreen = m_fullScreen->isChecked();
-        classroom.asksQuestions = m_questions->isChecked();
-        classroom.language = static_cast<Language>(m_language->currentData().toInt());
-        draft.pin = m_pin->text();
-        return draft;
-    }
-
-    void accept() override
-    {
-        const QString fault = faultIn(draft());
-        m_word->setText(fault);
-        if (fault.isEmpty())
-            QDialog::accept();
-    }
-
-private:
-    QString folder() const { return QDir::cleanPath(QDir::fromNativeSeparators(m_folder->text().trimmed())); }
-    QCheckBox* box(const QString& id) const { return findChild<QCheckBox*>(QStringLiteral("class.") + id); }
-
-    void addNames(QFormLayout* form)
-    {
-        m_title =
-            named(new QLineEdit, "classTitleField", tr("Stands in the topmost bar, such as the name of the class."));
-        form->addRow(tr("&Title:"), m_title);
-        m_folder = named(new QLineEdit, "classFolderField",
-                         tr("There each turn gets a folder with model, picture and record."));
-        auto* choose = named(new QPushButton(tr("&Choose…")), "classFolderChoice", m_folder->toolTip());
-        choose->setAutoDefault(false);
-        connect(choose, &QPushButton::clicked, this, [this] {
-            askForFolder(this, m_startFolder,
-                         [this](const QString& path) { m_folder->setText(QDir::toNativeSeparators(path)); });
-        });
-        auto* both = new QWidget;
-        both->setFocusProxy(m_folder);
-        auto* row = new QHBoxLayout(both);
-        row->setContentsMargins(0, 0, 0, 0);
-        row->addWidget(m_folder, 1);
-        row->addWidget(choose);
-        form->addRow(tr("&Folder for pupils' work:"), both);
-    }
-
-    void addTimes(QFormLayout* form)
-    {
-        const Classroom defaults;
-        const auto minutes = [this](const char* name, int value, const QString& none, const QString& tip) {
-            auto* count = named(new QSpinBox, name, tip);
-            count->setRange(0, maxTurnMinutes);
-            count->setValue(value);
-            count->setSuffix(tr(" min"));
-            count->setSpecialValueText(none);
-            return count;
-        };
-        m_turn = minutes("classTurn", defaults.turnMinutes, tr("no limit"),
-                         tr("So long is a turn. Nothing is taken away when it is over."));
-        m_warning = minutes("classWarning", defaults.warningMinutes, tr("none"),
-                            tr("So long before the end a notice appears, in the headset, too."));
-        m_fullScreen = named(new QCheckBox(tr("Full &screen")), "classFullScreen",
-                             tr("Nothing else is to be seen on the screen."));
-        m_fullScreen->setChecked(defaults.fullScreen);
-        m_questions =
-            named(new QCheckBox(tr("Six &questions after each turn")), "classQuestions",
-                  tr("Next Pupil shows a form about the program first. Its answers are kept with the work and "
-                     "summed in the class report; each may be left out."));
-        m_questions->setChecked(defaults.asksQuestions);
-        m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
-        for (const Named<Language>& row : languages)
-            m_language->addItem(PreferencesDialog::words(row.value), static_cast<int>(row.value));
-        form->addRow(tr("T&urn:"), m_turn);
-        form->addRow(tr("&Warning before the end:"), m_warning);
-        form->addRow(tr("&Language:"), m_language);
-        form->addRow({}, m_fullScreen);
-        form->addRow({}, m_questions);
-    }
-
-    void addPin(QFormLayout* form)
-    {
-        const QString tip = tr("Leaving the class takes it. It is kept as a fingerprint, not as you type it.");
-        m_pin = named(new QLineEdit, "classPin", tip);
-        m_pinRepeated = named(new QLineEdit, "classPinAgain", tip);
-        for (QLineEdit* field : {m_pin, m_pinRepeated}) {
-            field->setEchoMode(QLineEdit::Password);
-            field->setMaxLength(maxPinLength);
-        }
-        form->addRow(tr("&PIN:"), m_pin);
-        form->addRow(tr("&Repeat PIN:"), m_pinRepeated);
-    }
-
-    QWidget* choices(const QString& title, const Actions& actions, MenuId menu)
-    {
-        auto* group = new QGroupBox(title);
-        auto* grid = new QGridLayout(group);
-        int count = 0;
-        for (const ActionInfo& row : actionTable()) {
-            if (row.menu != menu)
-                continue;
-            const QAction* action = actions.get(QLatin1StringView(row.id));
-            auto* box = named(new QCheckBox(action->iconText()), QStringLiteral("class.") + action->objectName(),
-                              action->statusTip());
-            box->setIcon(action->icon());
-            box->setChecked(true);
-            grid->addWidget(box, count / columns, count % columns);
-            ++count;
-        }
-        return group;
-    }
-
-    /// Empty, or what is missing.
-    QString faultIn(const ClassroomDraft& draft) const
-    {
-        if (draft.classroom.title.isEmpty())
-            return tr("The class has no title yet.");
-        if (!QDir::isAbsolutePath(draft.classroom.folder) || !QFileInfo(draft.classroom.folder).isDir())
-            return tr("This folder does not exist.");
-        if (draft.classroom.starters.isEmpty())
-            return tr("Choose at least one starting shape.");
-        if (draft.classroom.tools.isEmpty())
-            return tr("Choose at least one tool.");
-        if (draft.pin.size() < minPinLength)
-            return tr("The PIN needs at least %n characters.", nullptr, minPinLength);
-        if (draft.pin != m_pinRepeated->text())
-            return tr("The two PINs are not the same.");
-        return {};
-    }
-
-    QString m_startFolder;
-    QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_pinRepeated = nullptr;
-    QSpinBox *m_turn = nullptr, *m_warning = nullptr;
-    QCheckBox *m_fullScreen = nullptr, *m_questions = nullptr;
-    QComboBox* m_language = nullptr;
-    QLabel* m_word = nullptr;
-};
+    return QStringLiteral("new.") + QString::fromUtf8(core::name(starter));
+}
+QString toolId(std::string_view tool)
+{
+    return QStringLiteral("tool.") + QString::fromUtf8(tool);
+}
 } // namespace
 
-void askForClassroom(QWidget* parent, const Actions& actions, const QString& folder,
-                     const std::function<void(const ClassroomDraft&)>& callback)
+ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder)
+    : QDialog(parent)
+    , m_startFolder(folder)
 {
-    auto* dialog = new ClassroomDialog(parent, actions, folder);
-    QObject::connect(dialog, &QDialog::accepted, parent, [dialog, parent, folder, callback] {
-        askForClassFile(parent, folder, [callback, draft = dialog->draft()](const QString& path) mutable {
-            draft.path = path;
-            callback(draft);
-        });
+    QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
+    auto* open = named(new QPushButton(tr("&Open a Class…")), "classOpen", tr("Shows a class here, to be changed."));
+    open->setAutoDefault(false);
+    connect(open, &QPushButton::clicked, this, &ClassroomDialog::chooseClass);
+    QVBoxLayout* page = addScrolledPage(column);
+    page->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
+                                  "the work in the class's folder. "
+                                  "Pupils cannot reach other files; leaving asks for your PIN."),
+                               textWidth));
+    page->addWidget(open, 0, Qt::AlignLeft);
+    auto* form = new QFormLayout;
+    form->setSpacing(dialogGap);
+    addNames(form);
+    addTimes(form);
+    addPin(form);
+    page->addLayout(form);
+    page->addWidget(choices(tr("Starting shapes"), actions, MenuId::New));
+    page->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
+    column->addWidget(foot());
+    addDialogButtons(this, tr("&Save…"));
+    m_title->setFocus();
+}
+
+void ClassroomDialog::load(const Classroom& classroom, const QString& path)
+{
+    m_path = path;
+    m_pinRecord = classroom.pin;
+    m_title->setText(classroom.title);
+    m_folder->setText(QDir::toNativeSeparators(classroom.folder));
+    for (const core::Starter starter : core::starters)
+        box(starterId(starter))->setChecked(classroom.starters.contains(starter));
+    for (const std::string_view name : core::toolNames())
+        box(toolId(name))->setChecked(classroom.tools.contains(*core::named<core::Tool>(name)));
+    m_turn->setValue(classroom.turnMinutes);
+    m_warning->setValue(classroom.warningMinutes);
+    m_fullScreen->setChecked(classroom.fullScreen);
+    m_questions->setChecked(classroom.asksQuestions);
+    m_language->setCurrentIndex(m_language->findData(static_cast<int>(classroom.language)));
+    for (QLineEdit* field : {m_pin, m_pinRepeated}) {
+        field->clear();
+        field->setPlaceholderText(tr("unchanged"));
+    }
+    showFault({});
+}
+
+void ClassroomDialog::showFault(const QString& sentence)
+{
+    m_word->setText(sentence);
+    m_makeFolder->hide();
+}
+
+void ClassroomDialog::accept()
+{
+    ClassroomDraft made = draft();
+    const Fault fault = faultIn(made);
+    showFault(fault.sentence);
+    m_makeFolder->setVisible(fault.field == m_folder && QDir::isAbsolutePath(folder()) && !QFileInfo::exists(folder()));
+    if (fault.field) {
+        fault.field->setFocus();
+        return;
+    }
+    const QString start = m_path.isEmpty() ? m_startFolder : QFileInfo(m_path).absolutePath();
+    askForClassFile(this, start, m_path.isEmpty() ? made.classroom.title : QFileInfo(m_path).completeBaseName(),
+                    [this, made](const QString& path) mutable {
+                        made.path = path;
+                        Q_EMIT drafted(made);
+                    });
+}
+
+void ClassroomDialog::chooseClass()
+{
+    askForClass(this, m_path.isEmpty() ? m_startFolder : QFileInfo(m_path).absolutePath(),
+                [this](const QString& path) { Q_EMIT openRequested(path); });
+}
+
+void ClassroomDialog::makeFolder()
+{
+    if (!QDir().mkpath(folder()))
+        return showFault(tr("This folder cannot be made."));
+    showFault({});
+    m_folder->setFocus();
+}
+
+QString ClassroomDialog::folder() const
+{
+    return QDir::cleanPath(QDir::fromNativeSeparators(m_folder->text().trimmed()));
+}
+
+QCheckBox* ClassroomDialog::box(const QString& id) const
+{
+    return findChild<QCheckBox*>(QStringLiteral("class.") + id);
+}
+
+/// The sentence that says what is missing, and what would help.
+QWidget* ClassroomDialog::foot()
+{
+    m_word = dialogText({}, textWidth);
+    m_word->setObjectName(QStringLiteral("classroomWord"));
+    m_makeFolder = named(new QPushButton(tr("&Make This Folder")), "classMakeFolder");
+    m_makeFolder->setAutoDefault(false);
+    m_makeFolder->hide();
+    connect(m_makeFolder, &QPushButton::clicked, this, &ClassroomDialog::makeFolder);
+    auto* foot = new QWidget;
+    auto* row = new QHBoxLayout(foot);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_word, 1);
+    row->addWidget(m_makeFolder, 0, Qt::AlignTop);
+    return foot;
+}
+
+ClassroomDraft ClassroomDialog::draft() const
+{
+    ClassroomDraft draft;
+    Classroom& classroom = draft.classroom;
+    classroom.title = m_title->text().simplified();
+    classroom.folder = folder();
+    for (const core::Starter starter : core::starters)
+        if (box(starterId(starter))->isChecked())
+            classroom.starters << starter;
+    for (const std::string_view name : core::toolNames())
+        if (box(toolId(name))->isChecked())
+            classroom.tools << *core::named<core::Tool>(name);
+    classroom.turnMinutes = m_turn->value();
+    classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
+    classroom.fullScreen = m_fullScreen->isChecked();
+    classroom.asksQuestions = m_questions->isChecked();
+    classroom.language = static_cast<Language>(m_language->currentData().toInt());
+    classroom.pin = m_pinRecord;
+    draft.pin = m_pin->text();
+    return draft;
+}
+
+void ClassroomDialog::addNames(QFormLayout* form)
+{
+    m_title = named(new QLineEdit, "classTitleField", tr("Stands in the topmost bar, such as the name of the class."));
+    form->addRow(tr("&Title:"), m_title);
+    m_folder =
+        named(new QLineEdit, "classFolderField", tr("There each turn gets a folder with model, picture and record."));
+    auto* choose = named(new QPushButton(tr("&Choose…")), "classFolderChoice", m_folder->toolTip());
+    choose->setAutoDefault(false);
+    connect(choose, &QPushButton::clicked, this, [this] {
+        askForFolder(this, m_startFolder,
+                     [this](const QString& path) { m_folder->setText(QDir::toNativeSeparators(path)); });
     });
-    dialog->open();
+    auto* both = new QWidget;
+    both->setFocusProxy(m_folder);
+    auto* row = new QHBoxLayout(both);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_folder, 1);
+    row->addWidget(choose);
+    form->addRow(tr("&Folder for pupils' work:"), both);
+}
+
+void ClassroomDialog::addTimes(QFormLayout* form)
+{
+    const Classroom defaults;
+    const auto minutes = [this](const char* name, int value, const QString& none, const QString& tip) {
+        auto* count = named(new QSpinBox, name, tip);
+        count->setRange(0, maxTurnMinutes);
+        count->setValue(value);
+        count->setSuffix(tr(" min"));
+        count->setSpecialValueText(none);
+        return count;
+    };
+    m_turn = minutes("classTurn", defaults.turnMinutes, tr("no limit"),
+                     tr("So long is a turn. Nothing is taken away when it is over."));
+    m_warning = minutes("classWarning", defaults.warningMinutes, tr("none"),
+                        tr("So long before the end a notice appears, in the headset, too."));
+    m_fullScreen =
+        named(new QCheckBox(tr("Full &screen")), "classFullScreen", tr("Nothing else is to be seen on the screen."));
+    m_fullScreen->setChecked(defaults.fullScreen);
+    m_questions = named(new QCheckBox(tr("Six &questions after each turn")), "classQuestions",
+                        tr("Next Pupil shows a form about the program first. Its answers are kept with the work and "
+                           "summed in the class report; each may be left out."));
+    m_questions->setChecked(defaults.asksQuestions);
+    m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
+    for (const Named<Language>& row : languages)
+        m_language->addItem(PreferencesDialog::words(row.value), static_cast<int>(row.value));
+    form->addRow(tr("T&urn:"), m_turn);
+    form->addRow(tr("&Warning before the end:"), m_warning);
+    form->addRow(tr("&Language:"), m_language);
+    form->addRow({}, m_fullScreen);
+    form->addRow({}, m_questions);
+}
+
+void ClassroomDialog::addPin(QFormLayout* form)
+{
+    const QString tip = tr("Leaving the class takes it. It is kept as a fingerprint, not as you type it.");
+    m_pin = named(new QLineEdit, "classPin", tip);
+    m_pinRepeated = named(new QLineEdit, "classPinAgain", tip);
+    for (QLineEdit* field : {m_pin, m_pinRepeated}) {
+        field->setEchoMode(QLineEdit::Password);
+        field->setMaxLength(maxPinLength);
+    }
+    form->addRow(tr("&PIN:"), m_pin);
+    form->addRow(tr("&Repeat PIN:"), m_pinRepeated);
+}
+
+QWidget* ClassroomDialog::choices(const QString& title, const Actions& actions, MenuId menu)
+{
+    auto* group = new QGroupBox(title);
+    auto* grid = new QGridLayout(group);
+    int count = 0;
+    for (const ActionInfo& row : actionTable()) {
+        if (row.menu != menu)
+            continue;
+        const QAction* action = actions.get(QLatin1StringView(row.id));
+        auto* box = named(new QCheckBox(action->iconText()), QStringLiteral("class.") + action->objectName(),
+                          action->statusTip());
+        box->setIcon(action->icon());
+        box->setChecked(true);
+        grid->addWidget(box, count / columns, count % columns);
+        ++count;
+    }
+    return group;
+}
+
+/// The first thing that is missing, and its field.
+ClassroomDialog::Fault ClassroomDialog::faultIn(const ClassroomDraft& draft) const
+{
+    const Classroom& classroom = draft.classroom;
+    const auto firstBox = [this](MenuId menu) {
+        const auto row = std::ranges::find(actionTable(), menu, &ActionInfo::menu);
+        return box(QLatin1StringView(row->id));
+    };
+    if (classroom.title.isEmpty())
+        return {tr("The class has no title yet."), m_title};
+    if (!QDir::isAbsolutePath(classroom.folder) || !QFileInfo(classroom.folder).isDir())
+        return {tr("This folder does not exist."), m_folder};
+    const bool keepsPin = !classroom.pin.isEmpty() && draft.pin.isEmpty();
+    if (!keepsPin && draft.pin.size() < minPinLength)
+        return {tr("The PIN needs at least %n characters.", nullptr, minPinLength), m_pin};
+    if (draft.pin != m_pinRepeated->text())
+        return {tr("The two PINs are not the same."), m_pinRepeated};
+    if (classroom.starters.isEmpty())
+        return {tr("Choose at least one starting shape."), firstBox(MenuId::New)};
+    if (classroom.tools.isEmpty())
+        return {tr("Choose at least one tool."), firstBox(MenuId::Tool)};
+    return {};
 }
 } // namespace ui

@@ -39,6 +39,16 @@ QStringList reportEndings()
     return {QStringLiteral("html"), QStringLiteral("pdf")};
 }
 
+QString classEnding()
+{
+    return QStringLiteral("fettleclass");
+}
+
+bool isClassFile(const QString& path)
+{
+    return path.endsWith(u'.' + classEnding(), Qt::CaseInsensitive);
+}
+
 QString modelFormats()
 {
     constexpr qsizetype named = 4;

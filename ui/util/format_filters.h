@@ -13,6 +13,10 @@ QString modelFormats();
 QString writtenFormats();
 /// Returns "html" and "pdf", the endings of class reports.
 QStringList reportEndings();
+/// Returns the ending of the files of classes.
+QString classEnding();
+/// Whether a file is a class's, by its ending.
+bool isClassFile(const QString& path);
 /// Whether a model can be written under that name, by its ending.
 bool isWritten(const QString& path);
 /// A file of that name holds all of a document: GLB.

@@ -84,7 +84,10 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathCallb
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setOption(QFileDialog::HideNameFilterDetails); // there are too many to be read
     const QString patterns = QStringLiteral("*.") + modelEndings().join(QStringLiteral(" *."));
-    dialog->setNameFilters({FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")});
+    QStringList filters{FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")};
+    if (use == ModelUse::Open)
+        filters.insert(1, FileDialogs::tr("Classes (%1)").arg(QStringLiteral("*.") + classEnding()));
+    dialog->setNameFilters(filters);
     show(dialog, callback);
 }
 
@@ -162,10 +165,20 @@ void askForFolder(QWidget* parent, const QString& folder, PathCallback callback)
     show(dialog, callback);
 }
 
-void askForClassFile(QWidget* parent, const QString& folder, PathCallback callback)
+void askForClass(QWidget* parent, const QString& folder, PathCallback callback)
 {
-    askForTarget(parent, FileDialogs::tr("Save the Class"), QStringLiteral("classDialog"), folder,
-                 FileDialogs::tr("class"), {QStringLiteral("ini")}, callback);
+    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Open a Class"), folder), "openClassDialog");
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({FileDialogs::tr("Classes (%1)").arg(QStringLiteral("*.%1 *.ini").arg(classEnding())),
+                            FileDialogs::tr("All files (*)")});
+    show(dialog, callback);
+}
+
+void askForClassFile(QWidget* parent, const QString& folder, const QString& title, PathCallback callback)
+{
+    const QString name = QString(title).replace(u'/', u'-') + u'.' + classEnding();
+    askForTarget(parent, FileDialogs::tr("Save the Class"), QStringLiteral("classDialog"), folder, name,
+                 {classEnding()}, callback);
 }
 
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,

@@ -35,8 +35,10 @@ void askForPicture(QWidget* parent, const QString& folder, PathCallback callback
 
 /// One that is there.
 void askForFolder(QWidget* parent, const QString& folder, PathCallback callback);
-/// Where a class is to be written.
-void askForClassFile(QWidget* parent, const QString& folder, PathCallback callback);
+/// A class that is there.
+void askForClass(QWidget* parent, const QString& folder, PathCallback callback);
+/// Where a class is to be written. `title`: the name that is offered.
+void askForClassFile(QWidget* parent, const QString& folder, const QString& title, PathCallback callback);
 
 /// For the sheet of drawings.
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,

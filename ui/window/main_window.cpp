@@ -247,10 +247,6 @@ void MainWindow::State::connectActions()
 void MainWindow::State::connectFiles()
 {
     on("file.exportFor", [this] { files.exportFor(model); });
-    on("edit.classroom", [this] {
-        askForClassroom(q, actions, settings.lastFolder(),
-                        [this](const ClassroomDraft& draft) { Q_EMIT q->classroomDrafted(draft); });
-    });
     on("file.quit", [this] { q->close(); });
     connect(&files, &ModelFiles::noticed, q, &MainWindow::showNotice);
 }

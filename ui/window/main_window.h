@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/classroom/classroom_dialog.h"
+#include "ui/classroom/classroom.h"
 #include "ui/files/model_files.h"
 #include "ui/headset/headset_actions.h"
 #include "ui/settings/brush_settings.h"
@@ -96,8 +96,6 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// By dialog or menu.
     void commandRequested(const core::ModelCommand& command);
-    /// By dialog: a class is to be written to a file.
-    void classroomDrafted(const ui::ClassroomDraft& draft);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

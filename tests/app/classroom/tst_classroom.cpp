@@ -4,6 +4,7 @@
 #include "tests/support/test_main.h"
 
 #include "app/classroom/class_file.h"
+#include "app/classroom/class_file_controller.h"
 #include "app/classroom/class_pin.h"
 #include "app/classroom/classroom_mode.h"
 #include "app/classroom/turn_answers.h"
@@ -26,10 +27,12 @@
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QScopeGuard>
@@ -324,6 +327,8 @@ private Q_SLOTS:
     void nothingCanBeDropped();
     void closing_takesThePin();
     void theTeachersDialog_writesTheFile();
+    void theTeachersDialog_changesAFile();
+    void theClass_beginsWhenTheWindowIsClosed();
     void questions_comeOnlyIfTheTeacherWants();
     void answers_areKeptWithTheWork();
     void skipping_keepsNothing();
@@ -714,27 +719,118 @@ void TestClassroom::theTeachersDialog_writesTheFile()
         dialog->accept();
         return dialog->findChild<QLabel*>(QStringLiteral("classroomWord"))->text();
     };
+    const auto focus = [&dialog] { return dialog->focusWidget() ? dialog->focusWidget()->objectName() : QString(); };
     QCOMPARE(fault(), QStringLiteral("The class has no title yet."));
+    QCOMPARE(focus(), QStringLiteral("classTitleField"));
     type("classTitleField", QStringLiteral("5b"));
+    const QString works = root.filePath(QStringLiteral("new/works"));
+    auto* make = dialog->findChild<QPushButton*>(QStringLiteral("classMakeFolder"));
+    QVERIFY(!make->isVisible());
+    type("classFolderField", works);
     QCOMPARE(fault(), QStringLiteral("This folder does not exist."));
-    type("classFolderField", root.path());
+    QCOMPARE(focus(), QStringLiteral("classFolderField"));
+    QVERIFY(make->isVisible());
+    make->click();
+    QVERIFY(QFileInfo(works).isDir() && !make->isVisible());
     QVERIFY(fault().startsWith(QStringLiteral("The PIN needs at least 4")));
+    QCOMPARE(focus(), QStringLiteral("classPin"));
     type("classPin", pin);
     QCOMPARE(fault(), QStringLiteral("The two PINs are not the same."));
+    QCOMPARE(focus(), QStringLiteral("classPinAgain"));
     type("classPinAgain", pin);
     for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask", "classQuestions"})
         dialog->findChild<QAbstractButton*>(QLatin1StringView(box))->click();
     QVERIFY(fault().isEmpty());
-    const QString path = root.filePath(QStringLiteral("5b.ini"));
+    QPointer<QFileDialog> files;
+    QTRY_VERIFY((files = dialog->findChild<QFileDialog*>(QStringLiteral("classDialog"))) && files->isVisible());
+    QVERIFY(files->selectedFiles().constFirst().endsWith(QStringLiteral("/5b.fettleclass")));
+    files->reject();
+    QTRY_VERIFY(!files); // all that was typed is there still
+    QVERIFY(dialog->isVisible() && fault().isEmpty());
+    const QString path = root.filePath(QStringLiteral("5b.fettleclass"));
     chooseFile(program, "classDialog", path);
     QTRY_VERIFY(notice(program).contains(path));
+    QTRY_VERIFY(!dialog);
     const ui::Classroom read = ClassFile::read(path);
     QCOMPARE(read.title, QStringLiteral("5b"));
-    QCOMPARE(read.folder, root.path());
+    QCOMPARE(read.folder, works);
     QVERIFY(read.starters.size() == 6 && !read.starters.contains(core::Starter::Cube));
     QVERIFY(read.tools.size() == 14 && !read.tools.contains(core::Tool::Stamp));
     QVERIFY(isPin(pin, read.pin) && !isPin(QStringLiteral("1234"), read.pin));
     QVERIFY(read.asksQuestions);
+}
+
+/// A class that is there is changed in the same dialog, with its PIN or with another.
+void TestClassroom::theTeachersDialog_changesAFile()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    const QString path = root.filePath(QStringLiteral("5b.fettleclass"));
+    QCOMPARE(ClassFile::write(path, home.classroom()), QString());
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    const auto change = [&](QPointer<QDialog>* dialog) {
+        Q_EMIT program.window.files()->openRequested(path);
+        QPointer<QMessageBox> question;
+        QTRY_VERIFY((question = program.window.findChild<QMessageBox*>(QStringLiteral("beginClass"))) &&
+                    question->isVisible() && question->text().contains(QStringLiteral("5b")));
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::ActionRole)
+                button->click();
+        QTRY_VERIFY(!question);
+        QTRY_VERIFY((*dialog = program.window.findChild<QDialog*>(QStringLiteral("classroomDialog"))) &&
+                    (*dialog)->isVisible());
+    };
+    const auto save = [&](QPointer<QDialog>* dialog) {
+        QFile::remove(path); // else the system's dialog asks whether it may be replaced
+        (*dialog)->accept();
+        chooseFile(program, "classDialog", path);
+        QTRY_VERIFY(!*dialog);
+        auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("beginClass"));
+        QVERIFY(question);
+        delete question;
+    };
+    QPointer<QDialog> dialog;
+    change(&dialog);
+    if (QTest::currentTestFailed())
+        return;
+    dialog->findChild<QAbstractButton*>(QStringLiteral("class.tool.stamp"))->click();
+    save(&dialog);
+    ui::Classroom expected = home.classroom();
+    expected.tools << core::Tool::Stamp;
+    const ui::Classroom kept = ClassFile::read(path);
+    QVERIFY(kept.pin == expected.pin && kept.tools.contains(core::Tool::Stamp) && kept.starters == expected.starters);
+    QCOMPARE(kept.turnMinutes, expected.turnMinutes);
+    change(&dialog);
+    for (const char* field : {"classPin", "classPinAgain"})
+        QTest::keyClicks(dialog->findChild<QLineEdit*>(QLatin1StringView(field)), QStringLiteral("13579"));
+    save(&dialog);
+    QVERIFY(isPin(QStringLiteral("13579"), ClassFile::read(path).pin));
+}
+
+/// The teacher's window goes first; a window that stays is no way to a class later.
+void TestClassroom::theClass_beginsWhenTheWindowIsClosed()
+{
+    const QTemporaryDir root;
+    const QString path = root.filePath(QStringLiteral("5b.fettleclass"));
+    QCOMPARE(ClassFile::write(path, Home(root.path()).classroom()), QString());
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    auto* files = program.window.findChild<ClassFileController*>();
+    files->offer(root.filePath(QStringLiteral("none.fettleclass")));
+    auto* problem = program.window.findChild<QMessageBox*>(QStringLiteral("problem"));
+    QVERIFY(problem && problem->text().contains(QStringLiteral("none.fettleclass")));
+    delete problem;
+    files->offer(path);
+    auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("beginClass"));
+    QVERIFY(question && files->next().isEmpty());
+    question->defaultButton()->click();
+    QTRY_VERIFY(!program.window.isVisible());
+    QCOMPARE(files->next(), path);
+    Q_EMIT program.document.stepped(core::Stroke());
+    QVERIFY(files->next().isEmpty());
 }
 
 void TestClassroom::questions_comeOnlyIfTheTeacherWants()

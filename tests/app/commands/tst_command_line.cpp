@@ -572,7 +572,7 @@ void TestCommandLine::class_isRefusedWithItsReason()
     const QMap<QString, QString> quiet{{QStringLiteral("XDG_RUNTIME_DIR"), QFileInfo(file).path()}};
     VERIFY_REFUSED(fettle(shown + QStringList(file), quiet), "5b.ini, line 4: tools: \"melt\" is none of");
     VERIFY_REFUSED(fettle(shown + QStringList(at("none.ini")), quiet), "none.ini cannot be read");
-    QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--classroom CLASS.ini"));
+    QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--classroom CLASS.fettleclass"));
 }
 
 void TestCommandLine::window_startsInVrIfAsked()

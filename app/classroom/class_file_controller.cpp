@@ -1,0 +1,105 @@
+#include "app/classroom/class_file_controller.h"
+
+#include "app/classroom/class_file.h"
+#include "app/classroom/class_pin.h"
+#include "app/document/document.h"
+
+#include "ui/classroom/classroom_dialog.h"
+#include "ui/settings/settings.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QDir>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace app
+{
+ClassFileController::ClassFileController(ui::MainWindow& window, Document& document)
+    : QObject(&window)
+    , m_window(window)
+{
+    connect(window.action(QStringLiteral("edit.classroom")), &QAction::triggered, this, [this] { edit(); });
+    const auto stay = [this] { m_next.clear(); }; // the window was not closed after all
+    connect(&document, &Document::stepped, this, stay);
+    connect(&document, &Document::opened, this, stay);
+}
+
+void ClassFileController::edit()
+{
+    if (m_dialog)
+        return m_dialog->raise();
+    m_dialog = new ui::ClassroomDialog(&m_window, m_window.commands(), ui::Settings().lastFolder());
+    connect(m_dialog, &ui::ClassroomDialog::openRequested, this, &ClassFileController::load);
+    connect(m_dialog, &ui::ClassroomDialog::drafted, this, &ClassFileController::write);
+    m_dialog->open();
+}
+
+void ClassFileController::edit(const ui::Classroom& classroom, const QString& path)
+{
+    edit();
+    m_dialog->load(classroom, path);
+}
+
+void ClassFileController::load(const QString& path)
+{
+    try {
+        m_dialog->load(ClassFile::read(path), path);
+    } catch (const ClassFileError& error) {
+        m_dialog->showFault(error.sentence);
+    }
+}
+
+/// The dialog stays, with all that was typed, unless the file is there.
+void ClassFileController::write(const ui::ClassroomDraft& draft)
+{
+    ui::Classroom classroom = draft.classroom;
+    if (!draft.pin.isEmpty())
+        classroom.pin = pinRecord(draft.pin);
+    const QString problem = ClassFile::write(draft.path, classroom);
+    if (!problem.isEmpty())
+        return m_dialog->showFault(problem);
+    m_dialog->done(QDialog::Accepted);
+    m_window.showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(draft.path)));
+    askToBegin(classroom, draft.path,
+               tr("A double click on %1 begins it, on every computer that has Fettle.")
+                   .arg(QDir::toNativeSeparators(draft.path)));
+}
+
+void ClassFileController::offer(const QString& path)
+{
+    try {
+        askToBegin(ClassFile::read(path), path, {});
+    } catch (const ClassFileError& error) {
+        m_window.showProblem(error.sentence);
+    }
+}
+
+void ClassFileController::askToBegin(const ui::Classroom& classroom, const QString& path, const QString& how)
+{
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Classroom"), tr("Begin the class \"%1\" now?").arg(classroom.title),
+                        QMessageBox::NoButton, &m_window);
+    question->setObjectName(QStringLiteral("beginClass"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setTextFormat(Qt::PlainText);
+    question->setInformativeText(
+        QStringList{how, tr("This window closes, and only the class is there. Leaving it asks for your PIN.")}
+            .join(u'\n')
+            .trimmed());
+    auto* begins = question->addButton(tr("&Begin the Class Now"), QMessageBox::AcceptRole);
+    connect(begins, &QPushButton::clicked, this, [this, path] { begin(path); });
+    auto* changes = question->addButton(tr("C&hange…"), QMessageBox::ActionRole);
+    connect(changes, &QPushButton::clicked, this, [this, classroom, path] { edit(classroom, path); });
+    question->addButton(tr("&Not Now"), QMessageBox::RejectRole);
+    question->setDefaultButton(begins);
+    question->open();
+}
+
+/// After the question has closed: the window may ask about unsaved changes.
+void ClassFileController::begin(const QString& path)
+{
+    m_next = path;
+    QMetaObject::invokeMethod(&m_window, &QWidget::close, Qt::QueuedConnection);
+}
+} // namespace app

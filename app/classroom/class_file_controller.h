@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/classroom/classroom.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace ui
+{
+class ClassroomDialog;
+struct ClassroomDraft;
+class MainWindow;
+} // namespace ui
+
+namespace app
+{
+class Document;
+
+/// The file of a class in the teacher's window: made, opened, changed, and begun. A class has a program of its own,
+/// which begins when this one has ended: no window with the teacher's files is left beside it. Thread: gui.
+class ClassFileController : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// A child of the window. The document must outlive this.
+    ClassFileController(ui::MainWindow& window, Document& document);
+
+    /// Asks whether the class in that file is to begin, or to be changed; or says why it is none.
+    void offer(const QString& path);
+    /// The file of the class that is to begin when the program has ended; empty: none.
+    const QString& next() const { return m_next; }
+
+private:
+    void edit();
+    void edit(const ui::Classroom& classroom, const QString& path);
+    void load(const QString& path);
+    void write(const ui::ClassroomDraft& draft);
+    void askToBegin(const ui::Classroom& classroom, const QString& path, const QString& how);
+    void begin(const QString& path);
+
+    ui::MainWindow& m_window;
+    QPointer<ui::ClassroomDialog> m_dialog;
+    QString m_next;
+};
+} // namespace app
