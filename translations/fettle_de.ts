@@ -104,6 +104,27 @@
     </message>
 </context>
 <context>
+    <name>app::ClassEnd</name>
+    <message>
+        <source>End the class? The current pupil&apos;s work will be saved.</source>
+        <translation>Die Klasse beenden? Die Arbeit, die gerade offen ist, wird gespeichert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models are not yet in the class folder.</source>
+        <translation>
+            <numerusform>%n Modell ist noch nicht im Ordner der Klasse.</numerusform>
+            <numerusform>%n Modelle sind noch nicht im Ordner der Klasse.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models were copied to %1.</source>
+        <translation>
+            <numerusform>%n Modell wurde nach %1 kopiert.</numerusform>
+            <numerusform>%n Modelle wurden nach %1 kopiert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::ClassFileController</name>
     <message>
         <source>%1 was written.</source>
@@ -243,10 +264,6 @@
     <message>
         <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
         <translation>%1 Die Arbeit bleibt offen (%2), und nichts davon geht verloren.</translation>
-    </message>
-    <message>
-        <source>End the class? The current pupil&apos;s work will be saved.</source>
-        <translation>Die Klasse beenden? Die Arbeit, die gerade offen ist, wird gespeichert.</translation>
     </message>
     <message>
         <source>Time is up. Please finish: it is the next pupil&apos;s turn.</source>
@@ -7554,6 +7571,32 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The model cannot be shown: the graphics driver does not do what it offers.</source>
         <translation>Das Modell lässt sich nicht anzeigen: Der Grafiktreiber leistet nicht, was er anbietet.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WaitingWorksDialog</name>
+    <message>
+        <source>Works on This Computer</source>
+        <translation>Arbeiten auf diesem Rechner</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models are not yet in the class folder.</source>
+        <translation>
+            <numerusform>%n Modell ist noch nicht im Ordner der Klasse.</numerusform>
+            <numerusform>%n Modelle sind noch nicht im Ordner der Klasse.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They are safe in %1 and go to the class folder when this class begins on this computer again. You can copy them now, to a USB drive for example.</source>
+        <translation>Sie liegen sicher in %1 und kommen in den Ordner der Klasse, wenn diese Klasse auf diesem Rechner wieder beginnt. Sie können sie jetzt kopieren, zum Beispiel auf einen USB-Stick.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy to a Folder…</source>
+        <translation>In einen Ordner &amp;kopieren…</translation>
+    </message>
+    <message>
+        <source>&amp;End Class</source>
+        <translation>Klasse &amp;beenden</translation>
     </message>
 </context>
 <context>

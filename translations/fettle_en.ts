@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>app::ClassEnd</name>
+    <message numerus="yes">
+        <source>%n models are not yet in the class folder.</source>
+        <translation>
+            <numerusform>%n model is not yet in the class folder.</numerusform>
+            <numerusform>%n models are not yet in the class folder.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models were copied to %1.</source>
+        <translation>
+            <numerusform>%n model was copied to %1.</numerusform>
+            <numerusform>%n models were copied to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::ClassroomMode</name>
     <message numerus="yes">
         <source>%n minutes left. Please finish soon.</source>
@@ -220,6 +237,16 @@
         <translation>
             <numerusform>%1 cannot be mended: it has but %n open sheet, of %2 x %3 mm, which encloses no space.</numerusform>
             <numerusform>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::WaitingWorksDialog</name>
+    <message numerus="yes">
+        <source>%n models are not yet in the class folder.</source>
+        <translation>
+            <numerusform>%n model is not yet in the class folder.</numerusform>
+            <numerusform>%n models are not yet in the class folder.</numerusform>
         </translation>
     </message>
 </context>

@@ -104,6 +104,25 @@
     </message>
 </context>
 <context>
+    <name>app::ClassEnd</name>
+    <message>
+        <source>End the class? The current pupil&apos;s work will be saved.</source>
+        <translation>结束课堂？当前学生的作品会被保存。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models are not yet in the class folder.</source>
+        <translation>
+            <numerusform>%n 个模型尚未存入课堂文件夹。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models were copied to %1.</source>
+        <translation>
+            <numerusform>已将 %n 个模型复制到 %1。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::ClassFileController</name>
     <message>
         <source>%1 was written.</source>
@@ -243,10 +262,6 @@
     <message>
         <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
         <translation>%1 作品（%2）保持打开，不会丢失。</translation>
-    </message>
-    <message>
-        <source>End the class? The current pupil&apos;s work will be saved.</source>
-        <translation>结束课堂？当前学生的作品会被保存。</translation>
     </message>
     <message>
         <source>Time is up. Please finish: it is the next pupil&apos;s turn.</source>
@@ -7532,6 +7547,31 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The model cannot be shown: the graphics driver does not do what it offers.</source>
         <translation>无法显示模型：显卡驱动未能实现其声明的功能。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WaitingWorksDialog</name>
+    <message>
+        <source>Works on This Computer</source>
+        <translation>本机上的作品</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models are not yet in the class folder.</source>
+        <translation>
+            <numerusform>%n 个模型尚未存入课堂文件夹。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They are safe in %1 and go to the class folder when this class begins on this computer again. You can copy them now, to a USB drive for example.</source>
+        <translation>它们安全地保存在 %1 中，此课堂下次在本机开始时会移到课堂文件夹。您现在也可以复制它们，例如复制到 U 盘。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy to a Folder…</source>
+        <translation>复制到文件夹(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;End Class</source>
+        <translation>结束课堂(&amp;E)</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,7 @@ ClassWork::ClassWork(Document* document, ui::ClassBar* bar, WorkArchive archive)
     , m_archive(std::move(archive))
 {
     m_retryTimer.setSingleShot(true);
-    connect(&m_retryTimer, &QTimer::timeout, this, &ClassWork::deliver);
+    connect(&m_retryTimer, &QTimer::timeout, this, [this] { deliver(); });
 }
 
 void ClassWork::begin()
@@ -67,17 +67,29 @@ void ClassWork::setPaused(bool isSaving, bool isHeld)
     m_isPaused = isSaving || isHeld;
 }
 
-void ClassWork::deliver()
+void ClassWork::deliver(const std::function<void()>& then)
 {
-    if (m_isPaused)
+    if (m_isPaused) {
+        if (then)
+            then();
         return;
+    }
     const auto written = std::make_shared<std::promise<void>>();
     m_answering.run([written] { written->set_value(); }); // behind the answers that were given by now
     const auto deliver = [this, archive = m_archive, written] {
         written->get_future().wait();
         return archive.deliver([this] { return m_isPaused.load(); });
     };
-    m_background.run(deliver, [this](const Delivery& delivery) { onDelivered(delivery); });
+    m_background.run(deliver, [this, then](const Delivery& delivery) {
+        onDelivered(delivery);
+        if (then)
+            then();
+    });
+}
+
+void ClassWork::copyWaiting(const QString& folder, const std::function<void(const Delivery& copied)>& done)
+{
+    m_background.run([archive = m_archive, folder] { return archive.copy(folder); }, done);
 }
 
 void ClassWork::setHeld(bool isHeld)
@@ -106,6 +118,7 @@ void ClassWork::onDelivered(const Delivery& delivery)
     m_bar->setUndelivered(
         delivery.undelivered,
         tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_archive.outbox())));
+    m_problem = delivery.problem;
     const bool hasChanged = std::exchange(m_undelivered, delivery.undelivered) != delivery.undelivered;
     if (delivery.undelivered == 0)
         return;

@@ -46,8 +46,14 @@ public:
     /// Keeps the model as the turn's work, and then delivers it, unless `done` has it held. `before`: what was done
     /// before the document's history begins. False: other work on the model goes on, and nothing is done.
     bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
-    /// Delivers what waits, now and again until nothing waits. Delivers nothing while works are held.
-    void deliver();
+    /// Delivers what waits, now and again until nothing waits. Delivers nothing while works are held. `then` is called
+    /// when it was tried.
+    void deliver(const std::function<void()>& then = {});
+    /// Copies what waits to another folder.
+    void copyWaiting(const QString& folder, const std::function<void(const Delivery& copied)>& done);
+    /// Works that could not be delivered, and why: the first one's sentence.
+    int undelivered() const { return m_undelivered; }
+    const QString& problem() const { return m_problem; }
     /// Works stay on this computer until they are not held any more; then they are delivered, with the answers that
     /// were given by then.
     void setHeld(bool isHeld);
@@ -70,7 +76,8 @@ private:
     ui::ClassBar* m_bar;
     WorkArchive m_archive;
     std::optional<EndedTurn> m_ended;
-    int m_undelivered = 0; ///< works that could not be delivered
+    int m_undelivered = 0;
+    QString m_problem;
     bool m_isHeld = false, m_isSaving = false;
     std::atomic<bool> m_isPaused = false; ///< either; read by the delivery before each work
     QTimer m_retryTimer;

@@ -70,6 +70,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
                                     program.window))
     , m_clock({m_classroom.turnMinutes, m_classroom.warningMinutes}, std::move(nowMs))
     , m_work(program.document, m_bar, {m_classroom.folder, m_paths.outbox})
+    , m_end(&m_work, program.window)
     , m_questions(&m_work, program.window->centralWidget())
 {
     program.window->setClassroom(m_classroom);
@@ -284,15 +285,20 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
 
 void ClassroomMode::leave()
 {
-    m_pinPrompt->ask(tr("End the class? The current pupil's work will be saved."), [this] {
-        m_canLeave = true;
+    m_pinPrompt->ask(m_end.question(), [this] {
+        const auto end = [this] {
+            m_end.end([this] {
+                m_canLeave = true;
+                m_program.window->close();
+            });
+        };
         m_questions.finish();
         if (m_stage != Stage::Sculpting)
-            m_program.window->close();
+            end();
         else
-            saveThen(m_clock.turn(), [this] {
+            saveThen(m_clock.turn(), [this, end] {
                 m_stage = Stage::Asking;
-                m_program.window->close();
+                end();
             });
     });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/classroom/class_end.h"
 #include "app/classroom/class_work.h"
 #include "app/classroom/turn_clock.h"
 #include "app/classroom/turn_questions.h"
@@ -104,6 +105,7 @@ private:
     std::function<void()> m_then; ///< for the model that is being opened
     bool m_isOpened = false;      ///< that model is there, and m_then comes next
     ClassWork m_work;
+    ClassEnd m_end;
     TurnQuestions m_questions;
     QTimer m_tick;
 };

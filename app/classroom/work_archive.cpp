@@ -210,17 +210,38 @@ void bringAnswers(const QString& from, const QString& to)
     core::checkWritten(problem, toPath(to));
 }
 
-QString deliverOne(const QString& outbox, const QString& classFolder, const QString& name)
+/// Returns where it is.
+QString copyOne(const QString& outbox, const QString& folder, const QString& name)
 {
     const QString from = outbox + u'/' + name;
-    QString to = findWork(classFolder, name,
+    QString to = findWork(folder, name,
                           [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
     if (to.isEmpty())
-        to = makeFolder(classFolder, name, [&from](const QString& folder) { copyWork(from, folder); });
+        to = makeFolder(folder, name, [&from](const QString& hidden) { copyWork(from, hidden); });
     else
         bringAnswers(from + u'/' + TurnAnswers::fileName, to + u'/' + TurnAnswers::fileName);
-    removeWork(outbox, name);
     return to;
+}
+
+/// Calls `handle` with the name of each work in the outbox, until it is paused; it returns where the work is.
+template <class Handle>
+Delivery forEachWork(const QString& outbox, const std::function<bool()>& isPaused, Handle handle)
+{
+    Delivery delivery;
+    for (const QString& name : QDir(outbox).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+        if (isPaused && isPaused()) {
+            delivery.isPaused = true;
+            break;
+        }
+        try {
+            delivery.moved.insert(outbox + u'/' + name, handle(name));
+        } catch (const core::FileError& error) {
+            ++delivery.undelivered;
+            if (delivery.problem.isEmpty())
+                delivery.problem = ui::ErrorMessages::sentence(error);
+        }
+    }
+    return delivery;
 }
 
 bool isAllowedInName(char32_t c)
@@ -257,21 +278,16 @@ ArchivedWork WorkArchive::add(const TurnWork& work) const
 
 Delivery WorkArchive::deliver(const std::function<bool()>& isPaused) const
 {
-    Delivery delivery;
-    for (const QString& name : QDir(m_outbox).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
-        if (isPaused && isPaused()) {
-            delivery.isPaused = true;
-            break;
-        }
-        try {
-            delivery.moved.insert(m_outbox + u'/' + name, deliverOne(m_outbox, m_classFolder, name));
-        } catch (const core::FileError& error) {
-            ++delivery.undelivered;
-            if (delivery.problem.isEmpty())
-                delivery.problem = ui::ErrorMessages::sentence(error);
-        }
-    }
-    return delivery;
+    return forEachWork(m_outbox, isPaused, [this](const QString& name) {
+        const QString to = copyOne(m_outbox, m_classFolder, name);
+        removeWork(m_outbox, name);
+        return to;
+    });
+}
+
+Delivery WorkArchive::copy(const QString& folder) const
+{
+    return forEachWork(m_outbox, {}, [this, &folder](const QString& name) { return copyOne(m_outbox, folder, name); });
 }
 
 QString WorkArchive::addAnswers(const QString& folder, const TurnAnswers& answers) const

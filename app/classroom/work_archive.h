@@ -40,8 +40,8 @@ struct ArchivedWork
 
 struct Delivery
 {
-    QHash<QString, QString> moved; ///< folders: where they were, and where they are
-    int undelivered = 0;           ///< that could not be moved
+    QHash<QString, QString> moved; ///< folders: where they were, and where they or their copies are
+    int undelivered = 0;           ///< that could not be moved or copied
     QString problem;               ///< then: one sentence about the first
     bool isPaused = false;         ///< before it was through
 };
@@ -67,6 +67,8 @@ public:
     /// Moves all works from the outbox to the class's folder; those that cannot be moved stay. A work that is there
     /// already is not added twice. `isPaused`: asked before each work; true: the rest stays.
     Delivery deliver(const std::function<bool()>& isPaused = {}) const;
+    /// Copies all works of the outbox to another folder. A work that is there already is not added twice.
+    Delivery copy(const QString& folder) const;
     /// Adds the answers to a work that was kept in that folder, in the place of those that are there. Returns an empty
     /// text, or a sentence that says what is wrong. Precondition: this work is not being delivered.
     QString addAnswers(const QString& folder, const TurnAnswers& answers) const;

@@ -19,6 +19,7 @@
 #include "ui/classroom/classroom_lock.h"
 #include "ui/classroom/pupil_name_panel.h"
 #include "ui/classroom/questionnaire_panel.h"
+#include "ui/classroom/waiting_works_dialog.h"
 #include "ui/util/thread_mailbox.h"
 #include "ui/widgets/side_column.h"
 
@@ -339,6 +340,7 @@ private Q_SLOTS:
     void aFailedAnswer_isWrittenAtDone();
     void aSlowDelivery_holdsNoAnswerBack();
     void resuming_fromTheQuestions();
+    void leaving_saysWhatWaits();
     void leaving_keepsWhatWasAnswered();
     void aPowerCutInTheQuestions_losesNothing();
     void aPowerCut_losesNobodysWork_data();
@@ -758,6 +760,41 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QVERIFY(read.tools.size() == 14 && !read.tools.contains(core::Tool::Stamp));
     QVERIFY(isPin(pin, read.pin) && !isPin(QStringLiteral("1234"), read.pin));
     QVERIFY(read.asksQuestions);
+}
+
+/// After the PIN, the works that are not in the class's folder are counted, and may be copied.
+void TestClassroom::leaving_saysWhatWaits()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    const QString stick = root.filePath(QStringLiteral("stick"));
+    QVERIFY(QDir().mkpath(stick));
+    Class c(home);
+    c.begin();
+    c.sculptAs(QStringLiteral("Anna"));
+    QVERIFY(QDir().rmdir(home.works));
+    c.next();
+    QTRY_VERIFY(!c.text("classWaiting").isEmpty());
+    c.sculptAs(QStringLiteral("Ben"));
+    c.press("classLeave");
+    QVERIFY(!c.part<ui::WaitingWorksDialog>("waitingWorks"));
+    c.typePin(pin);
+    QPointer<ui::WaitingWorksDialog> dialog;
+    QTRY_VERIFY_WITH_TIMEOUT((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible(),
+                             longestWait);
+    QVERIFY(c.program.window.isVisible());
+    QString said;
+    for (const QLabel* label : dialog->findChildren<QLabel*>())
+        said += label->text();
+    QVERIFY2(said.contains(QStringLiteral("2 models are not yet")) && said.contains(home.places.outbox) &&
+                 said.contains(home.works),
+             qPrintable(said));
+    Q_EMIT dialog->copyRequested(stick);
+    QTRY_VERIFY_WITH_TIMEOUT(c.text("waitingWord").contains(stick), longestWait);
+    QCOMPARE(foldersIn(stick).size(), 2);
+    QCOMPARE(foldersIn(home.places.outbox).size(), 2);
+    c.press("endClass");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
 }
 
 /// A class that is there is changed in the same dialog, with its PIN or with another.

@@ -91,6 +91,7 @@ private Q_SLOTS:
     void names_areFolders();
     void sameNamesInAMinute_areNumbered();
     void aPause_comesBetweenWorks();
+    void copies_leaveWhatWaits();
     void aMissingFolder_isSaidAndWaitedFor();
     void aClosedFolder_isSaidAndWaitedFor();
     void aFullDisk_isSaidAndWaitedFor();
@@ -184,6 +185,25 @@ void TestWorkArchive::aPause_comesBetweenWorks()
     const Delivery rest = places.archive().deliver([] { return false; });
     QVERIFY(!rest.isPaused && rest.moved.size() == 1);
     QCOMPARE(Places::all(places.works).size(), 3);
+}
+
+/// Copies are whole, none comes twice, and the works wait all the same.
+void TestWorkArchive::copies_leaveWhatWaits()
+{
+    const Places places;
+    const TurnWork work = workOf(QStringLiteral("Anna"));
+    const ArchivedWork kept = places.archive().add(work);
+    const QString stick = places.root.filePath(QStringLiteral("stick"));
+    QVERIFY(!places.archive().copy(stick).problem.isEmpty());
+    QDir().mkpath(stick);
+    for (int i = 0; i < 2; ++i) {
+        const Delivery copied = places.archive().copy(stick);
+        QVERIFY2(copied.problem.isEmpty() && copied.moved.size() == 1, qPrintable(copied.problem));
+        QCOMPARE(Places::all(stick).size(), 1);
+    }
+    verifyWork(stick + QStringLiteral("/2026-11-24-1015-Anna"), work);
+    verifyWork(kept.folder, work);
+    QCOMPARE(places.archive().deliver().moved.size(), 1);
 }
 
 void TestWorkArchive::aMissingFolder_isSaidAndWaitedFor()

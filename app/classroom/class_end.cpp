@@ -1,0 +1,49 @@
+#include "app/classroom/class_end.h"
+
+#include "app/classroom/class_work.h"
+
+#include "ui/classroom/waiting_works_dialog.h"
+
+#include <QDir>
+#include <QPointer>
+
+namespace app
+{
+QString ClassEnd::question() const
+{
+    const QString ends = tr("End the class? The current pupil's work will be saved.");
+    const int waiting = m_work->undelivered();
+    return waiting == 0 ? ends : ends + u' ' + tr("%n models are not yet in the class folder.", nullptr, waiting);
+}
+
+/// Delivers in the next round of the event loop: works are paused until the last one is saved.
+void ClassEnd::end(const std::function<void()>& end)
+{
+    const auto deliver = [this, end] {
+        m_work->deliver([this, end] {
+            if (m_work->undelivered() > 0)
+                say(end);
+            else
+                end();
+        });
+    };
+    QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+}
+
+void ClassEnd::say(const std::function<void()>& end)
+{
+    auto* dialog =
+        new ui::WaitingWorksDialog(m_work->undelivered(), m_work->problem(), m_work->archive().outbox(), m_window);
+    connect(dialog, &ui::WaitingWorksDialog::copyRequested, this, [this, dialog = QPointer(dialog)](const QString& to) {
+        m_work->copyWaiting(to, [dialog, to](const Delivery& copied) {
+            if (dialog)
+                dialog->showCopied(copied.problem.isEmpty() ? tr("%n models were copied to %1.", nullptr,
+                                                                 static_cast<int>(copied.moved.size()))
+                                                                  .arg(QDir::toNativeSeparators(to))
+                                                            : copied.problem);
+        });
+    });
+    connect(dialog, &QDialog::finished, this, end);
+    dialog->open();
+}
+} // namespace app

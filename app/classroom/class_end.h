@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+
+class QWidget;
+
+namespace app
+{
+class ClassWork;
+
+/// The end of a class: what waits is delivered once more, and the teacher hears of what cannot be. Thread: gui.
+class ClassEnd : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Neither is owned; both must outlive this but for the window, which may be just going.
+    ClassEnd(ClassWork* work, QWidget* window) : m_work(work), m_window(window) {}
+
+    /// A sentence for the question before, with what waits by now.
+    QString question() const;
+    /// Calls `end` when all works are in the class's folder, or the teacher knows of those that are not. After the PIN.
+    void end(const std::function<void()>& end);
+
+private:
+    void say(const std::function<void()>& end);
+
+    ClassWork* m_work;
+    QWidget* m_window;
+};
+} // namespace app
