@@ -243,8 +243,8 @@
         <translation>%1 Bis dahin sind sie in %2.</translation>
     </message>
     <message>
-        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
-        <translation>%1 Die Arbeit ist auf diesem Rechner aufgehoben und kommt dorthin, sobald das möglich ist.</translation>
+        <source>The class folder cannot be reached. The work is kept on this computer and goes there as soon as that is possible.</source>
+        <translation>Der Ordner der Klasse ist nicht zu erreichen. Die Arbeit ist auf diesem Rechner aufgehoben und kommt dorthin, sobald das möglich ist.</translation>
     </message>
 </context>
 <context>

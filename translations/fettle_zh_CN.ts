@@ -241,8 +241,8 @@
         <translation>%1 在此之前它们位于 %2。</translation>
     </message>
     <message>
-        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
-        <translation>%1 作品已保存在本机，一旦可行就会移到那里。</translation>
+        <source>The class folder cannot be reached. The work is kept on this computer and goes there as soon as that is possible.</source>
+        <translation>无法访问课堂文件夹。作品已保存在本机，一旦可行就会移到那里。</translation>
     </message>
 </context>
 <context>

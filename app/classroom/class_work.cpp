@@ -123,8 +123,9 @@ void ClassWork::onDelivered(const Delivery& delivery)
     if (delivery.undelivered == 0)
         return;
     if (hasChanged)
-        Q_EMIT noticed(tr("%1 The work is kept on this computer and goes there as soon as that is possible.")
-                           .arg(delivery.problem));
+        Q_EMIT noticed(
+            tr("The class folder cannot be reached. The work is kept on this computer and goes there as soon "
+               "as that is possible."));
     m_retryTimer.start(retryMs);
 }
 } // namespace app

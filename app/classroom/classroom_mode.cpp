@@ -200,6 +200,7 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
 {
     m_stage = Stage::Sculpting;
     m_clock.start(turn);
+    m_resumed.reset();
     m_recordBefore = before;
     writeTurnNote(m_paths.turnNote, turn);
     m_questions.finish();
@@ -245,6 +246,7 @@ void ClassroomMode::resume()
         [this, ended] {
             m_work.forgetEnded();
             startTurn(ended.turn, ended.record);
+            m_resumed = ended;
         });
 }
 
@@ -256,6 +258,14 @@ void ClassroomMode::saveThen(const ClassTurn& turn, std::function<void()> then)
     if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->input()->finish();
+    Document& document = *m_program.document;
+    if (m_resumed && m_stage == Stage::Sculpting && document.queue().isSettled() &&
+        document.history().stack().index() == 0) { // that work is kept
+        EndedTurn unchanged = *m_resumed;
+        unchanged.turn.usedMs = turn.usedMs;
+        m_work.setEnded(unchanged);
+        return then();
+    }
     const auto done = [this, then = std::move(then)](const EndedTurn& ended, const QString& problem) {
         onSaved(ended, problem, then);
     };

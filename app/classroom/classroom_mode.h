@@ -100,10 +100,11 @@ private:
     RecoveryOffer m_offer;
     bool m_hasStartedRecovery = false; ///< for works that an earlier run left
     bool m_canLeave = false;
-    TurnRecord m_recordBefore;    ///< of what was done before the document's history begins
-    TurnClock m_clock;            ///< of Sculpting; else nobody's turn
-    std::function<void()> m_then; ///< for the model that is being opened
-    bool m_isOpened = false;      ///< that model is there, and m_then comes next
+    TurnRecord m_recordBefore;          ///< of what was done before the document's history begins
+    std::optional<EndedTurn> m_resumed; ///< the turn goes on from this work
+    TurnClock m_clock;                  ///< of Sculpting; else nobody's turn
+    std::function<void()> m_then;       ///< for the model that is being opened
+    bool m_isOpened = false;            ///< that model is there, and m_then comes next
     ClassWork m_work;
     ClassEnd m_end;
     TurnQuestions m_questions;

@@ -18,6 +18,7 @@
 #include <QImage>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSysInfo>
 #include <QUuid>
 
 #include <algorithm>
@@ -82,6 +83,7 @@ QByteArray turnOf(const TurnWork& work)
                      {turnNameKey, work.pupil},
                      {turnEndedKey, work.ended.toString(Qt::ISODate)},
                      {QStringLiteral("steps"), work.steps},
+                     {QStringLiteral("computer"), QSysInfo::machineHostName()},
                      {QStringLiteral("mesh_hash"), QStringLiteral("%1").arg(work.meshHash, 16, 16, QLatin1Char('0'))}};
     if (work.begun.isValid())
         turn.insert(turnBegunKey, work.begun.toString(Qt::ISODate));

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QButtonGroup>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -145,6 +146,17 @@ void PupilNamePanel::open()
     m_starters->buttons().constFirst()->setChecked(true);
     cover();
     m_name->setFocus();
+}
+
+/// Return begins, wherever the focus is: a tile leaves it to the panel.
+bool PupilNamePanel::event(QEvent* event)
+{
+    const bool isReturn =
+        event->type() == QEvent::KeyPress && (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Return ||
+                                              static_cast<QKeyEvent*>(event)->key() == Qt::Key_Enter);
+    if (isReturn)
+        begin();
+    return CoverPanel::event(event);
 }
 
 void PupilNamePanel::begin()

@@ -31,6 +31,9 @@ Q_SIGNALS:
     /// The name has no space at its ends, and is not empty.
     void begun(const QString& pupil, core::Starter starter);
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     QWidget* content(const QList<core::Starter>& starters, const Actions& actions);
     QWidget* tiles(const QList<core::Starter>& starters, const Actions& actions);

@@ -318,6 +318,8 @@ private Q_SLOTS:
     void twentyFiveTurns_areKept();
     void aTurnBegins_asTheClassDid();
     void aMistakenPress_isTakenBack();
+    void resuming_withoutAChangeKeepsOneWork();
+    void returnBegins_whereverTheFocusIs();
     void stopping_leavesNobodyWithoutClay();
     void theClock_warnsAndTakesNothing();
     void aMissingFolder_isSaidAtOnce();
@@ -458,6 +460,58 @@ void TestClassroom::aMistakenPress_isTakenBack()
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
 }
 
+/// Resume and Next Pupil, with nothing between them: the work is there once, and may be resumed again.
+void TestClassroom::resuming_withoutAChangeKeepsOneWork()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.sculptAs(QStringLiteral("Anna"));
+    const std::uint64_t hash = c.hash();
+    c.now += 5 * minute;
+    c.next();
+    for (int i = 0; i < 2; ++i) {
+        QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
+        c.press("classResume");
+        QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"),
+                                 longestWait);
+        QCOMPARE(c.hash(), hash);
+        c.now += 2 * minute;
+        c.next();
+    }
+    c.press("classResume");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle(), longestWait);
+    c.mode.tick();
+    QCOMPARE(c.text("classTime"), QStringLiteral("11 minutes left")); // the time went on
+    c.press("classLeave");
+    c.typePin(pin);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+    QCOMPARE(foldersIn(home.works).size(), 1);
+    QVERIFY(!turnIn(home.works + u'/' + foldersIn(home.works).constFirst())[QStringLiteral("computer")]
+                 .toString()
+                 .isEmpty());
+}
+
+/// After a click on a starter, too.
+void TestClassroom::returnBegins_whereverTheFocusIs()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    auto* torus = c.part<QToolButton>("turn.new.torus");
+    QTest::keyClicks(c.part<QLineEdit>("pupilName"), QStringLiteral("Anna"));
+    QTest::mouseClick(torus, Qt::LeftButton);
+    torus->setFocus();
+    QTest::keyClick(torus, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QCOMPARE(c.program.document.modelInfo().path, QString());
+    c.sculpt();
+    c.next();
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
+}
+
 /// Esc, while a starter is being made.
 void TestClassroom::stopping_leavesNobodyWithoutClay()
 {
@@ -535,8 +589,10 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     c.sculptAs(QStringLiteral("Anna"));
     QVERIFY(QDir().rmdir(home.works));
     c.next();
-    QTRY_VERIFY2(notice(c.program).contains(QStringLiteral("there is no folder ") + home.works),
+    QTRY_VERIFY2(notice(c.program).startsWith(QStringLiteral("The class folder cannot be reached.")),
                  qPrintable(notice(c.program)));
+    QVERIFY(!notice(c.program).contains(root.path())); // pupils read it
+    QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(QStringLiteral("there is no folder ") + home.works));
     QCOMPARE(c.text("classWaiting"), QStringLiteral("1 models not yet in the class folder"));
     QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.outbox));
     QCOMPARE(foldersIn(home.places.outbox).size(), 1);
