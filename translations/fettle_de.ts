@@ -235,6 +235,14 @@
         <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
         <translation>Das ist keine PIN, wie Fettle sie schreibt; Bearbeiten › Klassenraum setzt eine.</translation>
     </message>
+    <message>
+        <source>there are no names to choose from.</source>
+        <translation>es gibt keine Namen zur Auswahl.</translation>
+    </message>
+    <message>
+        <source>at most %1 names of at most %2 characters.</source>
+        <translation>höchstens %1 Namen mit höchstens %2 Zeichen.</translation>
+    </message>
 </context>
 <context>
     <name>app::ClassWork</name>
@@ -3490,6 +3498,26 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>This folder cannot be made.</source>
         <translation>Dieser Ordner lässt sich nicht anlegen.</translation>
     </message>
+    <message>
+        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
+        <translation>In jeder Zeile ein Name, auch von anderswo eingefügt. Die Kinder wählen ihren; wer heute schon dran war, ist gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>One name in a line; none: pupils type theirs.</source>
+        <translation>Ein Name je Zeile; keiner: Die Kinder tippen ihren.</translation>
+    </message>
+    <message>
+        <source>Other &amp;names may be typed</source>
+        <translation>Andere &amp;Namen dürfen getippt werden</translation>
+    </message>
+    <message>
+        <source>For guests, and for names that are not in the list.</source>
+        <translation>Für Gäste und für Namen, die nicht in der Liste stehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Pupils&apos; names:</source>
+        <translation>Na&amp;men der Kinder:</translation>
+    </message>
 </context>
 <context>
     <name>ui::ColorPanel</name>
@@ -6004,6 +6032,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Begins the turn. (Return)</source>
         <translation>Fängt an. (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Pupils</source>
+        <translation>Kinder</translation>
+    </message>
+    <message>
+        <source>%1 ✓ has had a turn</source>
+        <translation>%1 ✓ war schon dran</translation>
     </message>
 </context>
 <context>

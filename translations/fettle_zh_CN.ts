@@ -233,6 +233,14 @@
         <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
         <translation>这不是 Fettle 写入的 PIN；请用“编辑 › 课堂”设置。</translation>
     </message>
+    <message>
+        <source>there are no names to choose from.</source>
+        <translation>没有可供选择的名字。</translation>
+    </message>
+    <message>
+        <source>at most %1 names of at most %2 characters.</source>
+        <translation>最多 %1 个名字，每个最多 %2 个字符。</translation>
+    </message>
 </context>
 <context>
     <name>app::ClassWork</name>
@@ -3479,6 +3487,26 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>This folder cannot be made.</source>
         <translation>无法新建此文件夹。</translation>
     </message>
+    <message>
+        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
+        <translation>每行一个名字，可从别处粘贴。学生选择自己的名字；今天已轮到的会有标记。</translation>
+    </message>
+    <message>
+        <source>One name in a line; none: pupils type theirs.</source>
+        <translation>每行一个名字；不填则由学生输入。</translation>
+    </message>
+    <message>
+        <source>Other &amp;names may be typed</source>
+        <translation>可以输入其他名字(&amp;N)</translation>
+    </message>
+    <message>
+        <source>For guests, and for names that are not in the list.</source>
+        <translation>用于来访者，以及名单中没有的名字。</translation>
+    </message>
+    <message>
+        <source>&amp;Pupils&apos; names:</source>
+        <translation>学生名单(&amp;U)：</translation>
+    </message>
 </context>
 <context>
     <name>ui::ColorPanel</name>
@@ -5984,6 +6012,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Begins the turn. (Return)</source>
         <translation>开始这一轮。（回车）</translation>
+    </message>
+    <message>
+        <source>Pupils</source>
+        <translation>学生</translation>
+    </message>
+    <message>
+        <source>%1 ✓ has had a turn</source>
+        <translation>%1 ✓ 已轮到</translation>
     </message>
 </context>
 <context>

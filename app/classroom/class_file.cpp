@@ -21,6 +21,7 @@ namespace app
 namespace
 {
 constexpr qint64 maxBytes = 64 << 10;
+constexpr QChar nameSeparator = u';'; // a name may have a comma
 
 struct Entry
 {
@@ -109,6 +110,8 @@ public:
         read.fullScreen = choice("full_screen", {QStringLiteral("yes"), QStringLiteral("no")}) == 0;
         read.language = ui::languages[static_cast<std::size_t>(choice("language", wordsOf(ui::languages)))].value;
         read.asksQuestions = choice("questions", {QStringLiteral("no"), QStringLiteral("yes")}) == 1;
+        read.names = names();
+        read.allowsOthers = allowsOthers(read.names);
         read.pin = text("pin");
         if (!isPinRecord(read.pin))
             failAt("pin", noPin());
@@ -147,6 +150,32 @@ private:
         if (value.isEmpty())
             failAt(key, ClassFile::tr("it is empty."));
         return value;
+    }
+
+    QStringList names()
+    {
+        QStringList names;
+        for (const QString& part : takeValue("names").split(nameSeparator)) {
+            const QString name = part.simplified();
+            if (name.isEmpty())
+                continue;
+            if (name.size() > ui::maxPupilNameLength || names.size() == ui::maxPupilNames)
+                failAt("names", ClassFile::tr("at most %1 names of at most %2 characters.")
+                                    .arg(ui::maxPupilNames)
+                                    .arg(ui::maxPupilNameLength));
+            if (names.contains(name))
+                failAt("names", ClassFile::tr("%1 stands there for the second time.").arg(name));
+            names << name;
+        }
+        return names;
+    }
+
+    bool allowsOthers(const QStringList& names)
+    {
+        const bool allows = choice("other_names", {QStringLiteral("yes"), QStringLiteral("no")}) == 0;
+        if (!allows && names.isEmpty())
+            failAt("other_names", ClassFile::tr("there are no names to choose from."));
+        return allows;
     }
 
     int minutes(const char* key, int otherwise, int max)
@@ -216,7 +245,7 @@ QString textOf(const ui::Classroom& classroom)
         starters << QString::fromUtf8(core::name(starter));
     for (const core::Tool tool : classroom.tools)
         tools << QString::fromUtf8(core::name(tool));
-    const std::pair<const char*, QString> lines[] = {
+    QList<std::pair<const char*, QString>> lines{
         {"title", classroom.title},
         {"folder", QDir::toNativeSeparators(classroom.folder)},
         {"starters", wordList(starters)},
@@ -227,6 +256,9 @@ QString textOf(const ui::Classroom& classroom)
         {"questions", classroom.asksQuestions ? QStringLiteral("yes") : QStringLiteral("no")},
         {"language", ui::stored::wordFor(classroom.language, ui::languages)},
         {"pin", classroom.pin}};
+    if (!classroom.names.isEmpty())
+        lines << std::pair("names", classroom.names.join(nameSeparator + u' '))
+              << std::pair("other_names", classroom.allowsOthers ? QStringLiteral("yes") : QStringLiteral("no"));
     QString text =
         ClassFile::tr("# A class for Fettle. It begins with: fettle --classroom and the name of this file.") + u'\n';
     for (const auto& [key, value] : lines)

@@ -85,6 +85,8 @@ void ClassWork::deliver(const std::function<void()>& then)
         if (then)
             then();
     });
+    m_background.run([archive = m_archive] { return archive.pupilsOf(QDate::currentDate()); },
+                     [this](const QStringList& pupils) { Q_EMIT pupilsFound(pupils); });
 }
 
 void ClassWork::copyWaiting(const QString& folder, const std::function<void(const Delivery& copied)>& done)

@@ -67,6 +67,8 @@ public:
 
 Q_SIGNALS:
     void noticed(const QString& sentence);
+    /// Those who have a work of today, after each delivery.
+    void pupilsFound(const QStringList& pupils);
 
 private:
     void setPaused(bool isSaving, bool isHeld);

@@ -65,7 +65,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     , m_classroom(std::move(classroom))
     , m_paths(std::move(paths))
     , m_bar(new ui::ClassBar(m_classroom.title, program.window))
-    , m_panel(new ui::PupilNamePanel(m_classroom.starters, program.window->commands(), program.window->centralWidget()))
+    , m_panel(new ui::PupilNamePanel(m_classroom, program.window->commands(), program.window->centralWidget()))
     , m_pinPrompt(new ui::PinPrompt([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
                                     program.window))
     , m_clock({m_classroom.turnMinutes, m_classroom.warningMinutes}, std::move(nowMs))
@@ -104,6 +104,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     });
     connect(&document->job(), &BackgroundJob::busy, m_bar, [this] { m_bar->setBusy(true); });
     connect(&document->job(), &BackgroundJob::idle, m_bar, [this] { m_bar->setBusy(false); });
+    connect(&m_work, &ClassWork::pupilsFound, m_panel, &ui::PupilNamePanel::setHadTurn);
     connect(&m_work, &ClassWork::noticed, this, &ClassroomMode::noticed);
     connect(&m_tick, &QTimer::timeout, this, &ClassroomMode::tick);
     document->opener().setDiscardPrompt([this](const std::function<void()>& proceed) {

@@ -341,6 +341,16 @@ QString WorkArchive::locate(const QString& folder, const QString& id) const
     return delivered.isEmpty() ? folder : delivered;
 }
 
+QStringList WorkArchive::pupilsOf(const QDate& day) const
+{
+    QStringList pupils;
+    for (const QString& root : {m_classFolder, m_outbox})
+        for (const QString& work : worksIn(root))
+            if (const TurnFacts turn = turnOf(work); turn.begun.date() == day)
+                pupils << turn.pupil;
+    return pupils;
+}
+
 void WorkArchive::removeUnfinished() const
 {
     const QDateTime stale = QDateTime::currentDateTime().addSecs(-3600 * staleHours);

@@ -79,6 +79,9 @@ public:
     /// Of the turn with that id, whose work was kept in that folder: where it is now, since it may have been delivered.
     QString locate(const QString& folder, const QString& id) const;
 
+    /// Returns the pupils who have a work that was begun on that day, here or in the class's folder.
+    QStringList pupilsOf(const QDate& day) const;
+
     const QString& outbox() const { return m_outbox; }
 
     /// Returns the folders in a class's folder that hold a whole work, by name.

@@ -7,11 +7,13 @@
 
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 namespace ui
 {
 inline constexpr int maxTurnMinutes = 240;
-inline constexpr int minPinLength = 4, maxPinLength = 32; ///< characters
+inline constexpr int maxPupilNames = 200, maxPupilNameLength = 40; ///< characters
+inline constexpr int minPinLength = 4, maxPinLength = 32;          ///< characters
 
 /// What a teacher has chosen for a class.
 struct Classroom
@@ -26,6 +28,8 @@ struct Classroom
     Language language = Language::System;
     QString pin = {};           ///< as app/class_pin writes it, never the digits themselves
     bool asksQuestions = false; ///< six about the program, after each turn
+    QStringList names = {};     ///< of the pupils, to choose from; none: each is typed
+    bool allowsOthers = true;   ///< a name that is not among them may be typed, too
 
     bool operator==(const Classroom&) const = default;
 };

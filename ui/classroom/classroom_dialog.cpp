@@ -17,6 +17,7 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -26,7 +27,7 @@ namespace ui
 {
 namespace
 {
-constexpr int textWidth = 460, columns = 4;
+constexpr int textWidth = 460, columns = 4, nameLines = 4;
 
 QString starterId(core::Starter starter)
 {
@@ -35,6 +36,17 @@ QString starterId(core::Starter starter)
 QString toolId(std::string_view tool)
 {
     return QStringLiteral("tool.") + QString::fromUtf8(tool);
+}
+/// Returns the lines as a class's file keeps them: each once, without what ends a name there.
+QStringList namesIn(const QString& text)
+{
+    QStringList names;
+    for (QString line : text.split(u'\n')) {
+        const QString name = line.replace(u';', u' ').simplified().left(maxPupilNameLength).trimmed();
+        if (!name.isEmpty() && !names.contains(name) && names.size() < maxPupilNames)
+            names << name;
+    }
+    return names;
 }
 } // namespace
 
@@ -55,6 +67,7 @@ ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const 
     auto* form = new QFormLayout;
     form->setSpacing(dialogGap);
     addNames(form);
+    addPupils(form);
     addTimes(form);
     addPin(form);
     page->addLayout(form);
@@ -79,6 +92,8 @@ void ClassroomDialog::load(const Classroom& classroom, const QString& path)
     m_warning->setValue(classroom.warningMinutes);
     m_fullScreen->setChecked(classroom.fullScreen);
     m_questions->setChecked(classroom.asksQuestions);
+    m_names->setPlainText(classroom.names.join(u'\n'));
+    m_others->setChecked(classroom.allowsOthers);
     m_language->setCurrentIndex(m_language->findData(static_cast<int>(classroom.language)));
     for (QLineEdit* field : {m_pin, m_pinRepeated}) {
         field->clear();
@@ -168,6 +183,8 @@ ClassroomDraft ClassroomDialog::draft() const
     classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
     classroom.fullScreen = m_fullScreen->isChecked();
     classroom.asksQuestions = m_questions->isChecked();
+    classroom.names = namesIn(m_names->toPlainText());
+    classroom.allowsOthers = m_others->isChecked() || classroom.names.isEmpty();
     classroom.language = static_cast<Language>(m_language->currentData().toInt());
     classroom.pin = m_pinRecord;
     draft.pin = m_pin->text();
@@ -193,6 +210,22 @@ void ClassroomDialog::addNames(QFormLayout* form)
     row->addWidget(m_folder, 1);
     row->addWidget(choose);
     form->addRow(tr("&Folder for pupils' work:"), both);
+}
+
+void ClassroomDialog::addPupils(QFormLayout* form)
+{
+    m_names =
+        named(new QPlainTextEdit, "classNames",
+              tr("A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn "
+                 "today is marked."));
+    m_names->setPlaceholderText(tr("One name in a line; none: pupils type theirs."));
+    m_names->setTabChangesFocus(true);
+    m_names->setFixedHeight(nameLines * m_names->fontMetrics().lineSpacing() + 2 * dialogGap);
+    m_others = named(new QCheckBox(tr("Other &names may be typed")), "classOthers",
+                     tr("For guests, and for names that are not in the list."));
+    m_others->setChecked(true);
+    form->addRow(tr("&Pupils' names:"), m_names);
+    form->addRow({}, m_others);
 }
 
 void ClassroomDialog::addTimes(QFormLayout* form)

@@ -9,6 +9,7 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QPushButton;
 class QSpinBox;
 
@@ -53,6 +54,7 @@ private:
     };
 
     void addNames(QFormLayout* form);
+    void addPupils(QFormLayout* form);
     void addTimes(QFormLayout* form);
     void addPin(QFormLayout* form);
     QWidget* choices(const QString& title, const Actions& actions, MenuId menu);
@@ -69,7 +71,8 @@ private:
     QString m_pinRecord;
     QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_pinRepeated = nullptr;
     QSpinBox *m_turn = nullptr, *m_warning = nullptr;
-    QCheckBox *m_fullScreen = nullptr, *m_questions = nullptr;
+    QPlainTextEdit* m_names = nullptr;
+    QCheckBox *m_fullScreen = nullptr, *m_questions = nullptr, *m_others = nullptr;
     QComboBox* m_language = nullptr;
     QLabel* m_word = nullptr;
     QPushButton* m_makeFolder = nullptr;

@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -21,7 +22,8 @@ namespace ui
 namespace
 {
 constexpr QSize starterSize{64, 64};
-constexpr int starterWidth = 84, nameWidth = 320;
+constexpr int starterWidth = 84, nameWidth = 320, maxRows = 10;
+constexpr int nameRole = Qt::UserRole;
 constexpr double titleScale = 1.6;
 
 /// Tiles of one size in a row, or in as many as the width makes necessary.
@@ -79,9 +81,10 @@ private:
 };
 } // namespace
 
-PupilNamePanel::PupilNamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over)
+PupilNamePanel::PupilNamePanel(const Classroom& classroom, const Actions& actions, QWidget* over)
     : CoverPanel(over)
     , m_name(new QLineEdit)
+    , m_pupils(new QListWidget)
     , m_starters(new QButtonGroup(this))
     , m_begin(new QPushButton(tr("&Begin")))
 {
@@ -90,10 +93,10 @@ PupilNamePanel::PupilNamePanel(const QList<core::Starter>& starters, const Actio
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(m_begin);
-    setCard(content(starters, actions), buttons, nameWidth);
+    setCard(content(classroom, actions), buttons, nameWidth);
 }
 
-QWidget* PupilNamePanel::content(const QList<core::Starter>& starters, const Actions& actions)
+QWidget* PupilNamePanel::content(const Classroom& classroom, const Actions& actions)
 {
     auto* title = new QLabel(tr("Whose turn is it?"));
     QFont font = title->font();
@@ -101,7 +104,9 @@ QWidget* PupilNamePanel::content(const QList<core::Starter>& starters, const Act
     title->setFont(font);
     named(m_name, "pupilName", {}, tr("Name"));
     m_name->setPlaceholderText(tr("Name or nickname"));
-    m_name->setMaxLength(maxNameLength);
+    m_name->setMaxLength(maxPupilNameLength);
+    m_name->setVisible(classroom.allowsOthers);
+    addPupils(classroom.names);
     named(m_begin, "beginTurn", tr("Begins the turn. (Return)"));
     m_begin->setDefault(true);
     connect(m_name, &QLineEdit::textChanged, m_begin,
@@ -114,9 +119,35 @@ QWidget* PupilNamePanel::content(const QList<core::Starter>& starters, const Act
     column->setContentsMargins(0, 0, 0, gap);
     column->setSpacing(2 * gap);
     column->addWidget(title);
+    column->addWidget(m_pupils);
     column->addWidget(m_name);
-    column->addWidget(tiles(starters, actions));
+    column->addWidget(tiles(classroom.starters, actions));
     return content;
+}
+
+void PupilNamePanel::addPupils(const QStringList& names)
+{
+    named(m_pupils, "pupils", {}, tr("Pupils"));
+    m_pupils->setVisible(!names.isEmpty());
+    for (const QString& name : names)
+        (new QListWidgetItem(name, m_pupils))->setData(nameRole, name);
+    m_pupils->setFixedHeight(m_pupils->sizeHintForRow(0) * std::min<int>(static_cast<int>(names.size()), maxRows) +
+                             2 * m_pupils->frameWidth());
+    connect(m_pupils, &QListWidget::itemSelectionChanged, this, [this] {
+        if (const auto chosen = m_pupils->selectedItems(); !chosen.isEmpty())
+            m_name->setText(chosen.constFirst()->data(nameRole).toString());
+    });
+    connect(m_pupils, &QListWidget::itemActivated, this, &PupilNamePanel::begin);
+    connect(m_name, &QLineEdit::textEdited, m_pupils, &QListWidget::clearSelection);
+}
+
+void PupilNamePanel::setHadTurn(const QStringList& pupils)
+{
+    for (int row = 0; row < m_pupils->count(); ++row) {
+        QListWidgetItem* item = m_pupils->item(row);
+        const QString name = item->data(nameRole).toString();
+        item->setText(pupils.contains(name) ? tr("%1 ✓ has had a turn").arg(name) : name);
+    }
 }
 
 QWidget* PupilNamePanel::tiles(const QList<core::Starter>& starters, const Actions& actions)
@@ -145,7 +176,11 @@ void PupilNamePanel::open()
     m_begin->setEnabled(false);
     m_starters->buttons().constFirst()->setChecked(true);
     cover();
-    m_name->setFocus();
+    m_pupils->clearSelection();
+    if (m_pupils->count() > 0)
+        m_pupils->setFocus();
+    else
+        m_name->setFocus();
 }
 
 /// Return begins, wherever the focus is: a tile leaves it to the panel.

@@ -65,6 +65,22 @@ private Q_SLOTS:
         QVERIFY(!read.fullScreen);
         QCOMPARE(read.language, ui::Language::German);
         QVERIFY(read.asksQuestions);
+        QVERIFY(read.names.isEmpty() && read.allowsOthers);
+    }
+
+    void namesAreRead()
+    {
+        const File file(whole() + "names = Anna;  Müller,  Ben ;;小明\nother_names = no\n");
+        const ui::Classroom read = ClassFile::read(file.path());
+        QCOMPARE(read.names, QStringList({"Anna", "Müller, Ben", "小明"}));
+        QVERIFY(!read.allowsOthers);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("again.fettleclass"));
+        QCOMPARE(ClassFile::write(path, read), QString());
+        QCOMPARE(ClassFile::read(path), read);
+        QVERIFY(File(whole() + "names = Anna; Anna\n").problem().contains(QStringLiteral("names: Anna stands there")));
+        QVERIFY(File(whole() + "other_names = no\n").problem().contains(QStringLiteral("no names to choose from")));
+        QVERIFY(File(whole() + "names = " + QByteArray(41, 'x') + '\n').problem().contains(QStringLiteral("at most")));
     }
 
     void whatIsWrittenIsReadAgain()

@@ -31,9 +31,11 @@
 #include <QFileDialog>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QScopeGuard>
@@ -320,6 +322,8 @@ private Q_SLOTS:
     void aMistakenPress_isTakenBack();
     void resuming_withoutAChangeKeepsOneWork();
     void returnBegins_whereverTheFocusIs();
+    void names_areChosenFromTheList();
+    void noOtherName_ifTheTeacherSaysSo();
     void stopping_leavesNobodyWithoutClay();
     void theClock_warnsAndTakesNothing();
     void aMissingFolder_isSaidAtOnce();
@@ -510,6 +514,48 @@ void TestClassroom::returnBegins_whereverTheFocusIs()
     c.sculpt();
     c.next();
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
+}
+
+/// The teacher's list: who has had a turn is marked, and a guest types.
+void TestClassroom::names_areChosenFromTheList()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    ui::Classroom classroom = home.classroom();
+    classroom.names = {QStringLiteral("Anna"), QStringLiteral("Ben, B."), QStringLiteral("Cem")};
+    Class c(home, classroom);
+    c.begin();
+    auto* list = c.part<QListWidget>("pupils");
+    QVERIFY(list->isVisible() && list->count() == 3 && c.part<QLineEdit>("pupilName")->isVisible());
+    QVERIFY(!c.part<QPushButton>("beginTurn")->isEnabled());
+    list->setCurrentRow(1);
+    QCOMPARE(c.part<QLineEdit>("pupilName")->text(), QStringLiteral("Ben, B."));
+    QTest::keyClick(list, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Ben, B."), longestWait);
+    c.sculpt();
+    c.next();
+    QTRY_VERIFY_WITH_TIMEOUT(list->item(1)->text().contains(u'✓'), longestWait);
+    QCOMPARE(list->item(0)->text(), QStringLiteral("Anna"));
+    QVERIFY(list->selectedItems().isEmpty() && c.part<QLineEdit>("pupilName")->text().isEmpty());
+    c.sculptAs(QStringLiteral("Guest"));
+    c.next();
+    list->setCurrentRow(1); // once more
+    QCOMPARE(c.part<QLineEdit>("pupilName")->text(), QStringLiteral("Ben, B."));
+}
+
+void TestClassroom::noOtherName_ifTheTeacherSaysSo()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    ui::Classroom classroom = home.classroom();
+    classroom.names = {QStringLiteral("Anna"), QStringLiteral("Ben")};
+    classroom.allowsOthers = false;
+    Class c(home, classroom);
+    c.begin();
+    QVERIFY(!c.part<QLineEdit>("pupilName")->isVisible());
+    c.part<QListWidget>("pupils")->setCurrentRow(0);
+    c.press("beginTurn");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
 }
 
 /// Esc, while a starter is being made.
@@ -784,6 +830,8 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     const QString works = root.filePath(QStringLiteral("new/works"));
     auto* make = dialog->findChild<QPushButton*>(QStringLiteral("classMakeFolder"));
     QVERIFY(!make->isVisible());
+    dialog->findChild<QPlainTextEdit*>(QStringLiteral("classNames"))
+        ->setPlainText(QStringLiteral(" Anna \n\nBen; B.\r\nAnna\n"));
     type("classFolderField", works);
     QCOMPARE(fault(), QStringLiteral("This folder does not exist."));
     QCOMPARE(focus(), QStringLiteral("classFolderField"));
@@ -812,6 +860,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     const ui::Classroom read = ClassFile::read(path);
     QCOMPARE(read.title, QStringLiteral("5b"));
     QCOMPARE(read.folder, works);
+    QCOMPARE(read.names, QStringList({"Anna", "Ben B."}));
     QVERIFY(read.starters.size() == 6 && !read.starters.contains(core::Starter::Cube));
     QVERIFY(read.tools.size() == 14 && !read.tools.contains(core::Tool::Stamp));
     QVERIFY(isPin(pin, read.pin) && !isPin(QStringLiteral("1234"), read.pin));
