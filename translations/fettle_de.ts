@@ -3270,6 +3270,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
             <numerusform>noch %n Minuten</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n seconds left</source>
+        <translation>
+            <numerusform>noch %n Sekunde</numerusform>
+            <numerusform>noch %n Sekunden</numerusform>
+        </translation>
+    </message>
     <message>
         <source>&amp;Resume %1&apos;s Turn</source>
         <translation>&amp;Weiter mit %1</translation>
@@ -3280,6 +3287,21 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
             <numerusform>%n Modell noch nicht im Ordner der Klasse</numerusform>
             <numerusform>%n Modelle noch nicht im Ordner der Klasse</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Clock</source>
+        <translation>&amp;Uhr</translation>
+    </message>
+    <message>
+        <source>Shows a large clock in a window of its own, for the projector.</source>
+        <translation>Zeigt eine große Uhr in einem eigenen Fenster, für den Beamer.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassClock</name>
+    <message>
+        <source>Next: %1</source>
+        <translation>Danach: %1</translation>
     </message>
 </context>
 <context>
@@ -7506,6 +7528,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Tool Palette</source>
         <translation>Werkzeugpalette</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TurnCountdown</name>
+    <message>
+        <source>Time is up</source>
+        <translation>Die Zeit ist um</translation>
     </message>
 </context>
 <context>

@@ -3261,6 +3261,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
             <numerusform>还剩 %n 分钟</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n seconds left</source>
+        <translation>
+            <numerusform>还剩 %n 秒</numerusform>
+        </translation>
+    </message>
     <message>
         <source>&amp;Resume %1&apos;s Turn</source>
         <translation>继续 %1 的作品(&amp;R)</translation>
@@ -3270,6 +3276,21 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>
             <numerusform>%n 个模型尚未存入课堂文件夹</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Clock</source>
+        <translation>时钟(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shows a large clock in a window of its own, for the projector.</source>
+        <translation>在单独的窗口中显示大时钟，供投影仪使用。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassClock</name>
+    <message>
+        <source>Next: %1</source>
+        <translation>下一位：%1</translation>
     </message>
 </context>
 <context>
@@ -7482,6 +7503,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Tool Palette</source>
         <translation>工具面板</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TurnCountdown</name>
+    <message>
+        <source>Time is up</source>
+        <translation>时间到</translation>
     </message>
 </context>
 <context>

@@ -4,8 +4,10 @@
 #include "app/document/document.h"
 #include "app/model/model_loader.h"
 
+#include "ui/classroom/class_clock.h"
 #include "ui/classroom/pin_dialog.h"
 #include "ui/classroom/pupil_name_panel.h"
+#include "ui/classroom/turn_countdown.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
@@ -35,6 +37,18 @@ QString newId()
 QString nameOf(const ClassTurn& turn)
 {
     return turn.pupil.isEmpty() ? ClassroomMode::tr("somebody") : turn.pupil;
+}
+
+/// Adds the large words over the view, and the window for the projector.
+void addClocks(const ui::Classroom& classroom, ui::ClassBar* bar, ClassWork* work, ui::MainWindow* window)
+{
+    auto* countdown = new ui::TurnCountdown(window->viewport());
+    QObject::connect(bar, &ui::ClassBar::timeShown, countdown, &ui::TurnCountdown::setTime);
+    auto* clock = new ui::ClassClock(classroom.title, classroom.names, window);
+    QObject::connect(bar, &ui::ClassBar::clockRequested, clock, &ui::ClassClock::toggle);
+    QObject::connect(bar, &ui::ClassBar::pupilShown, clock, &ui::ClassClock::setPupil);
+    QObject::connect(bar, &ui::ClassBar::timeShown, clock, &ui::ClassClock::setTime);
+    QObject::connect(work, &ClassWork::pupilsFound, clock, &ui::ClassClock::setHadTurn);
 }
 } // namespace
 
@@ -91,6 +105,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
         openClay();
     };
     connect(&document->job(), &BackgroundJob::idle, this, checkIdle, Qt::QueuedConnection);
+    addClocks(m_classroom, m_bar, &m_work, program.window);
     connect(m_bar, &ui::ClassBar::nextRequested, this, &ClassroomMode::next);
     connect(m_bar, &ui::ClassBar::resumeRequested, this, &ClassroomMode::resume);
     connect(m_bar, &ui::ClassBar::leaveRequested, this, &ClassroomMode::leave);
@@ -345,9 +360,10 @@ void ClassroomMode::show()
     m_bar->setPupil(isTurn ? std::optional(m_clock.pupil()) : std::nullopt);
     m_bar->setResumable(m_work.ended() && m_stage != Stage::Recovering ? std::optional(nameOf(m_work.ended()->turn))
                                                                        : std::nullopt);
-    const bool hasEnd = isTurn && m_clock.hasEnd();
-    m_bar->setTime(
-        hasEnd ? std::optional(ui::TurnTime{static_cast<int>((m_clock.remainingMs() + 999) / 1000), m_clock.isWarned()})
-               : std::nullopt);
+    std::optional<ui::TurnTime> time;
+    if (isTurn && m_clock.hasEnd())
+        time = {static_cast<int>((m_clock.remainingMs() + 999) / 1000), m_clock.isWarned(),
+                static_cast<int>(m_clock.overMs() / 1000)};
+    m_bar->setTime(time);
 }
 } // namespace app

@@ -29,6 +29,11 @@ qint64 TurnClock::remainingMs() const
     return std::max<qint64>(m_limits.turnMinutes * msPerMinute - turn().usedMs, 0);
 }
 
+qint64 TurnClock::overMs() const
+{
+    return std::max<qint64>(turn().usedMs - m_limits.turnMinutes * msPerMinute, 0);
+}
+
 TurnClock::Notice TurnClock::takeNotice()
 {
     const qint64 left = remainingMs();

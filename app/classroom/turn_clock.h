@@ -29,6 +29,8 @@ public:
     bool hasEnd() const { return m_limits.turnMinutes > 0; }
     /// Precondition: it has an end.
     qint64 remainingMs() const;
+    /// Since its end. Precondition: it has an end.
+    qint64 overMs() const;
     bool isWarned() const { return m_isWarned; }
     /// Returns each notice once a turn, when it is due.
     Notice takeNotice();

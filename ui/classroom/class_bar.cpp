@@ -24,6 +24,11 @@ void setBold(QWidget* widget, bool isBold)
 }
 } // namespace
 
+QString clockText(int seconds)
+{
+    return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
+}
+
 ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Class"), window)
 {
     setObjectName(QStringLiteral("classBar"));
@@ -44,6 +49,9 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
                     tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. "
                        "Possible until somebody sculpts.")));
     m_resumeCell = actions().constLast();
+    auto* clock = addButton(this, named(new QPushButton(tr("&Clock")), "classClockButton",
+                                        tr("Shows a large clock in a window of its own, for the projector.")));
+    connect(clock, &QPushButton::clicked, this, &ClassBar::clockRequested);
     m_next =
         addButton(this, named(new QPushButton(tr("&Next Pupil")), "classNext",
                               tr("Keeps the work in the class's folder, and begins the next turn with fresh clay.")));
@@ -76,6 +84,7 @@ void ClassBar::setPupil(const std::optional<QString>& pupil)
     m_pupil->setText(fontMetrics().elidedText(pupil.value_or(QString()), Qt::ElideRight, maxNameWidth));
     m_pupil->setToolTip(pupil.value_or(QString()));
     enable();
+    Q_EMIT pupilShown(pupil);
 }
 
 /// The end is told by words, weight and a sign, by no colour.
@@ -88,6 +97,8 @@ void ClassBar::setTime(const std::optional<TurnTime>& time)
         m_time->clear();
     else if (time->seconds == 0)
         m_time->setText(tr("Time is up"));
+    else if (time->seconds < 60)
+        m_time->setText(tr("%n seconds left", nullptr, time->seconds));
     else
         m_time->setText(tr("%n minutes left", nullptr, minutesOf(time->seconds)));
     Q_EMIT timeShown(time);

@@ -15,6 +15,7 @@ struct TurnTime
 {
     int seconds = 0;        ///< 0: it is over
     bool isNearEnd = false; ///< the warning has been given
+    int over = 0;           ///< seconds since the end
 
     bool operator==(const TurnTime&) const = default;
 };
@@ -23,6 +24,9 @@ inline int minutesOf(int seconds)
 {
     return (seconds + 59) / 60;
 }
+
+/// Returns "1:05" of 65 seconds.
+QString clockText(int seconds);
 
 /// The topmost bar of a class: whose turn it is, how long it lasts, and whose comes next. Shows itself in the window.
 /// Thread: gui.
@@ -48,6 +52,9 @@ Q_SIGNALS:
     void nextRequested();
     void resumeRequested();
     void leaveRequested();
+    void clockRequested();
+    /// As setPupil() was told.
+    void pupilShown(const std::optional<QString>& pupil);
     /// As setTime() was told.
     void timeShown(const std::optional<ui::TurnTime>& time);
 

@@ -24,7 +24,7 @@ namespace
 constexpr QSize starterSize{64, 64};
 constexpr int starterWidth = 84, nameWidth = 320, maxRows = 10;
 constexpr int nameRole = Qt::UserRole;
-constexpr double titleScale = 1.6;
+constexpr double headScale = 1.6;
 
 /// Tiles of one size in a row, or in as many as the width makes necessary.
 class TileRows : public QWidget
@@ -100,7 +100,7 @@ QWidget* PupilNamePanel::content(const Classroom& classroom, const Actions& acti
 {
     auto* title = new QLabel(tr("Whose turn is it?"));
     QFont font = title->font();
-    font.setPointSizeF(font.pointSizeF() * titleScale);
+    font.setPointSizeF(font.pointSizeF() * headScale);
     title->setFont(font);
     named(m_name, "pupilName", {}, tr("Name"));
     m_name->setPlaceholderText(tr("Name or nickname"));

@@ -322,6 +322,7 @@ private Q_SLOTS:
     void aMistakenPress_isTakenBack();
     void resuming_withoutAChangeKeepsOneWork();
     void returnBegins_whereverTheFocusIs();
+    void theProjectorsClock_saysWhoIsNext();
     void names_areChosenFromTheList();
     void noOtherName_ifTheTeacherSaysSo();
     void stopping_leavesNobodyWithoutClay();
@@ -516,6 +517,37 @@ void TestClassroom::returnBegins_whereverTheFocusIs()
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
 }
 
+/// For the projector: who, how long, who is next.
+void TestClassroom::theProjectorsClock_saysWhoIsNext()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    ui::Classroom classroom = home.classroom();
+    classroom.names = {QStringLiteral("Anna"), QStringLiteral("Ben"), QStringLiteral("Cem")};
+    Class c(home, classroom);
+    c.begin();
+    QVERIFY(!c.part<QWidget>("classClock")->isVisible());
+    c.press("classClockButton");
+    QTRY_VERIFY(c.part<QWidget>("classClock")->isVisible());
+    QCOMPARE(c.text("clockNext"), QStringLiteral("Next: Anna"));
+    c.program.window.activateWindow();
+    c.sculptAs(QStringLiteral("Anna"));
+    c.now += 61'000;
+    c.mode.tick();
+    QCOMPARE(c.text("clockPupil"), QStringLiteral("Anna"));
+    QCOMPARE(c.text("clockTime"), QStringLiteral("18:59"));
+    QCOMPARE(c.text("clockNext"), QStringLiteral("Next: Ben"));
+    c.now = 20 * minute + 65'000;
+    c.mode.tick();
+    QCOMPARE(c.text("clockTime"), QStringLiteral("+1:05"));
+    c.next();
+    QTRY_VERIFY_WITH_TIMEOUT(c.part<QListWidget>("pupils")->item(0)->text().contains(u'✓'), longestWait);
+    QCOMPARE(c.text("clockNext"), QStringLiteral("Next: Ben"));
+    QVERIFY(c.text("clockPupil").isEmpty() && c.text("clockTime").isEmpty());
+    QTest::keyClick(c.part<QWidget>("classClock"), Qt::Key_Escape);
+    QVERIFY(!c.part<QWidget>("classClock")->isVisible() && c.program.window.isVisible());
+}
+
 /// The teacher's list: who has had a turn is marked, and a guest types.
 void TestClassroom::names_areChosenFromTheList()
 {
@@ -610,16 +642,26 @@ void TestClassroom::theClock_warnsAndTakesNothing()
             !c.part<QLabel>("classClock")->pixmap(Qt::ReturnByValue).isNull());
     QVERIFY(notice(c.program).contains(QStringLiteral("3 minutes left")));
     QVERIFY(caption.text().time == QStringLiteral("3 min") && caption.text().isNearEnd);
+    const auto& countdown = *c.part<QLabel>("turnCountdown");
+    QCOMPARE(at(19 * minute - 1), QStringLiteral("2 minutes left"));
+    QVERIFY(!countdown.isVisible());
+    QCOMPARE(at(19 * minute + 15'000), QStringLiteral("45 seconds left"));
+    QVERIFY(countdown.isVisible() && countdown.text() == QStringLiteral("0:45"));
+    QVERIFY(countdown.fontMetrics().height() > 2 * c.part<QLabel>("classTime")->fontMetrics().height());
     QCOMPARE(at(20 * minute), QStringLiteral("Time is up"));
+    QCOMPARE(countdown.text(), QStringLiteral("Time is up  +0:00"));
     QVERIFY(notice(c.program).contains(QStringLiteral("Time is up")));
     QCOMPARE(caption.text().time, QStringLiteral("Time is up"));
-    QCOMPARE(at(25 * minute), QStringLiteral("Time is up"));
+    QCOMPARE(at(25 * minute + 5'000), QStringLiteral("Time is up"));
+    QCOMPARE(countdown.text(), QStringLiteral("Time is up  +5:05"));
+    QVERIFY(c.program.window.viewport()->rect().contains(countdown.geometry()));
+    QVERIFY(countdown.testAttribute(Qt::WA_TransparentForMouseEvents)); // the clay below is pressed
     c.sculpt({30, -20});
     QCOMPARE(c.program.document.history().stack().count(), 2);
     c.next();
     c.beginTurn(QStringLiteral("Ben"));
     QCOMPARE(at(c.now), QStringLiteral("20 minutes left"));
-    QVERIFY(!c.part<QLabel>("classTime")->font().bold());
+    QVERIFY(!c.part<QLabel>("classTime")->font().bold() && !countdown.isVisible());
     QVERIFY(caption.isVisible() &&
             !caption.text().isNearEnd); // a turn's beginning brings bars back, but not this one's absence
     c.program.window.setHeadset(ui::HeadsetState::Out, {});
