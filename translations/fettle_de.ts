@@ -708,6 +708,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>no goal</source>
         <translation>kein Ziel</translation>
     </message>
+    <message>
+        <source>File for a handout: what pupils read, with the pictures; instead of playing.</source>
+        <translation>Datei für ein Arbeitsblatt: was die Kinder lesen, mit den Bildern; statt abzuspielen.</translation>
+    </message>
+    <message>
+        <source>lesson: %1 does not end in .pdf.</source>
+        <translation>lesson: %1 endet nicht auf .pdf.</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonController</name>

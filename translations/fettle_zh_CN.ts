@@ -703,6 +703,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>no goal</source>
         <translation>没有目标</translation>
     </message>
+    <message>
+        <source>File for a handout: what pupils read, with the pictures; instead of playing.</source>
+        <translation>讲义文件：学生阅读的文字和图片；不播放。</translation>
+    </message>
+    <message>
+        <source>lesson: %1 does not end in .pdf.</source>
+        <translation>lesson：%1 不以 .pdf 结尾。</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonController</name>

@@ -181,7 +181,9 @@ bool CommandLine::opensWindow(const QStringList& arguments)
 bool CommandLine::needsFonts(const QStringList& arguments)
 {
     const CommandRow* const row = arguments.isEmpty() ? nullptr : commandNamed(arguments.first());
-    return row && (row->run == reportCommand || row->run == sheetCommand);
+    const bool isHandout = std::ranges::any_of(
+        arguments, [](const QString& argument) { return argument.startsWith(QLatin1String("--pdf")); });
+    return row && (row->run == reportCommand || row->run == sheetCommand || (row->run == lessonCommand && isHandout));
 }
 
 ExitStatus CommandLine::run(const QStringList& arguments, const QString& openXr)

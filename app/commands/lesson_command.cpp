@@ -4,6 +4,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/lesson_results.h"
 #include "app/commands/standard_files.h"
+#include "app/lesson/lesson_handout.h"
 #include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_messages.h"
 #include "app/lesson/lesson_saving.h"
@@ -12,6 +13,7 @@
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/util/atomic_file.h"
 
 #include "ui/util/error_messages.h"
 
@@ -37,7 +39,7 @@ const QString picturesName = QStringLiteral("step-%1.png");
 
 struct LessonOptions
 {
-    QString lesson, language, model, pack, unpack, pictures, out;
+    QString lesson, language, model, pack, unpack, pictures, out, pdf;
     std::optional<std::size_t> step;         ///< from 0
     std::optional<LessonResults::Form> form; ///< for scripts; none: for people
     bool printsTexts = false;
@@ -73,6 +75,9 @@ void addLessonOptions(QCommandLineParser& parser)
          {{QStringLiteral("o"), QStringLiteral("out")},
           LessonCommandMessages::tr("File for the model that the last step leaves."),
           QStringLiteral("FILE")},
+         {QStringLiteral("pdf"),
+          LessonCommandMessages::tr("File for a handout: what pupils read, with the pictures; instead of playing."),
+          QStringLiteral("OUT.pdf")},
          {QStringLiteral("texts"), LessonCommandMessages::tr("Print what pupils read, instead of playing.")},
          {QStringLiteral("json"), LessonCommandMessages::tr("One JSON object.")},
          {QStringLiteral("csv"),
@@ -103,7 +108,9 @@ void requireFit(const LessonOptions& options, const CommandOptions& given)
     if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
         CommandLine::fail(
             LessonCommandMessages::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
-    for (const QString& path : {options.pack, options.unpack, options.out})
+    if (!options.pdf.isEmpty() && !options.pdf.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
+        CommandLine::fail(LessonCommandMessages::tr("lesson: %1 does not end in .pdf.").arg(options.pdf));
+    for (const QString& path : {options.pack, options.unpack, options.out, options.pdf})
         given.requireFree(path);
     if (options.pictures.isEmpty())
         return;
@@ -122,7 +129,7 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
     if (given.isAnswered())
         return std::nullopt;
     const QString model = QStringLiteral("model"), step = QStringLiteral("step"), json = QStringLiteral("json"),
-                  csv = QStringLiteral("csv"), texts = QStringLiteral("texts");
+                  csv = QStringLiteral("csv"), texts = QStringLiteral("texts"), pdf = QStringLiteral("pdf");
     const QStringList lessons = given.files();
     if (lessons.size() > 1)
         CommandLine::fail(LessonCommandMessages::tr("lesson: one lesson at a time can be played, not %1 as well.")
@@ -134,6 +141,7 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
                           given.text(QStringLiteral("unpack")),
                           given.text(QStringLiteral("pictures")),
                           given.text(QStringLiteral("out")),
+                          given.text(QStringLiteral("pdf")),
                           {},
                           {}};
     if (options.language.isEmpty())
@@ -146,11 +154,15 @@ std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
     for (const QString& option : ofPlaying) {
         given.requireOneOf(model, option);
         given.requireOneOf(texts, option);
+        given.requireOneOf(pdf, option);
     }
-    for (const QString& option : {model, json, csv})
+    for (const QString& option : {model, json, csv, pdf})
         given.requireOneOf(texts, option);
+    for (const QString& option : {model, json, csv})
+        given.requireOneOf(pdf, option);
     const bool plays = std::ranges::any_of(ofPlaying, [&](const QString& option) { return given.has(option); });
-    if (options.lesson.isEmpty() && (plays || given.has(model) || given.has(step) || options.printsTexts))
+    if (options.lesson.isEmpty() &&
+        (plays || given.has(model) || given.has(step) || given.has(pdf) || options.printsTexts))
         CommandLine::fail(LessonCommandMessages::tr("lesson: no lesson was given."));
     given.requireWith({step}, model);
     if (given.has(step))
@@ -363,6 +375,12 @@ ExitStatus run(const LessonOptions& options)
     const auto lesson = std::make_shared<const core::Lesson>(readLesson(options.lesson));
     if (options.printsTexts) {
         printTexts(*lesson, options);
+        return Done;
+    }
+    if (!options.pdf.isEmpty()) {
+        core::AtomicFile file(toPath(options.pdf));
+        file.write(lessonHandout(*lesson, options.language).toStdString());
+        file.commit();
         return Done;
     }
     core::LessonPlayback playback(lesson, toPath(options.lesson));

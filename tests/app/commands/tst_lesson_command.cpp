@@ -139,6 +139,33 @@ private Q_SLOTS:
         QCOMPARE(checked(ball, "0").status, 2);
     }
 
+    /// Each language has its texts, and a step is on one page.
+    void handouts_arePages()
+    {
+        const QTemporaryDir folder;
+        const QString pdf = folder.filePath(QStringLiteral("mug.pdf"));
+        for (const char* language : {"en", "de", "zh"}) {
+            const LessonAnswer answer = lesson({QStringLiteral("mug"), QStringLiteral("--language"),
+                                                QString::fromLatin1(language), QStringLiteral("--pdf"), pdf});
+            QVERIFY2(answer.status == 0 && answer.out.isEmpty() && answer.err.isEmpty(), qPrintable(answer.err));
+            QFile file(pdf);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray bytes = file.readAll();
+            QVERIFY(bytes.startsWith("%PDF-") && bytes.trimmed().endsWith("%%EOF"));
+            const qsizetype pages = bytes.count("/Type /Page\n");
+            QVERIFY2(pages == 1, qPrintable(QString::number(pages)));
+            QVERIFY(bytes.count("/Subtype /Image") >= 3);
+        }
+        QCOMPARE(
+            lesson({QStringLiteral("mug"), QStringLiteral("--pdf"), folder.filePath(QStringLiteral("mug.txt"))}).status,
+            2);
+        QCOMPARE(lesson({QStringLiteral("mug"), QStringLiteral("--pdf"), pdf, QStringLiteral("--no-clobber")}).status,
+                 2);
+        QCOMPARE(lesson({QStringLiteral("mug"), QStringLiteral("--pdf"), folder.filePath(QStringLiteral("no/mug.pdf"))})
+                     .status,
+                 2);
+    }
+
     /// For scripts: what is asked and measured, as numbers and without a language.
     void results_areJsonAndCsv()
     {

@@ -1,0 +1,102 @@
+#include "app/lesson/lesson_handout.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QImage>
+#include <QLocale>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextDocument>
+
+#include <algorithm>
+
+namespace app
+{
+namespace
+{
+constexpr int dotsPerInch = 300;
+constexpr double mm = dotsPerInch / 25.4; ///< in dots
+constexpr double margin = 18, pictureSide = 38, distance = 6;
+constexpr double textPoints = 13, titlePoints = 15, headPoints = 22;
+
+/// Writes from the top to the bottom of a page, and then on the next.
+class HandoutPages
+{
+public:
+    explicit HandoutPages(QPdfWriter* writer) : m_writer(writer), m_painter(writer)
+    {
+        m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    }
+
+    /// Adds a picture, which may be null, with text beside it. Both are on one page.
+    void add(const QImage& picture, const QString& html)
+    {
+        const double side = picture.isNull() ? 0 : pictureSide * mm, gap = picture.isNull() ? 0 : distance * mm;
+        QTextDocument text;
+        text.documentLayout()->setPaintDevice(m_writer);
+        text.setDocumentMargin(0);
+        text.setHtml(html);
+        text.setTextWidth(m_writer->width() - side - gap);
+        const double height = std::max(side, text.size().height());
+        if (m_top > 0 && m_top + height > m_writer->height()) {
+            m_writer->newPage();
+            m_top = 0;
+        }
+        if (!picture.isNull()) {
+            const QSizeF size = QSizeF(picture.size()).scaled(side, side, Qt::KeepAspectRatio);
+            m_painter.drawImage(QRectF(QPointF(0, m_top), size), picture);
+        }
+        m_painter.save();
+        m_painter.translate(side + gap, m_top);
+        text.drawContents(&m_painter);
+        m_painter.restore();
+        m_top += height + distance * mm;
+    }
+
+private:
+    QPdfWriter* m_writer;
+    QPainter m_painter;
+    double m_top = 0; ///< dots; of what comes next
+};
+
+QString paragraph(const QString& text, double points, bool isBold)
+{
+    return QStringLiteral("<p style=\"font-size:%1pt; font-weight:%2; margin-top:0; margin-bottom:4pt\">%3</p>")
+        .arg(points)
+        .arg(isBold ? QStringLiteral("bold") : QStringLiteral("normal"),
+             text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
+}
+
+QImage pictureIn(const core::Lesson& lesson, const std::string& name)
+{
+    const auto file = lesson.files.find(name);
+    return file == lesson.files.end() ? QImage() : QImage::fromData(QByteArray::fromStdString(file->second));
+}
+} // namespace
+
+QByteArray lessonHandout(const core::Lesson& lesson, const QString& language)
+{
+    const auto in = [&language](const core::LessonText& text) {
+        return QString::fromStdString(text.in(language.toStdString()));
+    };
+    QBuffer file;
+    file.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&file);
+    const bool isLetter = QLocale().measurementSystem() == QLocale::ImperialUSSystem;
+    writer.setPageLayout(QPageLayout(QPageSize(isLetter ? QPageSize::Letter : QPageSize::A4), QPageLayout::Portrait,
+                                     {margin, margin, margin, margin}, QPageLayout::Millimeter));
+    writer.setResolution(dotsPerInch);
+    writer.setTitle(in(lesson.title));
+    writer.setCreator(QStringLiteral("Fettle"));
+    {
+        HandoutPages pages(&writer);
+        pages.add({}, paragraph(in(lesson.title), headPoints, true) + paragraph(in(lesson.summary), textPoints, false));
+        int number = 0;
+        for (const core::LessonStep& step : lesson.steps)
+            pages.add(pictureIn(lesson, step.picture),
+                      paragraph(QStringLiteral("%1. %2").arg(++number).arg(in(step.title)), titlePoints, true) +
+                          paragraph(in(step.text), textPoints, false));
+    }
+    return file.data();
+}
+} // namespace app
