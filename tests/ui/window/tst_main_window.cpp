@@ -3,6 +3,7 @@
 #include "ui/brush/brush_palette.h"
 #include "ui/brush/color_wheel.h"
 #include "ui/brush/falloff_curve.h"
+#include "ui/classroom/classroom_dialog.h"
 #include "ui/settings/settings.h"
 #include "ui/util/format_filters.h"
 #include "ui/widgets/side_column.h"
@@ -17,6 +18,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileDialog>
@@ -382,10 +384,16 @@ private Q_SLOTS:
         MainWindow window;
         window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
+        const auto open = [&window](const char* id) {
+            if (qstrcmp(id, "edit.classroom") == 0) // the program opens it, for it reads and writes classes
+                (new ui::ClassroomDialog(&window, window.commands(), QDir::homePath()))->open();
+            else
+                act(window, id)->trigger();
+        };
         for (const char* id : {"edit.preferences", "edit.classroom", "help.keys", "help.about", "model.move",
                                "model.rotate", "model.scale", "model.mirror", "model.symmetrize", "model.remesh",
                                "model.flattenBase", "file.exportFor"}) {
-            act(window, id)->trigger();
+            open(id);
             QDialog* dialog = nullptr;
             QTRY_VERIFY((dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())));
             const QSize least = dialog->minimumSizeHint();
