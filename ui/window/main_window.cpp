@@ -93,6 +93,7 @@ struct MainWindow::State
     std::function<bool()> guard, canClose, isSettled;
     bool closesLater = false;
     ModelInfo model;
+    bool hasModel = false; ///< it was given one
     std::optional<Classroom> classroom;
     TurnDefaults turnDefaults; ///< of the class
 
@@ -413,7 +414,7 @@ void MainWindow::showExported(const QString& path, const QString& verdict)
 
 void MainWindow::setModel(const ModelInfo& modelInfo)
 {
-    if (m_state->model.vertices > 0) // the first one is there behind the start page
+    if (std::exchange(m_state->hasModel, true)) // the first one is there behind the start page
         m_state->start->close();
     m_state->model = modelInfo;
     m_state->showName();

@@ -85,6 +85,7 @@ class TestOpening : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void theStartPageStandsOverTheFirstModel();
     void theLatestChoiceWins();
     void aFileOfThePanelWins();
     void aStarterWins();
@@ -100,6 +101,23 @@ private Q_SLOTS:
     void aRepairAsksNoSecondTime();
     void aBrokenModelIsRepairedAndInserted();
 };
+
+/// As the program begins: the ball comes while the page is there. It goes for the next model.
+void TestOpening::theStartPageStandsOverTheFirstModel()
+{
+    Program program;
+    program.window.show();
+    program.document.opener().openBall();
+    program.window.action(QStringLiteral("help.start"))->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && !program.document.job().isBusy(), longestWait);
+    const auto* page = program.window.findChild<QWidget*>(QStringLiteral("startPage"));
+    QVERIFY(page->isVisible());
+    const Files files;
+    QSignalSpy opened(&program.document, &Document::opened);
+    program.document.opener().open(files.small);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QVERIFY(!page->isVisible());
+}
 
 void TestOpening::theLatestChoiceWins()
 {
