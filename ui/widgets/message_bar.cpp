@@ -50,11 +50,15 @@ QWidget* MessageBar::view() const
     return window->centralWidget() ? window->centralWidget() : window;
 }
 
-/// Stands below the bars that came before, as wide as the view, or wider where that is too narrow.
+/// Stands below the bars that came before, as wide as the view but for what stands in its right corner, or wider where
+/// that is too narrow.
 void MessageBar::place()
 {
     const QWidget* window = parentWidget();
     QRect place(view()->mapTo(window, QPoint()), view()->size());
+    constexpr QPoint intoCorner(-4 * gap, 4 * gap);
+    if (const QWidget* corner = view()->childAt(view()->rect().topRight() + intoCorner))
+        place.setWidth(corner->x() - gap);
     for (const MessageBar* bar : window->findChildren<MessageBar*>(Qt::FindDirectChildrenOnly)) {
         if (bar == this)
             break;
