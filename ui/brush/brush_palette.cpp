@@ -79,7 +79,7 @@ QWidget* BrushPalette::makePresets(PresetShelf* presets)
     view->setResizeMode(QListView::Adjust);
     view->setIconSize(presetSize);
     const int cell = presetSize.height() + view->fontMetrics().lineSpacing() + gap;
-    view->setGridSize({presetSize.width() + 2 * gap, cell});
+    view->setGridSize({presetSize.width() + 3 * gap, cell});
     view->setFixedHeight(presetRows * cell + 2 * view->frameWidth());
     view->setMinimumWidth(columns * (iconSize.width() + gap));
     view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
