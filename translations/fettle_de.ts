@@ -4509,7 +4509,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Stop Recording</source>
-        <translation>Aufzeichnung beenden</translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Record On</source>
