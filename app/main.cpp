@@ -171,8 +171,8 @@ std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
 }
 
 /// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and
-/// what kept it.
-int showWindow(const app::WindowStart& start)
+/// what kept it. `nextClass` becomes the file of the class that is to begin after that, or empty.
+int showWindow(const app::WindowStart& start, QString& nextClass)
 {
     std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
     app::RecoveryStore recoveryStore;
@@ -198,10 +198,18 @@ int showWindow(const app::WindowStart& start)
     if (start.file.isEmpty() && !start.entersVr && ui::Settings().get(&ui::Setting::showsStartPage))
         window.action(QStringLiteral("help.start"))->trigger();
     const int status = QApplication::exec();
-    if (!classFiles->next().isEmpty())
-        QProcess::startDetached(QCoreApplication::applicationFilePath(),
-                                {QStringLiteral("--classroom"), classFiles->next()});
+    nextClass = classFiles->next();
     return status;
+}
+
+/// A class has a program of its own.
+int beginClass(const QString& classFile)
+{
+    if (QProcess::startDetached(QCoreApplication::applicationFilePath(), {QStringLiteral("--classroom"), classFile}))
+        return app::Done;
+    app::CommandLine::printError(
+        app::ClassFile::tr("%1 could not be started.").arg(QCoreApplication::applicationFilePath()));
+    return app::BadInput;
 }
 
 /// Journals, settings and words are the class's own: what pupils change is not the teacher's. Each start begins as a
@@ -258,7 +266,10 @@ int runWindow(int argc, char* argv[])
     int status = app::Done;
     try {
         const app::WindowStart start = app::CommandLine::windowStart(QCoreApplication::arguments().mid(1));
-        status = start.classFile.isEmpty() ? showWindow(start) : showClass(application, start);
+        QString nextClass;
+        status = start.classFile.isEmpty() ? showWindow(start, nextClass) : showClass(application, start);
+        if (!nextClass.isEmpty())
+            status = beginClass(nextClass);
     } catch (const app::CommandFailure& failure) {
         app::CommandLine::printError(failure.sentence);
         return failure.status;

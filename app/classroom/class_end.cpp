@@ -6,6 +6,10 @@
 
 #include <QDir>
 #include <QPointer>
+#include <QTimer>
+
+#include <chrono>
+#include <utility>
 
 namespace app
 {
@@ -16,18 +20,26 @@ QString ClassEnd::question() const
     return waiting == 0 ? ends : ends + u' ' + tr("%n models are not yet in the class folder.", nullptr, waiting);
 }
 
-/// Delivers in the next round of the event loop: works are paused until the last one is saved.
+/// Delivers in the next round of the event loop: works are paused until the last one is saved. Meanwhile it is nobody's
+/// turn.
 void ClassEnd::end(const std::function<void()>& end)
 {
-    const auto deliver = [this, end] {
-        m_work->deliver([this, end] {
-            if (m_work->undelivered() > 0)
-                say(end);
-            else
-                end();
-        });
+    constexpr auto longest = std::chrono::seconds(10);
+    if (std::exchange(m_isDelivering, true))
+        return;
+    m_window->setEnabled(false);
+    const auto goOn = [this, end] {
+        if (!std::exchange(m_isDelivering, false))
+            return;
+        m_window->setEnabled(true);
+        if (m_work->undelivered() > 0)
+            say(end);
+        else
+            end();
     };
-    QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+    QTimer::singleShot(longest, this, goOn); // of a folder that does not answer
+    QMetaObject::invokeMethod(
+        this, [this, goOn] { m_work->deliver(goOn); }, Qt::QueuedConnection);
 }
 
 void ClassEnd::say(const std::function<void()>& end)

@@ -21,7 +21,8 @@ public:
 
     /// A sentence for the question before, with what waits by now.
     QString question() const;
-    /// Calls `end` when all works are in the class's folder, or the teacher knows of those that are not. After the PIN.
+    /// Calls `end` when all works are in the class's folder, or the teacher knows of those that are not; of a folder
+    /// that does not answer after 10 s. After the PIN.
     void end(const std::function<void()>& end);
 
 private:
@@ -29,5 +30,6 @@ private:
 
     ClassWork* m_work;
     QWidget* m_window;
+    bool m_isDelivering = false;
 };
 } // namespace app

@@ -5,6 +5,7 @@
 #include "app/document/document.h"
 
 #include "ui/classroom/classroom_dialog.h"
+#include "ui/files/model_files.h"
 #include "ui/settings/settings.h"
 #include "ui/window/main_window.h"
 
@@ -23,6 +24,8 @@ ClassFileController::ClassFileController(ui::MainWindow& window, Document& docum
     const auto stay = [this] { m_next.clear(); }; // the window was not closed after all
     connect(&document, &Document::stepped, this, stay);
     connect(&document, &Document::opened, this, stay);
+    connect(&document.saver(), &ModelSaver::saveFailed, this, stay);
+    connect(window.files(), &ui::ModelFiles::discardDeclined, this, stay);
 }
 
 void ClassFileController::edit()

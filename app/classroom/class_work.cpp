@@ -91,7 +91,7 @@ void ClassWork::deliver(const std::function<void()>& then)
 
 void ClassWork::copyWaiting(const QString& folder, const std::function<void(const Delivery& copied)>& done)
 {
-    m_background.run([archive = m_archive, folder] { return archive.copy(folder); }, done);
+    m_answering.run([archive = m_archive, folder] { return archive.copy(folder); }, done); // the other may be waiting
 }
 
 void ClassWork::setHeld(bool isHeld)

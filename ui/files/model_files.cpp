@@ -265,6 +265,8 @@ bool ModelFiles::askToDiscard(const std::function<void()>& proceed)
         save();
         m_afterSave = proceed;
     }
+    if (answer == QMessageBox::Cancel)
+        Q_EMIT discardDeclined();
     return answer == QMessageBox::Discard;
 }
 

@@ -55,6 +55,8 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
+    /// The person does not want to lose changes, and saves nothing either.
+    void discardDeclined();
     /// A local path; nothing about it is checked.
     void openRequested(const QString& path);
     void starterRequested(core::Starter starter);

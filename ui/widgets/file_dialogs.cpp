@@ -167,7 +167,7 @@ void askForFolder(QWidget* parent, const QString& folder, PathCallback callback)
 
 void askForClass(QWidget* parent, const QString& folder, PathCallback callback)
 {
-    auto* dialog = named(new QFileDialog(parent, FileDialogs::tr("Open a Class"), folder), "openClassDialog");
+    QFileDialog* dialog = makeDialog(parent, FileDialogs::tr("Open a Class"), "openClassDialog", folder);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters({FileDialogs::tr("Classes (%1)").arg(QStringLiteral("*.%1 *.ini").arg(classEnding())),
                             FileDialogs::tr("All files (*)")});

@@ -337,6 +337,7 @@ private Q_SLOTS:
     void theTeachersDialog_writesTheFile();
     void theTeachersDialog_changesAFile();
     void theClass_beginsWhenTheWindowIsClosed();
+    void theClass_doesNotBeginForWhoStays();
     void questions_comeOnlyIfTheTeacherWants();
     void answers_areKeptWithTheWork();
     void skipping_keepsNothing();
@@ -348,6 +349,7 @@ private Q_SLOTS:
     void aSlowDelivery_holdsNoAnswerBack();
     void resuming_fromTheQuestions();
     void leaving_saysWhatWaits();
+    void leaving_doesNotWaitForEver();
     void leaving_keepsWhatWasAnswered();
     void aPowerCutInTheQuestions_losesNothing();
     void aPowerCut_losesNobodysWork_data();
@@ -944,6 +946,36 @@ void TestClassroom::leaving_saysWhatWaits()
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
 }
 
+/// A class's folder that does not answer, such as that of a lost server: a work that cannot be read to its end stands
+/// for it. It is nobody's turn meanwhile, and what waits can be copied.
+void TestClassroom::leaving_doesNotWaitForEver()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.sculptAs(QStringLiteral("Anna"));
+    QVERIFY(QDir().rmdir(home.works));
+    c.next();
+    QTRY_VERIFY(!c.text("classWaiting").isEmpty());
+    const QString work = home.places.outbox + u'/' + foldersIn(home.places.outbox).constFirst();
+    const QByteArray pipe = QFile::encodeName(work + QStringLiteral("/endless"));
+    QCOMPARE(mkfifo(pipe.constData(), 0600), 0);
+    QVERIFY(QDir().mkpath(home.works));
+    c.press("classLeave");
+    c.typePin(pin);
+    QTRY_VERIFY(!c.program.window.isEnabled());
+    QPointer<ui::WaitingWorksDialog> dialog;
+    QTRY_VERIFY_WITH_TIMEOUT((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible(),
+                             longestWait);
+    QVERIFY(c.program.window.isEnabled());
+    const int writer = open(pipe.constData(), O_WRONLY | O_NONBLOCK); // it answers after all
+    QVERIFY(writer >= 0);
+    close(writer);
+    c.press("endClass");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+}
+
 /// A class that is there is changed in the same dialog, with its PIN or with another.
 void TestClassroom::theTeachersDialog_changesAFile()
 {
@@ -1015,6 +1047,23 @@ void TestClassroom::theClass_beginsWhenTheWindowIsClosed()
     QCOMPARE(files->next(), path);
     Q_EMIT program.document.stepped(core::Stroke());
     QVERIFY(files->next().isEmpty());
+}
+
+/// Who cancels for unsaved changes has a window that closes later without a class.
+void TestClassroom::theClass_doesNotBeginForWhoStays()
+{
+    const QTemporaryDir root;
+    const QString path = root.filePath(QStringLiteral("5b.fettleclass"));
+    QCOMPARE(ClassFile::write(path, Home(root.path()).classroom()), QString());
+    Program program;
+    sculptBall(program);
+    const auto* files = program.window.findChild<ClassFileController*>();
+    answerQuestion(program, QMessageBox::Cancel);
+    program.window.findChild<ClassFileController*>()->offer(path);
+    program.window.findChild<QMessageBox*>(QStringLiteral("beginClass"))->defaultButton()->click();
+    QCOMPARE(files->next(), path);
+    QTRY_VERIFY(files->next().isEmpty());
+    QVERIFY(program.window.isVisible());
 }
 
 void TestClassroom::questions_comeOnlyIfTheTeacherWants()
