@@ -222,6 +222,10 @@ void connectMetadata(ui::MainWindow& window, Document& document)
                      [&window](const ui::ModelInfo& info) { ui::applyMetadata(window, info.metadata); });
     QObject::connect(window.findChild<ui::ReferenceImages*>(), &ui::ReferenceImages::changed, &document.journaling(),
                      &DocumentJournal::describe);
+    QObject::connect(window.findChild<ui::ReferenceImages*>(), &ui::ReferenceImages::edited, &window, [&document] {
+        document.savedState().setModifiedBeyondHistory(true);
+        document.savedState().emitIfChanged();
+    });
 }
 
 void connectModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)

@@ -91,6 +91,7 @@ void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const 
         at(side).path = path;
         at(side).reference = {picture, fitted(picture->size(), side, box)};
         setShown(true);
+        Q_EMIT edited();
         Q_EMIT changed();
         Q_EMIT chosen(side);
     });
@@ -99,6 +100,7 @@ void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const 
 void ReferenceImages::remove(OrbitCamera::Side side)
 {
     at(side) = {{}, {}, at(side).asked + 1};
+    Q_EMIT edited();
     Q_EMIT changed();
 }
 
@@ -107,6 +109,7 @@ void ReferenceImages::place(OrbitCamera::Side side, const ReferencePlacement& pl
     if (at(side).reference.placement == placement)
         return;
     at(side).reference.placement = placement;
+    Q_EMIT edited();
     Q_EMIT changed();
 }
 

@@ -45,6 +45,8 @@ public:
 
 Q_SIGNALS:
     void changed();
+    /// Somebody chose, removed or moved one; changed() follows.
+    void edited();
     void chosen(OrbitCamera::Side side);
     /// In one sentence why an image is not there.
     void refused(const QString& sentence);

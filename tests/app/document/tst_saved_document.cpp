@@ -90,6 +90,7 @@ void TestSavedDocument::reopened_isTheSame()
     auto* references = program.window.findChild<ui::ReferenceImages*>();
     references->choose(ui::OrbitCamera::Side::Left, m_folder.filePath(QStringLiteral("head.png")), {});
     QTRY_VERIFY(!references->saved().empty());
+    QVERIFY(program.document.savedState().isModified()); // it would be lost
     program.document.saver().save(path);
     QTRY_VERIFY(!program.document.savedState().isModified() && !program.document.job().isBusy());
     const MeshState saved = stateOf(program);
@@ -122,6 +123,9 @@ void TestSavedDocument::reopened_isTheSame()
     QVERIFY(QList<core::Rgb>(colors->swatches().begin(), colors->swatches().end()) == swatches);
     QCOMPARE(references->path(ui::OrbitCamera::Side::Left), m_folder.filePath(QStringLiteral("head.png")));
     QTRY_VERIFY(references->reference(ui::OrbitCamera::Side::Left).picture);
+    QVERIFY(!program.document.savedState().isModified());
+    references->remove(ui::OrbitCamera::Side::Left);
+    QVERIFY(program.document.savedState().isModified() && program.window.isWindowModified());
 }
 
 /// Each time it is laid out anew, and saved by another hand.
