@@ -449,6 +449,10 @@ void MainWindow::showProblem(const QString& sentence)
         m_state->problem->open();
     }
     m_state->problem->setText(sentence);
+    for (QAbstractButton* button : m_state->problem->buttons()) // a remedy for what it said before
+        if (m_state->problem->buttonRole(button) != QMessageBox::RejectRole &&
+            m_state->problem->standardButton(button) == QMessageBox::NoButton)
+            m_state->problem->removeButton(button);
 }
 
 void MainWindow::offerRemedy(const QString& text, const std::function<void()>& callback)
