@@ -31,8 +31,12 @@ RecentFiles::RecentFiles(const Settings* settings, QWidget* parent) : QListWidge
     setSpacing(gap / 4);
     setTextElideMode(Qt::ElideMiddle);
     setVerticalScrollMode(ScrollPerPixel);
-    connect(this, &QListWidget::itemActivated, this,
-            [this](const QListWidgetItem* item) { Q_EMIT chosen(item->data(Qt::UserRole).toString()); });
+    const auto choose = [this](const QListWidgetItem* item) {
+        if (const QString path = item->data(Qt::UserRole).toString(); !path.isEmpty())
+            Q_EMIT chosen(path);
+    };
+    connect(this, &QListWidget::itemClicked, this, choose);
+    connect(this, &QListWidget::itemActivated, this, choose); // by a key
 }
 
 RecentFiles::~RecentFiles()

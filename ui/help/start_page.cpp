@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -207,7 +208,9 @@ void StartPage::close()
 void StartPage::place()
 {
     const QRect view(m_over->mapTo(window(), QPoint()), m_over->size());
-    const QSize whole = m_area->widget()->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
+    QSize whole = m_area->widget()->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
+    if (whole.height() > view.height())
+        whole.rwidth() += m_area->verticalScrollBar()->sizeHint().width();
     resize(whole.boundedTo({window()->width() - 2 * gap, view.height()}));
     QPoint corner = view.center() - rect().center();
     corner.setX(std::clamp(corner.x(), gap, std::max(gap, window()->width() - gap - width())));

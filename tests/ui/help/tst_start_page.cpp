@@ -126,7 +126,7 @@ private Q_SLOTS:
         auto* list = page->findChild<QListWidget*>(QStringLiteral("startRecent"));
         QTRY_COMPARE(list->count(), 1); // the other one is not there
         const QSignalSpy requested(window.files(), &ui::ModelFiles::openRequested);
-        Q_EMIT list->itemActivated(list->item(0));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
         QCOMPARE(requested.size(), 1);
         QCOMPARE(requested[0][0].toString(), file.fileName());
         QVERIFY(!page->isVisible());
