@@ -7896,9 +7896,9 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
     </message>
     <message>
-        <source>%1 needs OpenGL %2, and the graphics driver has %3. Install a later driver, then enter VR again.</source>
+        <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may take it.</source>
         <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
-        <translation>%1 braucht OpenGL %2, und der Grafiktreiber hat %3. Bitte einen neueren Treiber installieren und VR erneut betreten.</translation>
+        <translation>%1 verlangt OpenGL %2 und lehnt OpenGL %3 ab, das Fettle verwendet. Eine andere OpenXR-Laufzeit nimmt es vielleicht an.</translation>
     </message>
 </context>
 <context>

@@ -7870,9 +7870,9 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>头显正在本程序中使用。</translation>
     </message>
     <message>
-        <source>%1 needs OpenGL %2, and the graphics driver has %3. Install a later driver, then enter VR again.</source>
+        <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may take it.</source>
         <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
-        <translation>%1 需要 OpenGL %2，而显卡驱动只有 %3。请安装更新的驱动，然后重新进入 VR。</translation>
+        <translation>%1 要求 OpenGL %2，不接受 Fettle 使用的 OpenGL %3。其他 OpenXR 运行时也许可以接受。</translation>
     </message>
 </context>
 <context>

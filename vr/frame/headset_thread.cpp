@@ -59,6 +59,7 @@ struct HeadsetThread::Visit
     // The visit's thread.
     HeadsetReport run(const OnReport& onReport);
     HeadsetReport runWith(const OnReport& onReport);
+    HeadsetReport runSession(const Instance& instance, const GlBinding& binding, const OnReport& onReport);
 
     std::shared_ptr<FrameClient> client;
     std::shared_ptr<FrameTimings> timings = std::make_shared<FrameTimings>();
@@ -91,16 +92,32 @@ HeadsetReport HeadsetThread::Visit::runWith(const OnReport& onReport)
     const auto binding = gl.claim() ? currentGlBinding() : nullptr;
     if (!binding || !instance.has(binding->extension()))
         return HeadsetReport::ended(HeadsetEnd::NoBinding, windowSystem);
-    const auto [major, minor] = gl.context().format().version();
-    if (const QString problem = OpenXrRuntime::openGlProblem(instance, QVersionNumber(major, minor));
-        !problem.isEmpty())
-        return HeadsetReport::ended(HeadsetEnd::Unavailable, problem);
     const CreatedClient created(*client, gl);
     if (!created.isCreated())
         return HeadsetReport::ended(HeadsetEnd::CannotRender);
+    return runSession(instance, *binding, onReport);
+}
+
+/// A runtime may ask for a later OpenGL than it needs, as SteamVR does: only one that refuses the session is believed.
+HeadsetReport HeadsetThread::Visit::runSession(const Instance& instance, const GlBinding& binding,
+                                               const OnReport& onReport)
+{
+    const auto [major, minor] = gl.context().format().version();
+    const QVersionNumber asked = leastOpenGl(instance), present(major, minor);
+    const bool isTooOld = present < asked;
+    if (isTooOld)
+        qInfo("The OpenXR runtime asks for OpenGL %s; the context has %s", qPrintable(asked.toString()),
+              qPrintable(present.toString()));
     const auto reportStage = [&](HeadsetStage stage) { onReport(HeadsetReport::of(stage, instance.status().headset)); };
-    HeadsetLoop loop({instance, *binding, gl, *client, *timings, stop.get_token(), reportStage});
-    return HeadsetReport::ended(loop.run());
+    try {
+        HeadsetLoop loop({instance, binding, gl, *client, *timings, stop.get_token(), reportStage});
+        return HeadsetReport::ended(loop.run());
+    } catch (const XrError& error) {
+        if (!isTooOld || error.result() != XR_ERROR_GRAPHICS_DEVICE_INVALID)
+            throw;
+        const QString text = OpenXrRuntime::openGlRefusal(instance.status().runtime, asked, present);
+        return HeadsetReport::ended(HeadsetEnd::Unavailable, text);
+    }
 }
 
 HeadsetThread::HeadsetThread(std::chrono::milliseconds exitTimeout, QObject* parent)

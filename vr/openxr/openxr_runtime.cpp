@@ -1,6 +1,6 @@
 #include "vr/openxr/openxr_runtime.h"
 
-#include "vr/openxr/xr_session.h"
+#include "vr/openxr/xr_instance.h"
 
 namespace vr
 {
@@ -11,15 +11,11 @@ HeadsetStatus OpenXrRuntime::probe()
     return status;
 }
 
-QString OpenXrRuntime::openGlProblem(const Instance& instance, const QVersionNumber& present)
+QString OpenXrRuntime::openGlRefusal(const QString& runtime, const QVersionNumber& asked, const QVersionNumber& present)
 {
-    const XrVersion least = leastOpenGl(instance);
-    const QVersionNumber wanted(XR_VERSION_MAJOR(least), XR_VERSION_MINOR(least));
-    if (present >= wanted)
-        return {};
     //: %1: the headset's program; %2, %3: versions, such as 4.5
-    return tr("%1 needs OpenGL %2, and the graphics driver has %3. Install a later driver, then enter VR again.")
-        .arg(instance.status().runtime, wanted.toString(), present.toString());
+    return tr("%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may take it.")
+        .arg(runtime, asked.toString(), present.toString());
 }
 
 QString OpenXrRuntime::textOf(const HeadsetStatus& status)

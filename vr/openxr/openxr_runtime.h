@@ -6,8 +6,6 @@
 
 namespace vr
 {
-class Instance;
-
 /// What the machine offers for VR at this moment.
 struct HeadsetStatus
 {
@@ -38,7 +36,7 @@ public:
     /// One or two sentences for people, with the reason.
     static QString textOf(const HeadsetStatus& status);
 
-    /// The same where the runtime wants a later OpenGL than there is; empty if it does not.
-    static QString openGlProblem(const Instance& instance, const QVersionNumber& present);
+    /// The same where the runtime refuses the OpenGL that is present, which is earlier than it asks for.
+    static QString openGlRefusal(const QString& runtime, const QVersionNumber& asked, const QVersionNumber& present);
 };
 } // namespace vr

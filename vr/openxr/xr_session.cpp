@@ -100,14 +100,15 @@ void requestRefreshRate(const Instance& instance, XrSession session)
 }
 } // namespace
 
-XrVersion leastOpenGl(const Instance& instance)
+QVersionNumber leastOpenGl(const Instance& instance)
 {
     XrGraphicsRequirementsOpenGLKHR requirements{};
     requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;
     check(instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>("xrGetOpenGLGraphicsRequirementsKHR")(
               instance.handle(), instance.system(), &requirements),
           "xrGetOpenGLGraphicsRequirementsKHR");
-    return requirements.minApiVersionSupported;
+    const XrVersion least = requirements.minApiVersionSupported;
+    return {static_cast<int>(XR_VERSION_MAJOR(least)), static_cast<int>(XR_VERSION_MINOR(least))};
 }
 
 Session::Session(const Instance& instance, const GlBinding& binding)

@@ -5,6 +5,8 @@
 #include "vr/openxr/xr_instance.h"
 #include "vr/openxr/xr_swapchain.h"
 
+#include <QVersionNumber>
+
 #include <span>
 #include <vector>
 
@@ -22,9 +24,9 @@ struct FrameTime
 /// measured. Less tires; more is not drawn in time everywhere.
 inline constexpr float wantedRefreshRate = 90;
 
-/// The least version of OpenGL that the runtime takes pictures of. OpenXR wants it to be asked for before a session is
-/// made. Throws XrError.
-XrVersion leastOpenGl(const Instance& instance);
+/// The least version of OpenGL that the runtime asks for; it may take less all the same. OpenXR wants it to be asked
+/// for before a session is made. Throws XrError.
+QVersionNumber leastOpenGl(const Instance& instance);
 
 /// A session with one headset, and what the runtime wants to be given for it. Members throw XrError; the context that
 /// the binding tells of is current whenever one of them is called.

@@ -123,7 +123,7 @@ XrResult getOpenGlRequirements(Call& call, XrInstance handle, XrSystemId system,
     validated(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
     requireSystem(system);
     requirements->minApiVersionSupported = call.runtime.world.leastOpenGl;
-    requirements->maxApiVersionSupported = XR_MAKE_VERSION(99, 9, 0);
+    requirements->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);
     instance.requirementsAsked = true;
     return XR_SUCCESS;
 }
