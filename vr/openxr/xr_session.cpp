@@ -81,7 +81,7 @@ std::optional<ImageFormat> depthFormatOf(const Instance& instance, XrSession ses
     return isWanted ? bestDepthFormat(formatsOf(session)) : std::nullopt;
 }
 
-/// The offered rate that is nearest to the wanted one. A runtime that refuses keeps its own.
+/// The offered rate that is nearest to the wanted one. Throws XrError.
 void requestRefreshRate(const Instance& instance, XrSession session)
 {
     const auto enumerateRates =
@@ -93,10 +93,18 @@ void requestRefreshRate(const Instance& instance, XrSession session)
         });
     const auto nearest =
         std::ranges::min_element(offered, {}, [](float rate) { return std::abs(rate - wantedRefreshRate); });
-    if (nearest == offered.end())
-        return;
-    if (const XrResult result = request(session, *nearest); XR_FAILED(result))
-        qInfo("The OpenXR runtime keeps its frame rate: %s", qPrintable(resultName(result)));
+    if (nearest != offered.end())
+        check(request(session, *nearest), "xrRequestDisplayRefreshRateFB");
+}
+
+/// The wanted rate is a wish: a runtime that refuses keeps its own.
+void tryRefreshRate(const Instance& instance, XrSession session)
+{
+    try {
+        requestRefreshRate(instance, session);
+    } catch (const XrError& error) {
+        qInfo("The OpenXR runtime keeps its frame rate: %s", qPrintable(error.text()));
+    }
 }
 } // namespace
 
@@ -120,7 +128,7 @@ Session::Session(const Instance& instance, const GlBinding& binding)
     , m_depthFormat(depthFormatOf(instance, handle()))
 {
     if (instance.has(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME))
-        requestRefreshRate(instance, handle());
+        tryRefreshRate(instance, handle());
 }
 
 void Session::begin()

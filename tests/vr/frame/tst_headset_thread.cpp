@@ -114,6 +114,8 @@ private Q_SLOTS:
     void faults();
     void refusals_data();
     void refusals();
+    void wishesMayBeRefused_data();
+    void wishesMayBeRefused();
     void aClientThatCannotDraw();
     void aRuntimeThatDoesNotLetGo();
     void aRuntimeThatTakesItsTime();
@@ -402,6 +404,28 @@ void TestHeadsetThread::refusals()
 
     QVERIFY(visitor.enterAndRun());
     QVERIFY(visitor.leave());
+}
+
+void TestHeadsetThread::wishesMayBeRefused_data()
+{
+    QTest::addColumn<QString>("call");
+    for (const char* call : {"xrEnumerateDisplayRefreshRatesFB", "xrRequestDisplayRefreshRateFB"})
+        QTest::newRow(call) << call;
+}
+
+/// VR is entered without what they ask for.
+void TestHeadsetThread::wishesMayBeRefused()
+{
+    QFETCH(QString, call);
+    m_headset->step(qPrintable(
+        QStringLiteral("{'fail': {'call': '%1', 'result': 'XR_ERROR_RUNTIME_FAILURE', 'times': 9}}").arg(call)));
+    QTest::ignoreMessage(QtInfoMsg, QRegularExpression(call + ": XR_ERROR_RUNTIME_FAILURE"));
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(m_headset->frames(3));
+    QVERIFY(m_headset->calls(qPrintable(call)) > 0);
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
 }
 
 void TestHeadsetThread::aClientThatCannotDraw()
