@@ -1,5 +1,7 @@
 #include "vr/openxr/xr_hidden_areas.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 
 namespace vr
@@ -16,6 +18,12 @@ HiddenArea triangles(const std::vector<XrVector2f>& points, const std::vector<st
         area.emplace_back(points[indices[i]].x, points[indices[i]].y);
     return area;
 }
+
+/// Pixels that nobody has to draw are a wish: none are left out where the runtime refuses.
+void noteRefusal(const XrError& error)
+{
+    qInfo("The OpenXR runtime tells no hidden area: %s", qPrintable(error.text()));
+}
 } // namespace
 
 HiddenAreas::HiddenAreas(const Instance& instance, const Session& session)
@@ -25,7 +33,11 @@ HiddenAreas::HiddenAreas(const Instance& instance, const Session& session)
 {
     if (!instance.has(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
         return;
-    m_getMask = instance.function<PFN_xrGetVisibilityMaskKHR>("xrGetVisibilityMaskKHR");
+    try {
+        m_getMask = instance.function<PFN_xrGetVisibilityMaskKHR>("xrGetVisibilityMaskKHR");
+    } catch (const XrError& error) {
+        noteRefusal(error);
+    }
     refresh();
 }
 
@@ -42,27 +54,42 @@ void HiddenAreas::handle(const XrEventDataVisibilityMaskChangedKHR& event)
         read(event.viewIndex);
 }
 
-/// The sizes, then what they are the sizes of. A mask that has changed in between is read again when its event comes.
 void HiddenAreas::read(std::size_t eye)
 {
-    XrVisibilityMaskKHR mask{};
-    mask.type = XR_TYPE_VISIBILITY_MASK_KHR;
-    const auto ask = [&] {
-        check(m_getMask(m_session, m_viewConfiguration, static_cast<std::uint32_t>(eye),
-                        XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask),
-              "xrGetVisibilityMaskKHR");
-    };
-    ask();
-    std::vector<XrVector2f> points(mask.vertexCountOutput);
-    std::vector<std::uint32_t> indices(mask.indexCountOutput);
     m_areas[eye].clear();
-    if (points.empty() || indices.empty())
-        return;
-    mask.vertexCapacityInput = mask.vertexCountOutput;
-    mask.vertices = points.data();
-    mask.indexCapacityInput = mask.indexCountOutput;
-    mask.indices = indices.data();
-    ask();
-    m_areas[eye] = triangles(points, indices);
+    try {
+        m_areas[eye] = ask(static_cast<std::uint32_t>(eye));
+    } catch (const XrError& error) {
+        noteRefusal(error);
+    }
+}
+
+/// The sizes, then what they are the sizes of; anew where the mask has grown in between.
+HiddenArea HiddenAreas::ask(std::uint32_t eye) const
+{
+    const char* const call = "xrGetVisibilityMaskKHR";
+    const auto getMask = [&](XrVisibilityMaskKHR& mask) {
+        return m_getMask(m_session, m_viewConfiguration, eye, XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask);
+    };
+    for (;;) {
+        XrVisibilityMaskKHR mask{};
+        mask.type = XR_TYPE_VISIBILITY_MASK_KHR;
+        check(getMask(mask), call);
+        std::vector<XrVector2f> points(mask.vertexCountOutput);
+        std::vector<std::uint32_t> indices(mask.indexCountOutput);
+        if (points.empty() || indices.empty())
+            return {};
+        mask.vertexCapacityInput = mask.vertexCountOutput;
+        mask.vertices = points.data();
+        mask.indexCapacityInput = mask.indexCountOutput;
+        mask.indices = indices.data();
+        const XrResult result = getMask(mask);
+        if (result == XR_ERROR_SIZE_INSUFFICIENT)
+            continue;
+        check(result, call);
+        points.resize(mask.vertexCountOutput);
+        indices.resize(mask.indexCountOutput);
+        return triangles(points, indices);
+    }
 }
 } // namespace vr

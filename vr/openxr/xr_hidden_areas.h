@@ -6,7 +6,7 @@
 namespace vr
 {
 /// What of each eye's picture its lens hides, where the runtime tells it (XR_KHR_visibility_mask): pixels that nobody
-/// has to draw. Members throw XrError.
+/// has to draw. A refusal is no error: nothing is hidden then.
 class HiddenAreas
 {
 public:
@@ -21,6 +21,8 @@ public:
 
 private:
     void read(std::size_t eye);
+    /// Throws XrError.
+    HiddenArea ask(std::uint32_t eye) const;
 
     XrSession m_session;
     XrViewConfigurationType m_viewConfiguration;

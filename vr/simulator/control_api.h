@@ -39,7 +39,8 @@
 ///     "recentre": {"space": "local"|"stage", "position", "rotation", "after": n}   the space's new origin in the room
 ///     "lose_session": n, "lose_instance": n   foretold now, lost n frames later
 ///     "lose_events": true           those that wait, but for a session's states
-///     "fail": {"call": name, "result": XrResult's name, "times": n}   answers in the call's stead
+///     "fail": {"call": name, "result": XrResult's name, "times": n, "after": n}   answers in the call's stead, once
+///                               so many calls have been answered
 ///     "freeze": name                that call does not return until another is named, or ""
 ///     "wake_at_exit": true          or until the process ends by exit(), which then gives it a moment
 ///     "keep": true|[frames], "keep_every": n   whose pictures are kept; true: of the next frame

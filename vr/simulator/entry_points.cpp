@@ -41,6 +41,10 @@ std::optional<XrResult> takeScriptedResult(Call& call)
     const auto found = scriptedResults.find(call.name);
     if (found == scriptedResults.end() || found->second.times == 0)
         return {};
+    if (found->second.after > 0) {
+        --found->second.after;
+        return {};
+    }
     --found->second.times;
     call.line["scripted"] = true;
     return found->second.result;

@@ -187,6 +187,8 @@ Change failChange(const json& value, Over)
             call = readText(part);
         } else if (key == "times") {
             scripted.times = static_cast<int>(readCount(part));
+        } else if (key == "after") {
+            scripted.after = static_cast<int>(readCount(part));
         } else if (key == "result") {
             const auto result = resultNamed(readText(part));
             if (!result)

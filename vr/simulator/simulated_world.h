@@ -66,6 +66,7 @@ struct ScriptedResult
 {
     XrResult result = XR_SUCCESS;
     int times = 1;
+    int after = 0; ///< calls that are answered as ever before it
 };
 
 /// All that a script steers. Poses are in the room: metres, Y up, the floor at y = 0.

@@ -42,6 +42,8 @@ private Q_SLOTS:
     void sizesAndViewsAreTheRuntimes_data();
     void sizesAndViewsAreTheRuntimes();
     void hiddenAreasAreTheRuntimes();
+    void hiddenAreasMayGrowWhileTheyAreRead();
+    void hiddenAreasMayBeRefused();
     void hiddenAreasAreNotAskedForInVain();
     void depthComesWithThePictures();
     void lostEventsAreMadeUpFor();
@@ -163,7 +165,6 @@ void TestHeadsetFrames::sizesAndViewsAreTheRuntimes()
     leave(visitor);
 }
 
-/// The head looks along -Z from (0, 1.7, 0), with eyes 6.4 cm apart.
 /// In eye space at z = -1, so that they lie at the edges of each eye's own view; another mask is taken when it comes.
 void TestHeadsetFrames::hiddenAreasAreTheRuntimes()
 {
@@ -195,6 +196,41 @@ void TestHeadsetFrames::hiddenAreasAreTheRuntimes()
         for (const double seen : shares())
             QVERIFY2(std::abs(seen - 2 * share * share) < 1e-3, qPrintable(QString::number(seen)));
     }
+    leave(visitor);
+}
+
+/// The first answer's sizes are too small for the second.
+void TestHeadsetFrames::hiddenAreasMayGrowWhileTheyAreRead()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'fail': {'call': 'xrGetVisibilityMaskKHR', 'result': 'XR_ERROR_SIZE_INSUFFICIENT', 'after': 1},"
+                    " 'hidden': 0.25}");
+    QVERIFY(m_headset->frames(3));
+    QCOMPARE(visitor.client->views().size(), std::size_t(2));
+    for (const vr::EyeView& view : visitor.client->views())
+        QVERIFY(!view.hidden->empty());
+    leave(visitor);
+}
+
+/// An older mask would hide what is seen now. The next one is taken again.
+void TestHeadsetFrames::hiddenAreasMayBeRefused()
+{
+    m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25}}");
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    const auto areHidden = [&](bool expected) {
+        for (const vr::EyeView& view : visitor.client->views())
+            QCOMPARE(!view.hidden->empty(), expected);
+    };
+    m_headset->step("{'fail': {'call': 'xrGetVisibilityMaskKHR', 'result': 'XR_ERROR_RUNTIME_FAILURE', 'times': 2},"
+                    " 'hidden': 0.125}");
+    QVERIFY(m_headset->frames(3));
+    QCOMPARE(visitor.client->views().size(), std::size_t(2));
+    areHidden(false);
+    m_headset->step("{'hidden': 0.25}");
+    QVERIFY(m_headset->frames(3));
+    areHidden(true);
     leave(visitor);
 }
 
@@ -281,6 +317,7 @@ void TestHeadsetFrames::refreshRateIsTheNearestToTheWanted()
     leave(visitor);
 }
 
+/// The head looks along -Z from (0, 1.7, 0), with eyes 6.4 cm apart.
 void TestHeadsetFrames::eyesAreBesideEachOther()
 {
     Visitor visitor(*m_headset);

@@ -409,7 +409,8 @@ void TestHeadsetThread::refusals()
 void TestHeadsetThread::wishesMayBeRefused_data()
 {
     QTest::addColumn<QString>("call");
-    for (const char* call : {"xrEnumerateDisplayRefreshRatesFB", "xrRequestDisplayRefreshRateFB"})
+    for (const char* call :
+         {"xrGetVisibilityMaskKHR", "xrEnumerateDisplayRefreshRatesFB", "xrRequestDisplayRefreshRateFB"})
         QTest::newRow(call) << call;
 }
 
