@@ -22,8 +22,8 @@ using LabelAspects = std::array<std::optional<double>, wandSpotCount>;
 using LabelPlaces = std::array<std::optional<LabelPlace>, wandSpotCount>;
 
 /// Labels in a column on each side of a wand, all in one plane that faces the head, so that none hides another. It lies
-/// before the wand, out of the clay. They
-/// grow with the distance: their letters are never less than about 1 degree high.
+/// before the wand, out of the clay. They grow with the distance: their letters are never less than about 1 degree
+/// high.
 LabelPlaces labelPlaces(const Pose& grip, const Pose& head, const LabelAspects& aspects);
 
 /// The axes of what faces the head from somewhere: right, up, and back towards the head.
