@@ -508,6 +508,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::HandoutSaving</name>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>app::Headset</name>
     <message>
         <source>Leaving VR…</source>
@@ -3893,6 +3900,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Lektion speichern</translation>
     </message>
     <message>
+        <source>Write the Handout</source>
+        <translation>Arbeitsblatt schreiben</translation>
+    </message>
+    <message>
         <source>Import a Brush Preset</source>
         <translation>Pinselvorlage importieren</translation>
     </message>
@@ -4626,6 +4637,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Begins this step with the teacher&apos;s model. Undo brings yours back.</source>
         <translation>Beginnt diesen Schritt mit dem Modell der Lehrkraft. Rückgängig bringt das eigene zurück.</translation>
+    </message>
+    <message>
+        <source>Handout as PDF…</source>
+        <translation>Arbeitsblatt als PDF …</translation>
+    </message>
+    <message>
+        <source>Writes the texts and pictures of all steps to a PDF for pupils.</source>
+        <translation>Schreibt die Texte und Bilder aller Schritte in ein PDF für die Kinder.</translation>
     </message>
     <message>
         <source>Brush: %1</source>

@@ -503,6 +503,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::HandoutSaving</name>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+</context>
+<context>
     <name>app::Headset</name>
     <message>
         <source>Leaving VR…</source>
@@ -3880,6 +3887,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>保存课程</translation>
     </message>
     <message>
+        <source>Write the Handout</source>
+        <translation>写出讲义</translation>
+    </message>
+    <message>
         <source>Import a Brush Preset</source>
         <translation>导入笔刷预设</translation>
     </message>
@@ -4608,6 +4619,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Begins this step with the teacher&apos;s model. Undo brings yours back.</source>
         <translation>用老师的模型开始这一步。撤销可以找回原来的模型。</translation>
+    </message>
+    <message>
+        <source>Handout as PDF…</source>
+        <translation>讲义 PDF…</translation>
+    </message>
+    <message>
+        <source>Writes the texts and pictures of all steps to a PDF for pupils.</source>
+        <translation>把所有步骤的文字和图片写成一份给学生的 PDF。</translation>
     </message>
     <message>
         <source>Brush: %1</source>

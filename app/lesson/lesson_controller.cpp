@@ -71,6 +71,7 @@ LessonController::LessonController(ui::MainWindow& window, Document& document)
     , m_checker(new LessonChecker(&document, &document.worker()))
     , m_teacher(window, document)
     , m_brushes(window.brush())
+    , m_handout(&window)
 {
     using ui::LessonPanel;
     const QList<ui::LessonCard> lessons = cards();
@@ -88,6 +89,7 @@ LessonController::LessonController(ui::MainWindow& window, Document& document)
     });
     connect(m_panel, &LessonPanel::closed, this, &LessonController::leave);
     connect(m_panel, &LessonPanel::differenceRequested, this, &LessonController::shade);
+    connect(m_panel, &LessonPanel::handoutRequested, this, [this] { m_handout.ask(m_lesson); });
     connect(m_document, &Document::opened, this, &LessonController::begin);
     connect(m_checker, &LessonChecker::finished, this, &LessonController::showVerdict);
     connect(m_checker, &IdleAnalysis::outdated, this, [this] { showVerdict({}, {}); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/lesson/handout_saving.h"
 #include "app/lesson/lesson_checker.h"
 #include "app/lesson/lesson_teacher.h"
 #include "app/lesson/step_brushes.h"
@@ -46,6 +47,7 @@ private:
     LessonChecker* m_checker;
     LessonTeacher m_teacher;
     StepBrushes m_brushes;
+    HandoutSaving m_handout;
     std::optional<bool> m_isMet; ///< the step's checkpoint, by the model as it was last judged
     std::shared_ptr<const core::Lesson> m_lesson, m_opening; ///< null: none
     std::filesystem::path m_path, m_openingPath;

@@ -169,6 +169,10 @@ void LessonPanel::addNavigation(QVBoxLayout* page)
     m_teachers = named(new QPushButton(tr("Start from the Teacher's Model")), "lessonTeachers",
                        tr("Begins this step with the teacher's model. Undo brings yours back."));
     page->addWidget(m_teachers);
+    auto* handout = named(new QPushButton(tr("Handout as PDF…")), "lessonHandout",
+                          tr("Writes the texts and pictures of all steps to a PDF for pupils."));
+    page->addWidget(handout);
+    connect(handout, &QPushButton::clicked, this, &LessonPanel::handoutRequested);
     connect(m_teachers, &QPushButton::clicked, this, &LessonPanel::teachersModelRequested);
     connect(m_back, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step - 1); });
     connect(m_next, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step + 1); });

@@ -92,6 +92,7 @@ Q_SIGNALS:
     /// The step is to begin with the model that the teacher has there.
     void teachersModelRequested();
     void differenceRequested(bool on);
+    void handoutRequested();
     void closed();
 
 private:

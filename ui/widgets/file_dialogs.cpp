@@ -148,6 +148,13 @@ void askForLessonTarget(QWidget* parent, const QString& title, PathCallback call
     show(dialog, callback);
 }
 
+void askForHandout(QWidget* parent, const QString& title, PathCallback callback)
+{
+    const QString pdf = QStringLiteral("pdf");
+    askForTarget(parent, FileDialogs::tr("Write the Handout"), QStringLiteral("handoutDialog"), {}, title + u'.' + pdf,
+                 {pdf}, callback);
+}
+
 void askForPicture(QWidget* parent, const QString& folder, PathCallback callback)
 {
     QStringList endings;

@@ -31,6 +31,8 @@ void askForPresetTarget(QWidget* parent, const QString& presetName, PathCallback
 void askForLesson(QWidget* parent, PathCallback callback);
 /// Where one is to be written: a zip, or a folder that is not there yet.
 void askForLessonTarget(QWidget* parent, const QString& title, PathCallback callback);
+/// Asks where the handout of a lesson is to be written: a PDF. `title`: the name that is offered.
+void askForHandout(QWidget* parent, const QString& title, PathCallback callback);
 void askForPicture(QWidget* parent, const QString& folder, PathCallback callback);
 
 /// One that is there.

@@ -11,6 +11,8 @@
 #include "ui/widgets/side_panel.h"
 
 #include <QComboBox>
+#include <QFileDialog>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -324,6 +326,34 @@ private Q_SLOTS:
         }
         showStep(program); // the rest
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 1));
+    }
+
+    /// Texts and pictures of the lesson that is open go to the file that is chosen; a folder that is not there is told.
+    void handout_isWritten()
+    {
+        const QTemporaryDir folder;
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        const auto write = [&program](const QString& path) {
+            press(program, "lessonHandout");
+            auto* dialog = part<QFileDialog>(program, "handoutDialog");
+            QVERIFY(dialog);
+            QCOMPARE(dialog->selectedFiles().value(0).section(u'/', -1), QStringLiteral("First clay – a pear.pdf"));
+            Q_EMIT dialog->fileSelected(path);
+            dialog->reject();
+            QTRY_VERIFY(!part<QFileDialog>(program, "handoutDialog"));
+        };
+        const QString path = folder.filePath(QStringLiteral("pear.pdf"));
+        write(path);
+        QTRY_VERIFY_WITH_TIMEOUT(notice(program).contains(QStringLiteral("pear.pdf was written.")), longestWait);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().startsWith("%PDF-"));
+        write(folder.filePath(QStringLiteral("no/pear.pdf")));
+        QTRY_VERIFY_WITH_TIMEOUT(part<QMessageBox>(program, "problem"), longestWait);
+        QVERIFY(part<QMessageBox>(program, "problem")->text().contains(QStringLiteral("no/pear.pdf")));
+        part<QMessageBox>(program, "problem")->accept();
+        QVERIFY(!QFileInfo::exists(folder.filePath(QStringLiteral("no"))));
     }
 
     /// The lesson's own model, to the bit as core has it.
