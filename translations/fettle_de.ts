@@ -247,6 +247,21 @@
         <source>at most %1 names of at most %2 characters.</source>
         <translation>höchstens %1 Namen mit höchstens %2 Zeichen.</translation>
     </message>
+    <message>
+        <source>%1 is no lesson: neither one of %2 nor a folder or zip.</source>
+        <translation>%1 ist keine Lektion: weder eine von %2 noch ein Ordner oder eine Zip-Datei.</translation>
+    </message>
+    <message>
+        <source>Step %1 of the lesson needs the tool %2 (%3), which is not among the class&apos;s tools.</source>
+        <translation>Schritt %1 der Lektion braucht das Werkzeug %2 (%3), das nicht unter den Werkzeugen der Klasse ist.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassLesson</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>app::ClassWork</name>
@@ -788,6 +803,17 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>New Lesson</source>
         <translation>Neue Lektion</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonResult</name>
+    <message>
+        <source>Lesson %1: step %2 of %3</source>
+        <translation>Lektion %1: Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>this is the teacher&apos;s model</source>
+        <translation>das ist das Modell der Lehrkraft</translation>
     </message>
 </context>
 <context>
@@ -3559,6 +3585,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>&amp;Pupils&apos; names:</source>
         <translation>Na&amp;men der Kinder:</translation>
     </message>
+    <message>
+        <source>L&amp;esson:</source>
+        <translation>L&amp;ektion:</translation>
+    </message>
 </context>
 <context>
     <name>ui::ColorPanel</name>
@@ -4400,6 +4430,21 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::LessonChoice</name>
+    <message>
+        <source>Pupils may begin with it: it is shown stroke by stroke, and the report says how far they came.</source>
+        <translation>Die Kinder können damit anfangen: Sie wird Strich für Strich gezeigt, und der Bericht sagt, wie weit sie gekommen sind.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>From a File…</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+</context>
+<context>
     <name>ui::LessonEditor</name>
     <message>
         <source>A lesson records what you sculpt, step by step, here or in the headset. It begins with:</source>
@@ -4650,6 +4695,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Brush: %1</source>
         <comment>tools and sizes</comment>
         <translation>Pinsel: %1</translation>
+    </message>
+    <message>
+        <source>This turn has no lesson.</source>
+        <translation>Jetzt gehört keine Lektion dazu.</translation>
     </message>
 </context>
 <context>
@@ -6093,6 +6142,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 ✓ has had a turn</source>
         <translation>%1 ✓ war schon dran</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
     </message>
 </context>
 <context>

@@ -245,6 +245,21 @@
         <source>at most %1 names of at most %2 characters.</source>
         <translation>最多 %1 个名字，每个最多 %2 个字符。</translation>
     </message>
+    <message>
+        <source>%1 is no lesson: neither one of %2 nor a folder or zip.</source>
+        <translation>%1 不是课程：既不是 %2 之一，也不是文件夹或 zip。</translation>
+    </message>
+    <message>
+        <source>Step %1 of the lesson needs the tool %2 (%3), which is not among the class&apos;s tools.</source>
+        <translation>课程的第 %1 步需要工具 %2（%3），而它不在课堂的工具之中。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassLesson</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
 </context>
 <context>
     <name>app::ClassWork</name>
@@ -783,6 +798,17 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>New Lesson</source>
         <translation>新课程</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonResult</name>
+    <message>
+        <source>Lesson %1: step %2 of %3</source>
+        <translation>课程 %1：第 %2 步，共 %3 步</translation>
+    </message>
+    <message>
+        <source>this is the teacher&apos;s model</source>
+        <translation>这是老师的模型</translation>
     </message>
 </context>
 <context>
@@ -3547,6 +3573,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>&amp;Pupils&apos; names:</source>
         <translation>学生名单(&amp;U)：</translation>
     </message>
+    <message>
+        <source>L&amp;esson:</source>
+        <translation>课程(&amp;E)：</translation>
+    </message>
 </context>
 <context>
     <name>ui::ColorPanel</name>
@@ -4382,6 +4412,21 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::LessonChoice</name>
+    <message>
+        <source>Pupils may begin with it: it is shown stroke by stroke, and the report says how far they came.</source>
+        <translation>学生可以从它开始：逐笔演示，报告会说明做到了哪一步。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>From a File…</source>
+        <translation>从文件…</translation>
+    </message>
+</context>
+<context>
     <name>ui::LessonEditor</name>
     <message>
         <source>A lesson records what you sculpt, step by step, here or in the headset. It begins with:</source>
@@ -4632,6 +4677,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Brush: %1</source>
         <comment>tools and sizes</comment>
         <translation>笔刷：%1</translation>
+    </message>
+    <message>
+        <source>This turn has no lesson.</source>
+        <translation>这一轮没有课程。</translation>
     </message>
 </context>
 <context>
@@ -6072,6 +6121,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 ✓ has had a turn</source>
         <translation>%1 ✓ 已轮到</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
     </message>
 </context>
 <context>

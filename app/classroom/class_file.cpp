@@ -3,7 +3,8 @@
 #include "app/classroom/class_file.h"
 
 #include "app/classroom/class_pin.h"
-#include "app/model/model_loader.h"
+#include "app/lesson/lesson_messages.h"
+#include "app/lesson/lesson_model.h"
 
 #include "core/util/atomic_file.h"
 #include "ui/settings/stored_values.h"
@@ -83,6 +84,12 @@ QString noPin()
     return ClassFile::tr("this is no PIN as Fettle writes it; Edit › Classroom sets one.");
 }
 
+/// Returns an absolute path; a relative one leads from the class's file.
+QString pathFrom(const QString& classFile, const QString& path)
+{
+    return QDir::cleanPath(QFileInfo(classFile).absoluteDir().absoluteFilePath(QDir::fromNativeSeparators(path)));
+}
+
 /// Takes the file's values one by one.
 class Reader
 {
@@ -98,12 +105,20 @@ public:
     {
         ui::Classroom read;
         read.title = text("title");
-        read.folder = QDir::cleanPath(
-            QFileInfo(m_path).absoluteDir().absoluteFilePath(QDir::fromNativeSeparators(text("folder"))));
-        for (const qsizetype i : choices("starters", starterWords()))
-            read.starters << core::starters[i];
+        read.folder = pathFrom(m_path, text("folder"));
+        const bool hasLesson = m_entries.contains(QStringLiteral("lesson"));
+        if (!hasLesson || m_entries.contains(QStringLiteral("starters")))
+            for (const qsizetype i : choices("starters", starterWords()))
+                read.starters << core::starters[i];
         for (const qsizetype i : choices("tools", toolWords()))
             read.tools << static_cast<core::Tool>(i);
+        if (hasLesson) {
+            const QString lesson = text("lesson");
+            read.lesson = bundledLessons().contains(lesson) ? lesson : pathFrom(m_path, lesson);
+            const QString problem = ClassFile::lessonProblem(read);
+            if (!problem.isEmpty())
+                failAt("lesson", problem);
+        }
         read.turnMinutes = minutes("turn_minutes", read.turnMinutes, ui::maxTurnMinutes);
         const int max = read.turnMinutes;
         read.warningMinutes = minutes("warning_minutes", std::min(read.warningMinutes, max), max);
@@ -248,7 +263,6 @@ QString textOf(const ui::Classroom& classroom)
     QList<std::pair<const char*, QString>> lines{
         {"title", classroom.title},
         {"folder", QDir::toNativeSeparators(classroom.folder)},
-        {"starters", wordList(starters)},
         {"tools", wordList(tools)},
         {"turn_minutes", QString::number(classroom.turnMinutes)},
         {"warning_minutes", QString::number(classroom.warningMinutes)},
@@ -256,6 +270,10 @@ QString textOf(const ui::Classroom& classroom)
         {"questions", classroom.asksQuestions ? QStringLiteral("yes") : QStringLiteral("no")},
         {"language", ui::stored::wordFor(classroom.language, ui::languages)},
         {"pin", classroom.pin}};
+    if (!starters.isEmpty())
+        lines << std::pair("starters", wordList(starters));
+    if (!classroom.lesson.isEmpty())
+        lines << std::pair("lesson", QDir::toNativeSeparators(classroom.lesson));
     if (!classroom.names.isEmpty())
         lines << std::pair("names", classroom.names.join(nameSeparator + u' '))
               << std::pair("other_names", classroom.allowsOthers ? QStringLiteral("yes") : QStringLiteral("no"));
@@ -281,6 +299,24 @@ QString ClassFile::write(const QString& path, const ui::Classroom& classroom)
     } catch (const core::FileError& error) {
         return ui::ErrorMessages::sentence(error);
     }
+    return {};
+}
+
+QString ClassFile::lessonProblem(const ui::Classroom& classroom)
+{
+    if (classroom.lesson.isEmpty())
+        return {};
+    if (!bundledLessons().contains(classroom.lesson) && !QFileInfo::exists(classroom.lesson))
+        return tr("%1 is no lesson: neither one of %2 nor a folder or zip.")
+            .arg(QDir::toNativeSeparators(classroom.lesson), wordList(bundledLessons()));
+    const ReadLesson read = tryToReadLesson(classroom.lesson, readLessonOfClass);
+    if (!read.lesson)
+        return read.problem;
+    for (std::size_t i = 0; i < read.lesson->steps.size(); ++i)
+        for (const core::Tool tool : read.lesson->steps[i].tools)
+            if (!classroom.tools.contains(tool))
+                return tr("Step %1 of the lesson needs the tool %2 (%3), which is not among the class's tools.")
+                    .arg(QString::number(i + 1), LessonMessages::tool(tool), QString::fromUtf8(core::name(tool)));
     return {};
 }
 } // namespace app

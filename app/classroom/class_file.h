@@ -24,5 +24,7 @@ public:
     static ui::Classroom read(const QString& path);
     /// Whole or not at all: empty, or what is wrong. The title has no line break.
     static QString write(const QString& path, const ui::Classroom& classroom);
+    /// Returns why the class cannot have its lesson: one sentence; empty if it can, or has none.
+    static QString lessonProblem(const ui::Classroom& classroom);
 };
 } // namespace app

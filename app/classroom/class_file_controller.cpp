@@ -3,6 +3,7 @@
 #include "app/classroom/class_file.h"
 #include "app/classroom/class_pin.h"
 #include "app/document/document.h"
+#include "app/lesson/lesson_cards.h"
 
 #include "ui/classroom/classroom_dialog.h"
 #include "ui/files/model_files.h"
@@ -32,7 +33,8 @@ void ClassFileController::edit()
 {
     if (m_dialog)
         return m_dialog->raise();
-    m_dialog = new ui::ClassroomDialog(&m_window, m_window.commands(), ui::Settings().lastFolder());
+    m_dialog =
+        new ui::ClassroomDialog(&m_window, m_window.commands(), ui::Settings().lastFolder(), bundledLessonCards());
     connect(m_dialog, &ui::ClassroomDialog::openRequested, this, &ClassFileController::load);
     connect(m_dialog, &ui::ClassroomDialog::drafted, this, &ClassFileController::write);
     m_dialog->open();
@@ -59,7 +61,8 @@ void ClassFileController::write(const ui::ClassroomDraft& draft)
     ui::Classroom classroom = draft.classroom;
     if (!draft.pin.isEmpty())
         classroom.pin = pinRecord(draft.pin);
-    const QString problem = ClassFile::write(draft.path, classroom);
+    const QString fault = ClassFile::lessonProblem(classroom);
+    const QString problem = fault.isEmpty() ? ClassFile::write(draft.path, classroom) : fault;
     if (!problem.isEmpty())
         return m_dialog->showFault(problem);
     m_dialog->done(QDialog::Accepted);

@@ -39,8 +39,11 @@ bool ClassWork::save(const QString& what, const ClassTurn& turn, const TurnRecor
     const auto save = [archive = m_archive, turn, before, ended, problem](const ModelSaver::Present& present) {
         const QDateTime end = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
         ended->record = joined(before, present.steps);
-        const ArchivedWork archived = archive.add({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh,
-                                                   present.hash, present.metadata, ended->record});
+        TurnWork work{turn.id,      turn.pupil,   turn.begun,       end,          present.step,
+                      present.mesh, present.hash, present.metadata, ended->record};
+        if (turn.lesson)
+            work.lesson = LessonResult::of(*turn.lesson, *present.mesh);
+        const ArchivedWork archived = archive.add(work);
         ended->folder = archived.folder;
         *problem = archived.problem;
         return archived.problem.isEmpty();

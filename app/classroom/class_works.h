@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/classroom/lesson_result.h"
+
 #include <QDateTime>
 #include <QList>
 #include <QString>
@@ -14,6 +16,7 @@ struct TurnFacts
 {
     QString id, pupil;
     QDateTime begun, ended;
+    std::optional<LessonResult> lesson; ///< none: the turn had none
 
     /// Seconds from its beginning to its end; nothing: unknown.
     std::optional<double> seconds() const;

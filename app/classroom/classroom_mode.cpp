@@ -83,6 +83,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     , m_pinPrompt(new ui::PinPrompt([record = m_classroom.pin](const QString& text) { return isPin(text, record); },
                                     program.window))
     , m_clock({m_classroom.turnMinutes, m_classroom.warningMinutes}, std::move(nowMs))
+    , m_lesson(m_classroom.lesson, program.window, program.document)
     , m_work(program.document, m_bar, {m_classroom.folder, m_paths.outbox})
     , m_end(&m_work, program.window)
     , m_questions(&m_work, program.window->centralWidget())
@@ -148,6 +149,8 @@ void ClassroomMode::openThen(const std::function<void()>& open, const std::funct
 
 void ClassroomMode::begin()
 {
+    if (m_lesson.isThere())
+        m_panel->offerLesson(m_lesson.card());
     m_tick.start(tickMs);
     m_work.begin();
     show();
@@ -189,26 +192,33 @@ void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 
 // --- turns
 
-/// Opens the first starter for the next pupil, below the panel or the form that asks meanwhile.
+/// Opens the first starter, or the lesson's, for the next pupil, below the panel or the form that asks meanwhile.
 void ClassroomMode::openClay()
 {
     m_stage = Stage::Asking;
     m_clock.clear();
     m_recordBefore.emplace();
-    openThen([this] { m_program.document->opener().openStarter(m_classroom.starters.constFirst()); },
-             [this] { m_program.window->beginTurn(); });
+    const auto open = [this] {
+        if (m_classroom.starters.isEmpty())
+            m_lesson.open();
+        else
+            m_program.document->opener().openStarter(m_classroom.starters.constFirst());
+    };
+    openThen(open, [this] { m_program.window->beginTurn(); });
     show();
 }
 
-void ClassroomMode::prepareTurn(const QString& pupil, core::Starter starter)
+void ClassroomMode::prepareTurn(const QString& pupil, const std::optional<core::Starter>& starter)
 {
     if (m_stage != Stage::Asking)
         return;
-    openThen([this, starter] { m_program.document->opener().openStarter(starter); },
-             [this, pupil] {
+    openThen([this, starter] { starter ? m_program.document->opener().openStarter(*starter) : m_lesson.open(); },
+             [this, pupil, starter] {
                  m_program.window->beginTurn();
                  m_program.document->setName(pupil);
                  startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, TurnRecord(std::in_place));
+                 if (!starter)
+                     m_lesson.begin();
              });
 }
 
@@ -263,20 +273,24 @@ void ClassroomMode::resume()
             m_work.forgetEnded();
             startTurn(ended.turn, ended.record);
             m_resumed = ended;
+            if (ended.turn.lesson)
+                m_lesson.resume(*ended.turn.lesson);
         });
 }
 
 // --- keeping the work
 
 /// `then` only if it is safe; else the model stays open, and that is said.
-void ClassroomMode::saveThen(const ClassTurn& turn, std::function<void()> then)
+void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
 {
     if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->input()->finish();
+    turn.lesson = m_stage == Stage::Sculpting ? m_lesson.stop() : std::nullopt;
     Document& document = *m_program.document;
+    const auto stepOf = [](const ClassTurn& of) { return of.lesson ? of.lesson->step : 0; };
     if (m_resumed && m_stage == Stage::Sculpting && document.queue().isSettled() &&
-        document.history().stack().index() == 0) { // that work is kept
+        document.history().stack().index() == 0 && stepOf(turn) == stepOf(m_resumed->turn)) { // that work is kept
         EndedTurn unchanged = *m_resumed;
         unchanged.turn.usedMs = turn.usedMs;
         m_work.setEnded(unchanged);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/classroom/class_end.h"
+#include "app/classroom/class_lesson.h"
 #include "app/classroom/class_work.h"
 #include "app/classroom/turn_clock.h"
 #include "app/classroom/turn_questions.h"
@@ -80,12 +81,12 @@ private:
     void recoverNext();
     void saveRecovered(const RecoveryOffer& offer);
     void openClay();
-    void prepareTurn(const QString& pupil, core::Starter starter);
+    void prepareTurn(const QString& pupil, const std::optional<core::Starter>& starter);
     void startTurn(const ClassTurn& turn, const TurnRecord& before);
     void next();
     void resume();
     void leave();
-    void saveThen(const ClassTurn& turn, std::function<void()> then);
+    void saveThen(ClassTurn turn, std::function<void()> then);
     void onSaved(const EndedTurn& ended, const QString& problem, const std::function<void()>& then);
     void show();
 
@@ -105,6 +106,7 @@ private:
     TurnClock m_clock;                  ///< of Sculpting; else nobody's turn
     std::function<void()> m_then;       ///< for the model that is being opened
     bool m_isOpened = false;            ///< that model is there, and m_then comes next
+    ClassLesson m_lesson;
     ClassWork m_work;
     ClassEnd m_end;
     TurnQuestions m_questions;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/lesson/lesson_place.h"
+
 #include "core/io/stroke/stroke_file.h"
 
 #include <QDateTime>
@@ -22,9 +24,10 @@ struct ClassTurn
     QString id;
     QString pupil;
     QDateTime begun;
-    qint64 usedMs = 0;      ///< before it was interrupted
-    QDateTime ended = {};   ///< invalid: it goes on
-    bool isResumed = false; ///< it did not begin with a starter
+    qint64 usedMs = 0;                      ///< before it was interrupted
+    QDateTime ended = {};                   ///< invalid: it goes on
+    bool isResumed = false;                 ///< it did not begin with a starter
+    std::optional<LessonPlace> lesson = {}; ///< where it is in a lesson; none: it has none
 };
 
 /// What of a turn must outlive the program, beside its journal. A file that cannot be written or read only costs the

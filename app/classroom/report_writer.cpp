@@ -42,6 +42,7 @@ QStringList ReportWriter::run(const ReportRequest& request, const core::JobContr
             row.name = model.pupil;
             row.turnSeconds = model.turn.seconds();
             row.answersProblem = answers.problem;
+            row.lesson = model.turn.lesson ? model.turn.lesson->sentence() : QString();
             if (!answers.questionnaire.isEmpty())
                 report.questionnaires << answers.questionnaire;
         }

@@ -37,7 +37,8 @@ constexpr qint64 maxTurnBytes = 64 << 10; ///< of turn.json
 const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json"), modelFile = QStringLiteral("model.glb");
 const QString turnIdKey = QStringLiteral("id"), turnNameKey = QStringLiteral("name"),
-              turnBegunKey = QStringLiteral("begun"), turnEndedKey = QStringLiteral("ended");
+              turnBegunKey = QStringLiteral("begun"), turnEndedKey = QStringLiteral("ended"),
+              turnLessonKey = QStringLiteral("lesson");
 
 void writeFile(const QString& path, const QByteArray& bytes)
 {
@@ -87,6 +88,8 @@ QByteArray turnOf(const TurnWork& work)
                      {QStringLiteral("mesh_hash"), QStringLiteral("%1").arg(work.meshHash, 16, 16, QLatin1Char('0'))}};
     if (work.begun.isValid())
         turn.insert(turnBegunKey, work.begun.toString(Qt::ISODate));
+    if (work.lesson)
+        turn.insert(turnLessonKey, work.lesson->toJson());
     return QJsonDocument(turn).toJson();
 }
 
@@ -324,7 +327,7 @@ TurnFacts WorkArchive::turnOf(const QString& work)
         return QDateTime::fromString(turn.value(key).toString(), Qt::ISODate);
     };
     return {turn.value(turnIdKey).toString(), turn.value(turnNameKey).toString(), time(turnBegunKey),
-            time(turnEndedKey)};
+            time(turnEndedKey), LessonResult::from(turn.value(turnLessonKey).toObject())};
 }
 
 QString WorkArchive::modelOf(const QString& work)

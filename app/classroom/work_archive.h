@@ -29,6 +29,7 @@ struct TurnWork
     quint64 meshHash = 0;
     core::DocumentMetadata metadata;
     TurnRecord record; ///< step by step, without what was undone
+    std::optional<LessonResult> lesson = {};
 };
 
 /// The place where a turn's work was archived.

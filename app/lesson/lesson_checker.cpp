@@ -30,7 +30,7 @@ LessonChecker::~LessonChecker()
     cancel();
 }
 
-void LessonChecker::setPosition(const Position& position)
+void LessonChecker::setPosition(const LessonPlace& position)
 {
     {
         const std::lock_guard lock(m_mutex);
@@ -54,7 +54,7 @@ void LessonChecker::analyse(const std::shared_ptr<ModelCopy>& copy, const std::s
                      });
 }
 
-LessonChecker::Result LessonChecker::evaluate(const ModelCopy& copy, const Position& position,
+LessonChecker::Result LessonChecker::evaluate(const ModelCopy& copy, const LessonPlace& position,
                                               const std::stop_token& stop)
 {
     if (!position.lesson || stop.stop_requested())

@@ -1,13 +1,11 @@
 #pragma once
 
 #include "app/analysis/idle_analysis.h"
+#include "app/lesson/lesson_place.h"
 
 #include "core/lesson/checkpoint.h"
-#include "core/lesson/lesson.h"
 #include "core/mesh/footprint.h"
 #include "ui/util/background_thread.h"
-
-#include <filesystem>
 
 namespace app
 {
@@ -20,13 +18,7 @@ public:
     LessonChecker(Document* document, SculptWorker* worker);
     ~LessonChecker() override;
 
-    struct Position
-    {
-        std::shared_ptr<const core::Lesson> lesson; ///< null: none is open
-        std::filesystem::path path;
-        std::size_t step = 0;
-    };
-    void setPosition(const Position& position);
+    void setPosition(const LessonPlace& position);
 
 Q_SIGNALS:
     /// `shades`: of the model's vertices as ui::PrintScale has them, 128 at the tolerance; null where there is no
@@ -39,11 +31,11 @@ private:
         core::CheckpointVerdict verdict;
         std::shared_ptr<const core::Footprint> shades;
     };
-    static Result evaluate(const ModelCopy& copy, const Position& position, const std::stop_token& stop);
+    static Result evaluate(const ModelCopy& copy, const LessonPlace& position, const std::stop_token& stop);
     void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
 
     std::mutex m_mutex; ///< of the next one, which the mesh thread reads
-    Position m_position;
+    LessonPlace m_position;
     ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

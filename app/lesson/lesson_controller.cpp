@@ -1,7 +1,7 @@
 #include "app/lesson/lesson_controller.h"
 
 #include "app/document/document.h"
-#include "app/lesson/lesson_library.h"
+#include "app/lesson/lesson_cards.h"
 #include "app/lesson/lesson_messages.h"
 #include "app/lesson/lesson_model.h"
 
@@ -18,14 +18,6 @@ namespace app
 {
 namespace
 {
-QImage pictureOf(const core::Lesson& lesson, const std::string& name)
-{
-    const auto found = lesson.files.find(name);
-    return found == lesson.files.end() ? QImage()
-                                       : QImage::fromData(reinterpret_cast<const uchar*>(found->second.data()),
-                                                          static_cast<int>(found->second.size()));
-}
-
 /// "Pull: 42 mm, Smooth: 26 mm": what the step's tools come with.
 QString brushText(const core::LessonStep& step)
 {
@@ -48,19 +40,6 @@ ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
             step.checkpoint.target.has_value(),
             brushText(step)};
 }
-
-/// Of the lessons that are inside of the program.
-QList<ui::LessonCard> cards()
-{
-    QList<ui::LessonCard> all;
-    for (const QString& name : bundledLessons()) {
-        const std::shared_ptr<const core::Lesson> lesson = tryToReadLesson(name).lesson;
-        if (lesson)
-            all.append({name, inOurLanguage(lesson->title), inOurLanguage(lesson->summary),
-                        pictureOf(*lesson, lesson->steps.back().picture)});
-    }
-    return all;
-}
 } // namespace
 
 LessonController::LessonController(ui::MainWindow& window, Document& document)
@@ -74,7 +53,7 @@ LessonController::LessonController(ui::MainWindow& window, Document& document)
     , m_handout(&window)
 {
     using ui::LessonPanel;
-    const QList<ui::LessonCard> lessons = cards();
+    const QList<ui::LessonCard> lessons = bundledLessonCards();
     m_panel->setLessons(lessons);
     addToStartPage(lessons);
     connect(m_panel, &LessonPanel::lessonChosen, this, &LessonController::read);
@@ -135,11 +114,27 @@ void LessonController::begin()
     const std::shared_ptr<const core::Lesson> opening = std::exchange(m_opening, nullptr);
     if (!opening || m_document->opener().mark() != opening)
         return;
-    m_lesson = opening;
-    m_path = m_openingPath;
+    start({opening, m_openingPath});
+}
+
+void LessonController::start(const LessonPlace& place)
+{
+    leave();
+    m_lesson = place.lesson;
+    m_path = place.path;
     m_teacher.setLesson(m_lesson);
     m_window->viewport()->navigation()->turnTo(ui::OrbitCamera::Side::Front);
-    enter(0);
+    for (std::size_t step = 0; step <= place.step; ++step) // Back leads to each of them
+        m_teacher.enter(step);
+    show();
+}
+
+std::optional<LessonPlace> LessonController::stop()
+{
+    if (!m_lesson)
+        return std::nullopt;
+    m_teacher.interrupt();
+    return LessonPlace{m_lesson, m_path, m_teacher.stepIndex(), m_teacher.changedBy() == LessonTeacher::Hand::Teachers};
 }
 
 void LessonController::leave()

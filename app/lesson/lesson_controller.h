@@ -27,6 +27,11 @@ public:
     /// All must outlive it but for the window: a child of the document.
     LessonController(ui::MainWindow& window, Document& document);
 
+    /// Begins a lesson with the model that is open, or goes on with it at a later step.
+    void start(const LessonPlace& place);
+    /// Stops the teacher. Returns where the lesson is; nothing if none is open.
+    std::optional<LessonPlace> stop();
+
 private:
     void addToStartPage(const QList<ui::LessonCard>& lessons);
     void read(const QString& pathOrName);

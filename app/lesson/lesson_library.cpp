@@ -32,4 +32,11 @@ core::Lesson readLesson(const QString& pathOrName)
         return core::readLesson(bundledFiles(pathOrName));
     return core::readLesson(toPath(pathOrName));
 }
+
+core::Lesson readLessonOfClass(const QString& pathOrName)
+{
+    if (bundledLessons().contains(pathOrName))
+        return core::readLesson(bundledFiles(pathOrName));
+    return core::readLesson(toPath(pathOrName));
+}
 } // namespace app

@@ -1,6 +1,5 @@
 #include "app/lesson/lesson_model.h"
 
-#include "app/lesson/lesson_library.h"
 #include "app/lesson/lesson_messages.h"
 
 #include "core/io/mesh_io.h"
@@ -90,10 +89,10 @@ QString lessonOrItsFolder(const QString& path)
     return file.fileName() == QLatin1String("lesson.json") ? file.absolutePath() : path;
 }
 
-ReadLesson tryToReadLesson(const QString& pathOrName)
+ReadLesson tryToReadLesson(const QString& pathOrName, core::Lesson (*read)(const QString& pathOrName))
 {
     try {
-        return {std::make_shared<const core::Lesson>(readLesson(pathOrName)), {}};
+        return {std::make_shared<const core::Lesson>(read(pathOrName)), {}};
     } catch (const core::LessonError& error) {
         return {{}, sentenceOf(error)};
     } catch (const core::FileError& error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/lesson/lesson_library.h"
 #include "app/model/model_loader.h"
 
 #include "core/lesson/lesson_file.h"
@@ -35,6 +36,6 @@ struct ReadLesson
     std::shared_ptr<const core::Lesson> lesson;
     QString problem;
 };
-/// As app::readLesson(). Never throws; any thread.
-ReadLesson tryToReadLesson(const QString& pathOrName);
+/// Reads a lesson by `read`. Never throws; any thread.
+ReadLesson tryToReadLesson(const QString& pathOrName, core::Lesson (*read)(const QString& pathOrName) = readLesson);
 } // namespace app

@@ -16,7 +16,10 @@ void StepBrushes::take(const core::LessonStep& step)
     m_brushes = core::brushesOf(step);
     for (const core::LessonBrush& brush : m_brushes)
         m_before.try_emplace(brush.tool, m_brush->tools()->of(brush.tool));
-    m_brush->offerTools(QList<core::Tool>(step.tools.begin(), step.tools.end()));
+    if (!m_offeredBefore)
+        m_offeredBefore = m_brush->offeredTools();
+    m_brush->offerTools(step.tools.empty() ? *m_offeredBefore
+                                           : QList<core::Tool>(step.tools.begin(), step.tools.end()));
     if (!m_brushes.empty() && m_brush->isOffered(m_brushes.front().tool))
         m_brush->setTool(m_brushes.front().tool);
     m_tool = m_brush->tool();
@@ -49,6 +52,7 @@ void StepBrushes::giveBack()
         values.radiusShare = before.radiusShare;
         m_brush->tools()->set(tool, values);
     }
-    m_brush->offerTools({});
+    if (m_offeredBefore)
+        m_brush->offerTools(*std::exchange(m_offeredBefore, std::nullopt));
 }
 } // namespace app

@@ -17,9 +17,10 @@ public:
     /// Not owned; must outlive this.
     explicit StepBrushes(ui::BrushSettings* brush);
 
-    /// Offers the step's tools, with the first of them in the hand.
+    /// Offers the step's tools, with the first of them in the hand; of a step that names none, those that were offered
+    /// before the first take().
     void take(const core::LessonStep& step);
-    /// Offers all tools, and gives them back what they had before the first take().
+    /// Offers the tools, and gives them back what they had, as before the first take().
     void giveBack();
 
 private:
@@ -30,5 +31,6 @@ private:
     std::vector<core::LessonBrush> m_brushes; ///< of the step
     std::optional<core::Tool> m_tool;         ///< in the hand; none: no step
     std::map<core::Tool, ui::ToolValues> m_before;
+    std::optional<QList<core::Tool>> m_offeredBefore; ///< none: nothing was taken
 };
 } // namespace app

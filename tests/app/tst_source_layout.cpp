@@ -74,7 +74,7 @@ const FolderRule folderRules[] = {
     {"ui/lesson", "core/operations core/lesson ui/widgets ui/actions"},
     {"ui/preferences", "ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/classroom", "core/util core/analysis core/stroke core/operations core/io ui/util ui/settings ui/widgets "
-                     "ui/actions ui/preferences"},
+                     "ui/actions ui/lesson ui/preferences"},
     {"ui/headset", "core/geometry core/stroke ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
                    "ui/brush ui/classroom"},
     {"ui/help", "ui/settings ui/widgets ui/actions ui/files ui/lesson"},
@@ -103,13 +103,14 @@ const FolderRule folderRules[] = {
                      "core/io core/journal ui/util ui/settings ui/widgets ui/viewport ui/model ui/brush "
                      "ui/history ui/window app/model app/worker app/recovery"},
     {"app/analysis", "core/geometry core/analysis core/mesh core/sculpt ui/util ui/print app/worker app/document"},
-    {"app/classroom", "core/util core/geometry core/drawing core/io/stroke core/io ui/util ui/settings "
-                      "ui/viewport ui/files ui/classroom ui/window app/model app/worker app/recovery "
-                      "app/document"},
     {"app/lesson",
      "core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
      "core/journal core/lesson ui/util ui/settings ui/widgets ui/viewport ui/lesson ui/help ui/window app/model "
      "app/worker app/document app/analysis"},
+    {"app/classroom",
+     "core/util core/geometry core/drawing core/io/stroke core/io core/lesson ui/util ui/settings "
+     "ui/widgets ui/viewport ui/files ui/lesson ui/classroom ui/window app/model app/worker app/recovery "
+     "app/document app/lesson"},
     {"app/commands", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
                      "core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
                      "app/document app/classroom app/lesson"},

@@ -96,7 +96,8 @@ ReportCells cellsOf(const ReportRow& row)
                       verdictText(verdictOf(row)),
                       plain(remarkOf(row)),
                       {},
-                      {}};
+                      {},
+                      plain(row.lesson)};
     if (row.report) {
         const core::Vec3& size = row.report->size;
         cells.size =

@@ -26,6 +26,7 @@ struct ReportRow
     std::optional<core::WorkDone> work;     ///< none: the file does not say
     QString name = {};                      ///< empty: the file's
     QString answersProblem = {};            ///< one sentence, if not all answers beside the file can be read
+    QString lesson = {};                    ///< how far the pupil has come in one; empty: there was none
     std::optional<double> turnSeconds = {}; ///< a pupil's turn took; none: it is no work of a class
 
     /// Seconds that the turn took or, of other files, the strokes.
@@ -51,6 +52,7 @@ struct ReportCells
     QString word; ///< the verdict
     QString note; ///< why not, or what to look at; may be empty
     QString time, strokes;
+    QString lesson; ///< how far the pupil has come in one
 };
 
 /// Any thread.

@@ -20,7 +20,7 @@ struct Classroom
 {
     QString title;
     QString folder;                ///< an absolute path: there the pupils' works go
-    QList<core::Starter> starters; ///< at least one, none twice; the first is there before anybody chooses
+    QList<core::Starter> starters; ///< none twice, and at least one, or a lesson; the first is there before all choose
     QList<core::Tool> tools;       ///< the same; the first is in the hand when a turn begins
     int turnMinutes = 20;          ///< 0: a turn has no end
     int warningMinutes = 3;        ///< before that end; 0: no warning
@@ -30,6 +30,7 @@ struct Classroom
     bool asksQuestions = false; ///< six about the program, after each turn
     QStringList names = {};     ///< of the pupils, to choose from; none: each is typed
     bool allowsOthers = true;   ///< a name that is not among them may be typed, too
+    QString lesson = {};        ///< to begin with: one of ours, or an absolute path; empty: none
 
     bool operator==(const Classroom&) const = default;
 };

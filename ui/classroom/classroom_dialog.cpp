@@ -1,6 +1,7 @@
 #include "ui/classroom/classroom_dialog.h"
 
 #include "ui/actions/actions.h"
+#include "ui/classroom/lesson_choice.h"
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/settings/stored_values.h"
 #include "ui/widgets/dialog_helpers.h"
@@ -50,8 +51,10 @@ QStringList namesIn(const QString& text)
 }
 } // namespace
 
-ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder)
+ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder,
+                                 const QList<LessonCard>& lessons)
     : QDialog(parent)
+    , m_lesson(new LessonChoice(lessons))
     , m_startFolder(folder)
 {
     QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
@@ -68,6 +71,7 @@ ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const 
     form->setSpacing(dialogGap);
     addNames(form);
     addPupils(form);
+    form->addRow(tr("L&esson:"), m_lesson);
     addTimes(form);
     addPin(form);
     page->addLayout(form);
@@ -88,6 +92,7 @@ void ClassroomDialog::load(const Classroom& classroom, const QString& path)
         box(starterId(starter))->setChecked(classroom.starters.contains(starter));
     for (const std::string_view name : core::toolNames())
         box(toolId(name))->setChecked(classroom.tools.contains(*core::named<core::Tool>(name)));
+    m_lesson->setLesson(classroom.lesson);
     m_turn->setValue(classroom.turnMinutes);
     m_warning->setValue(classroom.warningMinutes);
     m_fullScreen->setChecked(classroom.fullScreen);
@@ -179,6 +184,7 @@ ClassroomDraft ClassroomDialog::draft() const
     for (const std::string_view name : core::toolNames())
         if (box(toolId(name))->isChecked())
             classroom.tools << *core::named<core::Tool>(name);
+    classroom.lesson = m_lesson->lesson();
     classroom.turnMinutes = m_turn->value();
     classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
     classroom.fullScreen = m_fullScreen->isChecked();
@@ -309,7 +315,7 @@ ClassroomDialog::Fault ClassroomDialog::faultIn(const ClassroomDraft& draft) con
         return {tr("The PIN needs at least %n characters.", nullptr, minPinLength), m_pin};
     if (draft.pin != m_pinRepeated->text())
         return {tr("The two PINs are not the same."), m_pinRepeated};
-    if (classroom.starters.isEmpty())
+    if (classroom.starters.isEmpty() && classroom.lesson.isEmpty())
         return {tr("Choose at least one starting shape."), firstBox(MenuId::New)};
     if (classroom.tools.isEmpty())
         return {tr("Choose at least one tool."), firstBox(MenuId::Tool)};

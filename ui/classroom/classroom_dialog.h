@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/classroom/classroom.h"
+#include "ui/lesson/lesson_panel.h"
 
 #include <QDialog>
 
@@ -16,6 +17,7 @@ class QSpinBox;
 namespace ui
 {
 class Actions;
+class LessonChoice;
 enum class MenuId;
 
 /// What a teacher typed: the class, a new PIN, and the file that it is to be kept in.
@@ -33,7 +35,8 @@ class ClassroomDialog : public QDialog
 
 public:
     /// `folder`: where the dialogs for files begin. Deletes itself when it closes.
-    ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder);
+    ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder,
+                    const QList<LessonCard>& lessons = {});
 
     /// Shows a class that was read from a file.
     void load(const Classroom& classroom, const QString& path);
@@ -66,6 +69,7 @@ private:
     ClassroomDraft draft() const;
     Fault faultIn(const ClassroomDraft& draft) const;
 
+    LessonChoice* m_lesson;
     QString m_startFolder;
     QString m_path; ///< of the class that was loaded
     QString m_pinRecord;

@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/classroom/classroom.h"
+#include "ui/lesson/lesson_panel.h"
 #include "ui/widgets/side_column.h"
 
 #include <QAction>
@@ -26,6 +27,9 @@ constexpr QLatin1StringView openPanels[] = {QLatin1StringView("brushPanel"),    
                                             QLatin1StringView("symmetryPanel"),  QLatin1StringView("colorPanel"),
                                             QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel"),
                                             QLatin1StringView("presetPanel")};
+
+/// Leads nowhere when it is locked.
+constexpr QLatin1StringView lessonPanel("lessonPanel");
 
 template <std::size_t count> bool isAmong(const QLatin1StringView (&names)[count], const QString& name)
 {
@@ -123,7 +127,10 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
     }
     const auto* column = window->findChild<SideColumn*>();
     for (SidePanel* panel : column->panels()) {
-        if (isAmong(openPanels, panel->objectName())) {
+        const bool isLesson = panel->objectName() == lessonPanel && !classroom.lesson.isEmpty();
+        if (isLesson)
+            panel->setState(SidePanel::State::Hidden);
+        if (isLesson || isAmong(openPanels, panel->objectName())) {
             allowed << panel->toggleViewAction();
             continue;
         }
@@ -136,6 +143,7 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
         dock->hide();
         close(dock->toggleViewAction());
     }
+    window->findChild<LessonPanel*>()->lock();
     hideEmptyMenus(window, allowed);
     for (const QToolBar* bar : window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly))
         hideLoneSeparators(bar);

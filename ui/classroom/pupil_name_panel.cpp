@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/classroom/classroom.h"
+#include "ui/lesson/lesson_panel.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
@@ -24,7 +25,9 @@ namespace
 constexpr QSize starterSize{64, 64};
 constexpr int starterWidth = 84, nameWidth = 320, maxRows = 10;
 constexpr int nameRole = Qt::UserRole;
+constexpr int lessonTile = 1000; ///< no starter
 constexpr double headScale = 1.6;
+} // namespace
 
 /// Tiles of one size in a row, or in as many as the width makes necessary.
 class TileRows : public QWidget
@@ -37,10 +40,13 @@ public:
         setSizePolicy(policy);
     }
 
-    void add(QWidget* tile)
+    void add(QWidget* tile, bool isFirst)
     {
         tile->setParent(this);
-        m_tiles << tile;
+        if (isFirst && !m_tiles.isEmpty())
+            setTabOrder(tile, m_tiles.constFirst());
+        m_tiles.insert(isFirst ? 0 : m_tiles.size(), tile);
+        setHidden(m_tiles.size() == 1); // there is nothing to choose
     }
     QSize sizeHint() const override { return {widthOf(static_cast<int>(m_tiles.size())), tileSize().height()}; }
     QSize minimumSizeHint() const override { return tileSize(); }
@@ -79,12 +85,12 @@ private:
 
     QList<QWidget*> m_tiles;
 };
-} // namespace
 
 PupilNamePanel::PupilNamePanel(const Classroom& classroom, const Actions& actions, QWidget* over)
     : CoverPanel(over)
     , m_name(new QLineEdit)
     , m_pupils(new QListWidget)
+    , m_tiles(new TileRows)
     , m_starters(new QButtonGroup(this))
     , m_begin(new QPushButton(tr("&Begin")))
 {
@@ -121,7 +127,8 @@ QWidget* PupilNamePanel::content(const Classroom& classroom, const Actions& acti
     column->addWidget(title);
     column->addWidget(m_pupils);
     column->addWidget(m_name);
-    column->addWidget(tiles(classroom.starters, actions));
+    column->addWidget(m_tiles); // first: without a parent it would be shown as a window
+    addTiles(classroom.starters, actions);
     return content;
 }
 
@@ -150,31 +157,41 @@ void PupilNamePanel::setHadTurn(const QStringList& pupils)
     }
 }
 
-QWidget* PupilNamePanel::tiles(const QList<core::Starter>& starters, const Actions& actions)
+void PupilNamePanel::addTiles(const QList<core::Starter>& starters, const Actions& actions)
 {
-    auto* rows = new TileRows;
+    m_tiles->hide();
     for (const core::Starter starter : starters) {
         const QAction* action = actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)));
-        auto* tile = named(new QToolButton, QStringLiteral("turn.") + action->objectName());
-        tile->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        tile->setIcon(action->icon());
-        tile->setIconSize(starterSize);
-        tile->setText(action->iconText());
-        tile->setToolTip(action->statusTip());
-        tile->setCheckable(true);
-        tile->setFocusPolicy(Qt::StrongFocus);
-        m_starters->addButton(tile, static_cast<int>(starter));
-        rows->add(tile);
+        named(addTile(static_cast<int>(starter), action->iconText(), action->icon()),
+              QStringLiteral("turn.") + action->objectName(), action->statusTip());
     }
-    rows->setHidden(starters.size() == 1); // there is nothing to choose
-    return rows;
+}
+
+QToolButton* PupilNamePanel::addTile(int id, const QString& text, const QIcon& icon)
+{
+    auto* tile = new QToolButton;
+    tile->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    tile->setIcon(icon);
+    tile->setIconSize(starterSize);
+    tile->setText(text);
+    tile->setCheckable(true);
+    tile->setFocusPolicy(Qt::StrongFocus);
+    m_starters->addButton(tile, id);
+    m_tiles->add(tile, id == lessonTile);
+    return tile;
+}
+
+void PupilNamePanel::offerLesson(const LessonCard& lesson)
+{
+    named(addTile(lessonTile, tr("Lesson"), QPixmap::fromImage(lesson.picture)), "turn.lesson", lesson.title);
 }
 
 void PupilNamePanel::open()
 {
     m_name->clear();
     m_begin->setEnabled(false);
-    m_starters->buttons().constFirst()->setChecked(true);
+    QAbstractButton* const lesson = m_starters->button(lessonTile);
+    (lesson ? lesson : m_starters->buttons().constFirst())->setChecked(true);
     cover();
     m_pupils->clearSelection();
     if (m_pupils->count() > 0)
@@ -197,7 +214,9 @@ bool PupilNamePanel::event(QEvent* event)
 void PupilNamePanel::begin()
 {
     const QString name = m_name->text().simplified();
-    if (!name.isEmpty())
-        Q_EMIT begun(name, static_cast<core::Starter>(m_starters->checkedId()));
+    if (name.isEmpty())
+        return;
+    const int id = m_starters->checkedId();
+    Q_EMIT begun(name, id == lessonTile ? std::nullopt : std::optional(static_cast<core::Starter>(id)));
 }
 } // namespace ui

@@ -45,6 +45,7 @@ a:hover { text-decoration: underline; }
 b { white-space: nowrap; font-weight: 600; }
 small { display: block; min-width: 11rem; max-width: 22rem; color: var(--faint); font-size: .8rem;
   overflow-wrap: anywhere; }
+th small { font-weight: 400; }
 .ready b { color: var(--good); }
 .not b { color: var(--bad); }
 button { padding: 0; border: 0; background: none; color: inherit; font: inherit; cursor: pointer; }
@@ -150,8 +151,11 @@ QString rowText(const ReportRow& row, const std::filesystem::path& path)
                                    .arg(link, QString::number(shownSide), pictureData(row.picture));
     const std::optional<double> strokes =
         row.work ? std::optional(static_cast<double>(row.work->strokes)) : std::nullopt;
+    const QString lesson =
+        cells.lesson.isEmpty() ? QString() : QStringLiteral("<small>%1</small>").arg(escaped(cells.lesson));
     return QStringLiteral("<tr>\n<td class=\"picture\">%1</td>\n").arg(picture) +
-           QStringLiteral("<th scope=\"row\"><a href=\"%1\"><bdi>%2</bdi></a></th>\n").arg(link, escaped(cells.name)) +
+           QStringLiteral("<th scope=\"row\"><a href=\"%1\"><bdi>%2</bdi></a>%3</th>\n")
+               .arg(link, escaped(cells.name), lesson) +
            figureCell(longestSide(row), cells.size) + figureCell(volumeOf(row), cells.volume) + verdictCell(cells) +
            figureCell(row.seconds(), cells.time) + figureCell(strokes, cells.strokes) + QStringLiteral("</tr>\n");
 }

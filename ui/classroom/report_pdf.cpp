@@ -146,6 +146,7 @@ RowLayout layoutOf(const ReportRow& row, const std::filesystem::path& path)
                 std::make_unique<TextBlock>(text, style, contentWidth(reportColumns[column]), link));
     };
     add(0, words.name, {cellHeight, linkColor, true}, reportLink(path, row.file));
+    add(0, words.lesson, {noteHeight, faintColor});
     add(1, words.size, {cellHeight, inkColor});
     add(2, words.volume, {cellHeight, inkColor});
     add(3, words.word, {cellHeight, words.verdict == ReportVerdict::Ready ? readyColor : notReadyColor, true});

@@ -79,17 +79,20 @@ void LessonPanel::addChooser()
 {
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
-    QLabel* head = label("lessonsHead");
-    head->setText(tr("Choose a lesson. It begins with a model of its own."));
-    rows->addWidget(head);
-    m_cards = new QVBoxLayout;
+    m_chooserHead = label("lessonsHead");
+    m_chooserHead->setText(tr("Choose a lesson. It begins with a model of its own."));
+    rows->addWidget(m_chooserHead);
+    auto* cards = new QWidget;
+    m_cards = new QVBoxLayout(cards);
+    m_cards->setContentsMargins(0, 0, 0, 0);
     m_cards->setSpacing(gap);
-    rows->addLayout(m_cards);
+    rows->addWidget(cards);
     auto* file = new QPushButton(tr("Open a Lesson…"));
     file->setToolTip(tr("Opens a lesson from a zip or a folder."));
     connect(file, &QPushButton::clicked, this, &LessonPanel::fileRequested);
     rows->addWidget(file);
     rows->addStretch();
+    m_waysOut << cards << file;
     m_stack->addWidget(page);
 }
 
@@ -127,9 +130,7 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     m_progress->setAccessibleName(tr("How far the teacher is"));
     m_play = named(new QPushButton(tr("Show Me")), "lessonPlay");
     m_one = named(new QPushButton(tr("One Stroke")), "lessonOne", tr("Shows the teacher's next stroke alone."));
-    m_speed = new QComboBox;
-    m_speed->setAccessibleName(tr("Speed"));
-    m_speed->setToolTip(tr("How fast the teacher works."));
+    m_speed = named(new QComboBox, "lessonSpeed", tr("How fast the teacher works."), tr("Speed"));
     for (const double speed : speeds)
         m_speed->addItem(tr("%1 ×", "speed").arg(QLocale().toString(speed)));
     m_speed->setCurrentIndex(defaultSpeed);
@@ -158,10 +159,9 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
 
 void LessonPanel::addNavigation(QVBoxLayout* page)
 {
-    m_back = new QPushButton(tr("Back"));
+    m_back = named(new QPushButton(tr("Back")), "lessonBack");
     m_next = named(new QPushButton(tr("Next")), "lessonNext");
-    auto* leave = new QPushButton(tr("Leave"));
-    leave->setToolTip(tr("Ends the lesson. The model stays as it is."));
+    auto* leave = named(new QPushButton(tr("Leave")), "lessonLeave", tr("Ends the lesson. The model stays as it is."));
     auto* row = new QHBoxLayout;
     for (QPushButton* each : {m_back, m_next, leave})
         row->addWidget(each);
@@ -172,6 +172,7 @@ void LessonPanel::addNavigation(QVBoxLayout* page)
     auto* handout = named(new QPushButton(tr("Handout as PDF…")), "lessonHandout",
                           tr("Writes the texts and pictures of all steps to a PDF for pupils."));
     page->addWidget(handout);
+    m_waysOut << leave << handout;
     connect(handout, &QPushButton::clicked, this, &LessonPanel::handoutRequested);
     connect(m_teachers, &QPushButton::clicked, this, &LessonPanel::teachersModelRequested);
     connect(m_back, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step - 1); });
@@ -215,11 +216,23 @@ void LessonPanel::showPage(const LessonPage& page)
     m_stack->setCurrentIndex(1);
 }
 
+/// The next lesson begins as the first one did: another pupil may take it.
 void LessonPanel::showLessons()
 {
+    m_speed->setCurrentIndex(defaultSpeed);
+    m_difference->setChecked(false);
     m_stack->setCurrentIndex(0);
     m_shown.reset();
     Q_EMIT changed();
+}
+
+void LessonPanel::lock()
+{
+    for (QWidget* way : std::as_const(m_waysOut)) {
+        way->setEnabled(false);
+        way->hide();
+    }
+    m_chooserHead->setText(tr("This turn has no lesson."));
 }
 
 void LessonPanel::press(LessonButton button)

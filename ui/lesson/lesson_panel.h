@@ -68,6 +68,8 @@ public:
     void setLessons(const QList<LessonCard>& lessons);
     void showPage(const LessonPage& page);
     void showLessons();
+    /// Takes away what leads to files and other lessons.
+    void lock();
 
     void setPlaying(bool isPlaying);
     void setProgress(double share); ///< of the teacher's strokes, 0 to 1
@@ -103,8 +105,9 @@ private:
 
     QStackedWidget* m_stack = nullptr;
     QVBoxLayout* m_cards = nullptr;
-    QLabel *m_lesson = nullptr, *m_title = nullptr, *m_picture = nullptr, *m_text = nullptr, *m_brush = nullptr,
-           *m_marks = nullptr;
+    QList<QWidget*> m_waysOut; ///< to files and other lessons
+    QLabel *m_chooserHead = nullptr, *m_lesson = nullptr, *m_title = nullptr, *m_picture = nullptr, *m_text = nullptr,
+           *m_brush = nullptr, *m_marks = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton *m_play = nullptr, *m_one = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr,
                 *m_teachers = nullptr;

@@ -44,6 +44,7 @@ public:
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
     /// From now on these can be chosen and no others; the first is taken. At first it is all.
     void offerTools(const QList<core::Tool>& tools);
+    const QList<core::Tool>& offeredTools() const { return m_offered; }
     bool isOffered(core::Tool tool) const { return m_offered.isEmpty() || m_offered.contains(tool); }
     /// About the plane that was chosen last; x = 0 at first.
     void setSymmetric(bool symmetric)

@@ -1,5 +1,7 @@
 #include "app/classroom/class_file.h"
 #include "app/classroom/class_pin.h"
+#include "app/lesson/lesson_library.h"
+#include "app/model/model_loader.h"
 
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -103,6 +105,41 @@ private Q_SLOTS:
         }
     }
 
+    /// One of ours by its name, another by its path from the file; the class needs no starters then.
+    void theLessonIsRead()
+    {
+        const QByteArray tools =
+            QByteArray(whole()).replace("smooth, pull", "smooth, pull, push, flatten, snake, inflate");
+        const ui::Classroom beside = ClassFile::read(File(tools + "lesson = mug\n").path());
+        QCOMPARE(beside.lesson, QStringLiteral("mug"));
+        QCOMPARE(beside.starters.size(), 2);
+        const File file(QByteArray(tools).replace("starters = vase, ball\n", "lesson = own/lesson.zip\n"));
+        core::writeLesson(toPath(file.folder.filePath(QStringLiteral("lesson.zip"))),
+                          readLesson(QStringLiteral("creature")));
+        QVERIFY(QDir(file.folder.path()).mkdir(QStringLiteral("own")));
+        QVERIFY(QFile::rename(file.folder.filePath(QStringLiteral("lesson.zip")),
+                              file.folder.filePath(QStringLiteral("own/lesson.zip"))));
+        const ui::Classroom alone = ClassFile::read(file.path());
+        QCOMPARE(alone.lesson, file.folder.filePath(QStringLiteral("own/lesson.zip")));
+        QVERIFY(alone.starters.isEmpty());
+        const QString again = file.folder.filePath(QStringLiteral("again.fettleclass"));
+        for (const ui::Classroom& written : {beside, alone}) {
+            QCOMPARE(ClassFile::write(again, written), QString());
+            QCOMPARE(ClassFile::read(again), written);
+        }
+    }
+
+    void aBrokenLessonIsRefused()
+    {
+        const File file(whole() + "lesson = broken.zip\n");
+        QFile broken(file.folder.filePath(QStringLiteral("broken.zip")));
+        QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("PK no zip") > 0);
+        broken.close();
+        QVERIFY2(file.problem().contains(QStringLiteral("line 13: lesson: ")) &&
+                     file.problem().contains(QStringLiteral("broken.zip")),
+                 qPrintable(file.problem()));
+    }
+
     void otherKeysHaveDefaults()
     {
         const File file("title=t\nfolder=/f\nstarters=ball\ntools=pull\r\n" + pinLine);
@@ -141,6 +178,13 @@ private Q_SLOTS:
         row("language", "= de", "= fr", "line 10: language: \"fr\" is none of system, en, de, zh_CN.");
         row("a PIN that can be read", pinLine.constData(), "pin = 1234\n",
             "line 12: pin: this is no PIN as Fettle writes it");
+        row("unknown lesson", "questions = yes", "lesson = mugs",
+            "mugs is no lesson: neither one of first-clay, mug, creature nor a folder or zip.");
+        row("unknown lesson's line", "questions = yes", "lesson = mugs", "line 11: lesson: ");
+        row("empty lesson", "questions = yes", "lesson =", "line 11: lesson: it is empty.");
+        row("lesson with other tools", "questions = yes", "lesson = mug",
+            "line 11: lesson: Step 1 of the lesson needs the tool Push (push), which is not among the class's tools.");
+        row("neither starters nor lesson", "starters = vase, ball\n", "", "5b.ini: starters is missing.");
         row("no PIN", pinLine.constData(), "", "5b.ini: pin is missing.");
         row("no folder", "folder = works\n", "", "5b.ini: folder is missing.");
         row("not UTF-8", "Klasse", "\xff\xfe", "5b.ini is no class file: it is no text in UTF-8, or too long.");

@@ -93,6 +93,7 @@ private Q_SLOTS:
     void check_namesPupils();
     void sheets_areAPageAPupil();
     void theLesson_judgesEachPupil();
+    void theReport_saysHowFarALessonCame();
     void anUnreadableWork_isSaidByAll();
 };
 
@@ -203,6 +204,31 @@ void TestClassWorks::theLesson_judgesEachPupil()
 }
 
 /// A row and a sentence each, and no answer of yes.
+/// In the reader's words, whatever the class spoke, and without what a stranger wrote there.
+void TestClassWorks::theReport_saysHowFarALessonCame()
+{
+    const ClassFolder works;
+    const QString folder = works.add(QStringLiteral("a"), QStringLiteral("Anna"), QStringLiteral("1"));
+    QJsonObject turn = QJsonDocument::fromJson(contentOf(folder + QStringLiteral("/turn.json"))).object();
+    turn.insert(QStringLiteral("lesson"),
+                QJsonDocument::fromJson(R"({"lesson": "mug", "title": "Der <Becher>", "step": 2, "steps": 5, "goals": [
+                    {"goal": "components", "least": 1, "most": 1, "measured": 1, "met": true},
+                    {"goal": "height_mm", "least": 200, "most": null, "measured": 40, "met": false},
+                    {"goal": "distance_mm", "least": 0, "most": 3, "measured": 5, "met": false},
+                    {"goal": "bribe", "met": true}, 7]})")
+                    .object());
+    writeWork(folder + QStringLiteral("/turn.json"), QJsonDocument(turn).toJson());
+    const QString report = works.root.filePath(QStringLiteral("r.html"));
+    QCOMPARE(runFettle({QStringLiteral("report"), works.root.path(), QStringLiteral("-o"), report}).status, 0);
+    const QString page = QString::fromUtf8(contentOf(report));
+    const QString said = page.mid(page.indexOf(QStringLiteral("Lesson Der")), 300);
+    QVERIFY2(
+        said.startsWith(QStringLiteral("Lesson Der &lt;Becher&gt;: step 2 of 5 · ✓ in one piece · ○ at least 200 mm "
+                                       "tall (now 40 mm) · ○ like the teacher's to 3")),
+        qPrintable(said));
+    QVERIFY(!page.contains(QStringLiteral("bribe")));
+}
+
 void TestClassWorks::anUnreadableWork_isSaidByAll()
 {
     const ClassFolder works;

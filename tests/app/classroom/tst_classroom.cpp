@@ -8,10 +8,14 @@
 #include "app/classroom/class_pin.h"
 #include "app/classroom/classroom_mode.h"
 #include "app/classroom/turn_answers.h"
+#include "app/classroom/work_archive.h"
+#include "app/lesson/lesson_library.h"
 #include "app/model/model_loader.h"
 
+#include "core/io/mesh_io.h"
 #include "core/io/stroke/stroke_file.h"
 #include "core/journal/journal.h"
+#include "core/lesson/checkpoint.h"
 #include "core/sculpt/sculptor.h"
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_caption.h"
@@ -24,11 +28,13 @@
 #include "ui/widgets/side_column.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QListWidget>
@@ -212,6 +218,16 @@ struct Class
     ClassroomMode mode;
 };
 
+/// The class with a lesson and the tools of it.
+ui::Classroom withLesson(ui::Classroom classroom, bool hasStarters)
+{
+    classroom.lesson = QStringLiteral("first-clay");
+    classroom.tools << core::Tool::Push << core::Tool::Smooth << core::Tool::SnakeHook;
+    if (!hasStarters)
+        classroom.starters.clear();
+    return classroom;
+}
+
 /// Counts how often a widget is shown.
 class ShowCount : public QObject
 {
@@ -325,6 +341,9 @@ private Q_SLOTS:
     void theProjectorsClock_saysWhoIsNext();
     void names_areChosenFromTheList();
     void noOtherName_ifTheTeacherSaysSo();
+    void aLesson_isGivenInATurn_data();
+    void aLesson_isGivenInATurn();
+    void aLesson_leadsNowhereElse();
     void stopping_leavesNobodyWithoutClay();
     void theClock_warnsAndTakesNothing();
     void aMissingFolder_isSaidAtOnce();
@@ -593,6 +612,120 @@ void TestClassroom::noOtherName_ifTheTeacherSaysSo()
 }
 
 /// Esc, while a starter is being made.
+void TestClassroom::aLesson_isGivenInATurn_data()
+{
+    QTest::addColumn<bool>("hasStarters");
+    QTest::newRow("alone") << false;
+    QTest::newRow("beside starters") << true;
+}
+
+/// The step that is reached and its goals are kept with the work, and Resume goes on there.
+void TestClassroom::aLesson_isGivenInATurn()
+{
+    QFETCH(const bool, hasStarters);
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, withLesson(home.classroom(), hasStarters));
+    c.begin();
+    QCOMPARE(c.part<QToolButton>("turn.lesson")->isVisible(), hasStarters);
+    const auto* panel = c.part<ui::SidePanel>("lessonPanel");
+    const QString step = QStringLiteral("First clay: a pear: step %1 of 4");
+    const auto begin = [&](const QString& name) {
+        c.part<QLineEdit>("pupilName")->clear();
+        QTest::keyClicks(c.part<QLineEdit>("pupilName"), name);
+        c.press("beginTurn");
+        QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == name, longestWait);
+        QVERIFY(panel->isVisible());
+        QCOMPARE(c.text("lessonTitle"), step.arg(1));
+        QCOMPARE(c.part<QComboBox>("lessonSpeed")->currentIndex(), 2);
+        QCOMPARE(c.program.window.brush()->tool(), core::Tool::Pull);
+        QCOMPARE(c.program.window.brush()->stroke().radius, 42.0);
+        QVERIFY(!c.program.window.action(QStringLiteral("tool.smooth"))->isEnabled());
+    };
+    begin(QStringLiteral("Anna"));
+    c.part<QComboBox>("lessonSpeed")->setCurrentIndex(4);
+    c.press("lessonPlay");
+    QTRY_VERIFY_WITH_TIMEOUT(c.program.worker.strokes().isOpen(), longestWait);
+    c.press("lessonNext"); // all of the step is done
+    QTRY_COMPARE_WITH_TIMEOUT(c.text("lessonTitle"), step.arg(2), longestWait);
+    QCOMPARE(c.program.window.brush()->tool(), core::Tool::Push);
+    const std::uint64_t hash = c.hash();
+    c.next();
+    QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 1, longestWait);
+    const QJsonObject kept =
+        turnIn(WorkArchive::worksIn(home.works).constFirst()).value(QStringLiteral("lesson")).toObject();
+    QCOMPARE(kept.value(QStringLiteral("lesson")).toString(), QStringLiteral("first-clay"));
+    QCOMPARE(kept.value(QStringLiteral("step")).toInt(), 2);
+    QVERIFY(!kept.value(QStringLiteral("teachers_model")).toBool());
+    const QJsonArray goals = kept.value(QStringLiteral("goals")).toArray();
+    const core::Lesson lesson = readLesson(QStringLiteral("first-clay"));
+    const core::CheckpointVerdict verdict = core::evaluate(
+        lesson.steps[1].checkpoint,
+        core::readMesh(toPath(WorkArchive::worksIn(home.works).constFirst() + QStringLiteral("/model.glb"))), nullptr);
+    QVERIFY(!verdict.isMet());
+    QCOMPARE(goals.size(), static_cast<qsizetype>(verdict.facts.size()));
+    for (qsizetype i = 0; i < goals.size(); ++i)
+        QCOMPARE(goals[i].toObject().value(QStringLiteral("met")).toBool(),
+                 verdict.facts[static_cast<std::size_t>(i)].holds);
+
+    c.press("classResume");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("lessonTitle") == step.arg(2), longestWait);
+    QVERIFY(panel->isVisible());
+    QCOMPARE(c.hash(), hash);
+    c.press("lessonPlay");
+    c.press("lessonOne");
+    QTRY_VERIFY_WITH_TIMEOUT(c.program.document.history().stack().count() > 0, longestWait);
+    c.next(); // while the teacher works
+    QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 2, longestWait);
+    QVERIFY(turnIn(WorkArchive::worksIn(home.works).constLast())
+                .value(QStringLiteral("lesson"))
+                .toObject()
+                .value(QStringLiteral("teachers_model"))
+                .toBool());
+    begin(QStringLiteral("Ben"));
+    if (!hasStarters)
+        return;
+    c.next();
+    c.beginTurn(QStringLiteral("Cem"), "new.torus");
+    QVERIFY(!panel->isVisible());
+    QCOMPARE(c.program.window.brush()->tool(), core::Tool::Clay);
+    QVERIFY(c.program.window.action(QStringLiteral("tool.paint"))->isEnabled());
+    for (const core::Tool tool : {core::Tool::Stamp, core::Tool::Mask})
+        QVERIFY(!c.program.window.brush()->isOffered(tool));
+    c.next();
+    QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 4, longestWait);
+    for (const QString& folder : WorkArchive::worksIn(home.works))
+        QCOMPARE(turnIn(folder).contains(QStringLiteral("lesson")), !folder.endsWith(QStringLiteral("Cem")));
+}
+
+/// Nothing in the panel, open or without a lesson, leads to files or to other lessons.
+void TestClassroom::aLesson_leadsNowhereElse()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home, withLesson(home.classroom(), true));
+    c.begin();
+    const QStringList allowed{QStringLiteral("lessonPlay"), QStringLiteral("lessonOne"),
+                              QStringLiteral("lessonTry"),  QStringLiteral("lessonNext"),
+                              QStringLiteral("lessonBack"), QStringLiteral("lessonTeachers")};
+    const auto verifyLocked = [&] {
+        for (const QPushButton* button : c.part<ui::SidePanel>("lessonPanel")->findChildren<QPushButton*>())
+            QVERIFY2(allowed.contains(button->objectName()) || (!button->isEnabled() && !button->isVisible()),
+                     qPrintable(button->text()));
+    };
+    c.beginTurn(QStringLiteral("Anna"), "lesson");
+    verifyLocked();
+    c.press("lessonNext");
+    verifyLocked();
+    c.next();
+    c.beginTurn(QStringLiteral("Ben"), "new.ball");
+    c.part<ui::SidePanel>("lessonPanel")->toggleViewAction()->trigger();
+    QVERIFY(c.part<ui::SidePanel>("lessonPanel")->isVisible());
+    QCOMPARE(c.text("lessonsHead"), QStringLiteral("This turn has no lesson."));
+    verifyLocked();
+    QVERIFY(otherWindows(c).isEmpty());
+}
+
 void TestClassroom::stopping_leavesNobodyWithoutClay()
 {
     const QTemporaryDir root;
@@ -890,6 +1023,10 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     type("classPinAgain", pin);
     for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask", "classQuestions"})
         dialog->findChild<QAbstractButton*>(QLatin1StringView(box))->click();
+    auto* lesson = dialog->findChild<QComboBox*>(QStringLiteral("classLesson"));
+    QCOMPARE(lesson->count(), 5); // none, ours, from a file
+    lesson->setCurrentIndex(2);
+    Q_EMIT lesson->activated(2);
     QVERIFY(fault().isEmpty());
     QPointer<QFileDialog> files;
     QTRY_VERIFY((files = dialog->findChild<QFileDialog*>(QStringLiteral("classDialog"))) && files->isVisible());
@@ -909,6 +1046,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QVERIFY(read.tools.size() == 14 && !read.tools.contains(core::Tool::Stamp));
     QVERIFY(isPin(pin, read.pin) && !isPin(QStringLiteral("1234"), read.pin));
     QVERIFY(read.asksQuestions);
+    QCOMPARE(read.lesson, QStringLiteral("mug"));
 }
 
 /// After the PIN, the works that are not in the class's folder are counted, and may be copied.
