@@ -259,6 +259,7 @@ ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, c
     settle(result, {path, {}, options.stop}, false, options.up.value_or(UpAxis::Y));
     return result;
 }
+
 std::filesystem::path folderOf(const std::filesystem::path& file)
 {
     return std::filesystem::absolute(file).lexically_normal().parent_path();

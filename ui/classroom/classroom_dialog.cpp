@@ -28,16 +28,33 @@ namespace ui
 {
 namespace
 {
-constexpr int textWidth = 460, columns = 4, nameLines = 4;
+constexpr int textWidth = 460, columns = 4, nameLines = 3;
 
 QString starterId(core::Starter starter)
 {
     return QStringLiteral("new.") + QString::fromUtf8(core::name(starter));
 }
+
 QString toolId(std::string_view tool)
 {
     return QStringLiteral("tool.") + QString::fromUtf8(tool);
 }
+
+/// Lays two fields out in a row, the second one with its label.
+QHBoxLayout* beside(QWidget* first, const QString& label, QWidget* second)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(dialogGap);
+    row->addWidget(first, 1);
+    if (!label.isEmpty()) {
+        auto* words = new QLabel(label);
+        words->setBuddy(second);
+        row->addWidget(words);
+    }
+    row->addWidget(second, label.isEmpty() ? 0 : 1);
+    return row;
+}
+
 /// Returns the lines as a class's file keeps them: each once, without what ends a name there.
 QStringList namesIn(const QString& text)
 {
@@ -259,10 +276,8 @@ void ClassroomDialog::addTimes(QFormLayout* form)
     m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
     for (const Named<Language>& row : languages)
         m_language->addItem(PreferencesDialog::words(row.value), static_cast<int>(row.value));
-    form->addRow(tr("T&urn:"), m_turn);
-    form->addRow(tr("&Warning before the end:"), m_warning);
-    form->addRow(tr("&Language:"), m_language);
-    form->addRow({}, m_fullScreen);
+    form->addRow(tr("T&urn:"), beside(m_turn, tr("&Warning before the end:"), m_warning));
+    form->addRow(tr("&Language:"), beside(m_language, {}, m_fullScreen));
     form->addRow({}, m_questions);
 }
 
@@ -275,8 +290,7 @@ void ClassroomDialog::addPin(QFormLayout* form)
         field->setEchoMode(QLineEdit::Password);
         field->setMaxLength(maxPinLength);
     }
-    form->addRow(tr("&PIN:"), m_pin);
-    form->addRow(tr("&Repeat PIN:"), m_pinRepeated);
+    form->addRow(tr("&PIN:"), beside(m_pin, tr("&Repeat PIN:"), m_pinRepeated));
 }
 
 QWidget* ClassroomDialog::choices(const QString& title, const Actions& actions, MenuId menu)
