@@ -151,11 +151,12 @@ void LessonTeacher::interrupt()
     m_timer.stop();
     m_timer.setInterval(tickMs);
     m_afterHurry = nullptr;
-    m_entered.reset();
     m_isTaught = false;
     if (!m_player)
         return;
     m_player->pause();
+    if (const auto entered = std::exchange(m_entered, std::nullopt)) // half of the way to it
+        m_player->setStep(*entered);
     m_panel->setPlaying(false);
     showGhost({});
 }
@@ -188,11 +189,15 @@ void LessonTeacher::finish(std::function<void()> done)
 /// Keeps what the pupil did, to go back to.
 void LessonTeacher::startFromOwn(std::function<void()> done)
 {
-    const std::size_t step = m_player->stepIndex();
     interrupt();
-    m_document->changer().apply(core::Reset{});
+    m_entered = m_player->stepIndex();
+    m_hasShown = true;
+    m_isUndone = false;
+    m_document->queue().enqueue([this] {
+        if (m_entered && m_document->history().stack().index() > 0) // at 0 the model is the lesson's start
+            m_document->changer().apply(core::Reset{});
+    });
     m_player->setStep(0);
-    m_entered = step;
     hurry(std::move(done));
 }
 

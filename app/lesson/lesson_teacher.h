@@ -35,15 +35,16 @@ public:
     /// Null ends the lesson. The first step is still to be entered.
     void setLesson(std::shared_ptr<const core::Lesson> lesson);
     bool hasLesson() const { return m_player.has_value(); }
-    const core::LessonStep& step() const { return m_player->step(); }
-    std::size_t stepIndex() const { return m_player->stepIndex(); }
+    const core::LessonStep& step() const { return m_player->lesson().steps[stepIndex()]; }
+    std::size_t stepIndex() const { return m_entered.value_or(m_player->stepIndex()); }
     enum class Hand { Nobodys, Pupils, Teachers };
     /// Returns whose changes the model has since the step was entered: the teacher's, if any stroke of it is.
     Hand changedBy() const;
     /// Does at once what is left of a step that the teacher is in the middle of, then calls `done`; not if a hand goes
     /// between.
     void finish(std::function<void()> done);
-    /// Begins the step anew from the model that the teacher has there, as steps to undo; then calls `done`.
+    /// Begins the step anew from the model that the teacher has there, as steps to undo; then calls `done`. If a hand
+    /// goes between, these steps belong to the step, as what the teacher has shown.
     void startFromOwn(std::function<void()> done);
     /// Enters the step with the model as it is.
     void enter(std::size_t step);

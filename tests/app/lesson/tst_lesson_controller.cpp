@@ -16,6 +16,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -69,6 +70,24 @@ void showStep(Program& program)
     QTRY_VERIFY(isPlaying(program));
     QTRY_VERIFY_WITH_TIMEOUT(
         !isPlaying(program) && program.document.queue().isSettled() && !program.document.job().isBusy(), longestWait);
+}
+
+bool isSettled(Program& program)
+{
+    return program.document.queue().isSettled() && !program.document.job().isBusy();
+}
+
+/// The mug at its third step, untouched, where the teacher has begun to do the first two.
+void beginOnTheWay(Program& program)
+{
+    begin(program, QStringLiteral("A mug with a handle"));
+    for (int step = 2; step <= 3; ++step) {
+        press(program, "lessonNext");
+        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, step), longestWait);
+    }
+    QSignalSpy steps(&program.document, &Document::stepped);
+    press(program, "lessonTeachers");
+    QVERIFY(steps.wait(longestWait));
 }
 
 std::uint64_t teachersHash(const char* name, std::size_t steps)
@@ -233,6 +252,71 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), teachersHash("first-clay", 1), longestWait);
         program.document.history().goTo(1);
         QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), pupils, longestWait);
+    }
+
+    /// A stroke while the teacher hurries to the step ends that, and the step is still the one that the panel shows.
+    void stroke_onTheWay_staysInTheStep()
+    {
+        Program program;
+        const QSignalSpy notices(&program.document, &Document::noticed);
+        beginOnTheWay(program);
+        drag(program.window.viewport(), {30, 0});
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(program), longestWait);
+        const int count = program.document.history().stack().count();
+        QVERIFY(count >= 2 && count < 7); // the teacher has six strokes there
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ This is the teacher's model")), longestWait);
+        QVERIFY(!marks(program).contains(QStringLiteral("✓")));
+        for (const QVariantList& notice : notices)
+            QVERIFY2(!notice.front().toString().contains(QStringLiteral("like that already")), "nothing to reset");
+        press(program, "lessonNext");
+        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 4), longestWait);
+        QCOMPARE(program.document.history().stack().count(), count);
+    }
+
+    void back_onTheWay_goesBack()
+    {
+        Program program;
+        beginOnTheWay(program);
+        Q_EMIT program.window.findChild<ui::LessonPanel*>()->stepRequested(1);
+        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.history().stack().index() == 0, longestWait);
+    }
+
+    /// Takes back the half, and shows the step's strokes on the model as it was.
+    void tryOrShow_onTheWay_beginTheStep()
+    {
+        Program program;
+        begin(program, QStringLiteral("A mug with a handle"));
+        press(program, "lessonNext");
+        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        const std::uint64_t start = meshHash(program.worker);
+        showStep(program);
+        const std::uint64_t shown = meshHash(program.worker);
+        press(program, "lessonTry");
+        for (const bool shows : {false, true}) {
+            QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.history().stack().index() == 0,
+                                     longestWait);
+            QSignalSpy steps(&program.document, &Document::stepped);
+            press(program, "lessonTeachers");
+            QVERIFY(steps.wait(longestWait));
+            if (!shows)
+                press(program, "lessonTry");
+        }
+        showStep(program);
+        QCOMPARE(meshHash(program.worker), shown);
+        press(program, "lessonTry");
+        QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), start, longestWait);
+        QVERIFY(isAtStep(program, 2));
+    }
+
+    void leave_onTheWay_stops()
+    {
+        Program program;
+        beginOnTheWay(program);
+        Q_EMIT program.window.findChild<ui::LessonPanel*>()->closed();
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(program), longestWait);
+        QVERIFY(program.document.history().stack().count() < 6);
+        QVERIFY(!part<QLabel>(program, "lessonText")->isVisible());
     }
 
     /// Size and strength are the teacher's, with each tool that is taken up, until the pupil changes them or leaves.
