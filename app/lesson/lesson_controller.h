@@ -31,13 +31,14 @@ public:
     void start(const LessonPlace& place);
     /// Stops the teacher. Returns where the lesson is; nothing if none is open.
     std::optional<LessonPlace> stop();
+    /// Ends the lesson, if there is one: the model stays, and the brush is the pupil's own.
+    void leave();
 
 private:
     void addToStartPage(const QList<ui::LessonCard>& lessons);
     void read(const QString& pathOrName);
     void openLesson(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path);
     void begin();
-    void leave();
     void enter(std::size_t step);
     void goTo(int step);
     void goOn(std::size_t step);

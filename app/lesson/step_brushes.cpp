@@ -14,11 +14,11 @@ void StepBrushes::take(const core::LessonStep& step)
 {
     m_tool.reset();
     m_brushes = core::brushesOf(step);
+    if (!m_before)
+        m_before = Before{m_brush->tool(), m_brush->radiusShare(), m_brush->offeredTools(), {}};
     for (const core::LessonBrush& brush : m_brushes)
-        m_before.try_emplace(brush.tool, m_brush->tools()->of(brush.tool));
-    if (!m_offeredBefore)
-        m_offeredBefore = m_brush->offeredTools();
-    m_brush->offerTools(step.tools.empty() ? *m_offeredBefore
+        m_before->values.try_emplace(brush.tool, m_brush->tools()->of(brush.tool));
+    m_brush->offerTools(step.tools.empty() ? m_before->offered
                                            : QList<core::Tool>(step.tools.begin(), step.tools.end()));
     if (!m_brushes.empty() && m_brush->isOffered(m_brushes.front().tool))
         m_brush->setTool(m_brushes.front().tool);
@@ -46,13 +46,17 @@ void StepBrushes::giveBack()
 {
     m_tool.reset();
     m_brushes.clear();
-    for (const auto& [tool, before] : std::exchange(m_before, {})) {
+    const std::optional<Before> before = std::exchange(m_before, std::nullopt);
+    if (!before)
+        return;
+    m_brush->offerTools(before->offered);
+    for (const auto& [tool, own] : before->values) {
         ui::ToolValues values = m_brush->tools()->of(tool);
-        values.strength = before.strength;
-        values.radiusShare = before.radiusShare;
+        values.strength = own.strength;
+        values.radiusShare = own.radiusShare;
         m_brush->tools()->set(tool, values);
     }
-    if (m_offeredBefore)
-        m_brush->offerTools(*std::exchange(m_offeredBefore, std::nullopt));
+    m_brush->setTool(before->tool);
+    m_brush->setRadiusShare(before->radiusShare);
 }
 } // namespace app

@@ -4,6 +4,8 @@
 #include "ui/settings/brush_settings.h"
 
 #include <map>
+#include <optional>
+#include <vector>
 
 namespace app
 {
@@ -17,20 +19,27 @@ public:
     /// Not owned; must outlive this.
     explicit StepBrushes(ui::BrushSettings* brush);
 
-    /// Offers the step's tools, with the first of them in the hand; of a step that names none, those that were offered
-    /// before the first take().
+    /// Offers the step's tools, with that of the teacher's first stroke in the hand; of a step that names none, those
+    /// that were offered before the first take().
     void take(const core::LessonStep& step);
-    /// Offers the tools, and gives them back what they had, as before the first take().
+    /// Offers the tools, and gives them and the hand back what they had, as before the first take().
     void giveBack();
 
 private:
+    struct Before
+    {
+        core::Tool tool;    ///< in the hand
+        double radiusShare; ///< of that tool, or of all
+        QList<core::Tool> offered;
+        std::map<core::Tool, ui::ToolValues> values;
+    };
+
     void follow();
     void setValues();
 
     ui::BrushSettings* m_brush;
     std::vector<core::LessonBrush> m_brushes; ///< of the step
     std::optional<core::Tool> m_tool;         ///< in the hand; none: no step
-    std::map<core::Tool, ui::ToolValues> m_before;
-    std::optional<QList<core::Tool>> m_offeredBefore; ///< none: nothing was taken
+    std::optional<Before> m_before;           ///< none: no step
 };
 } // namespace app

@@ -77,7 +77,6 @@ void connectDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document.saver(), &ModelSaver::brushExported, &window, &MainWindow::setBrushModel);
     document.opener().setDiscardPrompt(
         [&window](const std::function<void()>& proceed) { return window.files()->askToDiscard(proceed); });
-    window.setCanClose([&window, &document] { return document.opener().canDiscard([&window] { window.close(); }); });
 }
 
 void connectRepairs(ui::MainWindow& window, Document& document)
@@ -311,6 +310,18 @@ void connectReports(ui::MainWindow& window, Document& document)
     QObject::connect(controller, &ReportController::noticed, &window, &ui::MainWindow::showNotice);
     QObject::connect(controller, &ReportController::refused, &window, &ui::MainWindow::showProblem);
 }
+
+/// A window that closes leaves the lesson before it stores the brush, which is then the pupil's own.
+void connectLessons(ui::MainWindow& window, Document& document)
+{
+    auto* const lessons = new LessonController(window, document);
+    window.setCanClose([&window, &document, lessons] {
+        const bool canClose = document.opener().canDiscard([&window] { window.close(); });
+        if (canClose)
+            lessons->leave();
+        return canClose;
+    });
+}
 } // namespace
 
 void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker,
@@ -326,8 +337,8 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectMetadata(window, document);
     connectModelPanel(window, document, worker);
     connectPrintPanel(window, document, worker);
-    new LessonController(window, document); // before the strokes: the teacher's ends where the hand's begins
-    new StrokeEdit(window, document);       // the same: requested changes of the last stroke come before the next
+    connectLessons(window, document); // before the strokes: the teacher's ends where the hand's begins
+    new StrokeEdit(window, document); // the same: requested changes of the last stroke come before the next
     new LessonEditorController(window, document);
     connectStrokes(window.viewport()->input(), document);
     connectWorker(*window.viewport(), worker, inbox);

@@ -8,6 +8,7 @@
 #include "core/lesson/lesson_playback.h"
 #include "tests/support/effort.h"
 #include "ui/lesson/lesson_panel.h"
+#include "ui/settings/settings.h"
 #include "ui/widgets/side_panel.h"
 
 #include <QComboBox>
@@ -317,6 +318,60 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(isSettled(program), longestWait);
         QVERIFY(program.document.history().stack().count() < 6);
         QVERIFY(!part<QLabel>(program, "lessonText")->isVisible());
+    }
+
+    void leaving_givesTheBrushBack_data()
+    {
+        QTest::addColumn<bool>("shares");
+        QTest::addColumn<bool>("quits");
+        for (const bool shares : {true, false})
+            for (const bool quits : {true, false})
+                QTest::addRow("%s, %s", shares ? "one radius" : "radii", quits ? "quits" : "leaves") << shares << quits;
+    }
+
+    /// Radius, strength and tool are the pupil's own again, and so they are at the next start.
+    void leaving_givesTheBrushBack()
+    {
+        QFETCH(bool, shares);
+        QFETCH(bool, quits);
+        constexpr double share = 0.15, strength = 0.9;
+        {
+            Program program;
+            ui::BrushSettings& brush = *program.window.brush();
+            brush.tools()->setSharesRadius(shares);
+            for (const core::Tool tool : {core::Tool::Push, core::Tool::Grab}) {
+                brush.setTool(tool);
+                brush.setRadiusShare(share);
+                brush.setValue(core::Parameter::Strength, strength);
+            }
+            ui::Settings().set(&ui::Setting::radiusShare, share);
+            program.document.opener().openStarter(core::Starter::Ball);
+            QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.modelInfo().size.maxCoeff() > 0,
+                                     longestWait);
+            brush.setRadiusShare(share);
+            begin(program, QStringLiteral("A mug with a handle"));
+            QCOMPARE(brush.tool(), core::Tool::Push);
+            QVERIFY(std::abs(brush.radiusShare() - share) > 0.01);
+            if (quits) {
+                QVERIFY(program.window.close());
+            } else {
+                Q_EMIT program.window.findChild<ui::LessonPanel*>()->closed();
+                QVERIFY(program.window.isVisible());
+            }
+            QCOMPARE(brush.tool(), core::Tool::Grab);
+            QVERIFY(std::abs(brush.radiusShare() - share) < 1e-6);
+            QCOMPARE(brush.tools()->of(core::Tool::Push).strength, strength);
+            if (!shares)
+                QVERIFY(std::abs(brush.tools()->of(core::Tool::Push).radiusShare.value_or(0) - share) < 1e-6);
+            if (!quits)
+                return;
+        }
+        Program next;
+        const ui::ToolMemory& tools = *next.window.brush()->tools();
+        QCOMPARE(tools.of(core::Tool::Push).strength, strength);
+        if (!shares)
+            QVERIFY(std::abs(tools.of(core::Tool::Push).radiusShare.value_or(0) - share) < 1e-6);
+        QVERIFY(std::abs(ui::Settings().get(&ui::Setting::radiusShare) - share) < 1e-6);
     }
 
     /// Size and strength are the teacher's, with each tool that is taken up, until the pupil changes them or leaves.
