@@ -6,7 +6,9 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextBlock>
 #include <QTextDocument>
+#include <QTextLayout>
 
 #include <algorithm>
 
@@ -28,7 +30,8 @@ public:
         m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
     }
 
-    /// Adds a picture, which may be null, with text beside it. Both are on one page.
+    /// Adds a picture, which may be null, with text beside it. Both are on one page unless the text is longer than
+    /// that.
     void add(const QImage& picture, const QString& html)
     {
         const double side = picture.isNull() ? 0 : pictureSide * mm, gap = picture.isNull() ? 0 : distance * mm;
@@ -37,23 +40,43 @@ public:
         text.setDocumentMargin(0);
         text.setHtml(html);
         text.setTextWidth(m_writer->width() - side - gap);
-        const double height = std::max(side, text.size().height());
-        if (m_top > 0 && m_top + height > m_writer->height()) {
-            m_writer->newPage();
-            m_top = 0;
-        }
+        const double height = std::max(side, text.size().height()), page = m_writer->height();
+        if (m_top + height > page && (height <= page || m_top > page / 2))
+            beginPage();
         if (!picture.isNull()) {
             const QSizeF size = QSizeF(picture.size()).scaled(side, side, Qt::KeepAspectRatio);
             m_painter.drawImage(QRectF(QPointF(0, m_top), size), picture);
         }
-        m_painter.save();
-        m_painter.translate(side + gap, m_top);
-        text.drawContents(&m_painter);
-        m_painter.restore();
-        m_top += height + distance * mm;
+        draw(text, side + gap, height);
+        m_top += distance * mm;
     }
 
 private:
+    void beginPage()
+    {
+        m_writer->newPage();
+        m_top = 0;
+    }
+
+    /// Draws it line by line, on as many pages as it needs. The last one is taken up to `height` of the whole.
+    void draw(const QTextDocument& text, double left, double height)
+    {
+        double before = 0; // what other pages have of the height
+        for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
+            const QTextLayout& layout = *block.layout();
+            for (int i = 0; i < layout.lineCount(); ++i) {
+                const QTextLine line = layout.lineAt(i);
+                const double top = layout.position().y() + line.y();
+                if (m_top + top + line.height() - before > m_writer->height()) {
+                    beginPage();
+                    before = top;
+                }
+                line.draw(&m_painter, layout.position() + QPointF(left, m_top - before));
+            }
+        }
+        m_top += height - before;
+    }
+
     QPdfWriter* m_writer;
     QPainter m_painter;
     double m_top = 0; ///< dots; of what comes next

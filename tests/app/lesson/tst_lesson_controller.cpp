@@ -1,4 +1,5 @@
 // A lesson in the real window: shown, tried, checked, and left.
+#include "app/lesson/lesson_handout.h"
 #include "tests/app/lesson/lesson_window.h"
 #include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
@@ -89,6 +90,22 @@ void beginOnTheWay(Program& program)
     QSignalSpy steps(&program.document, &Document::stepped);
     press(program, "lessonTeachers");
     QVERIFY(steps.wait(longestWait));
+}
+
+/// Returns how many pieces of text each page of a PDF draws: one for each line.
+std::vector<qsizetype> linesOfPages(const QByteArray& pdf)
+{
+    std::vector<qsizetype> lines;
+    for (qsizetype at = 0; (at = pdf.indexOf("\nstream\n", at)) >= 0;) {
+        at += 8;
+        if (pdf[at] != 'x') // not compressed
+            continue;
+        const QByteArray length(4, '\x7f'); // a guess: it only has to be large enough
+        const QByteArray content = qUncompress(length + pdf.mid(at, pdf.indexOf("\nendstream", at) - at));
+        if (content.contains("\nBT\n"))
+            lines.push_back(content.count("\nBT\n"));
+    }
+    return lines;
 }
 
 std::uint64_t teachersHash(const char* name, std::size_t steps)
@@ -372,6 +389,27 @@ private Q_SLOTS:
         if (!shares)
             QVERIFY(std::abs(tools.of(core::Tool::Push).radiusShare.value_or(0) - share) < 1e-6);
         QVERIFY(std::abs(ui::Settings().get(&ui::Setting::radiusShare) - share) < 1e-6);
+    }
+
+    /// A text that is longer than a page goes on with the next, and begins below the title.
+    void handout_hasAllLines()
+    {
+        core::Lesson lesson = core::readLesson(lessonsFolder / "first-clay");
+        lesson.steps.resize(1);
+        std::string text;
+        constexpr qsizetype lines = 119, fit = 56; // of 13 points on a page of 261 mm
+        for (qsizetype line = 1; line <= lines; ++line)
+            text += "line " + std::to_string(line) + "\n";
+        lesson.steps.front().text = core::LessonText{{{"en", text}}};
+        const std::vector<qsizetype> pages = linesOfPages(lessonHandout(lesson, QStringLiteral("en")));
+        QVERIFY(pages.size() >= 3);
+        qsizetype all = 0;
+        for (const qsizetype page : pages) {
+            QVERIFY2(page <= fit, qPrintable(QString::number(page)));
+            all += page;
+        }
+        QVERIFY2(all >= lines + 3, qPrintable(QString::number(all))); // with title, summary and the step's title
+        QVERIFY(pages.front() > 10);
     }
 
     /// Size and strength are the teacher's, with each tool that is taken up, until the pupil changes them or leaves.
