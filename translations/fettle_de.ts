@@ -759,7 +759,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>This is the teacher&apos;s model. Press Try It and make your own.</source>
-        <translation>Das ist das Modell der Lehrkraft. Versuchen macht Platz für ein eigenes.</translation>
+        <translation>Das ist das Modell der Lehrkraft. Drücke auf Versuchen und mach dein eigenes.</translation>
     </message>
 </context>
 <context>
@@ -969,6 +969,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
     </message>
     <message>
         <source>at least %1</source>

@@ -966,6 +966,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
         <source>at least %1</source>
         <translation>至少 %1</translation>
     </message>

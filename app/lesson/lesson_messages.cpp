@@ -139,7 +139,7 @@ QString LessonMessages::figure(core::Fact fact, double value)
     case core::Fact::Widest:
         return tr("%1 mm").arg(millimetres(value));
     case core::Fact::BaseArea:
-        return ui::areaText(std::round(value));
+        return tr("%1 cm²").arg(QLocale().toString(value / 100, 'f', 1)); // none and much in one unit
     case core::Fact::Volume:
         return ui::volumeText(std::abs(value));
     default:

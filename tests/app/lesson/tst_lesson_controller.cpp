@@ -1,5 +1,6 @@
 // A lesson in the real window: shown, tried, checked, and left.
 #include "app/lesson/lesson_handout.h"
+#include "app/lesson/lesson_messages.h"
 #include "tests/app/lesson/lesson_window.h"
 #include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
@@ -389,6 +390,12 @@ private Q_SLOTS:
         if (!shares)
             QVERIFY(std::abs(tools.of(core::Tool::Push).radiusShare.value_or(0) - share) < 1e-6);
         QVERIFY(std::abs(ui::Settings().get(&ui::Setting::radiusShare) - share) < 1e-6);
+    }
+
+    void base_hasOneUnit()
+    {
+        const QString goal = LessonMessages::goal(core::FactVerdict{{core::Fact::BaseArea, 1000}, 0.0, false});
+        QCOMPARE(goal, QStringLiteral("flat base: at least 10.0 cm² (now 0.0 cm²)"));
     }
 
     /// A text that is longer than a page goes on with the next, and begins below the title.
