@@ -18,7 +18,7 @@ namespace app
 {
 namespace
 {
-/// "Pull: 42 mm, Smooth: 26 mm": what the step's tools come with.
+/// Returns what the step's tools come with: "Pull 42 mm, Smooth 26 mm".
 QString brushText(const core::LessonStep& step)
 {
     QStringList brushes;

@@ -20,7 +20,7 @@ public:
     static QString goal(const core::TargetVerdict& verdict);
 
     static QString tool(core::Tool tool);
-    /// Says a tool and its size: "Pull 42 mm", or "Pull 42 mm, strength 0.7".
+    /// Says a tool and its size: "Pull 42 mm", or "Pull 42 mm (strength 0.7)".
     static QString brush(const core::LessonBrush& brush);
 
 private:
