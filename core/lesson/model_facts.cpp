@@ -38,6 +38,7 @@ std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points)
         add(points[i - 2], lower);
     return hull;
 }
+
 /// Returns how far the surface reaches from the box's axis at each of the levels.
 std::vector<double> outlineOf(const TriangleMesh& mesh, const Box& box)
 {
