@@ -1084,8 +1084,7 @@ void TestClassroom::leaving_saysWhatWaits()
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
 }
 
-/// A class's folder that does not answer, such as that of a lost server: a work that cannot be read to its end stands
-/// for it. It is nobody's turn meanwhile, and what waits can be copied.
+/// A class's folder that does not answer, such as that of a lost server. It is nobody's turn meanwhile.
 void TestClassroom::leaving_doesNotWaitForEver()
 {
     const QTemporaryDir root;
@@ -1096,10 +1095,15 @@ void TestClassroom::leaving_doesNotWaitForEver()
     QVERIFY(QDir().rmdir(home.works));
     c.next();
     QTRY_VERIFY(!c.text("classWaiting").isEmpty());
-    const QString work = home.places.outbox + u'/' + foldersIn(home.places.outbox).constFirst();
-    const QByteArray pipe = QFile::encodeName(work + QStringLiteral("/endless"));
-    QCOMPARE(mkfifo(pipe.constData(), 0600), 0);
-    QVERIFY(QDir().mkpath(home.works));
+    const QString there = home.works + u'/' + foldersIn(home.places.outbox).constFirst();
+    QVERIFY(QDir().mkpath(there));
+    const QByteArray pipe = QFile::encodeName(there + QStringLiteral("/turn.json"));
+    QCOMPARE(::mkfifo(pipe.constData(), 0600), 0);
+    const auto release = [&pipe] { // until somebody reads there is no such writer
+        const int writer = ::open(pipe.constData(), O_WRONLY | O_NONBLOCK);
+        return writer >= 0 && ::close(writer) == 0;
+    };
+    const auto releaseAtLast = qScopeGuard(release); // else a failure would wait for ever
     c.press("classLeave");
     c.typePin(pin);
     QTRY_VERIFY(!c.program.window.isEnabled());
@@ -1107,9 +1111,7 @@ void TestClassroom::leaving_doesNotWaitForEver()
     QTRY_VERIFY_WITH_TIMEOUT((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible(),
                              longestWait);
     QVERIFY(c.program.window.isEnabled());
-    const int writer = open(pipe.constData(), O_WRONLY | O_NONBLOCK); // it answers after all
-    QVERIFY(writer >= 0);
-    close(writer);
+    QVERIFY(release()); // it answers after all
     c.press("endClass");
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
 }
