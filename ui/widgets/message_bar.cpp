@@ -39,6 +39,7 @@ MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* wind
     setContextMenuPolicy(Qt::PreventContextMenu);
     view()->installEventFilter(this);
     window->installEventFilter(this);
+    installEventFilter(this); // its words and their font come later
     show();
     raise();
     place();
@@ -74,7 +75,9 @@ void MessageBar::place()
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::LayoutRequest)
+    const QEvent::Type type = event->type();
+    const bool isOwn = watched == this && (type == QEvent::PolishRequest || type == QEvent::FontChange);
+    if (isOwn || (watched != this && (type == QEvent::Resize || type == QEvent::Move || type == QEvent::LayoutRequest)))
         place();
     return QToolBar::eventFilter(watched, event);
 }
