@@ -282,7 +282,8 @@ void TestEndToEnd::saving_byKey()
     chooseFile(program, "saveDialog", path);
     QTRY_VERIFY(notice(program).contains(QStringLiteral("mine.ply")));
     QVERIFY(isSound(path));
-    QVERIFY(!program.window.isWindowModified() && program.window.windowTitle().startsWith(QStringLiteral("mine.ply")));
+    QTRY_VERIFY(!program.window.isWindowModified() &&
+                program.window.windowTitle().startsWith(QStringLiteral("mine.ply")));
 
     const qint64 size = QFileInfo(path).size();
     program.window.brush()->setValue(core::Parameter::Detail, 0.6);
