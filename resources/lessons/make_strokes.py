@@ -111,7 +111,8 @@ def mug():
     hand.turned("push", 6, 32, step=4, strength=1.2)
     hand.turned("push", 6, 47, step=4, strength=1.2)
     yield "grooves", hand.take()
-    hand.drag("snake", 12, [[42, 66, 0], [50, 69, 0], *arc([47, 43], 26, 75, -80, 24), [44, 17, 0], [34, 17, 0]], spacing=0.06, place="point")
+    handle = [[42, 66, 0], [50, 69, 0], *arc([47, 43], 26, 75, -80, 24), [44, 17, 0], [34, 17, 0]]
+    hand.drag("snake", 12, handle, spacing=0.06, place="point")
     yield "handle", hand.take()
     for height in (66, 18):
         hand.drag("smooth", 13, [[40, height, 12], [46, height, 10], [50, height, 0], [46, height, -10], [40, height, -12]], spacing=0.15)
