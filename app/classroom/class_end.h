@@ -16,7 +16,7 @@ class ClassEnd : public QObject
     Q_OBJECT
 
 public:
-    /// Neither is owned; both must outlive this but for the window, which may be just going.
+    /// Takes neither into ownership; both must outlive this but for the window, which may be just going.
     ClassEnd(ClassWork* work, QWidget* window) : m_work(work), m_window(window) {}
 
     /// A sentence for the question before, with what waits by now.

@@ -102,7 +102,7 @@ void ClassFileController::askToBegin(const ui::Classroom& classroom, const QStri
     question->open();
 }
 
-/// After the question has closed: the window may ask about unsaved changes.
+/// Closes the window after the question has closed: it may ask about unsaved changes.
 void ClassFileController::begin(const QString& path)
 {
     m_next = path;

@@ -67,7 +67,7 @@ public:
 
 Q_SIGNALS:
     void noticed(const QString& sentence);
-    /// Those who have a work of today, after each delivery.
+    /// Emitted after each delivery, with those who have a work of today.
     void pupilsFound(const QStringList& pupils);
 
 private:

@@ -11,7 +11,7 @@
 
 namespace app
 {
-/// What turn.json says about the turn that left a work; empty or invalid where it says nothing.
+/// Facts that turn.json has about the turn that left a work; empty or invalid where it says nothing.
 struct TurnFacts
 {
     QString id, pupil;

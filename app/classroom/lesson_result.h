@@ -11,7 +11,7 @@
 
 namespace app
 {
-/// How far a turn has come in a lesson: turn.json keeps it. Any thread.
+/// Progress of a turn in a lesson, which turn.json keeps. Any thread.
 class LessonResult
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonResult)

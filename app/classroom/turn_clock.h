@@ -29,7 +29,7 @@ public:
     bool hasEnd() const { return m_limits.turnMinutes > 0; }
     /// Precondition: it has an end.
     qint64 remainingMs() const;
-    /// Since its end. Precondition: it has an end.
+    /// Returns the time since its end. Precondition: it has an end.
     qint64 overMs() const;
     bool isWarned() const { return m_isWarned; }
     /// Returns each notice once a turn, when it is due.

@@ -87,7 +87,7 @@ public:
 
     /// Returns the folders in a class's folder that hold a whole work, by name.
     static QStringList worksIn(const QString& classFolder);
-    /// Whether a folder holds a whole work.
+    /// Returns whether a folder holds a whole work.
     static bool isWork(const QString& folder);
     /// Returns what a work's folder says about its turn.
     static TurnFacts turnOf(const QString& work);

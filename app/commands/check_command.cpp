@@ -109,7 +109,7 @@ Json toJson(const QString& file, const Checked& checked)
             {"time_spent_s", checked.work ? Json(std::llround(checked.work->seconds)) : Json(nullptr)}};
 }
 
-/// After all others.
+/// Puts a column after all others.
 void addTurn(Json& json, const FoundModel& model)
 {
     const auto text = [](const QString& value) { return value.isEmpty() ? Json(nullptr) : Json(value.toStdString()); };
@@ -145,7 +145,7 @@ Json unknown(const CheckOptions& options, const QString& file, const FoundModel&
     return json;
 }
 
-/// To three decimals, and of what is small to three digits: as exact as a person reads it.
+/// Rounds to three decimals, and what is small to three digits: as exact as a person reads it.
 QString rounded(double value)
 {
     return std::abs(value) < 0.1 ? QString::number(value, 'g', 3)
@@ -360,7 +360,7 @@ void addOptions(QCommandLineParser& parser)
     StandardFiles::addFrom(parser);
 }
 
-/// In the table.
+/// Returns the words of a row in the table.
 QString shownName(const FoundModel& model)
 {
     return model.work.isEmpty() ? StandardFiles::named(ui::displayName(model.file)) : model.pupil;

@@ -39,7 +39,7 @@ void ClassResults::add(const FoundModel& model, const core::CheckpointVerdict& v
     m_rows.push_back(row);
 }
 
-/// Each goal has two columns: what was measured, and whether that is enough.
+/// Writes two columns for each goal: what was measured, and whether that is enough.
 QString ClassResults::csv() const
 {
     Json rows = Json::array();

@@ -81,14 +81,14 @@ bool isVersion(const QString& word)
     return word == QLatin1String("--version") || word == QLatin1String("-v");
 }
 
-/// Whether one of the options is such, before "--" and file names after it.
+/// Returns whether one of the options is such, before "--" and file names after it.
 bool hasOption(const QStringList& arguments, bool (*is)(const QString&))
 {
     const auto end = std::ranges::find(arguments, QStringLiteral("--"));
     return std::any_of(arguments.begin(), end, is);
 }
 
-/// Whether the arguments are for run(), right or wrong.
+/// Returns whether the arguments are for run(), right or wrong.
 bool isCommand(const QStringList& arguments)
 {
     if (arguments.isEmpty())
@@ -214,7 +214,7 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments, const QString& op
     return Done;
 }
 
-/// All commands, if the word is empty.
+/// Prints the help on a command, or on all if the word is empty.
 ExitStatus CommandLine::helpOn(const QString& word)
 {
     if (word.isEmpty()) {

@@ -32,14 +32,14 @@ class CommandLine
     Q_DECLARE_TR_FUNCTIONS(app::CommandLine)
 
 public:
-    /// Whether the arguments (without the program's name) open the window: they neither name a subcommand, which wins
-    /// over file names, nor ask for help or the version, nor are wrong.
+    /// Returns whether the arguments (without the program's name) open the window: they neither name a subcommand,
+    /// which wins over file names, nor ask for help or the version, nor are wrong.
     static bool opensWindow(const QStringList& arguments);
     /// Whether it draws letters on pages: run() needs a QGuiApplication then, on whatever platform.
     static bool needsFonts(const QStringList& arguments);
     /// Does what needs no window. Needs a QCoreApplication. `openXr`: version of the loader that it was built with.
     static ExitStatus run(const QStringList& arguments, const QString& openXr);
-    /// For arguments that are no subcommand. Throws CommandFailure.
+    /// Reads arguments that are no subcommand. Throws CommandFailure.
     static WindowStart windowStart(QStringList arguments);
 
     [[noreturn]] static void fail(const QString& sentence);

@@ -16,7 +16,7 @@ class CommandOptions
 public:
     /// Parses the arguments; `parser` has the options by then, and outlives this.
     CommandOptions(QCommandLineParser& parser, const QString& command, const QStringList& arguments);
-    /// Whether --help was asked for, and was answered.
+    /// Returns whether --help was asked for, and was answered.
     bool isAnswered() const { return m_isAnswered; }
 
     const QString& command() const { return m_command; }

@@ -312,7 +312,7 @@ ExitStatus checkModel(Session& session)
     return judge(session, session.playback.stepIndex(), model) ? Done : AnswerIsNo;
 }
 
-/// What the checkpoint asks, without an answer.
+/// Returns the goals of a checkpoint without an answer.
 CheckpointVerdict unanswered(const core::Checkpoint& checkpoint)
 {
     CheckpointVerdict verdict;

@@ -26,7 +26,7 @@ public:
     /// that of --to. Throws CommandFailure: no such format, or it is binary and a terminal would show it.
     static QString output(const CommandOptions& options, const QString& name,
                           const QStringList& formats = ui::writtenEndings());
-    /// Whether the standard output carries a file, and nothing beside it.
+    /// Returns whether the standard output carries a file, and nothing beside it.
     static bool hasOutput();
     /// Sends the file of output(), if there is one, to the standard output. Throws CommandFailure.
     static void flush();

@@ -6,7 +6,8 @@ namespace app
 {
 namespace
 {
-/// Whether the hand is to feel it. A pull that begins too close to the surface to add a ball waits for its first touch.
+/// Returns whether the hand is to feel it. A pull that begins too close to the surface to add a ball waits for its
+/// first touch.
 bool isRefusal(core::Shortfall shortfall)
 {
     return shortfall != core::Shortfall::None && shortfall != core::Shortfall::TooClose;

@@ -14,7 +14,7 @@ constexpr double turnSpeed = 2.5; ///< radians a second
 constexpr double edge = 0.04;     ///< radians that are left free beside a panel
 constexpr double enough = 0.005;  ///< radians
 
-/// What the user opens; others stand beside the work by themselves.
+/// Returns whether the user opens it; others stand beside the work by themselves.
 bool isOpenedByHand(vr::PanelKind kind)
 {
     using enum vr::PanelKind;

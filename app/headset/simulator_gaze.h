@@ -12,8 +12,8 @@ namespace app
 class SimulatorGaze
 {
 public:
-    /// Once in a while: the panels that are there, where the head is, and how far it sees to a side, as a tangent.
-    /// Returns how far the head turns now, radians to the left. `seconds`: since the last time; 0: at once.
+    /// Takes, once in a while, the panels that are there, where the head is, and how far it sees to a side, as a
+    /// tangent. Returns how far the head turns now, radians to the left. `seconds`: since the last time; 0: at once.
     double step(std::span<const vr::PanelTarget> panels, const vr::Pose& head, double sideTangent, double seconds);
     /// The user has turned the head: it stays.
     void letGo();
@@ -21,7 +21,7 @@ public:
 private:
     static double missing(const vr::PanelTarget& panel, const vr::Pose& head, double sideTangent);
 
-    /// By kind.
+    /// Places by kind of panel.
     using Kinds = std::bitset<vr::panelKindCount>;
 
     Kinds m_open;                         ///< that the user has opened

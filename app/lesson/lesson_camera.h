@@ -14,7 +14,7 @@ namespace app
 class LessonCamera
 {
 public:
-    /// Not owned.
+    /// Takes no ownership.
     explicit LessonCamera(ui::Viewport* viewport) : m_viewport(viewport) {}
 
     /// Flies to the step's view, where it has one, so that the model and all that the teacher does are in the picture.

@@ -18,7 +18,7 @@ struct StepCheck;
 
 namespace app
 {
-/// As the pictures of steps are drawn: from the step's view, if it has one.
+/// Draws the picture of a step: from the step's view, if it has one.
 QImage lessonPicture(const core::TriangleMesh& mesh, const std::optional<core::LessonView>& from);
 
 /// A lesson that was played to its end.

@@ -16,7 +16,7 @@ class StepBrushes : public QObject
     Q_OBJECT
 
 public:
-    /// Not owned; must outlive this.
+    /// Takes no ownership; the brush must outlive this.
     explicit StepBrushes(ui::BrushSettings* brush);
 
     /// Offers the step's tools, with that of the teacher's first stroke in the hand; of a step that names none, those

@@ -81,8 +81,8 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
 /// What a slicer would take a model of that volume for. By PrusaSlicer's thresholds, which others have, too.
 enum class UnitDoubt { None, Inches, Metres };
 UnitDoubt unitDoubtOf(double volume);
-/// In which unit a model was made that is too small for slicers in millimetres, or shorter than PrintLimits::inchSide:
-/// below metreSide metres are likelier than inches.
+/// Returns the unit in which a model was made that is too small for slicers in millimetres, or shorter than
+/// PrintLimits::inchSide: below metreSide metres are likelier than inches.
 UnitDoubt guessedUnit(double volume, double longestSide);
 
 enum class PrintPicture { Thickness, Overhang };

@@ -51,7 +51,8 @@ struct DocumentMetadata
     std::optional<SavedView> view;
     std::optional<StrokeSettings> brush; ///< that was in the hand, with its symmetry
     std::optional<WorkDone> work;        ///< none: nobody counted
-    /// One for each side at most. A file names an image in its own folder or below from there, so that both can move.
+    /// Images, one for each side at most. A file names an image in its own folder or below from there, so that both can
+    /// move.
     std::vector<SavedReference> references;
 
     /// Returns the frame's place (MeshFrame::place); zero without a frame.

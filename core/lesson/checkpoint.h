@@ -11,8 +11,8 @@
 
 namespace core
 {
-/// What a checkpoint may ask of a model besides its shape. Height is along y, width along x, depth along z; the four
-/// from Widest on are those of model_facts.h.
+/// Measures that a checkpoint may ask of a model besides its shape. Height is along y, width along x, depth along z;
+/// the four from Widest on are those of model_facts.h.
 enum class Fact { Genus, Components, Height, Width, Depth, Widest, Feet, BaseArea, Grooves, Volume, Faces, PrintReady };
 
 struct FactInfo

@@ -1,5 +1,5 @@
 #version 330 core
-// What a lens hides: as near as can be, so that nothing is drawn behind it.
+// Places what a lens hides as near as can be, so that nothing is drawn behind it.
 uniform mat4 projection;
 
 in vec2 vertexPosition; // eye space, at z = -1

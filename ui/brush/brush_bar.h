@@ -21,7 +21,7 @@ public:
 
     QValidator::State validate(QString& text, int& cursor) const override;
     void fixup(QString& text) const override;
-    /// The same for all numbers, so that nothing beside it moves when a digit comes.
+    /// Returns the same size for all numbers, so that nothing beside it moves when a digit comes.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

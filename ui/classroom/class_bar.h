@@ -53,7 +53,7 @@ Q_SIGNALS:
     void resumeRequested();
     void leaveRequested();
     void clockRequested();
-    /// As setPupil() was told.
+    /// Emitted with what setPupil() was told.
     void pupilShown(const std::optional<QString>& pupil);
     /// As setTime() was told.
     void timeShown(const std::optional<ui::TurnTime>& time);

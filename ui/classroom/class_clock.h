@@ -23,7 +23,7 @@ public:
 
     void setPupil(const std::optional<QString>& pupil);
     void setTime(const std::optional<ui::TurnTime>& time);
-    /// Those who have had a turn come no more.
+    /// Leaves out those who have had a turn.
     void setHadTurn(const QStringList& pupils);
     /// Shows it, or hides it if it is there.
     void toggle();

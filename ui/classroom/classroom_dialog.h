@@ -20,7 +20,7 @@ class Actions;
 class LessonChoice;
 enum class MenuId;
 
-/// What a teacher typed: the class, a new PIN, and the file that it is to be kept in.
+/// Draft that a teacher typed: the class, a new PIN, and the file that it is to be kept in.
 struct ClassroomDraft
 {
     Classroom classroom; ///< its PIN is that of the class that was loaded; empty: there is none yet

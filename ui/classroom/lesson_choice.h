@@ -14,7 +14,7 @@ class LessonChoice : public QComboBox
 public:
     explicit LessonChoice(const QList<LessonCard>& lessons);
 
-    /// As Classroom has it.
+    /// Returns the lesson as Classroom has it.
     QString lesson() const { return m_lesson; }
     void setLesson(const QString& lesson);
 

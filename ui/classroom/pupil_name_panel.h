@@ -30,7 +30,7 @@ public:
     /// The starters look as their actions do, in the class's order.
     PupilNamePanel(const Classroom& classroom, const Actions& actions, QWidget* over);
 
-    /// Without a name, and with the lesson or the first starter.
+    /// Shows itself without a name, and with the lesson or the first starter.
     void open();
     /// Offers a lesson, too: before the starters, and chosen at first.
     void offerLesson(const LessonCard& lesson);

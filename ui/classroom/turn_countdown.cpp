@@ -42,7 +42,7 @@ void TurnCountdown::setTime(const std::optional<TurnTime>& time)
     setVisible(isShown);
 }
 
-/// At the middle of the upper edge, where it hides the least clay.
+/// Stands at the middle of the upper edge, where it hides the least clay.
 void TurnCountdown::place()
 {
     QFont letters = font();

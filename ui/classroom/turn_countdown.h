@@ -17,7 +17,7 @@ class TurnCountdown : public QLabel
 public:
     explicit TurnCountdown(QWidget* over);
 
-    /// Nothing: the turn has no end, or it is nobody's.
+    /// Takes nothing where the turn has no end, or it is nobody's.
     void setTime(const std::optional<ui::TurnTime>& time);
 
 protected:

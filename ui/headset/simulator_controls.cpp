@@ -69,7 +69,7 @@ Isometry3d SimulatorControls::head() const
     return body() * AngleAxisd(m_pitch, Vec3::UnitX());
 }
 
-/// As seen from the eye, of unit length.
+/// Returns the direction as seen from the eye, of unit length.
 Vec3 SimulatorControls::way() const
 {
     return Vec3(m_place.x() * sideTangent, m_place.y() * upTangent, -1).normalized();

@@ -53,15 +53,15 @@ public:
     void walk(const core::Vec3& metres);
     /// Where the mouse is in what the eye sees, of which there is one: -1 to 1, right and up.
     void pointAt(const Eigen::Vector2d& place);
-    /// From the eye through where the mouse is.
+    /// Returns the ray from the eye through where the mouse is.
     core::Ray sight() const;
-    /// What is under the mouse.
+    /// Surface under the mouse.
     struct Surface
     {
         double distance = 0; ///< metres from the eye
         bool isPanel = false;
     };
-    /// How the wand goes along with what is under the mouse.
+    /// Way in which the wand goes along with what is under the mouse.
     enum class Following {
         Freely,
         WithTheMouse, ///< while it presses: on what it began, and no faster than the mouse moves, or what grows below

@@ -20,7 +20,7 @@ public:
     explicit SimulatorView(QWidget* parent = nullptr);
 
     const SimulatorControls& controls() const { return m_controls; }
-    /// What is under the mouse, as SimulatorControls::meet() has it.
+    /// Takes what is under the mouse, as SimulatorControls::meet() has it.
     void meet(const std::optional<SimulatorControls::Surface>& surface, SimulatorControls::Following following,
               bool isRay)
     {
@@ -29,7 +29,7 @@ public:
     /// A new one, with nothing pressed, and nothing to see yet.
     void begin();
     void setPicture(const QImage& picture);
-    /// As SimulatorControls::turnHead().
+    /// Turns the head as SimulatorControls::turnHead() does.
     void turnHead(double left, double up) { m_controls.turnHead(left, up); }
     /// So much time has passed: keys that are down walk.
     void advance(double seconds);

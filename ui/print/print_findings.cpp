@@ -65,7 +65,7 @@ PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, c
     return {PrintVerdict::Bad, PrintText::tr("Too large for %1").arg(printer), size, {}, {}};
 }
 
-/// No printer tells finer ones apart.
+/// Writes hundredths: no printer tells finer ones apart.
 QString hundredths(double millimetres)
 {
     return QLocale().toString(std::max(millimetres, 0.01), 'f', 2);

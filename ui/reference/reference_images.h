@@ -20,7 +20,7 @@ class ReferenceImages : public QObject
     Q_OBJECT
 
 public:
-    /// There are none at first. The settings, which have only whether they are shown, must outlive this.
+    /// Begins without images. The settings, which have only whether they are shown, must outlive this.
     explicit ReferenceImages(Settings* settings, QObject* parent = nullptr);
     ~ReferenceImages() override;
 

@@ -15,7 +15,7 @@ QString writtenFormats();
 QStringList reportEndings();
 /// Returns the ending of the files of classes.
 QString classEnding();
-/// Whether a file is a class's, by its ending.
+/// Returns whether a file is a class's, by its ending.
 bool isClassFile(const QString& path);
 /// Whether a model can be written under that name, by its ending.
 bool isWritten(const QString& path);

@@ -39,7 +39,7 @@ void askForPicture(QWidget* parent, const QString& folder, PathCallback callback
 void askForFolder(QWidget* parent, const QString& folder, PathCallback callback);
 /// A class that is there.
 void askForClass(QWidget* parent, const QString& folder, PathCallback callback);
-/// Where a class is to be written. `title`: the name that is offered.
+/// Asks where a class is to be written. `title`: the name that is offered.
 void askForClassFile(QWidget* parent, const QString& folder, const QString& title, PathCallback callback);
 
 /// For the sheet of drawings.

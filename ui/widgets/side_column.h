@@ -10,7 +10,7 @@ class QVBoxLayout;
 
 namespace ui
 {
-/// One column of panels beside the model, which scrolls if they are higher than the window. As wide as its widest
+/// Column of panels beside the model, which scrolls if they are higher than the window. As wide as its widest
 /// panel, open or not, so that the model does not move when panels come and go; gone when all are hidden. The wheel
 /// turns a control only while that has the keys' focus, and scrolls otherwise. Thread: gui.
 class SideColumn : public QDockWidget

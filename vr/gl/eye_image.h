@@ -18,7 +18,7 @@ struct EyeImage
     friend bool operator==(const EyeImage&, const EyeImage&) = default;
 };
 
-/// What of a picture no eye sees, because of the lens: triangles, three points each, in eye space at z = -1.
+/// Area of a picture that no eye sees, because of the lens: triangles, three points each, in eye space at z = -1.
 using HiddenArea = std::vector<Eigen::Vector2f>;
 
 /// What one eye draws into and how.

@@ -57,7 +57,7 @@ public:
     HandRole roleOf(Side side) const;
     /// Plain: its panel is closed.
     HandMode modeOf(Side side) const;
-    /// By a panel that takes its place.
+    /// Opens or closes it without a button, for a panel that takes its place.
     void setToolMenuOpen(bool isOpen) { m_toolMenuOpen = isOpen; }
     /// 0 red, 1 green, 2 blue.
     int channel() const { return m_channel; }

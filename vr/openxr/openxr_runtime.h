@@ -36,7 +36,7 @@ public:
     /// One or two sentences for people, with the reason.
     static QString textOf(const HeadsetStatus& status);
 
-    /// The same where the runtime refuses the OpenGL that is present, which is earlier than it asks for.
+    /// Says so where the runtime refuses the OpenGL that is present, which is earlier than it asks for.
     static QString openGlRefusal(const QString& runtime, const QVersionNumber& asked, const QVersionNumber& present);
 };
 } // namespace vr

@@ -5,8 +5,8 @@
 
 namespace vr
 {
-/// What of each eye's picture its lens hides, where the runtime tells it (XR_KHR_visibility_mask): pixels that nobody
-/// has to draw. A refusal is no error: nothing is hidden then.
+/// Areas of each eye's picture that its lens hides, where the runtime tells it (XR_KHR_visibility_mask): pixels that
+/// nobody has to draw. A refusal is no error: nothing is hidden then.
 class HiddenAreas
 {
 public:
@@ -14,7 +14,7 @@ public:
 
     /// The runtime says that those of an eye have changed.
     void handle(const XrEventDataVisibilityMaskChangedKHR& event);
-    /// All of them anew.
+    /// Reads all of them anew.
     void refresh();
     /// Empty where nothing is hidden.
     const HiddenArea& of(std::size_t eye) const { return m_areas[eye]; }

@@ -39,8 +39,8 @@ public:
     /// One for each view, as the runtime recommends; it may do otherwise in the next session.
     const std::vector<ImageSize>& imageSizes() const { return m_imageSizes; }
     const ImageFormat& imageFormat() const { return m_imageFormat; }
-    /// Of the depth that the runtime wants to be given with the pictures (XR_KHR_composition_layer_depth); nothing
-    /// where it does not.
+    /// Format of the depth that the runtime wants to be given with the pictures (XR_KHR_composition_layer_depth);
+    /// nothing where it does not.
     const std::optional<ImageFormat>& depthFormat() const { return m_depthFormat; }
     XrViewConfigurationType viewConfiguration() const { return m_viewConfiguration; }
 

@@ -21,7 +21,7 @@ SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& 
     return SpaceHandle(made);
 }
 
-/// Of XR_EXT_local_floor, which headers may be too old for.
+/// Names of XR_EXT_local_floor, which headers may be too old for.
 constexpr auto localFloor = static_cast<XrReferenceSpaceType>(1000426000);
 
 XrReferenceSpaceType roomSpaceType(const Instance& instance, XrSession session)

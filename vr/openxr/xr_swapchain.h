@@ -22,7 +22,7 @@ struct ImageFormat
 
 /// The best of those that are offered; none if we could draw into none of them.
 std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered);
-/// The same for depth.
+/// Returns the best of the formats for depth that are offered, in the same way.
 std::optional<ImageFormat> bestDepthFormat(std::span<const std::int64_t> offered);
 
 struct ImageSize

@@ -145,7 +145,7 @@ Pose PanelManager::placeOf(PanelKind kind, const Sight& sight) const
     return placeOnOpening(kind, sight, *place.placed.layout, place.pose ? std::nullopt : place.replaced);
 }
 
-/// Where it hides no other panel: a little above where the user looks, or higher, or below.
+/// Finds where it hides no other panel: a little above where the user looks, or higher, or below.
 Pose PanelManager::placeOfNotice(const Sight& sight) const
 {
     const PanelLayout& layout = *at(PanelKind::Notice).placed.layout;

@@ -36,12 +36,12 @@ public:
         bool isOneHanded = false;                         ///< no panel goes with a hand
     };
     void place(const Sight& sight);
-    /// Where a panel that goes with no hand is placed when it opens, perhaps in another's place. Pure.
+    /// Returns where a panel that goes with no hand is placed when it opens, perhaps in another's place. Pure.
     static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout,
                                const std::optional<Pose>& replaced = {});
 
-    /// Once a frame and hand, before press() and release(). Nothing: the wand is lost. Nobody points at what the same
-    /// hand carries. What a slider, a held item or a poke wants.
+    /// Call once a frame and hand, before press() and release(). Nothing: the wand is lost. Nobody points at what the
+    /// same hand carries. What a slider, a held item or a poke wants.
     std::optional<PanelAction> aim(Side side, const std::optional<PanelPointer::Aim>& aim, double time);
     /// The hand is about something else than what it points at.
     void lookAway(Side side) { pointer(side).lookAway(); }
@@ -50,7 +50,7 @@ public:
     std::optional<PanelAction> press(Side side) { return pointer(side).press(); }
     std::optional<PanelAction> release(Side side, bool isClick) { return pointer(side).release(isClick); }
 
-    /// At which wands may point.
+    /// Panels at which wands may point.
     std::vector<PanelTarget> targets() const;
 
     /// What is seen: into `panels`, in place of what that held.

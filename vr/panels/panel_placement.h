@@ -32,8 +32,8 @@ struct AheadPanelPlacement
     double distance = 0.6;          ///< metres from the head to its middle
     double aside = 0;               ///< radians, to the left of where the head looks
     double below = 0.05;            ///< metres, its middle below the eyes
-    /// Of the room: it keeps out of that, and out of what that hides. Where it would not, it stands as near to where
-    /// the head looks as it can, on either side.
+    /// Obstacles of the room: a panel keeps out of that, and out of what that hides. Where it would not, it stands as
+    /// near to where the head looks as it can, on either side.
     std::optional<core::Sphere> clear{};
 };
 
@@ -53,7 +53,7 @@ struct PanelTarget
     PanelKind kind = PanelKind::Tools;
 };
 
-/// Whether one hides a part of the other from the head, or nearly.
+/// Returns whether one hides a part of the other from the head, or nearly.
 bool overlapInSight(const PanelTarget& a, const PanelTarget& b, const Pose& head);
 
 /// Where a ray meets a panel's plane.

@@ -17,7 +17,7 @@ struct PlacedPanel
     std::shared_ptr<const PanelLayout> layout; ///< never null
 };
 
-/// One wand that points at panels and presses their items, by its trigger or by its tip, which is put through an item
+/// Wand that points at panels and presses their items, by its trigger or by its tip, which is put through an item
 /// and drawn back. Pure: no clock but the frames' own.
 ///
 /// A press acts when it is let go over the item on which it began. A slider follows it from the first moment on, also
@@ -34,7 +34,7 @@ public:
         core::Vec3 point; ///< room space
     };
 
-    /// Where a wand is.
+    /// Pose of a wand.
     struct Aim
     {
         core::Ray ray;       ///< from the palm
@@ -42,8 +42,8 @@ public:
         bool mayPoke = true; ///< false: the hand does something else
     };
 
-    /// Once a frame, before press() and release(). Nothing: the wand is lost. `time` in seconds. What a slider, a held
-    /// item or a poke wants.
+    /// Call once a frame, before press() and release(). Nothing: the wand is lost. `time` in seconds. What a slider, a
+    /// held item or a poke wants.
     std::optional<PanelAction> aim(const std::optional<Aim>& aim, double time, std::span<const PlacedPanel> panels);
     /// The hand is about something else than what it points at.
     void lookAway();

@@ -21,8 +21,8 @@ public:
     /// The framebuffer to draw into for that image; 0 if the driver can make none. Another format or size than last
     /// time costs an allocation.
     unsigned int framebufferFor(const EyeImage& image);
-    /// What was drawn, into the image that framebufferFor() was told of, and its depth where that is wanted. False if
-    /// the driver cannot draw into it.
+    /// Resolves what was drawn into the image that framebufferFor() was told of, and its depth where that is wanted.
+    /// False if the driver cannot draw into it.
     bool resolve(const EyeImage& image);
 
     int samples() const { return m_samples; } ///< of the framebuffer as it is; 0 or 1: not multisampled

@@ -29,7 +29,7 @@ void HiddenRenderer::destroy()
     m_gl = nullptr;
 }
 
-/// From either side: what winds how is the runtime's.
+/// Draws either side: which way triangles wind is the runtime's.
 void HiddenRenderer::draw(const HiddenArea& area, const Eigen::Matrix4f& projection)
 {
     if (area.empty())

@@ -14,7 +14,7 @@ public:
     bool create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
-    /// With depth test and depth writing on.
+    /// Draws with depth test and depth writing on.
     void draw(const HiddenArea& area, const Eigen::Matrix4f& projection);
 
 private:

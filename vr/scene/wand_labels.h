@@ -45,7 +45,7 @@ private:
     };
     using Lines = std::array<Line, wandSpotCount>;
 
-    /// What a wand is made of, as WandState has it.
+    /// Parts that a wand is made of, as WandState has them.
     struct WandKind
     {
         bool isStick = false, isSimple = false;

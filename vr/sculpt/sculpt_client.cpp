@@ -71,7 +71,7 @@ WandPart partOf(Sector sector)
     return WandPart::PadMiddle;
 }
 
-/// Whether the hand holds no button with which it does something.
+/// Returns whether the hand holds no button with which it does something.
 bool isHandFree(const WandMapping& mapping, Side side)
 {
     const WandGestures& gestures = mapping.gestures(side);

@@ -53,7 +53,7 @@ void allocate(const TextureForm& form)
                                                             form.height);
 }
 
-/// Of the texture that is bound: 24 bits of each depth in red, green and blue.
+/// Reads the texture that is bound: 24 bits of each depth in red, green and blue.
 void readDepth(const TextureForm& form, std::vector<std::uint8_t>& pixels)
 {
     constexpr double deepest = (1 << 24) - 1;

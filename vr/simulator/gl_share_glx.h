@@ -69,7 +69,7 @@ public:
     static __GLsync* markDrawing();
     static bool isDone(__GLsync* mark);
 
-    /// What a viewer would see: a linear format's values encoded as sRGB; depth as a number of 24 bits, red the
+    /// Reads what a viewer would see: a linear format's values encoded as sRGB; depth as a number of 24 bits, red the
     /// highest.
     Picture read(const TexturePart& part) const;
 

@@ -27,7 +27,7 @@ public:
     }
 
     std::optional<XrEventDataBuffer> take();
-    /// Those that wait are lost, but for a session's states, and the client is told that some were.
+    /// Loses the events that wait, but for a session's states, and the client is told that some were.
     void lose();
     /// Those that tell of it.
     void drop(XrSession session);

@@ -62,7 +62,7 @@ void compareWithView(Call& call, const Session& session, const XrCompositionLaye
         call.warn("a view is not where xrLocateViews says it is at the frame's display time");
 }
 
-/// From a view's chain; null where no depth comes with it.
+/// Finds it in a view's chain; null where no depth comes with it.
 const XrCompositionLayerDepthInfoKHR* depthOf(const XrCompositionLayerProjectionView& view)
 {
     for (auto* it = static_cast<const XrBaseInStructure*>(view.next); it; it = it->next)

@@ -31,7 +31,7 @@ struct Headset
     double hertz = 90;
     std::vector<float> otherRates; ///< that the display can have, in hertz
 
-    /// All that it can have.
+    /// Everything that it can have.
     std::vector<float> rates() const
     {
         std::vector<float> all = otherRates;

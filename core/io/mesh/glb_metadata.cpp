@@ -144,7 +144,7 @@ nlohmann::ordered_json jsonOf(const SavedReference& reference)
             {"inFront", reference.inFront}};
 }
 
-/// Nothing where it names no image of a disk: what a stranger's file names is not asked for on a network.
+/// Returns nothing where it names no image of a disk: what a stranger's file names is not asked for on a network.
 std::optional<SavedReference> referenceIn(const Json& json)
 {
     static constexpr std::string_view sides[] = {"front", "back", "right", "left", "top", "bottom"};

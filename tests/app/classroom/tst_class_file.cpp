@@ -105,7 +105,7 @@ private Q_SLOTS:
         }
     }
 
-    /// One of ours by its name, another by its path from the file; the class needs no starters then.
+    /// Names one of ours by its name, another by its path from the file; the class needs no starters then.
     void theLessonIsRead()
     {
         const QByteArray tools =

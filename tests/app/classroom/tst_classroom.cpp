@@ -519,7 +519,7 @@ void TestClassroom::resuming_withoutAChangeKeepsOneWork()
                  .isEmpty());
 }
 
-/// After a click on a starter, too.
+/// Asks for Return after a click on a starter, too.
 void TestClassroom::returnBegins_whereverTheFocusIs()
 {
     const QTemporaryDir root;
@@ -538,7 +538,7 @@ void TestClassroom::returnBegins_whereverTheFocusIs()
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
 }
 
-/// For the projector: who, how long, who is next.
+/// Asks what the projector shows: who, how long, who is next.
 void TestClassroom::theProjectorsClock_saysWhoIsNext()
 {
     const QTemporaryDir root;
@@ -698,7 +698,7 @@ void TestClassroom::aLesson_isGivenInATurn()
         QCOMPARE(turnIn(folder).contains(QStringLiteral("lesson")), !folder.endsWith(QStringLiteral("Cem")));
 }
 
-/// Nothing in the panel, open or without a lesson, leads to files or to other lessons.
+/// Asks that nothing in the panel, open or without a lesson, leads to files or to other lessons.
 void TestClassroom::aLesson_leadsNowhereElse()
 {
     const QTemporaryDir root;
@@ -1049,7 +1049,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QCOMPARE(read.lesson, QStringLiteral("mug"));
 }
 
-/// After the PIN, the works that are not in the class's folder are counted, and may be copied.
+/// Asks that after the PIN the works that are not in the class's folder are counted, and may be copied.
 void TestClassroom::leaving_saysWhatWaits()
 {
     const QTemporaryDir root;
@@ -1189,7 +1189,7 @@ void TestClassroom::theClass_beginsWhenTheWindowIsClosed()
     QVERIFY(files->next().isEmpty());
 }
 
-/// Who cancels for unsaved changes has a window that closes later without a class.
+/// Asks that who cancels for unsaved changes has a window that closes later without a class.
 void TestClassroom::theClass_doesNotBeginForWhoStays()
 {
     const QTemporaryDir root;

@@ -315,7 +315,7 @@ void TestCommandLine::words_winOverFileNames()
     VERIFY_REFUSED(fettle({QStringLiteral("check")}, {}, m_folder->path()), "check: no file");
 }
 
-/// Before a display is asked for, and with what may have been meant.
+/// Asks that it is said before a display is asked for, and with what may have been meant.
 void TestCommandLine::words_thatAreNothingAreToldAsSuch_data()
 {
     QTest::addColumn<QString>("line");

@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(checked(ball, "0").status, 2);
     }
 
-    /// Each language has its texts, and a step is on one page.
+    /// Asks that each language has its texts, and a step is on one page.
     void handouts_arePages()
     {
         const QTemporaryDir folder;
@@ -166,7 +166,7 @@ private Q_SLOTS:
                  2);
     }
 
-    /// For scripts: what is asked and measured, as numbers and without a language.
+    /// Reads, as a script does, what is asked and measured, as numbers and without a language.
     void results_areJsonAndCsv()
     {
         const QTemporaryDir folder;

@@ -102,7 +102,7 @@ private Q_SLOTS:
     void aBrokenModelIsRepairedAndInserted();
 };
 
-/// As the program begins: the ball comes while the page is there. It goes for the next model.
+/// Begins as the program does: the ball comes while the page is there. It goes for the next model.
 void TestOpening::theStartPageStandsOverTheFirstModel()
 {
     Program program;
@@ -171,7 +171,7 @@ void TestOpening::aStarterWins()
     expectOnly(program, opened, {});
 }
 
-/// Who let the changes go for the first file need not do so again for the second.
+/// Asks that who let the changes go for the first file need not do so again for the second.
 void TestOpening::changesAreAskedForOnce()
 {
     const Files files;

@@ -164,7 +164,7 @@ void TestPrintPanelWindow::changes_outdateIt()
     QTRY_VERIFY(shadedPixels(program) > 1000);
 }
 
-/// What was measured is of the same model.
+/// Asks that the answer stays, as the model is the same.
 void TestPrintPanelWindow::saving_keepsIt()
 {
     Program program;

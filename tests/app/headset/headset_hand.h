@@ -221,7 +221,7 @@ public:
         return m_ahead.emplace(layout.kind, place).first->second;
     }
     void forgetPanels() { m_ahead.clear(); }
-    /// By its button on the tools, whose place it takes.
+    /// Opens it by its button on the tools, whose place it takes.
     void openFromTools(const vr::ToolPanel& tools, vr::PanelKind kind)
     {
         click(tools, vr::ShowPanel{kind});

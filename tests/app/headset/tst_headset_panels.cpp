@@ -48,7 +48,7 @@ struct AtTools : Alone
     {
         return hand.choose(tools(), item, happened, count);
     }
-    /// It takes the tools' place.
+    /// Opens the panel, which takes the tools' place.
     void open(PanelKind kind) { hand.openFromTools(tools(), kind); }
     vr::HeadsetSettings settings() const { return HeadsetSettingsStore().load(); }
 

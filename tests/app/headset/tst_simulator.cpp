@@ -260,7 +260,7 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
 }
 
-/// As soon as the head turns to it. Where nothing is in its way it stands above the hand.
+/// Asks that a panel is whole as soon as the head turns to it. Where nothing is in its way it stands above the hand.
 void TestSimulator::restingHand_showsItsPanelWhole()
 {
     const ui::SimulatorControls controls;

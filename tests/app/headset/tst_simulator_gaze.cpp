@@ -14,7 +14,7 @@ namespace
 {
 constexpr double sideTangent = 1.1, tick = 0.016;
 
-/// At arm's length, so many radians to the left of the room's middle, facing the head.
+/// Places a panel at arm's length, so many radians to the left of the room's middle, facing the head.
 vr::PanelTarget panelAt(double left, PanelKind kind = PanelKind::Tools)
 {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(left, Vec3::UnitY()));

@@ -198,7 +198,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), longestWait);
     }
 
-    /// What the teacher did, and was undone, is the teacher's when it is redone; the pupil's own stroke is not.
+    /// Asks that what the teacher did, and was undone, is the teacher's when it is redone; the pupil's own stroke is
+    /// not.
     void redone_isStillTheTeachers()
     {
         Program program;
@@ -445,7 +446,7 @@ private Q_SLOTS:
         QCOMPARE(program.window.brush()->tools()->of(core::Tool::Push).strength, before);
     }
 
-    /// Each step is seen from its side, with all that will be done in the picture.
+    /// Asks that each step is seen from its side, with all that will be done in the picture.
     void view_isTheSteps()
     {
         Program program;

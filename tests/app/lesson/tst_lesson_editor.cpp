@@ -241,7 +241,7 @@ private Q_SLOTS:
         part<QFileDialog>(program, "lessonTargetDialog")->reject();
     }
 
-    /// All rows of a goal are there at once: the column scrolls, not the page in it.
+    /// Asks that all rows of a goal are there at once: the column scrolls, not the page in it.
     void goal_isSeenWhole()
     {
         Program program;

@@ -611,7 +611,7 @@ void TestScreenshots::takeSmallForm(QWidget& window)
     QTRY_VERIFY(window.size() == smallScreen && clippedTexts(window).isEmpty());
 }
 
-/// Before anything is done, while the teacher works, and after it.
+/// Takes the panel before anything is done, while the teacher works, and after it.
 void TestScreenshots::takeLesson(Program& program)
 {
     program.document.opener().setDiscardPrompt([](const std::function<void()>&) { return true; });

@@ -21,7 +21,7 @@ const Eigen::AngleAxisd noTurn(0, Vec3::UnitY());
 
 using Change = std::function<void(Lesson& lesson)>;
 
-/// What each of its steps leaves.
+/// Models that its steps leave.
 std::vector<TriangleMesh> madeBy(const Lesson& lesson)
 {
     LessonPlayback playback(std::make_shared<const Lesson>(lesson), shelf);

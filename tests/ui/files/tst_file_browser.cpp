@@ -196,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(other.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 0);
     }
 
-    /// Once for each model's folder, so that who went elsewhere stays there.
+    /// Asks for it once for each model's folder, so that who went elsewhere stays there.
     void itBeginsWhereTheModelLies()
     {
         const Models models;

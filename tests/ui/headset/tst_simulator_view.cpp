@@ -45,7 +45,7 @@ void wheel(SimulatorView& view, int notches, Qt::KeyboardModifiers modifiers = {
     QCoreApplication::sendEvent(&view, &event);
 }
 
-/// What came to the front last of what it filters.
+/// Filter that notes which window came to the front last.
 class Raised : public QObject
 {
 public:
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(farFromEye(at.controls()) > 0.1);
     }
 
-    /// By default the tip is on what is under the mouse, and the wheel keeps it before or behind that.
+    /// Asks that by default the tip is on what is under the mouse, and the wheel keeps it before or behind that.
     void tip_goesWithTheSurface()
     {
         using Following = SimulatorControls::Following;
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY2(by > 0.05 && by < 0.08, qPrintable(QString::number(by)));
     }
 
-    /// At a panel, and with a ray: what is hit is what the mouse is over, from any distance.
+    /// Asks that at a panel, and with a ray, what is hit is what the mouse is over, from any distance.
     void wand_thatPointsHitsWhatIsUnderTheMouse()
     {
         using Following = SimulatorControls::Following;
@@ -161,7 +161,7 @@ private Q_SLOTS:
                 }
     }
 
-    /// What was pressed on a panel keeps its distance where the panel ends.
+    /// Asks that what was pressed on a panel keeps its distance where the panel ends.
     void wand_thatPressesAPanelStaysWithIt()
     {
         using Following = SimulatorControls::Following;
@@ -308,7 +308,8 @@ private Q_SLOTS:
         QCOMPARE(at.controls().head().translation(), from);
     }
 
-    /// Without its answer nothing goes on here. It comes to the front when the window opens, and when it opens itself.
+    /// Asks for a question without whose answer nothing goes on: it comes to the front when the window opens, and when
+    /// it opens itself.
     void question_isNotHiddenBehindTheWindow()
     {
         QWidget main;

@@ -287,7 +287,8 @@ private Q_SLOTS:
         QCOMPARE(sampled[1][0].value<core::StrokeSample>().pressure, 0.75);
     }
 
-    /// From that side, with all of it in the picture; taking away a mark that is not there ends no flight.
+    /// Asks that a box is seen from that side, with all of it in the picture; taking away a mark that is not there ends
+    /// no flight.
     void aFlightGoesToWhereABoxIsSeen()
     {
         Stage s;

@@ -212,7 +212,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Of a tool bar that has more than it shows.
+    /// Asks for the arrow of a tool bar that has more than it shows.
     void theArrowOfMoreCanBeSeen()
     {
         for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {

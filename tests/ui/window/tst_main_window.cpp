@@ -349,7 +349,7 @@ private Q_SLOTS:
                 QTest::addRow("%d x %d%s", size.width(), size.height(), isNamed ? ", named" : "") << size << isNamed;
     }
 
-    /// Each tool and each option can be seen whole, and each tool is chosen by its button.
+    /// Asks that each tool and each option can be seen whole, and each tool is chosen by its button.
     void everyToolIsInThePalette()
     {
         QFETCH(const QSize, size);
@@ -378,7 +378,7 @@ private Q_SLOTS:
         }
     }
 
-    /// No dialog needs more than a small screen has.
+    /// Asks that no dialog needs more than a small screen has.
     void dialogsFitASmallScreen()
     {
         MainWindow window;

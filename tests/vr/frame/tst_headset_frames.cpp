@@ -165,7 +165,8 @@ void TestHeadsetFrames::sizesAndViewsAreTheRuntimes()
     leave(visitor);
 }
 
-/// In eye space at z = -1, so that they lie at the edges of each eye's own view; another mask is taken when it comes.
+/// Places triangles in eye space at z = -1, so that they lie at the edges of each eye's own view; another mask is taken
+/// when it comes.
 void TestHeadsetFrames::hiddenAreasAreTheRuntimes()
 {
     m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25}}");
@@ -234,7 +235,7 @@ void TestHeadsetFrames::hiddenAreasMayBeRefused()
     leave(visitor);
 }
 
-/// Of a runtime that does not offer them.
+/// Uses a runtime that does not offer them.
 void TestHeadsetFrames::hiddenAreasAreNotAskedForInVain()
 {
     m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25, 'extensions': false}}");
@@ -246,7 +247,7 @@ void TestHeadsetFrames::hiddenAreasAreNotAskedForInVain()
     leave(visitor);
 }
 
-/// Of each eye its own, and told how to read it; a runtime that does not offer it gets none.
+/// Asks for a depth of each eye, and told how to read it; a runtime that does not offer it gets none.
 void TestHeadsetFrames::depthComesWithThePictures()
 {
     for (const bool isOffered : {true, false}) {
@@ -277,7 +278,7 @@ void TestHeadsetFrames::depthComesWithThePictures()
     }
 }
 
-/// What they told of is asked for: here another mask.
+/// Asks that what the lost events told of is asked for: here another mask.
 void TestHeadsetFrames::lostEventsAreMadeUpFor()
 {
     Visitor visitor(*m_headset);
@@ -466,7 +467,8 @@ void TestHeadsetFrames::wandsMayChange()
     leave(visitor);
 }
 
-/// On the grip of a Touch: a squeeze begins with more than a hand that rests does, and ends with less than it began.
+/// Asks that on the grip of a Touch a squeeze begins with more than a hand that rests does, and ends with less than it
+/// began.
 void TestHeadsetFrames::restingHandsSqueezeNothing()
 {
     Visitor visitor(*m_headset);
@@ -550,8 +552,8 @@ void TestHeadsetFrames::theClientRecentres()
     leave(visitor);
 }
 
-/// Without a stage it is that of LOCAL_FLOOR, if there is one: recentring leaves the eyes as high above it as they are.
-/// The validation layer knows no such space.
+/// Asks that without a stage the floor is that of LOCAL_FLOOR, if there is one: recentring leaves the eyes as high
+/// above it as they are. The validation layer knows no such space.
 void TestHeadsetFrames::theFloorIsTheRuntimes()
 {
     const auto layer = m_headset->withoutLayer();

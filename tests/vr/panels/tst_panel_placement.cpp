@@ -327,7 +327,7 @@ void TestPanelPlacement::ahead_noneHidesAnother()
                 }
 }
 
-/// As the eye finds it, along rays.
+/// Finds it as the eye does, along rays.
 void TestPanelPlacement::overlap_isInSight()
 {
     const Pose eyes = head({0, 1.6, 0}, {20, -10, 0});

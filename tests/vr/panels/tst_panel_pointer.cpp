@@ -395,7 +395,8 @@ void TestPanelPointer::aPoke_actsWhenItIsDrawnBack()
     }
 }
 
-/// From behind, from the side, out at the side or over another item, and by a hand that does something else.
+/// Moves the tip from behind, from the side, out at the side or over another item, and by a hand that does something
+/// else.
 void TestPanelPointer::aPoke_fromElsewhereDoesNothing()
 {
     Wand wand = beforeTools();

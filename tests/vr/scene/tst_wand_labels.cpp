@@ -99,7 +99,7 @@ private:
     double m_period;
 };
 
-/// What a wand is made of.
+/// Parts that a wand is made of.
 enum class Kind { Pad, Stick, Simple };
 constexpr Kind kinds[] = {Kind::Pad, Kind::Stick, Kind::Simple};
 constexpr ButtonPreset presets[] = {ButtonPreset::Paper, ButtonPreset::Studio, ButtonPreset::OneHand};
@@ -113,7 +113,7 @@ vr::WandState ofKind(vr::WandState wand, Kind kind)
     return wand;
 }
 
-/// What two people, who know no preset, find out of a part of a wand by trying it.
+/// Effects that two people, who know no preset, find out of a part of a wand by trying it.
 class Trial
 {
 public:
@@ -187,7 +187,7 @@ private:
     {
         return m_kind == Kind::Simple ? std::set<QString>() : words(side, pressing(pad), 0.2);
     }
-    /// What needs a long press is done by that only.
+    /// Asks that what needs a long press is done by that only.
     std::set<QString> held(Side side, const vr::WandState& wand)
     {
         std::set<QString> done = words(side, wand, 0.2);
