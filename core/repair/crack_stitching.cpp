@@ -209,7 +209,7 @@ private:
     struct Part
     {
         Triangle corners;
-        std::array<bool, 3> isWhole; ///< the side after the corner is one of the face's own
+        std::array<bool, 3> isWhole; ///< side from corner i to the next: a whole edge of the face to be cut
     };
     /// On an edge.
     struct Point

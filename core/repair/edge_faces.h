@@ -17,7 +17,7 @@ struct EdgeFace
     Slot face;
     bool forward; ///< the face runs it from low to high
 
-    /// Of the face's corners, the one across.
+    /// Returns the corner of the face that is opposite the edge.
     Slot apex(const Triangle& t) const
     {
         return t[0] != low && t[0] != high ? t[0] : t[1] != low && t[1] != high ? t[1] : t[2];

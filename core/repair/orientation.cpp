@@ -501,6 +501,7 @@ private:
                const PartsOfWay& around)
     {
         constexpr double nearlyAll = 1 - 1e-9, most = 0.6, some = 0.001, muchOfBody = 0.2;
+        constexpr double muchOfCutter = 0.02; // its end, if it is twelve times as long as wide
         forEachChunk(are.size(), 1, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t part = begin; part < end; ++part) {
                 Facing& facing = m_facings[part];
@@ -522,7 +523,8 @@ private:
                 facing.isCavity = ofAround.share(hollows) > (facing.isInwards ? most : nearlyAll);
                 facing.isInside = facing.isCavity || ofAlike.share(ofUnlike.least()) > nearlyAll;
                 const bool isBody = 2 * std::abs(facing.volume) > m_volume; // small parts may cross it
-                facing.isGuess = ofAround.share(0) > (isBody ? muchOfBody : some) && !facing.isCavity;
+                const double share = !isBody ? some : facing.isInwards ? muchOfCutter : muchOfBody;
+                facing.isGuess = ofAround.share(0) > share && !facing.isCavity;
             }
         });
     }
@@ -566,9 +568,10 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
     std::size_t turned = 0;
     const Parts parts = Flood(surface).run(turned);
     const std::vector<Facing> facings = CavitySearch(surface, parts).run();
+    const auto facesIn = [&](const Facing& f) { return f.isCavity || (f.isInside && innerAreCavities); };
     for (Slot f = 0; f < surface.triangles.size(); ++f) {
         const Facing& facing = facings[parts.ofFace[f]];
-        const bool shouldFaceIn = facing.isCavity || (facing.isInside && innerAreCavities);
+        const bool shouldFaceIn = facesIn(facing);
         if (facing.isClosed && shouldFaceIn != facing.isInwards)
             turn(surface.triangles[f]);
         if (shouldFaceIn)
@@ -578,7 +581,7 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
     }
     for (const Facing& facing : facings) {
         faced.inner += facing.isInside && !facing.isCavity;
-        faced.turned += facing.isInwards && !facing.isInside;
+        faced.turned += facing.isInwards && !facesIn(facing);
     }
     return faced;
 }

@@ -20,11 +20,12 @@ OrientationResult orient(TriangleSoup& surface);
 
 struct OutwardResult
 {
-    std::size_t turned = 0;         ///< parts that faced inwards and are no cavities
+    std::size_t turned = 0;         ///< parts that faced inwards and face outwards now
     std::size_t inner = 0;          ///< parts inside of others that are no cavities by the way they run
     std::vector<Triangle> cavities; ///< faces of parts that face inwards now
     /// Faces of parts that are taken for no cavities, though more than 0.001 of the area of each lies in parts of the
-    /// other way, or 0.2 if it has more than half of the volume of all.
+    /// other way. Of a part with more than half of the volume of all it is more than 0.02 if that faces inwards, else
+    /// more than 0.2.
     std::vector<Slot> guesses;
 };
 

@@ -1,6 +1,7 @@
 // Whatever a stranger made becomes the boundary of a solid:
 //   1. snap      to the lattice, and weld                                        cleanup
 //   2. clean up  faces without area, faces that are there twice                  cleanup
+//      drop      parts that are there twice, triangulated otherwise              cleanup
 //      join      cracks: open vertices as good as on others, or on open edges    crack_stitching
 //   3. orient    along edges of two; sheets inside go                            orientation
 //   4. leave out open parts that enclose nothing                                 sheet_removal
@@ -127,9 +128,29 @@ void join(TriangleSoup& surface, double unit, RepairReport& report)
         weldAndCleanUp(surface, report);
 }
 
+/// Returns whether the faces run each edge as often one way as the other.
+bool isClosed(const TriangleSoup& surface)
+{
+    bool isClosed = true;
+    repair::forEachEdge(surface.triangles, [&](std::span<const repair::EdgeFace> around) {
+        std::size_t forward = 0;
+        for (const repair::EdgeFace& e : around)
+            forward += e.forward ? 1 : 0;
+        isClosed = isClosed && 2 * forward == around.size();
+    });
+    return isClosed;
+}
+
+/// Drops faces and patches that are there twice, however they run. Returns how many faces went.
+std::size_t dropDoubles(TriangleSoup& surface)
+{
+    const std::size_t faces = repair::cleanUp(surface, repair::Duplicates::KeepOne).duplicates;
+    return faces + repair::dropDoubledPatches(surface).size();
+}
+
 /// Takes a surface as it is if it is closed, runs one way everywhere, and has no double faces, but for opposite ones,
-/// which cancel: those of parts that touch, which may enclose a void. Returns false, and leaves it as it was, if it is
-/// not so or if a component would go.
+/// which cancel: those of parts that touch, which may enclose a void. Others go if it is closed without them. Returns
+/// false, and leaves it as it was, if it is not so or if a component would go.
 bool takeClosed(TriangleSoup& surface, RepairReport& report)
 {
     TriangleSoup taken = surface;
@@ -140,18 +161,19 @@ bool takeClosed(TriangleSoup& surface, RepairReport& report)
     for (Slot f = 0; f < taken.triangles.size(); ++f)
         for (const Slot v : taken.triangles[f])
             componentOf[v] = before.ofFace[f];
-    const repair::CleanupResult cleaned = repair::cleanUp(taken, repair::Duplicates::Cancel);
+    repair::CleanupResult cleaned = repair::cleanUp(taken, repair::Duplicates::Cancel);
     for (const Triangle& t : taken.triangles)
         isKept[componentOf[t[0]]] = true;
-    bool isClosed = std::ranges::find(isKept, false) == isKept.end() && !repair::hasDoubles(taken);
-    repair::forEachEdge(taken.triangles, [&](std::span<const repair::EdgeFace> around) {
-        std::size_t forward = 0;
-        for (const repair::EdgeFace& e : around)
-            forward += e.forward ? 1 : 0;
-        isClosed = isClosed && 2 * forward == around.size();
-    });
-    if (!isClosed)
+    if (std::ranges::find(isKept, false) != isKept.end() || !isClosed(taken))
         return false;
+    TriangleSoup single = taken;
+    const std::size_t doubles = dropDoubles(single);
+    if (doubles > 0 && isClosed(single)) {
+        taken = std::move(single);
+        cleaned.duplicates += doubles;
+    } else if (repair::hasDoubles(taken)) {
+        return false;
+    }
     surface = std::move(taken);
     report.welded += welded;
     report.degenerateFaces += cleaned.degenerate;
@@ -200,6 +222,7 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     weldAndCleanUp(surface, report);
     progress.begin(RepairStep::Stitch);
     join(surface, unit, report);
+    report.duplicateFaces += repair::dropDoubledPatches(surface).size();
     progress.control.reportProgress(afterStitching);
     progress.begin(RepairStep::Orient);
     ClosedSurface result;
@@ -240,6 +263,10 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     else
         result =
             stitchAndFill(surface, unit, options, report, {progress.control.part(0, afterFilling), progress.onStep});
+    const std::vector<Triangle> doubled = repair::dropDoubledShells(surface);
+    report.duplicateFaces += doubled.size();
+    if (result.whole)
+        dropFaces(*result.whole, doubled);
     const repair::OutwardResult faced = repair::orientOutwards(surface, options.innerAreCavities);
     if (result.whole && !result.isFileOriented)
         takeOrientation(*result.whole, surface);

@@ -40,7 +40,7 @@ struct RepairReport
     std::size_t holes = 0;                               ///< that were filled
     std::size_t largeHoles = 0;                          ///< of these, or that were the reason to refuse
     std::size_t innerParts = 0;                          ///< inside of others and facing outwards
-    std::uint64_t intersections = 0;                     ///< pairs of faces that met after all this
+    std::uint64_t intersections = 0;                     ///< pairs of faces that met before the first cut
     std::size_t rounds = 0;                              ///< of cutting the surface along its intersections
     std::size_t touchingEdges = 0, touchingVertices = 0; ///< at which parts were drawn apart
     std::size_t knots = 0;    ///< places where faces met again and again: a small solid covers each

@@ -33,7 +33,7 @@ struct TriangleSoup
         return box;
     }
 
-    /// With the colour between those of two points, or of one.
+    /// Adds a point, coloured halfway between two others, or as one if both are the same. Returns its slot.
     Slot addPoint(const LatticePoint& p, Slot colorOf, Slot otherColorOf)
     {
         points.push_back(p);

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -97,6 +98,16 @@ std::vector<Vec3f> octagon(double radius, double z)
         ring.push_back(Vec3(5 + radius * std::cos(angle), 5 + radius * std::sin(angle), z).cast<float>());
     }
     return ring;
+}
+
+/// Draws the other diagonal of the first quadrangle of a tube.
+TriangleMesh cutOtherwise(TriangleMesh mesh)
+{
+    const auto [a, b, c] = mesh.triangles[0];
+    const Slot d = mesh.triangles[1][2];
+    mesh.triangles[0] = {a, b, d};
+    mesh.triangles[1] = {b, c, d};
+    return mesh;
 }
 
 /// A body with a cavity, most of whose faces are those of a thin vent that leads out of it.
@@ -215,6 +226,36 @@ void TestHollowSolids::volume_isKept_data()
     };
     QTest::addRow("cavity that is there twice, of other triangles")
         << shapes::together(shell, shapes::reversed(tube({ring(3), ring(5), ring(7)}))) << 936.0;
+    // A box whose sides are halved.
+    const auto halved = [](float from, float to) {
+        std::vector<std::vector<Vec3f>> rings;
+        for (const float z : {from, 5.0F, to})
+            rings.push_back({{to, 5, z},
+                             {to, to, z},
+                             {5, to, z},
+                             {from, to, z},
+                             {from, 5, z},
+                             {from, from, z},
+                             {5, from, z},
+                             {to, from, z}});
+        return tube(rings);
+    };
+    const TriangleMesh block = halved(0, 10), core = halved(3, 7);
+    QTest::addRow("cavity that is there twice, of other triangles in places")
+        << shapes::together(shapes::reversed(shapes::together(core, cutOtherwise(core))),
+                            box(Vec3f::Zero(), Vec3f::Constant(10)))
+        << 936.0;
+    QTest::addRow("body that is there twice, of other triangles") << shapes::together(shell, block) << 936.0;
+    QTest::addRow("body that is there twice, inside out as a whole")
+        << shapes::reversed(shapes::together(shell, block)) << 936.0;
+    QTest::addRow("insert that fills a hollow, of other triangles") << shapes::together(shell, core) << 1000.0;
+    const auto square = [](float z, std::size_t first) {
+        std::vector<Vec3f> corners{{10, 0, z}, {10, 10, z}, {0, 10, z}, {0, 0, z}};
+        std::ranges::rotate(corners, corners.begin() + static_cast<std::ptrdiff_t>(first));
+        return corners;
+    };
+    QTest::addRow("boxes that touch, their wall cut by other diagonals")
+        << shapes::together(tube({square(0, 0), square(5, 0)}), tube({square(5, 1), square(10, 1)})) << 1000.0;
     QTest::addRow("cutter with a handle outside") << withSlotCutter() << 7200.0 - 0.2 * 16 * 16;
     QTest::addRow("beam that crosses, inside out")
         << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(box({3, 3, -5}, {7, 7, 15})))

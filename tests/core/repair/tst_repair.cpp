@@ -137,6 +137,7 @@ private Q_SLOTS:
     void insideOutParts_areNotTakenAway();
     void filledHoles_areTold();
     void partsInHollows_areTold();
+    void cutterInACutter_isCounted();
     void broadGround_isNotLostSilently();
     void voidsBetweenParts_stay();
     void lossOfVolume_isNotFaithful();
@@ -589,7 +590,7 @@ void TestRepair::filledHoles_areTold()
     const TriangleMesh plate = block(60, -5, 5);
     for (const auto& [side, from, to] :
          {Hole{16, -5.1F, 5.1F}, Hole{16, -5.5F, 5.5F}, Hole{16, -6, 6}, Hole{16, -25, 25}, Hole{24, 4, 6},
-          Hole{30, 4.3F, 6.3F}, Hole{34, 4.45F, 11}, Hole{50, 3, 30}, Hole{6, -600, 600}})
+          Hole{30, 4.3F, 6.3F}, Hole{34, 4.45F, 11}, Hole{50, 3, 30}, Hole{50, 3, 300}, Hole{6, -600, 600}})
         for (const bool isOpen : {false, true})
             for (const float away : {0.0F, 3000.0F}) { // a part so far away that there is little in the box of both
                 TriangleMesh mesh = shapes::together(plate, shapes::reversed(block(side, from, to)));
@@ -621,6 +622,25 @@ void TestRepair::partsInHollows_areTold()
         QVERIFY(result.mesh);
         const double share = std::pow(double(side), 3) / (40 * 40 * 40 - 30 * 30 * 30);
         QCOMPARE(result.report.isFaithful(), share < RepairReport::mostOtherSpace);
+    }
+}
+
+/// Asks that the inner one of two cutters of a blind hole is turned, or stays where parts within others are hollow.
+void TestRepair::cutterInACutter_isCounted()
+{
+    const auto cutter = [](float side, float top) {
+        TriangleMesh mesh = shapes::cube(side);
+        for (Vec3f& p : mesh.points)
+            p.y() = p.y() < 0 ? -10 : top;
+        return shapes::reversed(mesh);
+    };
+    const TriangleMesh mesh = shapes::together(shapes::cube(40), shapes::together(cutter(20, 22), cutter(16, 21)));
+    for (const bool areHollow : {false, true}) {
+        const RepairResult result = repairMesh(mesh, {.innerAreCavities = areHollow});
+        QVERIFY(result.mesh);
+        QCOMPARE(result.report.innerParts, std::size_t(1));
+        QCOMPARE(result.report.turnedFaces, std::size_t(areHollow ? 0 : 1));
+        QCOMPARE(volumeOf(*result.mesh) < 40 * 40 * 40 - 0.99 * 20 * 20 * 30, areHollow);
     }
 }
 
