@@ -165,6 +165,7 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
                 report.minByBalls = least;
     }
     report.thin = thinPlaces(measures, sides, limits.minWall);
+    report.thin.area = std::min(report.thin.area, report.area); // strips along thin edges lie on faces that count, too
     report.overhangs = overhangPlaces(measures.mesh, sides, limits.overhang);
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {
         const Side side = sides[f];

@@ -19,7 +19,8 @@ core::TriangleMesh scaled(core::TriangleMesh mesh, float by)
     return mesh;
 }
 
-/// 100 mm wide: a ball, a shell of 1 mm, or a ring 8 mm thick, where each ball all but touches many faces.
+/// Makes a model 100 mm wide: a ball, a shell 1 mm thick, or a ring 8 mm thick, in which each ball that measures the
+/// wall almost touches many faces.
 core::TriangleMesh model(Part part)
 {
     if (part == Ring)

@@ -63,7 +63,7 @@ TriangleMesh randomBalls(unsigned by)
     return all;
 }
 
-/// Balls around the origin, so that they nest; every second one faces inwards, with one exception perhaps.
+/// Makes 1 to 5 nested balls around the origin. Every second one faces inwards; in half of the models one is reversed.
 TriangleMesh nestedBalls(unsigned by)
 {
     std::mt19937 engine(by);

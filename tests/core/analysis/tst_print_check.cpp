@@ -35,6 +35,8 @@ private Q_SLOTS:
     void balls_areEmpty_data();
     void balls_areEmpty();
     void walls_doNotDependOnThreads();
+    void thin_isNeverMoreThanAll_data();
+    void thin_isNeverMoreThanAll();
     void thin_placesAreFoundApart();
     void overhangs_areThoseThatLeanOut();
     void overhangs_ofABall();
@@ -225,6 +227,30 @@ void TestPrintCheck::walls_doNotDependOnThreads()
     core::WorkerPool::shared().setThreads(0);
     QVERIFY(alone.byRays == together.byRays);
     QVERIFY(alone.byBalls == together.byBalls);
+}
+
+void TestPrintCheck::thin_isNeverMoreThanAll_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addRow("wedge") << wedge(30);
+    QTest::addRow("head") << core::starterModel(core::Starter::Head);
+    QTest::addRow("star") << [] { // sharp all over
+        TriangleMesh mesh = core::icosphere(2, 10);
+        for (std::size_t i = 0; i < mesh.points.size(); i += 3)
+            mesh.points[i] *= 2;
+        return mesh;
+    }();
+}
+
+/// Asks models that are thin all over, their sharp edges as well.
+void TestPrintCheck::thin_isNeverMoreThanAll()
+{
+    QFETCH(TriangleMesh, mesh);
+    for (Vec3f& p : mesh.points)
+        p *= 0.02F;
+    const PrintReport report = core::checkForPrint(measured(mesh), {.minWall = 8, .bed = {}});
+    QVERIFY(report.thin.area > 0.9 * report.area);
+    QVERIFY(report.thin.area <= report.area);
 }
 
 void TestPrintCheck::thin_placesAreFoundApart()
