@@ -78,7 +78,7 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
     case Kind::MissingKey:
         return tr("\"%1\" is missing").arg(key);
     case Kind::WrongType:
-        return tr("\"%1\" is of the wrong type, or holds too few or too many values").arg(key);
+        return wrongType(key, error.wanted.value_or(core::StrokeFileError::Value::Word));
     case Kind::UnknownValue:
         return error.words.empty() ? tr("unknown value, %1").arg(key)
                                    //: key and value, as in place: "there"
@@ -91,6 +91,34 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
         if (error.min && error.max)
             return tr("\"%1\" is out of range, %2 to %3").arg(key, number(*error.min), number(*error.max));
         return tr("\"%1\" is out of range").arg(key);
+    }
+    return {};
+}
+
+QString StrokeFileMessages::wrongType(const QString& key, core::StrokeFileError::Value wanted)
+{
+    using Value = core::StrokeFileError::Value;
+    switch (wanted) {
+    case Value::Number:
+        return tr("\"%1\" must be a number").arg(key);
+    case Value::WholeNumber:
+        return tr("\"%1\" must be a whole number").arg(key);
+    case Value::ThreeNumbers:
+        return tr("\"%1\" must be three numbers, as in [0, 1, 0]").arg(key);
+    case Value::FourNumbers:
+        return tr("\"%1\" must be four numbers, as in [0, 0, 0, 1]").arg(key);
+    case Value::ThreeBytes:
+        return tr("\"%1\" must be three whole numbers from 0 to 255, as in [200, 120, 80]").arg(key);
+    case Value::TrueOrFalse:
+        return tr("\"%1\" must be true or false").arg(key);
+    case Value::Word:
+        return tr("\"%1\" must be a word in quotation marks").arg(key);
+    case Value::WordOrTruth:
+        return tr("\"%1\" must be a word in quotation marks, true or false").arg(key);
+    case Value::Object:
+        return tr("\"%1\" must be an object in braces").arg(key);
+    case Value::Objects:
+        return tr("\"%1\" must be a list of objects, as in [{…}, {…}]").arg(key);
     }
     return {};
 }

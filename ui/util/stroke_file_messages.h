@@ -17,5 +17,8 @@ public:
     /// Line, stroke and sample, as far as they are known.
     static QString place(const core::StrokeFileError& error);
     static QString reason(const core::StrokeFileError& error);
+
+private:
+    static QString wrongType(const QString& key, core::StrokeFileError::Value wanted);
 };
 } // namespace ui

@@ -4,6 +4,7 @@
 
 #include "core/io/stroke/stroke_json_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -15,6 +16,50 @@ namespace core
 namespace
 {
 constexpr std::size_t maxFileBytes = std::size_t(1) << 30;
+
+using Value = StrokeFileError::Value;
+
+/// Keys that hold no word, of files of strokes and of presets. A key holds the same wherever it stands.
+constexpr std::pair<std::string_view, Value> otherThanWords[] = {
+    {"version", Value::WholeNumber},
+    {"strokes", Value::Objects},
+    {"samples", Value::Objects},
+    {"stroke", Value::Object},
+    {"falloff", Value::WholeNumber},
+    {"radial", Value::WholeNumber},
+    {"radius", Value::Number},
+    {"radius_share", Value::Number},
+    {"strength", Value::Number},
+    {"detail", Value::Number},
+    {"detail_length", Value::Number},
+    {"spacing", Value::Number},
+    {"airbrush", Value::Number},
+    {"turntable_deg_per_s", Value::Number},
+    {"factor", Value::Number},
+    {"height", Value::Number},
+    {"t", Value::Number},
+    {"pressure", Value::Number},
+    {"position", Value::ThreeNumbers},
+    {"direction", Value::ThreeNumbers},
+    {"up", Value::ThreeNumbers},
+    {"by", Value::ThreeNumbers},
+    {"centre", Value::ThreeNumbers},
+    {"rotation", Value::FourNumbers},
+    {"color", Value::ThreeBytes},
+    {"symmetry", Value::WordOrTruth},
+    {"fusion", Value::TrueOrFalse},
+    {"add", Value::TrueOrFalse},
+    {"join", Value::TrueOrFalse},
+    {"invert", Value::TrueOrFalse},
+    {"alpha_follows", Value::TrueOrFalse},
+    {"anchored", Value::TrueOrFalse},
+};
+
+Value valueOf(std::string_view key)
+{
+    const auto* const found = std::ranges::find(otherThanWords, key, &std::pair<std::string_view, Value>::first);
+    return found == std::end(otherThanWords) ? Value::Word : found->second;
+}
 } // namespace
 
 StrokeFileError::StrokeFileError(Kind errorKind, std::string keyName)
@@ -22,7 +67,10 @@ StrokeFileError::StrokeFileError(Kind errorKind, std::string keyName)
                          "\"")
     , kind(errorKind)
     , key(std::move(keyName))
-{}
+{
+    if (kind == Kind::WrongType)
+        wanted = valueOf(key);
+}
 
 std::vector<FileEntry> parseStrokes(std::string_view text)
 {

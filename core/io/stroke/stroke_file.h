@@ -60,6 +60,20 @@ struct StrokeFileError : std::runtime_error
         OutOfRange
     };
 
+    /// Says what a key holds.
+    enum class Value {
+        Number,
+        WholeNumber,
+        ThreeNumbers,
+        FourNumbers,
+        ThreeBytes, ///< whole numbers from 0 to 255
+        TrueOrFalse,
+        Word,
+        WordOrTruth, ///< a word, true or false
+        Object,
+        Objects ///< a list of them
+    };
+
     explicit StrokeFileError(Kind errorKind, std::string keyName = {});
 
     Kind kind;
@@ -71,6 +85,7 @@ struct StrokeFileError : std::runtime_error
     std::optional<double> min, max;    ///< with OutOfRange, where there is a range
     bool orZero = false;               ///< with OutOfRange: 0 is taken, too
     std::vector<std::string> words;    ///< with UnknownValue: the words that the key has; empty: it may be any word
+    std::optional<Value> wanted;       ///< with WrongType
     std::optional<double> version;     ///< with NotStrokes: the version of the file, if it has another one
     int systemError = 0;               ///< errno, with CannotRead, where it is known
 };

@@ -507,7 +507,7 @@ void TestReplayCommand::check_saysWhatCanBeSculpted()
             QVERIFY(core::checkMesh(replay.result()).printReady());
         } else {
             ++refused;
-            QVERIFY2(replay.complaint.contains("model.ply cannot be sculpted where it lies"),
+            QVERIFY2(replay.complaint.contains("model.ply cannot be sculpted where it is"),
                      replay.complaint.constData());
             QVERIFY(!QFile::exists(replay.path("out.ply")));
         }
