@@ -26,11 +26,16 @@ struct WandLabel
 /// A wand as it is drawn.
 struct ShownWand
 {
+    /// Control of the thumb; None: the wand has a trigger and a menu button only.
+    enum class Thumb { Pad, Stick, None };
+
     bool isShown = false; ///< false while it is not tracked
+    Thumb thumb = Thumb::Pad;
     Pose grip;
-    std::array<bool, wandPartCount> isLit{}; ///< by WandPart: what is pressed
-    double trigger = 0;                      ///< share that it is pulled, 0 to 1
-    std::optional<Eigen::Vector2d> touch;    ///< where a thumb lies on the pad, as in WandState
+    std::array<bool, wandPartCount> isLit{};         ///< by WandPart: what is pressed
+    double trigger = 0;                              ///< share that it is pulled, 0 to 1
+    std::optional<Eigen::Vector2d> touch;            ///< where a thumb lies on the pad, as in WandState
+    Eigen::Vector2d stick = Eigen::Vector2d::Zero(); ///< where it pushes the thumbstick, as in WandState
     double holdProgress = 0; ///< share of the ring between the side buttons that is full, 0 to 1; 0: no ring
     std::array<WandLabel, wandSpotCount> labels; ///< by WandSpot
     std::optional<core::Rgb> tip;                ///< the colour of the bead at the front end

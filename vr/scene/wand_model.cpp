@@ -34,6 +34,15 @@ constexpr double squareness = 2.5; ///< of a section: 2 is an ellipse
 constexpr double padMiddleZ = -0.048, padRadius = 0.0190, padMiddleRadius = 0.0062, padGap = 0.0007;
 constexpr double padBottom = 0.0130, padTop = 0.0166;
 constexpr double menuZ = -0.0830, menuRadius = 0.0046;
+/// Section of the thumbstick across y, from the hollow for the thumb in its cap to its foot in the body; metres.
+struct StickSection
+{
+    double height, radius;
+};
+constexpr StickSection stickSections[] = {{0.0238, 0.0030}, {0.0246, 0.0070}, {0.0246, 0.0086},
+                                          {0.0236, 0.0094}, {0.0220, 0.0094}, {0.0208, 0.0082},
+                                          {0.0195, 0.0044}, {0.0160, 0.0046}, {0.0120, 0.0058}};
+constexpr double stickWay = 22 * pi / 180;
 constexpr double sideZ = 0.0120;
 constexpr double beadRadius = 0.0052;
 const core::Vec3 triggerMiddle(0, -0.0205, -0.0440), triggerHinge(0, -0.0120, -0.0640);
@@ -110,6 +119,16 @@ SolidBuilder::Loop circle(const core::Vec3& middle, double radius)
     return outline;
 }
 
+SolidBuilder stick()
+{
+    std::vector<SolidBuilder::Loop> loops;
+    for (const auto& [height, radius] : stickSections)
+        loops.push_back(circle({0, height, padMiddleZ}, radius));
+    SolidBuilder solid;
+    solid.loft(loops);
+    return solid;
+}
+
 SolidBuilder sideButtons()
 {
     SolidBuilder both = ellipsoid({0.0158, -0.0010, sideZ}, {0.0030, 0.0046, 0.0135});
@@ -133,6 +152,8 @@ core::DrawArrays wandPartModel(WandPart part)
         return padSide(-pi / 2).drawArrays();
     case WandPart::PadMiddle:
         return plate(circle({0, 0, padMiddleZ}, padMiddleRadius), {padBottom, padTop - 0.0003, 0.0004}).drawArrays();
+    case WandPart::Stick:
+        return stick().drawArrays();
     case WandPart::Menu:
         return plate(circle({0, 0, menuZ}, menuRadius), {0.0100, 0.0149, 0.0006}).drawArrays();
     case WandPart::Trigger:
@@ -176,6 +197,15 @@ core::Vec3 wandTip()
 core::Vec3 placeOnPad(const Eigen::Vector2d& touch)
 {
     return {padRadius * touch.x(), padTop, padMiddleZ - padRadius * touch.y()};
+}
+
+Eigen::Affine3d stickTurn(const Eigen::Vector2d& push)
+{
+    const core::Vec3 foot(0, std::rbegin(stickSections)->height, padMiddleZ);
+    const double share = std::min(1.0, push.norm());
+    const core::Vec3 axis = core::Vec3(-push.y(), 0, -push.x()).normalized(); // zero stays zero
+    return Eigen::Translation3d(foot) * Eigen::AngleAxisd(stickWay * share, share > 0 ? axis : core::Vec3::UnitX()) *
+           Eigen::Translation3d(-foot);
 }
 
 Eigen::Affine3d triggerTurn(double pull)

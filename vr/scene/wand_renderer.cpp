@@ -38,12 +38,37 @@ core::Shading lookOf(WandPart part, const ShownWand& wand)
     case WandPart::PadLeft:
     case WandPart::PadRight:
     case WandPart::PadMiddle:
+    case WandPart::Stick:
         return padLook;
     case WandPart::Tip:
         return beadLook(wand.tip);
     default:
         return buttonLook;
     }
+}
+bool has(const ShownWand& wand, WandPart part)
+{
+    switch (part) {
+    case WandPart::PadUp:
+    case WandPart::PadDown:
+    case WandPart::PadLeft:
+    case WandPart::PadRight:
+    case WandPart::PadMiddle:
+        return wand.thumb == ShownWand::Thumb::Pad;
+    case WandPart::Stick:
+        return wand.thumb == ShownWand::Thumb::Stick;
+    case WandPart::Side:
+        return wand.thumb != ShownWand::Thumb::None;
+    default:
+        return true;
+    }
+}
+
+Eigen::Affine3d turnOf(WandPart part, const ShownWand& wand)
+{
+    return part == WandPart::Trigger ? triggerTurn(wand.trigger)
+           : part == WandPart::Stick ? stickTurn(wand.stick)
+                                     : Eigen::Affine3d::Identity();
 }
 } // namespace
 
@@ -69,7 +94,9 @@ void WandRenderer::draw(const EyeUniforms& eye, const MeshProgram& program, cons
     const Eigen::Affine3d grip = wand.grip.matrix();
     for (std::size_t i = 0; i < wandPartCount; ++i) {
         const auto part = static_cast<WandPart>(i);
-        const Eigen::Affine3d place = part == WandPart::Trigger ? grip * triggerTurn(wand.trigger) : grip;
+        if (!has(wand, part))
+            continue;
+        const Eigen::Affine3d place = grip * turnOf(part, wand);
         program.place(eye, place.matrix().cast<float>());
         program.shade(lookOf(part, wand));
         m_clock->run([&] { m_parts[i].draw(); });

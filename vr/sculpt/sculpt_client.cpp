@@ -87,12 +87,16 @@ ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side
     const auto light = [&](WandPart part, bool isLit) { shown.isLit[static_cast<std::size_t>(part)] = isLit; };
     const WandGestures& gestures = mapping.gestures(side);
     if (gestures.pad.held)
-        light(partOf(*gestures.pad.held), true);
+        light(wand.isStick ? WandPart::Stick : partOf(*gestures.pad.held), true);
     light(WandPart::Trigger, gestures.trigger.isDown);
     light(WandPart::Menu, wand.menu);
     light(WandPart::Side, wand.side);
     shown.trigger = wand.trigger;
-    if (wand.padTouched)
+    using enum ShownWand::Thumb;
+    shown.thumb = wand.isSimple ? None : wand.isStick ? Stick : Pad;
+    if (wand.isStick)
+        shown.stick = wand.pad;
+    else if (wand.padTouched)
         shown.touch = wand.pad;
     if (const std::optional<WandMapping::Hold> hold = mapping.hold(side))
         shown.holdProgress = hold->progress;

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void places_lieOnTheirParts();
     void buttons_standOutOfTheBody();
     void pad_isWhereThumbsAre();
+    void stick_leansToWhereItIsPushed();
     void trigger_turnsIntoTheBody();
 };
 
@@ -149,6 +150,23 @@ void TestWandModel::pad_isWhereThumbsAre()
             0.001); // away from the hand
     QVERIFY(boxOf(WandPart::PadLeft).max().x() < 0 && boxOf(WandPart::PadRight).min().x() > 0);
     QVERIFY(boxOf(WandPart::PadUp).max().z() < boxOf(WandPart::PadDown).min().z());
+}
+
+/// Leans as far for a push beyond the rim as for one to it; the foot stays in the body.
+void TestWandModel::stick_leansToWhereItIsPushed()
+{
+    const core::Box rest = boxOf(WandPart::Stick);
+    const core::Vec3 top(0, rest.max().y(), rest.center().z()), foot(0, rest.min().y(), rest.center().z());
+    QVERIFY(rest.max().y() > vr::placeOnPad({0, 0}).y());
+    QVERIFY(vr::stickTurn({0, 0}).isApprox(Eigen::Affine3d::Identity()));
+    for (const Eigen::Vector2d& push : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-0.6, -0.8)}) {
+        const core::Vec3 wanted = (vr::placeOnPad(push) - vr::placeOnPad({0, 0})).normalized();
+        const core::Vec3 half = vr::stickTurn(push / 2) * top - top, whole = vr::stickTurn(push) * top - top;
+        QVERIFY(core::Vec3(whole.x(), 0, whole.z()).normalized().isApprox(wanted, 1e-9));
+        QVERIFY(whole.norm() > 1.5 * half.norm() && half.norm() > 0.001);
+        QVERIFY(vr::stickTurn(2 * push).isApprox(vr::stickTurn(push)));
+        QVERIFY((vr::stickTurn(push) * foot).isApprox(foot, 1e-6));
+    }
 }
 
 void TestWandModel::trigger_turnsIntoTheBody()
