@@ -11,7 +11,7 @@ HeadsetReport HeadsetReport::of(HeadsetStage stage, const QString& headset)
     case HeadsetStage::Hidden:
         return report(tr("VR is on, but the headset shows another program."));
     case HeadsetStage::Visible:
-        return report(tr("The headset's own menu is open: the wands rest here."));
+        return report(tr("The headset's own menu is open: the controllers are paused here."));
     //: %1: a headset's name
     case HeadsetStage::Running:
         return report(tr("In VR with %1.").arg(headset));
@@ -39,9 +39,8 @@ QString HeadsetReport::textOf(HeadsetEnd end, const QString& detail)
         return detail;
     case HeadsetEnd::NoBinding:
         //: %1: a window system, such as wayland
-        return tr("The headset's program takes no pictures from windows of the kind “%1”. Start Fettle with "
-                  "QT_QPA_PLATFORM=xcb and "
-                  "QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.")
+        return tr("The headset's program does not support windows of the kind “%1”. Start Fettle with "
+                  "QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.")
             .arg(detail);
     case HeadsetEnd::CannotRender:
         return tr("VR cannot be drawn with this OpenGL.");
@@ -51,12 +50,11 @@ QString HeadsetReport::textOf(HeadsetEnd end, const QString& detail)
     case HeadsetEnd::SessionLost:
         return tr("The headset is gone. The model is as it was; plug the headset in, then enter VR again.");
     case HeadsetEnd::NotResponding:
-        return tr("The headset's program does not answer. The model is as it was; start that program anew, then enter "
-                  "VR again.");
+        return tr("The headset's program does not answer. The model is as it was; restart that program, then enter VR "
+                  "again.");
     case HeadsetEnd::StillNotResponding:
-        return tr("The headset's program still does not answer, and VR cannot be entered. Start that program anew; if "
-                  "that does not help, "
-                  "save the model and start Fettle anew.");
+        return tr("The headset's program still does not answer, and VR cannot be entered. Restart that program; if "
+                  "that does not help, save the model and restart Fettle.");
     case HeadsetEnd::Failed:
         //: %1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE
         return tr("VR ended: the headset's program reports a fault (%1). The model is as it was; try to enter VR "

@@ -3,6 +3,7 @@
 #include "vr/frame/headset_loop.h"
 
 #include <QGuiApplication>
+#include <QOpenGLContext>
 
 #include <utility>
 

@@ -1,5 +1,7 @@
 #include "vr/openxr/xr_hidden_areas.h"
 
+#include "vr/openxr/xr_result.h"
+
 #include <QtGlobal>
 
 #include <algorithm>
@@ -71,7 +73,7 @@ HiddenArea HiddenAreas::ask(std::uint32_t eye) const
     const auto getMask = [&](XrVisibilityMaskKHR& mask) {
         return m_getMask(m_session, m_viewConfiguration, eye, XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask);
     };
-    for (;;) {
+    for (int growths = 0;; ++growths) {
         XrVisibilityMaskKHR mask{};
         mask.type = XR_TYPE_VISIBILITY_MASK_KHR;
         check(getMask(mask), call);
@@ -84,7 +86,7 @@ HiddenArea HiddenAreas::ask(std::uint32_t eye) const
         mask.indexCapacityInput = mask.indexCountOutput;
         mask.indices = indices.data();
         const XrResult result = getMask(mask);
-        if (result == XR_ERROR_SIZE_INSUFFICIENT)
+        if (result == XR_ERROR_SIZE_INSUFFICIENT && growths < maxGrowths)
             continue;
         check(result, call);
         points.resize(mask.vertexCountOutput);

@@ -32,19 +32,22 @@ private:
 /// Throws XrError if the result is an error; `call` is the function's name.
 XrResult check(XrResult result, const char* call);
 
+/// Limit of how often a list may grow between the two calls that read it: a runtime that refuses more is at fault.
+inline constexpr int maxGrowths = 8;
+
 /// What a function of the two-call idiom lists; ask(capacity, count, items). `blank` has type and next filled in.
 /// Throws XrError.
 template <class Item, class Ask> std::vector<Item> enumerate(const char* call, const Item& blank, Ask ask)
 {
-    for (;;) {
+    for (int growths = 0;; ++growths) {
         std::uint32_t count = 0;
         check(ask(0U, &count, static_cast<Item*>(nullptr)), call);
         std::vector<Item> items(count, blank);
         if (count == 0)
             return items;
         const XrResult result = ask(count, &count, items.data());
-        if (result == XR_ERROR_SIZE_INSUFFICIENT)
-            continue; // there are more since
+        if (result == XR_ERROR_SIZE_INSUFFICIENT && growths < maxGrowths)
+            continue;
         check(result, call);
         items.resize(count);
         return items;

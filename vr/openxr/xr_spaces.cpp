@@ -1,6 +1,7 @@
 #include "vr/openxr/xr_spaces.h"
 
 #include "vr/openxr/xr_convert.h"
+#include "vr/openxr/xr_instance.h"
 #include "vr/openxr/xr_result.h"
 
 #include <algorithm>

@@ -8,6 +8,8 @@
 
 namespace vr
 {
+class Instance;
+
 /// The spaces that a session measures in. Room space is STAGE, which has the real floor, or else LOCAL_FLOOR, which has
 /// it, too; where the runtime has neither it is LOCAL, with the floor taken to be 1.5 m below the eyes. Members throw
 /// XrError.

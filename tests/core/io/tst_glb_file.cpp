@@ -421,7 +421,7 @@ void TestGlbFile::latticeAndBits_comeBackUnchanged()
     QVERIFY(!stranger.mesh->frame().place.isZero() && stranger.mesh->lattice() != frame.lattice);
 }
 
-/// Somebody moved a vertex, and left our notes in the file.
+/// Simulates another program that moved a vertex but left our metadata in the file.
 void TestGlbFile::latticeThatDoesNotFit_isNotTaken()
 {
     TriangleMesh mesh = painted();

@@ -400,14 +400,16 @@ void TestMeshIo::palette_isKeptBesideTheModel()
         for (const bool ascii : {false, true}) {
             core::writeMesh(
                 file(name), ball,
-                {.ascii = ascii, .metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
+                {.ascii = ascii,
+                 .metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}, .references = {}}});
             QVERIFY2(readPalette(file(name)) == palette, name);
             QVERIFY2(core::readMesh(file(name)).points == ball.points, name);
             core::writeMesh(file(name), ball, {.ascii = ascii});
             QVERIFY2(readPalette(file(name)).empty(), name);
         }
-    core::writeMesh(file("a.stl"), ball,
-                    {.metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
+    core::writeMesh(
+        file("a.stl"), ball,
+        {.metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}, .references = {}}});
     QVERIFY(readPalette(file("a.stl")).empty());
     QVERIFY(readPalette(file("none.ply")).empty());
 }

@@ -235,7 +235,7 @@ void TestThreeMf::supports_areLeftOut()
     QCOMPARE(core::readModel(file("a.3mf")).remarks.otherParts, std::size_t(3));
 }
 
-/// Objects without extent are left out, as their faces are, beside another one.
+/// Checks that an object scaled to a point is left out, with its faces, while the one beside it is read.
 void TestThreeMf::pointsBesideOthers_areLeftOut()
 {
     const TriangleMesh read =

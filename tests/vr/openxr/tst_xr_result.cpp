@@ -49,6 +49,16 @@ private Q_SLOTS:
         QCOMPARE(items, (std::vector<int>{1, 2, 3}));
     }
 
+    /// Asks for an error in place of a loop without end.
+    void listsThatNeverFitAreRefused()
+    {
+        const auto ask = [](std::uint32_t capacity, std::uint32_t* count, int*) {
+            *count = capacity + 1;
+            return capacity == 0 ? XR_SUCCESS : XR_ERROR_SIZE_INSUFFICIENT;
+        };
+        QVERIFY_EXCEPTION_THROWN(vr::enumerate("xrEnumerateThings", 0, ask), vr::XrError);
+    }
+
     void emptyListsAreNotAskedForTwice()
     {
         int asked = 0;
