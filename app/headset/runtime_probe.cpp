@@ -28,6 +28,6 @@ void RuntimeProbe::start()
 
 void RuntimeProbe::reportTimeout()
 {
-    Q_EMIT finished(tr("The headset's program does not answer. If it is not just starting, start it anew."));
+    Q_EMIT finished(tr("The headset's program does not answer. If it is not just starting, restart it."));
 }
 } // namespace app

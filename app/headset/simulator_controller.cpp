@@ -13,6 +13,7 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
 #include <utility>
 
 namespace app
@@ -69,8 +70,7 @@ SimulatorController::SimulatorController(ui::MainWindow* window, SculptWorker* w
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &SimulatorController::tick);
     connect(m_headset, &Headset::reported, this, &SimulatorController::onReport);
-    connect(m_headset, &Headset::avatarChanged, this,
-            [this](const std::optional<vr::AvatarState>& avatar) { m_seen = avatar; });
+    connect(m_headset, &Headset::avatarChanged, this, &SimulatorController::onAvatar);
     connect(worker, &SculptWorker::answeredSimulator, this,
             [this](const std::optional<core::SurfaceHit>& hit) { m_hit = hit; });
     connect(m_window, &ui::SimulatorWindow::closed, m_headset, &Headset::leave);
@@ -96,6 +96,19 @@ void SimulatorController::onReport(const vr::HeadsetReport& report)
         m_timer.start();
         move();
     }
+}
+
+/// Lets the hand rest at which a panel opens, and gives the mouse to the other one, which can point at it: a hand on
+/// the model would carry the panel out of sight.
+void SimulatorController::onAvatar(const std::optional<vr::AvatarState>& avatar)
+{
+    const auto carriesPanel = [side = sideOf(m_window->view()->controls().hand())](const auto& seen) {
+        return seen && std::ranges::count(seen->panels, side, &vr::PanelTarget::carrier) > 0;
+    };
+    const bool isOpened = carriesPanel(avatar) && !carriesPanel(m_seen);
+    m_seen = avatar;
+    if (isOpened)
+        m_window->view()->changeHand();
 }
 
 void SimulatorController::tick()

@@ -42,6 +42,7 @@ private:
     using Buttons = std::array<ui::SimulatedButtons, ui::simulatedHandCount>;
 
     void onReport(const vr::HeadsetReport& report);
+    void onAvatar(const std::optional<vr::AvatarState>& avatar);
     void tick();
     void queueButtons();
     void move();

@@ -262,7 +262,6 @@ void SimulatorView::slide(const QPointF& by)
         pad.normalize();
 }
 
-/// The hand before goes on squeezing, as both do that stretch the model; else it lets go.
 void SimulatorView::changeHand()
 {
     const bool squeezes = buttons().squeezes;

@@ -31,6 +31,9 @@ public:
     void setPicture(const QImage& picture);
     /// Turns the head as SimulatorControls::turnHead() does.
     void turnHead(double left, double up) { m_controls.turnHead(left, up); }
+    /// Gives the mouse to the other hand. The hand before goes on squeezing, as both do that stretch the model; else it
+    /// lets go.
+    void changeHand();
     /// So much time has passed: keys that are down walk.
     void advance(double seconds);
 
@@ -69,7 +72,6 @@ private:
     void squeeze(std::initializer_list<SimulatedHand> hands, bool isDown);
     void pressTrigger(bool isDown, Qt::KeyboardModifiers modifiers);
     void slide(const QPointF& by);
-    void changeHand();
 
     SimulatorControls m_controls;
     QImage m_picture;

@@ -65,17 +65,17 @@ QWidget* SimulatorWindow::legend()
     grid->addWidget(m_hand, 0, 0, 1, 2);
     grid->setRowMinimumHeight(1, gap);
     const std::pair<QString, QString> controls[] = {
-        {tr("Mouse"), tr("moves the wand on the surface")},
+        {tr("Mouse"), tr("moves the controller on the surface")},
         {tr("Wheel"), tr("farther and nearer")},
-        {tr("Shift and wheel"), tr("turns the wand about itself")},
+        {tr("Shift and wheel"), tr("turns the controller about its own axis")},
         {tr("Left button, Space"), tr("trigger; with Shift half as strong")},
-        {tr("Tab"), tr("the other wand")},
+        {tr("Tab"), tr("the other controller")},
         {tr("Arrows"), tr("press the pad at that side")},
         {tr("Ctrl and mouse"), tr("the thumb slides on the pad")},
         {tr("M"), tr("menu button")},
-        {tr("G"), tr("squeezes the wand")},
-        {tr("B"), tr("squeezes both wands")},
-        {tr("Right button"), tr("looks about")},
+        {tr("G"), tr("squeezes the controller")},
+        {tr("B"), tr("squeezes both controllers")},
+        {tr("Right button"), tr("looks around")},
         {tr("W A S D"), tr("walk")},
         {tr("E, Q"), tr("up and down")},
         {tr("Esc"), tr("leaves VR")}};
@@ -116,8 +116,8 @@ void SimulatorWindow::placeBesideMain()
 
 void SimulatorWindow::showHand()
 {
-    m_hand->setText(m_view->controls().hand() == SimulatedHand::Left ? tr("The mouse moves the left wand.")
-                                                                     : tr("The mouse moves the right wand."));
+    m_hand->setText(m_view->controls().hand() == SimulatedHand::Left ? tr("The mouse moves the left controller.")
+                                                                     : tr("The mouse moves the right controller."));
 }
 
 /// A question of the program's, without whose answer nothing goes on here, is not hidden behind this window, which

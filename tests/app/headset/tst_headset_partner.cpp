@@ -428,7 +428,7 @@ void TestHeadsetPartner::caption_tellsTheBrush()
     QCOMPARE(v.caption().text().tool, QStringLiteral("Crease"));
     QTRY_COMPARE(v.caption().text().radius, QStringLiteral("12 mm"));
     v.hand.slide(Side::Right, {0.8, 0});
-    QTRY_VERIFY(v.caption().text().radius != QStringLiteral("12 mm")); // the headset's
+    QTRY_VERIFY(v.caption().text().radius != QStringLiteral("12 mm")); // as changed in the headset
     v.keep("caption");
     v.trigger("view.caption");
     QTRY_VERIFY(!v.caption().isVisible() && v.bar().isVisible());

@@ -231,8 +231,8 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
     }
     fixture.click(Qt::Key_Tab); // the left wand's menu opens the tools
     fixture.click(Qt::Key_M);
-    fixture.click(Qt::Key_Tab);
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.seen.panels.empty(), longestWait);
+    QTRY_COMPARE(fixture.view->controls().hand(), ui::SimulatedHand::Right); // points at what the left one carries
     const auto isSeenWhole = [&] {
         const vr::PanelTarget panel = fixture.seen.panels.front();
         double farthest = 0;
@@ -256,6 +256,12 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
         return laser && sight ? (laser->at - sight->at).norm() : 1;
     };
     QTRY_VERIFY_WITH_TIMEOUT(missesBy() < 0.005, longestWait);
+    fixture.click(Qt::Key_Tab);
+    QCOMPARE(fixture.view->controls().hand(), ui::SimulatedHand::Left);
+    fixture.click(Qt::Key_M);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.panels.empty(), longestWait);
+    const auto aside = [&] { return fixture.view->controls().head().linear().col(2).x(); };
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(aside()) < 0.02, longestWait); // and turns back
     QTest::keyClick(fixture.view, Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
 }
