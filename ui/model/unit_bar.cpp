@@ -17,11 +17,11 @@ struct UnitChoice
     const char* tip;
 };
 constexpr UnitChoice units[] = {{"asMetres", 1000, core::UnitDoubt::Metres,
-                                 QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long: metres? That would be %3 mm."),
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long. Is it in metres (%3 mm)?"),
                                  QT_TRANSLATE_NOOP("ui::UnitBar", "As Me&tres"),
                                  QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 1000 times as large, as one step.")},
                                 {"asInches", 25.4, core::UnitDoubt::Inches,
-                                 QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long: inches? That would be %3 mm."),
+                                 QT_TRANSLATE_NOOP("ui::UnitBar", "%1 is %2 units long. Is it in inches (%3 mm)?"),
                                  QT_TRANSLATE_NOOP("ui::UnitBar", "As I&nches"),
                                  QT_TRANSLATE_NOOP("ui::UnitBar", "Makes the model 25.4 times as large, as one step.")},
                                 {"asCentimetres", 10, core::UnitDoubt::None, "",

@@ -3,10 +3,9 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
-#include <QAction>
 #include <QApplication>
+#include <QBoxLayout>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
@@ -20,23 +19,22 @@ namespace
 constexpr int maxNameWidth = 240;
 } // namespace
 
-QPushButton* addButton(QToolBar* bar, QPushButton* button)
-{
-    button->setAutoDefault(true);
-    auto* cell = new QWidget;
-    auto* row = new QHBoxLayout(cell);
-    row->setContentsMargins(0, gap / 2, gap, gap / 2);
-    row->addWidget(button);
-    bar->addWidget(cell);
-    return button;
-}
-
-MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* window) : QToolBar(title, window)
+MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* window)
+    : QFrame(window)
+    , m_rows(new QBoxLayout(QBoxLayout::LeftToRight, this))
+    , m_controls(new QHBoxLayout)
+    , m_buttons(new QHBoxLayout)
 {
     setObjectName(QLatin1StringView(name));
-    setMovable(false);
+    setAccessibleName(title);
     setAutoFillBackground(true);
-    setContextMenuPolicy(Qt::PreventContextMenu);
+    m_rows->setContentsMargins(gap, gap / 2, gap, gap / 2);
+    m_rows->setSpacing(gap);
+    m_rows->addLayout(m_controls, 1);
+    m_rows->addLayout(m_buttons);
+    m_controls->setSpacing(gap);
+    m_buttons->setSpacing(gap);
+    m_buttons->addStretch();
     view()->installEventFilter(this);
     window->installEventFilter(this);
     installEventFilter(this); // its words and their font come later
@@ -49,6 +47,15 @@ QWidget* MessageBar::view() const
 {
     auto* window = qobject_cast<QMainWindow*>(parentWidget());
     return window->centralWidget() ? window->centralWidget() : window;
+}
+
+/// Returns the width of all in one line. A label that may wrap does not know the width of its sentence.
+int MessageBar::lineWidth() const
+{
+    const QMargins margins = m_rows->contentsMargins();
+    const int controls =
+        m_words ? m_words->fontMetrics().horizontalAdvance(m_words->text()) : m_controls->sizeHint().width();
+    return controls + m_rows->spacing() + m_buttons->sizeHint().width() + margins.left() + margins.right();
 }
 
 /// Stands below the bars that came before, as wide as the view but for what stands in its right corner, or wider where
@@ -66,9 +73,12 @@ void MessageBar::place()
         if (!bar->isHidden())
             place.setTop(bar->geometry().bottom() + 1);
     }
-    place.setHeight(sizeHint().height());
-    const int missing = std::max(0, std::min(sizeHint().width(), window->width()) - place.width());
-    place.adjust(0, 0, missing, 0);
+    const bool isNarrow = lineWidth() > place.width();
+    m_rows->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    if (m_words)
+        m_words->setWordWrap(isNarrow);
+    place.setWidth(std::min(std::max(place.width(), m_rows->minimumSize().width()), window->width()));
+    place.setHeight(m_rows->hasHeightForWidth() ? m_rows->heightForWidth(place.width()) : m_rows->sizeHint().height());
     place.moveRight(std::min(place.right(), window->width() - 1));
     setGeometry(place);
 }
@@ -76,24 +86,30 @@ void MessageBar::place()
 bool MessageBar::eventFilter(QObject* watched, QEvent* event)
 {
     const QEvent::Type type = event->type();
-    const bool isOwn = watched == this && (type == QEvent::PolishRequest || type == QEvent::FontChange);
-    if (isOwn || (watched != this && (type == QEvent::Resize || type == QEvent::Move || type == QEvent::LayoutRequest)))
+    const bool isMoved = watched != this && (type == QEvent::Resize || type == QEvent::Move);
+    if (isMoved || type == QEvent::LayoutRequest || type == QEvent::PolishRequest || type == QEvent::FontChange)
         place();
-    return QToolBar::eventFilter(watched, event);
+    return QFrame::eventFilter(watched, event);
 }
 
 void MessageBar::setMessage(const char* name, const QString& sentence, const QString& tip)
 {
-    auto* words = named(new QLabel(sentence), name, tip);
-    words->setTextFormat(Qt::PlainText);
-    words->setContentsMargins(gap, 0, gap, 0);
-    words->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    addWidget(words);
+    m_words = named(new QLabel(sentence), name, tip);
+    m_words->setTextFormat(Qt::PlainText);
+    m_controls->addWidget(m_words, 1);
+}
+
+void MessageBar::addControl(QWidget* control)
+{
+    m_controls->addWidget(control);
 }
 
 QPushButton* MessageBar::addButton(const char* name, const QString& text, const QString& tip)
 {
-    return ui::addButton(this, named(new QPushButton(text), name, tip, QString(text).remove(QLatin1Char('&'))));
+    auto* button = named(new QPushButton(text), name, tip, QString(text).remove(QLatin1Char('&')));
+    button->setAutoDefault(true);
+    m_buttons->addWidget(button);
+    return button;
 }
 
 QString MessageBar::shortened(const QString& fileName) const

@@ -3,6 +3,7 @@
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPointer>
@@ -27,6 +28,7 @@ private Q_SLOTS:
     void leaving_givesTheFocusBack();
     void longNames_leaveRoomForTheButtons();
     void theView_staysWhereItIs();
+    void narrowViews_getTwoLines();
 
 private:
     void show(const QString& name, UnitDoubt guess)
@@ -58,9 +60,9 @@ void TestUnitBar::guess_hasItsReasonAndIsTheDefault_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<QStringList>("reason");
     QTest::newRow("inches") << UnitDoubt::Inches << QStringLiteral("asInches")
-                            << QStringList{QStringLiteral("inches?"), QStringLiteral("38.1 mm")};
+                            << QStringList{QStringLiteral("inches"), QStringLiteral("(38.1 mm)?")};
     QTest::newRow("metres") << UnitDoubt::Metres << QStringLiteral("asMetres")
-                            << QStringList{QStringLiteral("metres?"), QStringLiteral("1,500 mm")};
+                            << QStringList{QStringLiteral("metres"), QStringLiteral("(1,500 mm)?")};
 }
 
 void TestUnitBar::guess_hasItsReasonAndIsTheDefault()
@@ -153,6 +155,29 @@ void TestUnitBar::theView_staysWhereItIs()
     QTRY_COMPARE(m_bar->width(), m_window->centralWidget()->width());
     first->dismiss();
     QCOMPARE(m_bar->y(), m_window->centralWidget()->y());
+}
+
+/// A panel beside the view is not covered: the buttons go below the sentence, and come back beside it.
+void TestUnitBar::narrowViews_getTwoLines()
+{
+    auto* column = new QDockWidget;
+    column->setWidget(new QLabel(QStringLiteral("A panel of some width")));
+    m_window->addDockWidget(Qt::RightDockWidgetArea, column);
+    show(QString(300, QLatin1Char('m')), UnitDoubt::Inches);
+    const auto* words = m_bar->findChild<QLabel*>(QStringLiteral("unitText"));
+    const auto isWithin = [&](const QWidget* part) {
+        return m_bar->rect().contains(QRect(part->mapTo(m_bar, QPoint()), part->size()));
+    };
+    for (const int width : {1280, 700, 1280}) {
+        m_window->resize(width, 500);
+        QTRY_COMPARE(m_window->width(), width);
+        QTRY_COMPARE(m_bar->geometry().right(), m_window->centralWidget()->geometry().right());
+        for (const QPushButton* each : m_bar->findChildren<QPushButton*>()) {
+            QTRY_VERIFY2(isWithin(each), qPrintable(each->objectName()));
+            QTRY_COMPARE(each->y() >= words->geometry().bottom(), width == 700);
+        }
+        QTRY_VERIFY(isWithin(words) && words->height() >= words->heightForWidth(words->width()));
+    }
 }
 
 FETTLE_TEST(TestUnitBar, ui::TestApplication)
