@@ -29,25 +29,19 @@ PrintFinding surface(const core::MeshReport& mesh)
 {
     if (mesh.printReady())
         return {PrintVerdict::Good,
-                PrintText::tr("Sound surface"),
+                PrintText::tr("Watertight surface"),
                 PrintText::tr("Closed, every face looks outward, nothing meets itself: checked exactly."),
                 {},
                 {}};
-    return {PrintVerdict::Bad,
-            PrintText::tr("The surface is not sound"),
-            PrintText::tr("It is not closed, meets itself, or bounds no solid; walls were not measured."),
-            {},
-            {}};
+    return {PrintVerdict::Bad, PrintText::tr("The surface needs repair"),
+            PrintText::tr("It is open, intersects itself or encloses no space; walls were not measured.")};
 }
 
 PrintFinding parts(const core::MeshReport& mesh)
 {
     const QString text = PrintText::tr("%Ln parts", nullptr, static_cast<int>(mesh.components));
-    return {mesh.components == 1 ? PrintVerdict::Good : PrintVerdict::Warning,
-            text,
-            PrintText::tr("Parts of the surface that do not hang together; hollows count, too."),
-            {},
-            {}};
+    return {mesh.components == 1 ? PrintVerdict::Good : PrintVerdict::Warning, text,
+            PrintText::tr("Parts of the surface that are not connected; hollows count, too.")};
 }
 
 PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, const QString& printer)
@@ -56,13 +50,13 @@ PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, c
                              .arg(millimetres(mesh.size.x()), millimetres(mesh.size.z()), millimetres(mesh.size.y()));
     switch (print.fit) {
     case core::BedFit::AsItStands:
-        return {PrintVerdict::Good, PrintText::tr("Fits %1").arg(printer), size, {}, {}};
+        return {PrintVerdict::Good, PrintText::tr("Fits %1").arg(printer), size};
     case core::BedFit::Turned:
-        return {PrintVerdict::Good, PrintText::tr("Fits %1, turned by 90°").arg(printer), size, {}, {}};
+        return {PrintVerdict::Good, PrintText::tr("Fits %1, turned by 90°").arg(printer), size};
     case core::BedFit::Not:
         break;
     }
-    return {PrintVerdict::Bad, PrintText::tr("Too large for %1").arg(printer), size, {}, {}};
+    return {PrintVerdict::Bad, PrintText::tr("Too large for %1").arg(printer), size};
 }
 
 /// Writes hundredths: no printer tells finer ones apart.
@@ -98,6 +92,7 @@ PrintFinding walls(const core::PrintReport& print, const core::PrintLimits& limi
     } else {
         finding.text = PrintText::tr("Only specks thinner than %1 mm").arg(limit);
     }
+    finding.picture = core::PrintPicture::Thickness;
     finding.places = print.thin.places;
     for (const core::PrintPlace& place : finding.places)
         finding.placeTexts
@@ -119,6 +114,7 @@ PrintFinding overhangs(const core::PrintReport& print, double limit)
     finding.verdict = PrintVerdict::Warning;
     finding.text =
         PrintText::tr("%1 overhangs beyond %2").arg(percent(print.overhangs.area / print.area), degrees(limit));
+    finding.picture = core::PrintPicture::Overhang;
     finding.places = print.overhangs.places;
     for (const core::PrintPlace& place : finding.places)
         finding.placeTexts << PrintText::tr("up to %1, %2").arg(degrees(place.worst), placeArea(place.area));
@@ -129,8 +125,8 @@ PrintFinding base(const core::PrintReport& print)
 {
     const QString tip = PrintText::tr("How much of the surface lies flat on the bed.");
     if (print.baseArea > 0)
-        return {PrintVerdict::Good, PrintText::tr("Stands on %1").arg(areaText(print.baseArea)), tip, {}, {}};
-    return {PrintVerdict::Warning, PrintText::tr("Stands on a point or an edge"), tip, {}, {}};
+        return {PrintVerdict::Good, PrintText::tr("Stands on %1").arg(areaText(print.baseArea)), tip};
+    return {PrintVerdict::Warning, PrintText::tr("Rests on a point or an edge"), tip};
 }
 } // namespace
 
@@ -144,11 +140,8 @@ QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::Prin
         findings << walls(print, limits);
     findings << overhangs(print, limits.overhang) << base(print) << parts(mesh);
     if (const QString doubt = mesh.volume ? ErrorMessages::unitDoubt(*mesh.volume) : QString(); !doubt.isEmpty())
-        findings << PrintFinding{PrintVerdict::Warning,
-                                 doubt,
-                                 PrintText::tr("Scale the model, or choose millimetres in the slicer."),
-                                 {},
-                                 {}};
+        findings << PrintFinding{PrintVerdict::Warning, doubt,
+                                 PrintText::tr("Scale the model, or choose millimetres in the slicer.")};
     return findings;
 }
 } // namespace ui

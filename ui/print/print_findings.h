@@ -7,6 +7,8 @@
 #include <QList>
 #include <QString>
 
+#include <optional>
+
 namespace ui
 {
 enum class PrintVerdict { Good, Warning, Bad };
@@ -16,8 +18,9 @@ struct PrintFinding
 {
     PrintVerdict verdict = PrintVerdict::Good;
     QString text, tip;
-    std::vector<core::PrintPlace> places;
-    QStringList placeTexts; ///< of each place
+    std::vector<core::PrintPlace> places = {};
+    QStringList placeTexts = {};                    ///< of each place
+    std::optional<core::PrintPicture> picture = {}; ///< shows the places
 };
 
 QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print,

@@ -65,7 +65,7 @@ void PrintLegend::setScale(const PrintScale& scale)
         words << mark.text;
     setAccessibleName(tr("Colours on the model"));
     setAccessibleDescription(words.join(QStringLiteral(", ")));
-    setToolTip(tr("What the colours on the model mean. What is hatched is beyond the limit."));
+    setToolTip(tr("The meaning of the colours on the model. Hatched places are beyond the limit."));
     update();
 }
 

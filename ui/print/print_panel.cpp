@@ -119,8 +119,8 @@ void PrintPanel::addOptions()
         control->setAccessibleName(name);
         control->setToolTip(QStringLiteral("%1\n%2").arg(name, tip));
     };
-    add(tr("Printer"), row, m_printer, tr("Whose bed the model is compared with."));
-    add(tr("Least wall"), m_wall, m_wall, tr("Thinner walls are found: two lines of the nozzle, as a rule."));
+    add(tr("Printer"), row, m_printer, tr("The printer to check against."));
+    add(tr("Minimum wall"), m_wall, m_wall, tr("Thinner walls are found: two lines of the nozzle, as a rule."));
     add(tr("Overhang"), m_overhang, m_overhang, tr("How far faces may lean out from the vertical."));
     add(tr("Colours"), m_picture, m_picture, tr("Shows on the model how thick it is, or how far it leans out."));
     auto* column = static_cast<QVBoxLayout*>(layout());
@@ -200,10 +200,11 @@ void PrintPanel::setReport(const core::MeshReport& mesh, const core::PrintReport
 {
     m_findings = printFindings(mesh, print, limits(), m_printer->currentText());
     std::ranges::stable_sort(m_findings, std::greater(), &PrintFinding::verdict); // what is to be done comes first
+    const int row = m_list->currentRow();
     m_list->clear();
     for (const PrintFinding& finding : m_findings)
         addRow(finding);
-    m_list->setCurrentRow(0);
+    m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
     show(State::Answered);
 }
 
@@ -222,7 +223,7 @@ void PrintPanel::setProgress(double share)
 /// A sentence, and its places indented below it.
 void PrintPanel::addRow(const PrintFinding& finding)
 {
-    static const char* const verdicts[] = {QT_TR_NOOP("good"), QT_TR_NOOP("take care"), QT_TR_NOOP("to be changed")};
+    static const char* const verdicts[] = {QT_TR_NOOP("good"), QT_TR_NOOP("take care"), QT_TR_NOOP("to fix")};
     const int number = static_cast<int>(&finding - m_findings.constData());
     const auto add = [&](const QString& text, int place) {
         auto* item = new QListWidgetItem(text, m_list);
@@ -244,13 +245,16 @@ void PrintPanel::addRow(const PrintFinding& finding)
     }
 }
 
-/// A finding stands for its first place.
+/// Chooses the first place for the finding itself. Colours of another measure give way to those that show the place.
 void PrintPanel::choose(int row)
 {
     const QListWidgetItem* item = m_list->item(row);
     const PrintFinding& finding = m_findings[item->data(findingRole).toInt()];
-    if (m_state == State::Answered && !finding.places.empty())
-        Q_EMIT placeChosen(finding.places[static_cast<std::size_t>(std::max(0, item->data(placeRole).toInt()))]);
+    if (m_state != State::Answered || finding.places.empty())
+        return;
+    if (picture() && finding.picture)
+        m_picture->setCurrentIndex(static_cast<int>(*finding.picture) + 1);
+    Q_EMIT placeChosen(finding.places[static_cast<std::size_t>(std::max(0, item->data(placeRole).toInt()))]);
 }
 
 void PrintPanel::show(State state)
@@ -274,8 +278,7 @@ void PrintPanel::showColors()
     PrintVerdict worst = PrintVerdict::Good;
     for (const PrintFinding& finding : std::as_const(m_findings))
         worst = std::max(worst, finding.verdict);
-    const QString words[] = {tr("Prints as it is"), tr("Prints with some care"),
-                             tr("Should be changed before it is printed")};
+    const QString words[] = {tr("Ready to print"), tr("Printable, with warnings"), tr("Fix before printing")};
     const bool isKnown = m_state == State::Answered;
     m_word->setText(isKnown                     ? words[static_cast<int>(worst)]
                     : m_state == State::Running ? tr("Checking…")

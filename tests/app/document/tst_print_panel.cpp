@@ -94,6 +94,7 @@ private Q_SLOTS:
     void init();
     void check_findsThinWallsAndShowsThem();
     void places_areFlownTo();
+    void places_bringTheirColours();
     void changes_outdateIt();
     void saving_keepsIt();
     void closing_takesColoursAway();
@@ -122,7 +123,7 @@ void TestPrintPanelWindow::check_findsThinWallsAndShowsThem()
     QVERIFY(rowWith(program, QStringLiteral("thinner than 0.8")));
     QVERIFY(rowWith(program, QStringLiteral("0.50 mm")));
     QVERIFY(rowWith(program, QStringLiteral("Fits")));
-    QVERIFY(verdict(program).contains(QStringLiteral("Should be changed")));
+    QVERIFY(verdict(program).contains(QStringLiteral("Fix before printing")));
     QTRY_VERIFY(shadedPixels(program) > 1000);
 }
 
@@ -147,6 +148,31 @@ void TestPrintPanelWindow::places_areFlownTo()
                       list->visualItemRect(rowWith(program, QStringLiteral("Fits"))).center());
     QTest::qWait(500);
     QCOMPARE(camera.eye(), eye); // that is no place
+}
+
+/// An overhang is not seen in the colours of thickness. Who wants no colours gets none.
+void TestPrintPanelWindow::places_bringTheirColours()
+{
+    Program program;
+    open(program, core::icosphere(5, 30), *m_folder);
+    check(program);
+    auto* list = part<QListWidget>(program, "print.findings");
+    auto* colours = part<QComboBox>(program, "print.picture");
+    const auto choosePlace = [&] {
+        QListWidgetItem* place = rowWith(program, QStringLiteral("up to "));
+        list->scrollToItem(place);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(place).center());
+    };
+    QCOMPARE(colours->currentText(), QStringLiteral("Thickness"));
+    choosePlace();
+    QTRY_COMPARE(colours->currentText(), QStringLiteral("Overhang"));
+    QTest::qWait(500); // evaluated again
+    QVERIFY(list->currentItem()->text().contains(QStringLiteral("up to ")));
+    colours->setCurrentIndex(0);
+    QTRY_COMPARE(shadedPixels(program), 0);
+    choosePlace();
+    QTest::qWait(500);
+    QCOMPARE(colours->currentText(), QStringLiteral("None"));
 }
 
 void TestPrintPanelWindow::changes_outdateIt()
@@ -257,7 +283,7 @@ void TestPrintPanelWindow::base_isFlattenedAndPlaced()
     Program program;
     open(program, core::icosphere(5, 30), *m_folder);
     check(program);
-    QVERIFY(rowWith(program, QStringLiteral("Stands on a point")));
+    QVERIFY(rowWith(program, QStringLiteral("Rests on a point")));
     program.window.action(QStringLiteral("model.flattenBase"))->trigger();
     QDialog* dialog = nullptr;
     QTRY_VERIFY((dialog = part<QDialog>(program, "baseDialog")) && dialog->isVisible());
@@ -267,7 +293,7 @@ void TestPrintPanelWindow::base_isFlattenedAndPlaced()
     QTest::keyClick(height, Qt::Key_Return);
     QTRY_COMPARE(program.document.history().stack().count(), 1);
     QTRY_VERIFY(std::abs(program.document.modelInfo().box.min().y() + 25) < 0.01);
-    QTRY_VERIFY(isAnswered(program) && !rowWith(program, QStringLiteral("Stands on a point")));
+    QTRY_VERIFY(isAnswered(program) && !rowWith(program, QStringLiteral("Rests on a point")));
     program.window.action(QStringLiteral("model.placeOnBed"))->trigger();
     QTRY_COMPARE(program.document.modelInfo().box.min().y(), 0.0);
     QCOMPARE(program.document.history().stack().count(), 2);
