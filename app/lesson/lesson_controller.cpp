@@ -40,6 +40,21 @@ ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
             step.checkpoint.target.has_value(),
             brushText(step)};
 }
+
+/// Returns what a step asks for, before anything is measured.
+QList<ui::LessonMark> askedMarks(const core::LessonStep& step)
+{
+    QList<ui::LessonMark> marks;
+    if (step.checkpoint.asksNothing())
+        return marks;
+    if (!step.strokes.empty())
+        marks.append({false, LessonMessages::sculpted()});
+    for (const core::FactBounds& bounds : step.checkpoint.facts)
+        marks.append({false, LessonMessages::asked(bounds)});
+    if (step.checkpoint.target)
+        marks.append({false, LessonMessages::asked(*step.checkpoint.target)});
+    return marks;
+}
 } // namespace
 
 LessonController::LessonController(ui::MainWindow& window, Document& document)
@@ -71,7 +86,7 @@ LessonController::LessonController(ui::MainWindow& window, Document& document)
     connect(m_panel, &LessonPanel::handoutRequested, this, [this] { m_handout.ask(m_lesson); });
     connect(m_document, &Document::opened, this, &LessonController::begin);
     connect(m_checker, &LessonChecker::finished, this, &LessonController::showVerdict);
-    connect(m_checker, &IdleAnalysis::outdated, this, [this] { showVerdict({}, {}); });
+    connect(m_checker, &IdleAnalysis::outdated, this, &LessonController::keepMarks);
 }
 
 void LessonController::addToStartPage(const QList<ui::LessonCard>& lessons)
@@ -131,9 +146,15 @@ void LessonController::start(const LessonPlace& place)
 
 std::optional<LessonPlace> LessonController::stop()
 {
+    if (m_lesson)
+        m_teacher.interrupt();
+    return place();
+}
+
+std::optional<LessonPlace> LessonController::place() const
+{
     if (!m_lesson)
         return std::nullopt;
-    m_teacher.interrupt();
     return LessonPlace{m_lesson, m_path, m_teacher.stepIndex(), m_teacher.changedBy() == LessonTeacher::Hand::Teachers};
 }
 
@@ -146,23 +167,31 @@ void LessonController::leave()
     }
     m_teacher.setLesson(nullptr);
     m_lesson = nullptr;
+    m_progress.clear();
+    m_isAtEnd = false;
     m_checker->setPosition({});
     m_panel->showLessons();
-}
-
-void LessonController::enter(std::size_t step)
-{
-    m_teacher.enter(step);
-    show();
 }
 
 void LessonController::show()
 {
     const std::size_t step = m_teacher.stepIndex();
-    m_panel->showPage(pageOf(*m_lesson, step));
+    m_isAtEnd = false;
+    m_panel->showPage(pageOf(*m_lesson, step), askedMarks(m_lesson->steps[step]));
     m_brushes.take(m_lesson->steps[step]);
     m_isMet.reset();
     m_checker->setPosition({m_lesson, m_path, step});
+}
+
+/// Lets the pupil go on with all tools. What is still to be measured is waited for; what comes after it does not count.
+void LessonController::showEnd()
+{
+    m_isAtEnd = true;
+    if (m_isMet)
+        m_checker->setPosition({});
+    m_brushes.giveBack();
+    const bool canExport = m_window && m_window->action(QStringLiteral("file.exportAs"))->isVisible();
+    m_panel->showPage(m_progress.endOf(*m_lesson, canExport), m_progress.marksOf(*m_lesson));
 }
 
 /// Forward with the model as it is, or with all that the teacher does, never with half of it; back to the model as it
@@ -170,6 +199,8 @@ void LessonController::show()
 void LessonController::goTo(int step)
 {
     const auto target = static_cast<std::size_t>(step);
+    if (m_isAtEnd)
+        return show();
     if (target < m_teacher.stepIndex()) {
         m_teacher.interrupt();
         m_teacher.goBack(target);
@@ -184,7 +215,10 @@ void LessonController::goOn(std::size_t step)
         return;
     const bool isUnmet = !m_isMet.value_or(true) && m_teacher.changedBy() != LessonTeacher::Hand::Teachers;
     m_teacher.interrupt();
-    enter(step);
+    if (step == m_lesson->steps.size())
+        return showEnd();
+    m_teacher.enter(step);
+    show();
     if (isUnmet && m_window)
         m_window->showNotice(
             tr("Step %1 is not done yet. You can go back, or start from the teacher's model.").arg(step));
@@ -195,9 +229,23 @@ void LessonController::showVerdict(const core::CheckpointVerdict& verdict,
 {
     if (!m_panel || !m_window)
         return;
-    if (m_teacher.hasLesson())
-        m_panel->setMarks(marksOf(verdict));
+    if (m_teacher.hasLesson()) {
+        const QList<ui::LessonMark> marks = marksOf(verdict);
+        m_progress.set(m_teacher.stepIndex(), static_cast<int>(std::ranges::count_if(marks, &ui::LessonMark::holds)),
+                       marks.isEmpty() ? 0 : static_cast<int>(askedMarks(m_teacher.step()).size()));
+        m_isAtEnd ? showEnd() : m_panel->setMarks(marks);
+    }
     m_shades = shades;
+    shade();
+}
+
+/// Leaves the marks of the model as it was until this one is measured.
+void LessonController::keepMarks()
+{
+    m_isMet.reset();
+    if (m_panel && m_panel->shown() && !m_isAtEnd)
+        m_panel->setMarks(m_panel->shown()->marks, false);
+    m_shades = nullptr;
     shade();
 }
 
@@ -211,7 +259,7 @@ QList<ui::LessonMark> LessonController::marksOf(const core::CheckpointVerdict& v
         return {{false, tr("This is the teacher's model. Press Try It and make your own.")}};
     QList<ui::LessonMark> marks;
     if (!m_teacher.step().strokes.empty())
-        marks.append({m_teacher.changedBy() == LessonTeacher::Hand::Pupils, tr("something sculpted in this step")});
+        marks.append({m_teacher.changedBy() == LessonTeacher::Hand::Pupils, LessonMessages::sculpted()});
     for (const core::FactVerdict& fact : verdict.facts)
         marks.append({fact.holds, LessonMessages::goal(fact)});
     if (verdict.target)

@@ -99,7 +99,7 @@ LessonEditorController::LessonEditorController(ui::MainWindow& window, Document&
     connect(&m_recorder, &LessonRecorder::ended, this, &LessonEditorController::stopRecording);
     connect(&m_recorder, &LessonRecorder::refused, this, [this] {
         if (m_window)
-            m_window->showNotice(tr("This was taken back: a lesson cannot hold images and models from other files."));
+            m_window->showNotice(tr("Undone: a lesson cannot contain images or models from other files."));
     });
     window.setGuard([this] {
         if (!hasChanges())
@@ -299,9 +299,8 @@ void LessonEditorController::confirmDiscard(std::function<void()> then)
 {
     if (!hasChanges())
         return then();
-    auto* box =
-        new QMessageBox(QMessageBox::Question, tr("Unsaved lesson"), tr("The lesson has changes that were not saved."),
-                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved lesson"), tr("The lesson has unsaved changes."),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     box->setObjectName(QStringLiteral("lessonQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);

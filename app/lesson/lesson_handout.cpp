@@ -1,5 +1,7 @@
 #include "app/lesson/lesson_handout.h"
 
+#include "app/lesson/lesson_cards.h"
+
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QImage>
@@ -89,12 +91,6 @@ QString paragraph(const QString& text, double points, bool isBold)
         .arg(isBold ? QStringLiteral("bold") : QStringLiteral("normal"),
              text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
 }
-
-QImage pictureIn(const core::Lesson& lesson, const std::string& name)
-{
-    const auto file = lesson.files.find(name);
-    return file == lesson.files.end() ? QImage() : QImage::fromData(QByteArray::fromStdString(file->second));
-}
 } // namespace
 
 QByteArray lessonHandout(const core::Lesson& lesson, const QString& language)
@@ -116,7 +112,7 @@ QByteArray lessonHandout(const core::Lesson& lesson, const QString& language)
         pages.add({}, paragraph(in(lesson.title), headPoints, true) + paragraph(in(lesson.summary), textPoints, false));
         int number = 0;
         for (const core::LessonStep& step : lesson.steps)
-            pages.add(pictureIn(lesson, step.picture),
+            pages.add(pictureOf(lesson, step.picture),
                       paragraph(QStringLiteral("%1. %2").arg(++number).arg(in(step.title)), titlePoints, true) +
                           paragraph(in(step.text), textPoints, false));
     }

@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app
@@ -81,7 +82,7 @@ QString LessonMessages::json(const core::LessonError& error)
     case Kind::MissingKey:
         return tr("\"%1\" is missing").arg(key);
     case Kind::WrongType:
-        return tr("\"%1\" is of the wrong type, or holds nothing that a lesson can use").arg(key);
+        return wrongType(error.key);
     case Kind::UnknownValue:
         return tr("unknown value, %1").arg(key);
     case Kind::OutOfRange:
@@ -101,6 +102,37 @@ QString LessonMessages::json(const core::LessonError& error)
     default:
         return {};
     }
+}
+
+/// Says what a key of lesson.json holds.
+QString LessonMessages::wrongType(const std::string& key)
+{
+    const auto isAmong = [&key](std::initializer_list<const char*> keys) {
+        return std::ranges::find(keys, key) != keys.end();
+    };
+    const QString shown = QString::fromStdString(key);
+    if (isAmong({"title", "summary", "text"}))
+        return tr("\"%1\" must hold texts by language, as in {\"en\": \"A mug\"}").arg(shown);
+    if (key == "steps")
+        return tr("\"%1\" must be a list of steps, as in [{…}, {…}]").arg(shown);
+    if (key == "tools")
+        return tr("\"%1\" must be a list of tools, as in [\"pull\", \"smooth\"]").arg(shown);
+    if (key == "checkpoint")
+        return tr("\"%1\" must hold goals, as in {\"height_mm\": {\"least\": 60}}").arg(shown);
+    if (key == "view")
+        return tr("\"%1\" must be angles, as in {\"yaw_deg\": 75, \"pitch_deg\": -25}").arg(shown);
+    if (key == "target")
+        return tr("\"%1\" must hold a distance, as in {\"tolerance_mm\": 2}").arg(shown);
+    if (isAmong({"start", "file", "picture", "strokes"}))
+        return tr("\"%1\" must be a name in quotation marks").arg(shown);
+    const auto* const fact = std::ranges::find(core::factTable, key, &core::FactInfo::key);
+    if (fact == std::end(core::factTable))
+        return key == "version" ? tr("\"%1\" must be a whole number").arg(shown)
+                                : tr("\"%1\" must be a number").arg(shown);
+    if (fact == &core::info(core::Fact::PrintReady))
+        return tr("\"%1\" must be true").arg(shown);
+    return fact->isWhole ? tr("\"%1\" must be a whole number, or bounds, as in {\"least\": 1, \"most\": 2}").arg(shown)
+                         : tr("\"%1\" must be a number, or bounds, as in {\"least\": 1, \"most\": 2}").arg(shown);
 }
 
 /// Of what it names.
@@ -176,7 +208,7 @@ QString LessonMessages::asked(const core::FactBounds& bounds)
     case Fact::Depth:
         return tr("%1 deep").arg(quantity);
     case Fact::Widest:
-        return tr("%1 at its widest").arg(quantity);
+        return tr("%1 long, seen from above").arg(quantity);
     case Fact::Feet:
         return tr("legs on the ground: %1").arg(quantity);
     case Fact::BaseArea:
@@ -203,6 +235,16 @@ QString LessonMessages::goal(const core::FactVerdict& verdict)
     if (verdict.asked.fact == core::Fact::PrintReady)
         return tr("%1 (not yet)").arg(asked);
     return tr("%1 (now %2)").arg(asked, figure(verdict.asked.fact, *verdict.measured));
+}
+
+QString LessonMessages::asked(const core::CheckpointTarget& target)
+{
+    return tr("like the teacher's to %1 mm").arg(millimetres(target.tolerance));
+}
+
+QString LessonMessages::sculpted()
+{
+    return tr("something sculpted in this step");
 }
 
 QString LessonMessages::tool(core::Tool tool)

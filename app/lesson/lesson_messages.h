@@ -18,6 +18,11 @@ public:
     /// Says a goal and what the model has, in a child's words: "at least 60 mm tall (now 42.5 mm)".
     static QString goal(const core::FactVerdict& verdict);
     static QString goal(const core::TargetVerdict& verdict);
+    /// Says a goal alone.
+    static QString asked(const core::FactBounds& bounds);
+    static QString asked(const core::CheckpointTarget& target);
+    /// Says the goal of a step with strokes that its facts do not say.
+    static QString sculpted();
 
     static QString tool(core::Tool tool);
     /// Says a tool and its size: "Pull 42 mm", or "Pull 42 mm (strength 0.7)".
@@ -27,9 +32,9 @@ private:
     static QString place(const core::LessonError& error);
     static QString reason(const core::LessonError& error);
     static QString json(const core::LessonError& error);
+    static QString wrongType(const std::string& key);
     static QString files(const core::LessonError& error);
     static QString figure(core::Fact fact, double value);
     static QString quantity(const core::FactBounds& bounds);
-    static QString asked(const core::FactBounds& bounds);
 };
 } // namespace app

@@ -128,8 +128,11 @@ void LessonTeacher::playOne()
     setPlaying(true);
 }
 
+/// Ends the hurry, if there is one: the teacher goes at its own pace again.
 void LessonTeacher::setPlaying(bool isPlaying)
 {
+    m_afterHurry = nullptr;
+    m_timer.setInterval(tickMs);
     m_panel->setPlaying(isPlaying);
     m_sinceTick.start();
     isPlaying ? m_timer.start() : m_timer.stop();

@@ -41,7 +41,7 @@ public:
     /// Returns whose changes the model has since the step was entered: the teacher's, if any stroke of it is.
     Hand changedBy() const;
     /// Does at once what is left of a step that the teacher is in the middle of, then calls `done`; not if a hand goes
-    /// between.
+    /// between, or the teacher is paused or asked for a single stroke meanwhile.
     void finish(std::function<void()> done);
     /// Begins the step anew from the model that the teacher has there, as steps to undo; then calls `done`. If a hand
     /// goes between, these steps belong to the step, as what the teacher has shown.

@@ -61,17 +61,13 @@ LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStacke
     all->addWidget(m_stack);
     addChooser();
     auto* page = new QWidget;
-    auto* rows = new QVBoxLayout(page);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
-    auto* words = new QWidget;
-    addHead(panelLayout(words));
-    rows->addWidget(words, 1);
-    auto* done = new QWidget;
-    QVBoxLayout* ways = panelLayout(done);
-    addTeacher(ways);
-    addNavigation(ways);
-    rows->addWidget(done);
+    QVBoxLayout* rows = panelLayout(page);
+    addHead(rows);
+    addNavigation(rows);
+    addText(rows);
+    addTeacher(rows);
+    addGoals(rows);
+    rows->addStretch();
     m_stack->addWidget(page);
 }
 
@@ -101,24 +97,28 @@ void LessonPanel::addHead(QVBoxLayout* page)
     m_lesson = label("lessonTitle");
     m_title = label("lessonStep");
     m_picture = label("lessonPicture");
-    m_text = label("lessonText");
     enlarge(m_title, 1.2);
-    m_picture->setFixedWidth(pictureSide);
-    m_picture->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    m_picture->setFixedSize(pictureSide, pictureSide);
+    m_picture->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_picture->setAlignment(Qt::AlignTop);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* words = new QVBoxLayout;
     words->addWidget(m_title);
     words->addWidget(m_lesson);
     words->addStretch();
     auto* row = new QHBoxLayout;
+    row->addStrut(pictureSide); // with or without a picture, what follows stays where it is
     row->addWidget(m_picture);
     row->addLayout(words, 1);
     page->addLayout(row);
+}
+
+void LessonPanel::addText(QVBoxLayout* page)
+{
+    m_text = label("lessonText");
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_brush = label("lessonBrush");
     page->addWidget(m_text);
     page->addWidget(m_brush);
-    page->addStretch();
 }
 
 void LessonPanel::addTeacher(QVBoxLayout* page)
@@ -135,10 +135,7 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
         m_speed->addItem(tr("%1 ×", "speed").arg(QLocale().toString(speed)));
     m_speed->setCurrentIndex(defaultSpeed);
     m_try =
-        named(new QPushButton(tr("Try It")), "lessonTry", tr("Takes the step's strokes back: now it is your turn."));
-    m_marks = label("lessonMarks");
-    m_difference = new QCheckBox(tr("Show the difference"));
-    m_difference->setToolTip(tr("Colours the model by how far it is from the teacher's."));
+        named(new QPushButton(tr("Try It")), "lessonTry", tr("Undoes the strokes of this step. Now it is your turn."));
     page->addWidget(m_progress);
     auto* row = new QHBoxLayout;
     row->addWidget(m_play, 1);
@@ -148,12 +145,30 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     slower->addWidget(m_one, 1);
     slower->addWidget(m_try, 1);
     page->addLayout(slower);
-    page->addWidget(m_marks);
-    page->addWidget(m_difference);
+    m_teachers = named(new QPushButton(tr("Start from the Teacher's Model")), "lessonTeachers",
+                       tr("Begins this step with the teacher's model. Undo brings yours back."));
+    page->addWidget(m_teachers);
     connect(m_play, &QPushButton::clicked, this, [this] { Q_EMIT playRequested(!m_isPlaying); });
     connect(m_one, &QPushButton::clicked, this, &LessonPanel::singleStrokeRequested);
     connect(m_speed, &QComboBox::currentIndexChanged, this, [this](int index) { Q_EMIT speedChosen(speeds[index]); });
     connect(m_try, &QPushButton::clicked, this, &LessonPanel::tryRequested);
+    connect(m_teachers, &QPushButton::clicked, this, &LessonPanel::teachersModelRequested);
+}
+
+/// Adds what changes its height while a pupil works below all that is to be pressed.
+void LessonPanel::addGoals(QVBoxLayout* page)
+{
+    auto* handout = named(new QPushButton(tr("Handout as PDF…")), "lessonHandout",
+                          tr("Writes the texts and pictures of all steps to a PDF for pupils."));
+    m_difference = new QCheckBox(tr("Show the difference"));
+    m_difference->setToolTip(tr("Colours the model by how far it is from the teacher's."));
+    m_marks = label("lessonMarks");
+    m_marks->setAlignment(Qt::AlignTop);
+    page->addWidget(handout);
+    page->addWidget(m_difference);
+    page->addWidget(m_marks);
+    m_waysOut << handout;
+    connect(handout, &QPushButton::clicked, this, &LessonPanel::handoutRequested);
     connect(m_difference, &QCheckBox::toggled, this, &LessonPanel::differenceRequested);
 }
 
@@ -166,15 +181,7 @@ void LessonPanel::addNavigation(QVBoxLayout* page)
     for (QPushButton* each : {m_back, m_next, leave})
         row->addWidget(each);
     page->addLayout(row);
-    m_teachers = named(new QPushButton(tr("Start from the Teacher's Model")), "lessonTeachers",
-                       tr("Begins this step with the teacher's model. Undo brings yours back."));
-    page->addWidget(m_teachers);
-    auto* handout = named(new QPushButton(tr("Handout as PDF…")), "lessonHandout",
-                          tr("Writes the texts and pictures of all steps to a PDF for pupils."));
-    page->addWidget(handout);
-    m_waysOut << leave << handout;
-    connect(handout, &QPushButton::clicked, this, &LessonPanel::handoutRequested);
-    connect(m_teachers, &QPushButton::clicked, this, &LessonPanel::teachersModelRequested);
+    m_waysOut << leave;
     connect(m_back, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step - 1); });
     connect(m_next, &QPushButton::clicked, this, [this] { Q_EMIT stepRequested(m_step + 1); });
     connect(leave, &QPushButton::clicked, this, &LessonPanel::closed);
@@ -193,26 +200,32 @@ void LessonPanel::setLessons(const QList<LessonCard>& lessons)
     }
 }
 
-void LessonPanel::showPage(const LessonPage& page)
+void LessonPanel::showPage(const LessonPage& page, const QList<LessonMark>& marks)
 {
     m_step = page.step;
-    m_lesson->setText(tr("%1: step %2 of %3").arg(page.lesson).arg(page.step + 1).arg(page.steps));
+    const bool isEnd = page.step == page.steps;
+    m_lesson->setText(isEnd ? page.lesson
+                            : tr("%1: step %2 of %3").arg(page.lesson).arg(page.step + 1).arg(page.steps));
     m_title->setText(page.title);
     m_picture->setPixmap(pixmapOf(page.picture, pictureSide));
     m_picture->setVisible(!page.picture.isNull());
     m_text->setText(page.text);
     m_brush->setText(tr("Brush: %1", "tools and sizes").arg(page.brush));
     m_brush->setVisible(!page.brush.isEmpty());
-    m_teachers->setEnabled(page.step > 0);
+    m_teachers->setEnabled(page.step > 0 && !isEnd);
+    m_try->setEnabled(!isEnd);
     m_play->setEnabled(page.isShown);
     m_one->setEnabled(page.isShown);
     m_difference->setVisible(page.isCompared);
     m_back->setEnabled(page.step > 0);
-    m_next->setEnabled(page.step + 1 < page.steps);
+    m_next->setText(page.step + 1 < page.steps ? tr("Next") : tr("Finish"));
+    m_next->setEnabled(!isEnd);
     setPlaying(false);
     setProgress(0);
     m_shown = LessonPanelState{page, {}, false};
-    setMarks({});
+    m_marks->clear();
+    m_marks->setMinimumHeight(0);
+    setMarks(marks, isEnd);
     m_stack->setCurrentIndex(1);
 }
 
@@ -255,13 +268,18 @@ void LessonPanel::setProgress(double share)
     m_progress->setValue(static_cast<int>(std::lround(m_progress->maximum() * share)));
 }
 
-/// A sign and words: colour alone says nothing.
-void LessonPanel::setMarks(const QList<LessonMark>& marks)
+/// A sign and words: colour alone says nothing. Within a step the room for them only grows, so that nothing below moves
+/// up and down.
+void LessonPanel::setMarks(const QList<LessonMark>& marks, bool areOfPresent)
 {
     QStringList lines;
     for (const LessonMark& mark : marks)
         lines << QStringLiteral("%1 %2").arg(mark.holds ? QStringLiteral("✓") : QStringLiteral("○"), mark.text);
-    m_marks->setText(lines.join(QLatin1Char('\n')));
+    const QString text = lines.join(QLatin1Char('\n'));
+    if (m_marks->isVisible() && !m_marks->text().isEmpty() && m_marks->text() != text)
+        m_marks->setMinimumHeight(m_marks->height());
+    m_marks->setText(text);
+    m_marks->setEnabled(areOfPresent);
     if (m_shown) {
         m_shown->marks = marks;
         Q_EMIT changed();

@@ -32,7 +32,7 @@ struct LessonPage
 {
     QString lesson, title, text;
     QImage picture; ///< may be null
-    int step = 0;   ///< from 0
+    int step = 0;   ///< from 0; `steps`: the page after the last
     int steps = 1;
     bool isShown = false;    ///< the teacher has strokes for it
     bool isCompared = false; ///< with a shape: there is a difference to be seen
@@ -66,15 +66,16 @@ public:
 
     /// To choose from, when none is open.
     void setLessons(const QList<LessonCard>& lessons);
-    void showPage(const LessonPage& page);
+    /// `marks`: what is to be measured; of the page after the last, what was achieved.
+    void showPage(const LessonPage& page, const QList<LessonMark>& marks);
     void showLessons();
     /// Takes away what leads to files and other lessons.
     void lock();
 
     void setPlaying(bool isPlaying);
     void setProgress(double share); ///< of the teacher's strokes, 0 to 1
-    /// Of the model as it is. Empty: nothing is known yet, or nothing asked.
-    void setMarks(const QList<LessonMark>& marks);
+    /// Shows what the model has as it is, or pale, as it was before. Empty: nothing is asked.
+    void setMarks(const QList<LessonMark>& marks, bool areOfPresent = true);
     bool wantsDifference() const;
 
     /// What the pupil reads; nothing: no lesson is open. changed() tells of another.
@@ -91,7 +92,7 @@ Q_SIGNALS:
     void singleStrokeRequested(); ///< the teacher's next stroke alone
     void speedChosen(double speed);
     void tryRequested();
-    /// The step is to begin with the model that the teacher has there.
+    /// Requests that the step begin with the model that the teacher has at its start.
     void teachersModelRequested();
     void differenceRequested(bool on);
     void handoutRequested();
@@ -100,8 +101,10 @@ Q_SIGNALS:
 private:
     void addChooser();
     void addHead(QVBoxLayout* page);
-    void addTeacher(QVBoxLayout* page);
     void addNavigation(QVBoxLayout* page);
+    void addText(QVBoxLayout* page);
+    void addTeacher(QVBoxLayout* page);
+    void addGoals(QVBoxLayout* page);
 
     QStackedWidget* m_stack = nullptr;
     QVBoxLayout* m_cards = nullptr;

@@ -79,9 +79,9 @@ void LessonStepEditor::addStrokes()
     QVBoxLayout* rows = panelLayout(page);
     m_strokes = named(new QListWidget, "lessonStrokes", {}, tr("Strokes of the step"));
     m_strokes->setIconSize(QSize(iconSide, iconSide));
-    m_cut = named(
-        new QPushButton(tr("Cut Stroke")), "lessonCut",
-        tr("Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved."));
+    m_cut =
+        named(new QPushButton(tr("Cut Stroke")), "lessonCut",
+              tr("Removes this stroke from the lesson. Later ones are played without it when the lesson is saved."));
     rows->addWidget(m_strokes, 1);
     rows->addWidget(m_cut);
     connect(m_cut, &QPushButton::clicked, this, &LessonStepEditor::cutStroke);
@@ -144,7 +144,7 @@ void LessonStepEditor::addCheckpoint()
     addFact(grid, Fact::Height, tr("Height, mm"));
     addFact(grid, Fact::Width, tr("Width, mm"));
     addFact(grid, Fact::Depth, tr("Depth, mm"));
-    addFact(grid, Fact::Widest, tr("At its widest, mm"));
+    addFact(grid, Fact::Widest, tr("Length from above, mm"));
     addFact(grid, Fact::Feet, tr("Legs on the ground"));
     addFact(grid, Fact::BaseArea, tr("Flat base, mm²"));
     addFact(grid, Fact::Grooves, tr("Narrow places all around"));
@@ -152,7 +152,7 @@ void LessonStepEditor::addCheckpoint()
     addFact(grid, Fact::Faces, tr("Triangles"));
     m_tolerance = spin(0, maxTolerance, 1);
     named(m_tolerance, "lessonTolerance",
-          tr("So near the pupil's shape is to come to the one that the teacher's strokes leave."));
+          tr("How close the pupil's shape must come to the one that the teacher's strokes make."));
     auto* shape = new QLabel(tr("Near the teacher's, mm"));
     shape->setBuddy(m_tolerance);
     const int row = grid->rowCount();

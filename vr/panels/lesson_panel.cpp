@@ -35,9 +35,8 @@ void LessonPanel::addTitle(PanelBuilder& builder) const
     builder.add(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())),
                 TextLook{.text = title, .role = TextRole::Title, .lines = static_cast<int>(shown.lines.size())});
     //: %1: a lesson's name; %2 of %3: its step
-    builder.add(
-        builder.nextRow(noteHeight),
-        TextLook{.text = tr("%1: step %2 of %3").arg(lesson).arg(step + 1).arg(steps), .role = TextRole::Faint});
+    const QString place = step < steps ? tr("%1: step %2 of %3").arg(lesson).arg(step + 1).arg(steps) : lesson;
+    builder.add(builder.nextRow(noteHeight), TextLook{.text = place, .role = TextRole::Faint});
 }
 
 void LessonPanel::addText(PanelBuilder& builder) const
@@ -81,9 +80,9 @@ void LessonPanel::addButtons(PanelBuilder& builder) const
 {
     const std::vector<QRectF> places = evenCells(builder.nextRow(wayHeight), 4);
     builder.add(places[0], {{.text = isPlaying ? tr("Pause") : tr("Show Me")}, LessonRequest::Play, canPlay});
-    builder.add(places[1], {{.text = tr("Try It")}, LessonRequest::TryIt});
+    builder.add(places[1], {{.text = tr("Try It")}, LessonRequest::TryIt, step < steps});
     builder.add(places[2], {{.text = tr("Back")}, LessonRequest::Back, step > 0});
-    builder.add(places[3], {{.text = tr("Next")}, LessonRequest::Next, step + 1 < steps});
+    builder.add(places[3], {{.text = step + 1 < steps ? tr("Next") : tr("Finish")}, LessonRequest::Next, step < steps});
 }
 
 PanelLayout LessonPanel::layout() const

@@ -149,7 +149,7 @@ using PanelAction =
                  AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
                  ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
 
-/// Whether one item wants both: sliders want one thing after the other.
+/// Returns whether both are of one item: a slider asks for one value after the other.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)
 {
     const auto *slideA = std::get_if<Slide>(&a), *slideB = std::get_if<Slide>(&b);

@@ -171,7 +171,7 @@ struct LessonPanel
 
 public:
     QString lesson, title, text;
-    int step = 0; ///< from 0
+    int step = 0; ///< from 0; `steps`: the page after the last
     int steps = 1;
     QList<LessonMark> marks;
     bool canPlay = false; ///< the teacher has strokes for it

@@ -78,7 +78,7 @@ struct PanelItem
 {
     QRectF area;
     ItemLook look;
-    std::optional<PanelAction> action{}; ///< a slider's: its value
+    std::optional<PanelAction> action{}; ///< of a slider: sets its present value
     bool isEnabled = true;
     bool mustHold = false; ///< acts when it has been pressed for holdSeconds
 

@@ -40,8 +40,8 @@ public:
     static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout,
                                const std::optional<Pose>& replaced = {});
 
-    /// Call once a frame and hand, before press() and release(). Nothing: the wand is lost. Nobody points at what the
-    /// same hand carries. What a slider, a held item or a poke wants.
+    /// Returns what a slider, a held item or a poke asks for. Call once per frame and hand, before press() and
+    /// release(). No aim: the wand is lost. A hand cannot point at a panel that it carries.
     std::optional<PanelAction> aim(Side side, const std::optional<PanelPointer::Aim>& aim, double time);
     /// The hand is about something else than what it points at.
     void lookAway(Side side) { pointer(side).lookAway(); }

@@ -73,7 +73,7 @@ bool isClear(const Pose& panel, const Pose& head, const Eigen::Vector2d& size, c
     return true;
 }
 
-/// The least turn between the two that it takes; 0 where none does.
+/// Returns the least turn from 0 to max that is enough, by bisection; 0 if max is not enough.
 template <class IsEnough> double minTurn(double max, const IsEnough& isEnough)
 {
     if (isEnough(0) || !isEnough(max))

@@ -71,7 +71,7 @@ void ToolPanel::addTools(PanelBuilder& builder) const
         }
 }
 
-/// Where this panel leads to, and what else concerns all that is seen.
+/// Adds the buttons that open other panels, and those that concern the whole scene.
 void ToolPanel::addPanelButtons(PanelBuilder& builder) const
 {
     const std::vector<QRectF> upper =

@@ -140,7 +140,8 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ This is the teacher's model")),
                                      longestWait);
             QVERIFY(!marks(program).contains(QStringLiteral("✓")));
-            QCOMPARE(part<QPushButton>(program, "lessonNext")->isEnabled(), step < 4);
+            QCOMPARE(part<QPushButton>(program, "lessonNext")->text(),
+                     step < 4 ? QStringLiteral("Next") : QStringLiteral("Finish"));
             if (step < 4)
                 press(program, "lessonNext");
         }
@@ -167,6 +168,51 @@ private Q_SLOTS:
                                  longestWait);
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
+    }
+
+    /// While goals are measured, they keep their lines, pale; whatever becomes of them, all that is pressed stays where
+    /// it is, in the panels below, too.
+    void marks_moveNoButton()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        auto* goals = part<QLabel>(program, "lessonMarks");
+        const auto places = [&program] {
+            QList<QPoint> all;
+            for (const char* panel : {"lessonPanel", "brushPanel"})
+                for (const QAbstractButton* button : part<QWidget>(program, panel)->findChildren<QAbstractButton*>())
+                    if (button->isVisible())
+                        all << button->mapTo(&program.window, QPoint());
+            return all;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled() && !goals->text().isEmpty(), longestWait);
+        const QList<QPoint> before = places();
+        connect(program.window.findChild<ui::LessonPanel*>(), &ui::LessonPanel::changed, this, [&] {
+            QVERIFY(!goals->text().isEmpty());
+            QCOMPARE(goals->text().count(QLatin1Char('\n')) > 0, !goals->text().contains(QStringLiteral("teacher's")));
+        });
+        const auto isMeasuredInPlace = [&] {
+            QTRY_VERIFY_WITH_TIMEOUT(!goals->isEnabled(), longestWait);
+            QTest::qWait(1); // laid out
+            QCOMPARE(places(), before);
+            QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled() && isSettled(program), longestWait);
+            QTest::qWait(1);
+            QCOMPARE(places(), before);
+        };
+        drag(program.window.viewport(), {30, 0});
+        isMeasuredInPlace();
+        press(program, "lessonPlay");
+        isMeasuredInPlace();
+        QVERIFY(goals->text().contains(QStringLiteral("This is the teacher's model")));
+        press(program, "lessonTry");
+        isMeasuredInPlace();
+        const QList<QPoint> navigation{part<QWidget>(program, "lessonBack")->pos(),
+                                       part<QWidget>(program, "lessonNext")->pos()};
+        press(program, "lessonNext");
+        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTest::qWait(1);
+        QCOMPARE(part<QWidget>(program, "lessonBack")->pos(), navigation.front());
+        QCOMPARE(part<QWidget>(program, "lessonNext")->pos(), navigation.back());
     }
 
     /// The hand goes first: the teacher lets go, and the pupil's stroke is whole.
@@ -245,6 +291,30 @@ private Q_SLOTS:
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 2));
     }
 
+    /// Pause and One Stroke take Next back while the teacher hurries: the step stays, half done, and Next can be
+    /// pressed again.
+    void next_canBeTakenBack()
+    {
+        Program program;
+        begin(program, QStringLiteral("A mug with a handle"));
+        for (const char* button : {"lessonPlay", "lessonOne"}) {
+            press(program, "lessonTry");
+            QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.history().stack().index() == 0,
+                                     longestWait);
+            press(program, "lessonPlay");
+            QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
+            press(program, "lessonNext");
+            press(program, button);
+            QCOMPARE(isPlaying(program), button == QByteArray("lessonOne"));
+            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program), longestWait);
+            QTest::qWait(100);
+            QVERIFY(isAtStep(program, 1));
+        }
+        press(program, "lessonNext");
+        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QCOMPARE(meshHash(program.worker), teachersHash("mug", 1));
+    }
+
     /// Next over a goal that is not met goes on and says so; what the teacher has there may be had, as steps, so that
     /// the pupil's own model is not lost.
     void unmet_canGoOnFromTheTeachersModel()
@@ -272,6 +342,55 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), teachersHash("first-clay", 1), longestWait);
         program.document.history().goTo(1);
         QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), pupils, longestWait);
+    }
+
+    /// The last step has an end, which counts the goals of all steps, met by the pupil, not by the teacher, says what
+    /// can be done next, and gives all tools back. What is sculpted then changes nothing of it.
+    void end_saysWhatWasAchieved()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        auto* goals = part<QLabel>(program, "lessonMarks");
+        qsizetype met = 0, asked = 0;
+        for (int step = 1; step <= 4; ++step) {
+            if (step == 2)
+                showStep(program);
+            else
+                drag(program.window.viewport(), {30, 0});
+            QTRY_VERIFY_WITH_TIMEOUT(!goals->isEnabled(), longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled(), longestWait);
+            const qsizetype holding = goals->text().count(QChar(0x2713));
+            met += holding;
+            asked += step == 2 ? 5 : holding + goals->text().count(QChar(0x25CB));
+            QVERIFY(step == 2 ? holding == 0 : holding > 0);
+            press(program, "lessonNext");
+            if (step < 4)
+                QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, step + 1), longestWait);
+        }
+        const auto* text = part<QLabel>(program, "lessonText");
+        const QString achieved = QStringLiteral("You met %1 of %2 goals.").arg(met).arg(asked);
+        QTRY_VERIFY_WITH_TIMEOUT(text->text().startsWith(achieved), longestWait);
+        QVERIFY(text->text().contains(QStringLiteral("export")));
+        QCOMPARE(part<QLabel>(program, "lessonTitle")->text(), QStringLiteral("First clay: a pear"));
+        QCOMPARE(goals->text().count(QLatin1Char('\n')), 3);
+        QVERIFY(goals->text().contains(QStringLiteral("○ Push a hollow: 0 of 5")));
+        for (const char* button : {"lessonPlay", "lessonOne", "lessonTry", "lessonTeachers", "lessonNext"})
+            QVERIFY2(!part<QPushButton>(program, button)->isEnabled(), button);
+        QVERIFY(program.window.action(QStringLiteral("tool.clay"))->isEnabled());
+        QSignalSpy steps(&program.document, &Document::stepped);
+        drag(program.window.viewport(), {0, 30});
+        QVERIFY(!steps.isEmpty() || steps.wait(longestWait));
+        QTest::qWait(1500); // a new measurement would have come
+        QVERIFY(text->text().startsWith(achieved));
+
+        press(program, "lessonBack");
+        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 4), longestWait);
+        QVERIFY(!program.window.action(QStringLiteral("tool.clay"))->isEnabled());
+        program.window.action(QStringLiteral("file.exportAs"))->setVisible(false); // as in a class
+        QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled(), longestWait);
+        press(program, "lessonNext");
+        QTRY_VERIFY_WITH_TIMEOUT(text->text().endsWith(QStringLiteral("goals. Keep sculpting, if you like.")),
+                                 longestWait);
     }
 
     /// A stroke while the teacher hurries to the step ends that, and the step is still the one that the panel shows.
@@ -397,6 +516,16 @@ private Q_SLOTS:
     {
         const QString goal = LessonMessages::goal(core::FactVerdict{{core::Fact::BaseArea, 1000}, 0.0, false});
         QCOMPARE(goal, QStringLiteral("flat base: at least 10.0 cm² (now 0.0 cm²)"));
+    }
+
+    /// The longest way across is not the width of the status bar, and is not called so.
+    void longestFromAbove_isNotCalledTheWidth()
+    {
+        const auto goalOf = [](core::Fact fact) {
+            return LessonMessages::goal(core::FactVerdict{{fact, 120}, 100.0, false});
+        };
+        QCOMPARE(goalOf(core::Fact::Width), QStringLiteral("at least 120 mm wide (now 100 mm)"));
+        QCOMPARE(goalOf(core::Fact::Widest), QStringLiteral("at least 120 mm long, seen from above (now 100 mm)"));
     }
 
     /// A text that is longer than a page goes on with the next, and begins below the title.

@@ -1,10 +1,8 @@
 #include "tests/vr/panels/example_panels.h"
 
-#include <QFile>
-#include <QHash>
+#include "tests/support/translation_file.h"
+
 #include <QPainter>
-#include <QTranslator>
-#include <QXmlStreamReader>
 
 namespace
 {
@@ -26,38 +24,6 @@ public:
         return lengthened(QString::fromUtf8(text));
     }
     bool isEmpty() const override { return false; }
-};
-
-class Catalogue : public QTranslator
-{
-public:
-    explicit Catalogue(const QString& path)
-    {
-        QFile file(path);
-        if (!file.open(QIODevice::ReadOnly))
-            return;
-        QXmlStreamReader xml(&file);
-        QString context, source;
-        while (!xml.atEnd()) {
-            if (xml.readNext() != QXmlStreamReader::StartElement)
-                continue;
-            if (xml.name() == QStringLiteral("name"))
-                context = xml.readElementText();
-            else if (xml.name() == QStringLiteral("source"))
-                source = xml.readElementText();
-            else if (xml.name() == QStringLiteral("translation"))
-                m_texts[context + QLatin1Char('|') + source] =
-                    xml.readElementText(QXmlStreamReader::IncludeChildElements);
-        }
-    }
-    QString translate(const char* context, const char* text, const char*, int) const override
-    {
-        return m_texts.value(QString::fromUtf8(context) + QLatin1Char('|') + QString::fromUtf8(text));
-    }
-    bool isEmpty() const override { return m_texts.isEmpty(); }
-
-private:
-    QHash<QString, QString> m_texts;
 };
 
 QImage modelPicture(int hue)
@@ -149,7 +115,7 @@ std::vector<ExamplePanel> lessonPanels()
                    {QStringLiteral("no holes"), true},
                    {QStringLiteral("in one piece"), true},
                    {QStringLiteral("at least 125 mm tall (now 100 mm)"), false},
-                   {QStringLiteral("at most 110 mm at its widest (now 100 mm)"), true},
+                   {QStringLiteral("at most 110 mm long, seen from above (now 100 mm)"), true},
                    {QStringLiteral("flat base: at least 10.0 cm² (now 0.0 mm²)"), false},
                    {QStringLiteral("ready to print"), true}};
     vr::LessonPanel paged = shown;
@@ -163,7 +129,13 @@ std::vector<ExamplePanel> lessonPanels()
     bare.canPlay = false;
     bare.marks.clear();
     bare.step = 2;
-    return {{"lesson", shown}, {"lesson-paged", paged}, {"lesson-bare", bare}};
+    vr::LessonPanel end = shown;
+    end.title = QStringLiteral("That was the last step");
+    end.text = QStringLiteral("You met 14 of 16 goals. Keep sculpting, if you like.");
+    end.step = end.steps;
+    end.canPlay = false;
+    end.marks = {{QStringLiteral("Pull the neck: 5 of 5"), true}, {QStringLiteral("Push a hollow: 3 of 5"), false}};
+    return {{"lesson", shown}, {"lesson-paged", paged}, {"lesson-bare", bare}, {"lesson-end", end}};
 }
 } // namespace
 
@@ -185,8 +157,8 @@ TestTranslation TestTranslation::longer()
 
 TestTranslation TestTranslation::ofLanguage(const QString& language)
 {
-    return TestTranslation(
-        std::make_unique<Catalogue>(QStringLiteral(FETTLE_SOURCE_DIR "/translations/fettle_%1.ts").arg(language)));
+    return TestTranslation(std::make_unique<TranslationFile>(
+        QStringLiteral(FETTLE_SOURCE_DIR "/translations/fettle_%1.ts").arg(language)));
 }
 
 std::vector<ExamplePanel> examplePanels()
@@ -213,7 +185,7 @@ std::vector<ExamplePanel> examplePanels()
          vr::NoticePanel{QStringLiteral(
              "“teapot with a long and winding name.stl” cannot be opened: 12 triangles meet others, 3 edges belong to "
              "more than two "
-             "triangles, and two shells lie within each other. Open it at the desktop, where it can be mended.")}});
+             "triangles, and two shells lie within each other. Open it at the desktop, where it can be repaired.")}});
     for (const ExamplePanel& lesson : lessonPanels())
         all.push_back(lesson);
     return all;
