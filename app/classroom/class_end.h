@@ -16,11 +16,11 @@ class ClassEnd : public QObject
     Q_OBJECT
 
 public:
-    /// Takes neither into ownership; both must outlive this but for the window, which may be just going.
+    /// Owns neither; both must outlive this, except that the window may be in its destructor by then.
     ClassEnd(ClassWork* work, QWidget* window) : m_work(work), m_window(window) {}
 
-    /// A sentence for the question before, with what waits by now.
-    QString question() const;
+    /// Returns the question before, with what waits by now. `isTurn`: somebody's work is open.
+    QString question(bool isTurn) const;
     /// Calls `end` when all works are in the class's folder, or the teacher knows of those that are not; of a folder
     /// that does not answer after 10 s. After the PIN.
     void end(const std::function<void()>& end);

@@ -1,13 +1,17 @@
 #include "app/classroom/class_file_controller.h"
 
 #include "app/classroom/class_file.h"
+#include "app/classroom/class_paths.h"
 #include "app/classroom/class_pin.h"
+#include "app/classroom/work_archive.h"
 #include "app/document/document.h"
 #include "app/lesson/lesson_cards.h"
 
 #include "ui/classroom/classroom_dialog.h"
+#include "ui/classroom/waiting_works_note.h"
 #include "ui/files/model_files.h"
 #include "ui/settings/settings.h"
+#include "ui/util/format_filters.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -37,6 +41,8 @@ void ClassFileController::edit()
         new ui::ClassroomDialog(&m_window, m_window.commands(), ui::Settings().lastFolder(), bundledLessonCards());
     connect(m_dialog, &ui::ClassroomDialog::openRequested, this, &ClassFileController::load);
     connect(m_dialog, &ui::ClassroomDialog::drafted, this, &ClassFileController::write);
+    connect(m_dialog->waitingWorks(), &ui::WaitingWorksNote::moveRequested, this, &ClassFileController::moveWaiting);
+    showWaiting();
     m_dialog->open();
 }
 
@@ -68,8 +74,9 @@ void ClassFileController::write(const ui::ClassroomDraft& draft)
     m_dialog->done(QDialog::Accepted);
     m_window.showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(draft.path)));
     askToBegin(classroom, draft.path,
-               tr("A double click on %1 begins it, on every computer that has Fettle.")
-                   .arg(QDir::toNativeSeparators(draft.path)));
+               ui::isClassFile(draft.path) ? tr("A double click on %1 begins it, on every computer that has Fettle.")
+                                                 .arg(QDir::toNativeSeparators(draft.path))
+                                           : QString());
 }
 
 void ClassFileController::offer(const QString& path)
@@ -107,5 +114,42 @@ void ClassFileController::begin(const QString& path)
 {
     m_next = path;
     QMetaObject::invokeMethod(&m_window, &QWidget::close, Qt::QueuedConnection);
+}
+
+// --- works that wait
+
+void ClassFileController::showWaiting(const QString& outcome)
+{
+    if (!m_dialog)
+        return;
+    QStringList sentences;
+    for (const WaitingWorks& works : ClassPaths::waiting())
+        sentences << (works.folder.isEmpty()
+                          ? tr("%n models of a class are still on this computer.", nullptr, works.count)
+                          : tr("%n models are still on this computer and not in %1.", nullptr, works.count)
+                                .arg(QDir::toNativeSeparators(works.folder)));
+    if (!sentences.isEmpty())
+        sentences << tr("They go to the class folder when the class begins and its folder is there.");
+    m_dialog->waitingWorks()->setWaiting(sentences.join(u'\n'), outcome);
+}
+
+void ClassFileController::moveWaiting(const QString& folder)
+{
+    const auto move = [folder] {
+        Delivery all;
+        for (const WaitingWorks& works : ClassPaths::waiting()) {
+            const Delivery one = WorkArchive(folder, works.outbox).deliver();
+            all.moved.insert(one.moved);
+            if (all.problem.isEmpty())
+                all.problem = one.problem;
+        }
+        return all;
+    };
+    m_background.run(move, [this, folder](const Delivery& moved) {
+        showWaiting(moved.problem.isEmpty()
+                        ? tr("%n models were moved to %1.", nullptr, static_cast<int>(moved.moved.size()))
+                              .arg(QDir::toNativeSeparators(folder))
+                        : moved.problem);
+    });
 }
 } // namespace app

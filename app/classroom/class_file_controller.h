@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/classroom/classroom.h"
+#include "ui/util/background_thread.h"
 
 #include <QObject>
 #include <QPointer>
@@ -16,8 +17,9 @@ namespace app
 {
 class Document;
 
-/// The file of a class in the teacher's window: made, opened, changed, and begun. A class has a program of its own,
-/// which begins when this one has ended: no window with the teacher's files is left beside it. Thread: gui.
+/// The file of a class in the teacher's window: made, opened, changed, and begun; and the works of classes that wait on
+/// this computer, for a teacher to move. A class has a program of its own, which begins when this one has ended: no
+/// window with the teacher's files is left beside it. Thread: gui.
 class ClassFileController : public QObject
 {
     Q_OBJECT
@@ -38,9 +40,12 @@ private:
     void write(const ui::ClassroomDraft& draft);
     void askToBegin(const ui::Classroom& classroom, const QString& path, const QString& how);
     void begin(const QString& path);
+    void showWaiting(const QString& outcome = {});
+    void moveWaiting(const QString& folder);
 
     ui::MainWindow& m_window;
     QPointer<ui::ClassroomDialog> m_dialog;
     QString m_next;
+    ui::BackgroundThread m_background; ///< last
 };
 } // namespace app

@@ -37,6 +37,18 @@ void ClassLesson::resume(const LessonPlace& place) const
     m_document->findChild<LessonController*>()->start(place);
 }
 
+std::optional<LessonPlace> ClassLesson::place() const
+{
+    return m_document->findChild<LessonController*>()->place();
+}
+
+std::optional<LessonPlace> ClassLesson::find(const LessonPlace& noted) const
+{
+    if (!isThere() || noted.path != m_place.path || noted.step >= m_place.lesson->steps.size())
+        return std::nullopt;
+    return LessonPlace{m_place.lesson, m_place.path, noted.step, noted.isTeachers};
+}
+
 std::optional<LessonPlace> ClassLesson::stop() const
 {
     return m_document->findChild<LessonController*>()->stop();

@@ -33,12 +33,16 @@ public:
     /// Begins the lesson with the model that is open, with its panel beside it.
     void begin() const { resume(m_place); }
     void resume(const LessonPlace& place) const;
+    /// Returns where the lesson is; nothing if none is open.
+    std::optional<LessonPlace> place() const;
+    /// Returns the place that a note tells of; nothing if the class has another lesson by now.
+    std::optional<LessonPlace> find(const LessonPlace& noted) const;
     /// Stops the teacher. Returns where the lesson is; nothing if none is open.
     std::optional<LessonPlace> stop() const;
 
 private:
     ui::MainWindow* m_window;
     Document* m_document;
-    LessonPlace m_place; ///< its first step; none: the class has no lesson
+    LessonPlace m_place; ///< of the first step; no lesson in it: the class has none
 };
 } // namespace app

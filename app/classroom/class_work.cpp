@@ -41,6 +41,8 @@ bool ClassWork::save(const QString& what, const ClassTurn& turn, const TurnRecor
         ended->record = joined(before, present.steps);
         TurnWork work{turn.id,      turn.pupil,   turn.begun,       end,          present.step,
                       present.mesh, present.hash, present.metadata, ended->record};
+        if (turn.begun.isValid())
+            work.usedMs = turn.usedMs;
         if (turn.lesson)
             work.lesson = LessonResult::of(*turn.lesson, *present.mesh);
         const ArchivedWork archived = archive.add(work);

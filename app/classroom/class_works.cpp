@@ -53,6 +53,8 @@ void tellApart(QList<FoundModel>& works)
 
 std::optional<double> TurnFacts::seconds() const
 {
+    if (used)
+        return used;
     if (!begun.isValid() || !ended.isValid() || ended < begun)
         return std::nullopt;
     return static_cast<double>(begun.secsTo(ended));

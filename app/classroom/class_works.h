@@ -17,8 +17,9 @@ struct TurnFacts
     QString id, pupil;
     QDateTime begun, ended;
     std::optional<LessonResult> lesson; ///< none: the turn had none
+    std::optional<double> used;         ///< seconds, without pauses
 
-    /// Seconds from its beginning to its end; nothing: unknown.
+    /// Returns the seconds that it used or, if it does not say, those from its beginning to its end; nothing: unknown.
     std::optional<double> seconds() const;
 };
 

@@ -11,11 +11,8 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
-#include <QCryptographicHash>
 #include <QElapsedTimer>
 #include <QEvent>
-#include <QFileInfo>
-#include <QStandardPaths>
 #include <QUuid>
 
 #include <utility>
@@ -26,7 +23,6 @@ namespace
 {
 constexpr int tickMs = 1000;
 constexpr qint64 minuteMs = 60'000;
-constexpr int keyLength = 16; ///< digits that tell class files from each other
 
 QString newId()
 {
@@ -51,17 +47,6 @@ void addClocks(const ui::Classroom& classroom, ui::ClassBar* bar, ClassWork* wor
     QObject::connect(work, &ClassWork::pupilsFound, clock, &ui::ClassClock::setHadTurn);
 }
 } // namespace
-
-ClassPaths ClassPaths::of(const QString& classFile)
-{
-    const QByteArray path = QFileInfo(classFile).canonicalFilePath().toUtf8();
-    const QString key =
-        QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(keyLength));
-    const QString own = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-                        QStringLiteral("/fettle/classes/") + key;
-    return {RecoveryStore::defaultRoot().parent_path() / "class-journals" / key.toStdString(),
-            own + QStringLiteral("/waiting"), own + QStringLiteral("/turn.json")};
-}
 
 qint64 ClassroomMode::monotonicMs()
 {
@@ -98,7 +83,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
             then();
     };
     connect(document, &Document::opened, this, onOpened, Qt::QueuedConnection);
-    const auto checkIdle = [this] { // not opened, which the window has said, or cancelled: a class goes on all the same
+    const auto checkIdle = [this] { // failed, as the window has said, or cancelled: the class goes on
         if (m_isOpened || m_program.document->job().isBusy() || !std::exchange(m_then, nullptr))
             return;
         if (m_stage != Stage::Asking) // else the form or the panel is open, and stays as it is
@@ -116,7 +101,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
     connect(document, &Document::stepped, this, [this] {
         if (m_stage == Stage::Sculpting)
             m_work.forgetEnded();
-        show();
+        tick();
     });
     connect(&document->job(), &BackgroundJob::busy, m_bar, [this] { m_bar->setBusy(true); });
     connect(&document->job(), &BackgroundJob::idle, m_bar, [this] { m_bar->setBusy(false); });
@@ -181,12 +166,14 @@ void ClassroomMode::recoverNext()
 /// Of one that was resumed what came before is not known any more.
 void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 {
-    const auto note = readTurnNote(m_paths.turnNote);
-    ClassTurn turn = note && note->pupil == offer.name ? *note : ClassTurn{newId(), offer.name, {}, 0};
-    turn.ended = offer.changed;
+    const auto note = m_note.read(offer.changed);
+    const bool isNoted = note && note->pupil == offer.name;
     m_recordBefore.reset();
-    if (note && note->pupil == offer.name && !note->isResumed)
+    if (isNoted && !note->isResumed)
         m_recordBefore.emplace();
+    ClassTurn turn = isNoted ? *note : ClassTurn{newId(), offer.name, {}, 0, offer.changed};
+    if (turn.lesson)
+        turn.lesson = m_lesson.find(*turn.lesson);
     saveThen(turn, [this] { recoverNext(); });
 }
 
@@ -219,6 +206,7 @@ void ClassroomMode::prepareTurn(const QString& pupil, const std::optional<core::
                  startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, TurnRecord(std::in_place));
                  if (!starter)
                      m_lesson.begin();
+                 tick();
              });
 }
 
@@ -228,7 +216,7 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
     m_clock.start(turn);
     m_resumed.reset();
     m_recordBefore = before;
-    writeTurnNote(m_paths.turnNote, turn);
+    m_note.write(turn);
     m_questions.finish();
     m_panel->close();
     show();
@@ -286,7 +274,8 @@ void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
     if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->input()->finish();
-    turn.lesson = m_stage == Stage::Sculpting ? m_lesson.stop() : std::nullopt;
+    if (m_stage == Stage::Sculpting) // else a turn that was interrupted has its place from the note
+        turn.lesson = m_lesson.stop();
     Document& document = *m_program.document;
     const auto stepOf = [](const ClassTurn& of) { return of.lesson ? of.lesson->step : 0; };
     if (m_resumed && m_stage == Stage::Sculpting && document.queue().isSettled() &&
@@ -325,7 +314,7 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
 
 void ClassroomMode::leave()
 {
-    m_pinPrompt->ask(m_end.question(), [this] {
+    m_pinPrompt->ask(m_end.question(m_stage != Stage::Asking), [this] {
         const auto end = [this] {
             m_end.end([this] {
                 m_canLeave = true;
@@ -355,8 +344,14 @@ bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
 
 // --- the clock
 
+/// Notes the lesson's step, too: it changes with no step of the document where the model stays as it is.
 void ClassroomMode::tick()
 {
+    if (m_stage == Stage::Sculpting) {
+        ClassTurn turn = m_clock.turn();
+        turn.lesson = m_lesson.place();
+        m_note.update(turn);
+    }
     if (m_stage == Stage::Sculpting && m_clock.hasEnd()) {
         const TurnClock::Notice notice = m_clock.takeNotice();
         if (notice == TurnClock::Notice::Over)

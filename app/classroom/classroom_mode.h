@@ -2,8 +2,10 @@
 
 #include "app/classroom/class_end.h"
 #include "app/classroom/class_lesson.h"
+#include "app/classroom/class_paths.h"
 #include "app/classroom/class_work.h"
 #include "app/classroom/turn_clock.h"
+#include "app/classroom/turn_note.h"
 #include "app/classroom/turn_questions.h"
 #include "app/recovery/recovery_store.h"
 
@@ -13,7 +15,6 @@
 #include <QObject>
 #include <QTimer>
 
-#include <filesystem>
 #include <functional>
 
 namespace ui
@@ -26,16 +27,6 @@ class PinPrompt;
 namespace app
 {
 class Document;
-
-/// Where this computer keeps a class's files until they are in the class's folder. A class is known by its file.
-struct ClassPaths
-{
-    std::filesystem::path journals;
-    QString outbox;
-    QString turnNote;
-
-    static ClassPaths of(const QString& classFile);
-};
 
 /// A class in the window: turn after turn, each saved before the next begins. Thread: gui.
 ///
@@ -106,6 +97,7 @@ private:
     TurnClock m_clock;                  ///< of Sculpting; else nobody's turn
     std::function<void()> m_then;       ///< for the model that is being opened
     bool m_isOpened = false;            ///< that model is there, and m_then comes next
+    TurnNote m_note{m_paths.turnNote};
     ClassLesson m_lesson;
     ClassWork m_work;
     ClassEnd m_end;

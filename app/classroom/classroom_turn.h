@@ -29,9 +29,4 @@ struct ClassTurn
     bool isResumed = false;                 ///< it did not begin with a starter
     std::optional<LessonPlace> lesson = {}; ///< where it is in a lesson; none: it has none
 };
-
-/// What of a turn must outlive the program, beside its journal. A file that cannot be written or read only costs the
-/// time of its beginning.
-void writeTurnNote(const QString& path, const ClassTurn& turn);
-std::optional<ClassTurn> readTurnNote(const QString& path);
 } // namespace app

@@ -38,7 +38,8 @@ const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json"), modelFile = QStringLiteral("model.glb");
 const QString turnIdKey = QStringLiteral("id"), turnNameKey = QStringLiteral("name"),
               turnBegunKey = QStringLiteral("begun"), turnEndedKey = QStringLiteral("ended"),
-              turnLessonKey = QStringLiteral("lesson");
+              turnLessonKey = QStringLiteral("lesson"), turnUsedKey = QStringLiteral("used_seconds");
+constexpr qint64 msPerSecond = 1000;
 
 void writeFile(const QString& path, const QByteArray& bytes)
 {
@@ -88,6 +89,8 @@ QByteArray turnOf(const TurnWork& work)
                      {QStringLiteral("mesh_hash"), QStringLiteral("%1").arg(work.meshHash, 16, 16, QLatin1Char('0'))}};
     if (work.begun.isValid())
         turn.insert(turnBegunKey, work.begun.toString(Qt::ISODate));
+    if (work.usedMs)
+        turn.insert(turnUsedKey, *work.usedMs / msPerSecond);
     if (work.lesson)
         turn.insert(turnLessonKey, work.lesson->toJson());
     return QJsonDocument(turn).toJson();
@@ -326,8 +329,13 @@ TurnFacts WorkArchive::turnOf(const QString& work)
     const auto time = [&turn](const QString& key) {
         return QDateTime::fromString(turn.value(key).toString(), Qt::ISODate);
     };
-    return {turn.value(turnIdKey).toString(), turn.value(turnNameKey).toString(), time(turnBegunKey),
-            time(turnEndedKey), LessonResult::from(turn.value(turnLessonKey).toObject())};
+    const double used = turn.value(turnUsedKey).toDouble(-1); // works of older versions have none
+    return {turn.value(turnIdKey).toString(),
+            turn.value(turnNameKey).toString(),
+            time(turnBegunKey),
+            time(turnEndedKey),
+            LessonResult::from(turn.value(turnLessonKey).toObject()),
+            used < 0 ? std::nullopt : std::optional(used)};
 }
 
 QString WorkArchive::modelOf(const QString& work)

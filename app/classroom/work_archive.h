@@ -30,6 +30,7 @@ struct TurnWork
     core::DocumentMetadata metadata;
     TurnRecord record; ///< step by step, without what was undone
     std::optional<LessonResult> lesson = {};
+    std::optional<qint64> usedMs = {}; ///< without pauses; nothing: nobody knows
 };
 
 /// The place where a turn's work was archived.

@@ -1,26 +1,65 @@
 #include "ui/classroom/class_bar.h"
 
-#include "ui/widgets/message_bar.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
+#include <QAction>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPainter>
 #include <QPushButton>
+#include <QStyle>
+
+#include <algorithm>
 
 namespace ui
 {
 namespace
 {
-constexpr int clockSize = 18; ///< pixels
-constexpr int maxNameWidth = 240;
+constexpr int clockSize = 18;                            ///< pixels
+constexpr int maxNameWidth = 240, maxResumedWidth = 120; ///< pixels; of names in texts, and on Resume
+constexpr int minTextWidth = 56;                         ///< of a text that is cut where there is no room
+
+/// A text that ends in "…" where the bar has no room for it: the bar puts no button away for it.
+class CutLabel : public QLabel
+{
+public:
+    QSize minimumSizeHint() const override
+    {
+        const QSize whole = QLabel::minimumSizeHint();
+        return {std::min(whole.width(), minTextWidth), whole.height()};
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        const QRect room = contentsRect();
+        style()->drawItemText(&painter, room, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), palette(),
+                              isEnabled(), fontMetrics().elidedText(text(), Qt::ElideRight, room.width()),
+                              foregroundRole());
+    }
+};
 
 void setBold(QWidget* widget, bool isBold)
 {
     QFont font = widget->font();
     font.setBold(isBold);
     widget->setFont(font);
+}
+
+/// Gives the button room in the bar. Return presses it, as Space does.
+QPushButton* addButton(QToolBar* bar, QPushButton* button)
+{
+    button->setAutoDefault(true);
+    auto* cell = new QWidget;
+    auto* row = new QHBoxLayout(cell);
+    row->setContentsMargins(0, gap / 2, gap, gap / 2);
+    row->addWidget(button);
+    bar->addWidget(cell);
+    return button;
 }
 } // namespace
 
@@ -35,19 +74,23 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     setMovable(false);
     toggleViewAction()->setVisible(false);
     setContextMenuPolicy(Qt::PreventContextMenu);
-    addLabel("classTitle")->setText(title);
-    m_pupil = addLabel("classPupil");
+    auto* name = addLabel("classTitle", new CutLabel);
+    name->setText(title);
+    name->setToolTip(title);
+    m_pupil = addLabel("classPupil", new CutLabel);
+    for (QLabel* label : {name, m_pupil})
+        label->setMaximumWidth(maxNameWidth);
     setBold(m_pupil, true);
     auto* middle = new QWidget;
     middle->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(middle);
-    m_undelivered = addLabel("classWaiting");
-    m_clock = addLabel("classClock");
-    m_time = addLabel("classTime");
+    m_undelivered = addLabel("classWaiting", new CutLabel);
+    m_clock = addLabel("classClock", new QLabel);
+    m_time = addLabel("classTime", new QLabel);
     m_resume = addButton(
-        this, named(new QPushButton, "classResume",
-                    tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. "
-                       "Possible until somebody sculpts.")));
+        this,
+        named(new QPushButton, "classResume",
+              tr("Undoes Next Pupil: reopens the work and continues the turn. Possible until somebody sculpts.")));
     m_resumeCell = actions().constLast();
     auto* clock = addButton(this, named(new QPushButton(tr("&Clock")), "classClockButton",
                                         tr("Shows a large clock in a window of its own, for the projector.")));
@@ -69,9 +112,9 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     window->insertToolBarBreak(bars.constFirst());
 }
 
-QLabel* ClassBar::addLabel(const char* name)
+QLabel* ClassBar::addLabel(const char* name, QLabel* label)
 {
-    auto* label = named(new QLabel, name);
+    named(label, name);
     label->setTextFormat(Qt::PlainText);
     label->setContentsMargins(gap, 0, gap, 0);
     addWidget(label);
@@ -81,7 +124,7 @@ QLabel* ClassBar::addLabel(const char* name)
 void ClassBar::setPupil(const std::optional<QString>& pupil)
 {
     m_isTurn = pupil.has_value();
-    m_pupil->setText(fontMetrics().elidedText(pupil.value_or(QString()), Qt::ElideRight, maxNameWidth));
+    m_pupil->setText(pupil.value_or(QString()));
     m_pupil->setToolTip(pupil.value_or(QString()));
     enable();
     Q_EMIT pupilShown(pupil);
@@ -109,7 +152,7 @@ void ClassBar::setResumable(const std::optional<QString>& pupil)
     if (pupil)
         m_resume->setText(tr("&Resume %1's Turn")
                               .arg(fontMetrics()
-                                       .elidedText(*pupil, Qt::ElideRight, maxNameWidth)
+                                       .elidedText(*pupil, Qt::ElideRight, maxResumedWidth)
                                        .replace(u'&', QStringLiteral("&&"))));
     m_resumeCell->setVisible(pupil.has_value());
 }

@@ -59,7 +59,7 @@ Q_SIGNALS:
     void timeShown(const std::optional<ui::TurnTime>& time);
 
 private:
-    QLabel* addLabel(const char* name);
+    QLabel* addLabel(const char* name, QLabel* label);
     void enable();
 
     QLabel *m_pupil, *m_clock, *m_time, *m_undelivered;

@@ -2,35 +2,46 @@
 
 #include "ui/classroom/class_bar.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/spacing.h"
 
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMainWindow>
+#include <QMouseEvent>
 #include <QScreen>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <QWindow>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui
 {
 namespace
 {
-constexpr QSize clockWindow{640, 400};
-constexpr int nameShare = 7, timeShare = 3, nextShare = 14; ///< of the height; a letter's
-constexpr int maxLettersAcross = 12;                        ///< of the time
+constexpr int clockShare = 5, minClockWidth = 160, maxClockWidth = 320; ///< of the view's width; pixels
+constexpr double clockHeight = 0.625;                                   ///< of its width
+constexpr int nameShare = 7, timeShare = 3, nextShare = 14;             ///< of the height; a letter's
+constexpr int leastClockLetters = 10;                                   ///< pixels
+constexpr int maxLettersAcross = 12;                                    ///< of the time
 
+/// Makes the letters as high as that, or as the label's width allows.
 void setLetters(QLabel* label, int pixels)
 {
     QFont font = label->font();
-    font.setPixelSize(std::max(pixels, 12));
+    font.setPixelSize(std::max(pixels, leastClockLetters));
+    while (font.pixelSize() > leastClockLetters && QFontMetrics(font).horizontalAdvance(label->text()) > label->width())
+        font.setPixelSize(font.pixelSize() - 1);
     label->setFont(font);
 }
 } // namespace
 
-ClassClock::ClassClock(const QString& title, const QStringList& names, QWidget* window)
+ClassClock::ClassClock(const QString& title, const QStringList& names, QMainWindow* window)
     : QWidget(window, Qt::Window)
     , m_names(names)
+    , m_window(window)
     , m_pupil(named(new QLabel, "clockPupil"))
     , m_time(named(new QLabel, "clockTime"))
     , m_next(named(new QLabel, "clockNext"))
@@ -45,7 +56,6 @@ ClassClock::ClassClock(const QString& title, const QStringList& names, QWidget* 
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
         column->addWidget(label, label == m_time ? 2 : 1);
     }
-    resize(clockWindow);
     setPupil({});
 }
 
@@ -77,6 +87,7 @@ void ClassClock::showNext()
     const auto next = std::ranges::find_if(
         m_names, [this](const QString& name) { return name != m_present && !m_hadTurn.contains(name); });
     m_next->setText(next == m_names.end() ? QString() : tr("Next: %1").arg(*next));
+    fit();
 }
 
 void ClassClock::toggle()
@@ -85,11 +96,25 @@ void ClassClock::toggle()
         return hide();
     const QList<QScreen*> screens = QGuiApplication::screens();
     const auto other =
-        std::ranges::find_if(screens, [this](const QScreen* screen) { return screen != parentWidget()->screen(); });
-    if (other == screens.end())
+        std::ranges::find_if(screens, [this](const QScreen* screen) { return screen != m_window->screen(); });
+    if (other == screens.end()) {
+        if (!std::exchange(m_isPlaced, true))
+            placeInView();
         return show();
+    }
     setGeometry((*other)->geometry());
     showFullScreen();
+}
+
+/// Takes the lower corner that is farthest from menus, bars and panels.
+void ClassClock::placeInView()
+{
+    setWindowFlags(Qt::Dialog); // which stays above the class's window
+    const QWidget* view = m_window->centralWidget();
+    const int width = std::clamp(view->width() / clockShare, minClockWidth, maxClockWidth);
+    resize(width, static_cast<int>(clockHeight * width));
+    const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight); // the window manager's is about as high
+    move(view->mapToGlobal(QPoint(gap, view->height() - gap - height() - title)));
 }
 
 void ClassClock::keyPressEvent(QKeyEvent* event)
@@ -98,11 +123,28 @@ void ClassClock::keyPressEvent(QKeyEvent* event)
         hide();
 }
 
-void ClassClock::resizeEvent(QResizeEvent* event)
+/// Lets it be moved where no window manager gives it a title bar, too.
+void ClassClock::mousePressEvent(QMouseEvent* event)
 {
-    QWidget::resizeEvent(event);
+    m_grip = event->globalPosition().toPoint() - pos();
+}
+
+void ClassClock::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!isFullScreen() && event->buttons() == Qt::LeftButton)
+        move(event->globalPosition().toPoint() - m_grip);
+}
+
+void ClassClock::fit()
+{
     setLetters(m_pupil, height() / nameShare);
     setLetters(m_time, std::min(height() / timeShare, 2 * width() / maxLettersAcross));
     setLetters(m_next, height() / nextShare);
+}
+
+void ClassClock::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
 }
 } // namespace ui

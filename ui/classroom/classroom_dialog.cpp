@@ -2,6 +2,8 @@
 
 #include "ui/actions/actions.h"
 #include "ui/classroom/lesson_choice.h"
+#include "ui/classroom/names_field.h"
+#include "ui/classroom/waiting_works_note.h"
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/settings/stored_values.h"
 #include "ui/widgets/dialog_helpers.h"
@@ -11,6 +13,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -18,7 +21,6 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -28,11 +30,16 @@ namespace ui
 {
 namespace
 {
-constexpr int textWidth = 460, columns = 4, nameLines = 3;
+constexpr int textWidth = 460, columns = 4;
 
 QString starterId(core::Starter starter)
 {
     return QStringLiteral("new.") + QString::fromUtf8(core::name(starter));
+}
+
+QCheckBox* boxOf(const QWidget* dialog, const QString& id)
+{
+    return dialog->findChild<QCheckBox*>(QStringLiteral("class.") + id);
 }
 
 QString toolId(std::string_view tool)
@@ -40,10 +47,13 @@ QString toolId(std::string_view tool)
     return QStringLiteral("tool.") + QString::fromUtf8(tool);
 }
 
-/// Lays two fields out in a row, the second one with its label.
-QHBoxLayout* beside(QWidget* first, const QString& label, QWidget* second)
+/// Lays two fields out in a row, the second one with its label. The row's own label leads to the first.
+QWidget* beside(QWidget* first, const QString& label, QWidget* second)
 {
-    auto* row = new QHBoxLayout;
+    auto* both = new QWidget;
+    both->setFocusProxy(first);
+    auto* row = new QHBoxLayout(both);
+    row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(dialogGap);
     row->addWidget(first, 1);
     if (!label.isEmpty()) {
@@ -52,19 +62,7 @@ QHBoxLayout* beside(QWidget* first, const QString& label, QWidget* second)
         row->addWidget(words);
     }
     row->addWidget(second, label.isEmpty() ? 0 : 1);
-    return row;
-}
-
-/// Returns the lines as a class's file keeps them: each once, without what ends a name there.
-QStringList namesIn(const QString& text)
-{
-    QStringList names;
-    for (QString line : text.split(u'\n')) {
-        const QString name = line.replace(u';', u' ').simplified().left(maxPupilNameLength).trimmed();
-        if (!name.isEmpty() && !names.contains(name) && names.size() < maxPupilNames)
-            names << name;
-    }
-    return names;
+    return both;
 }
 } // namespace
 
@@ -72,17 +70,22 @@ ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const 
                                  const QList<LessonCard>& lessons)
     : QDialog(parent)
     , m_lesson(new LessonChoice(lessons))
+    , m_waiting(new WaitingWorksNote(textWidth))
     , m_startFolder(folder)
 {
     QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
     auto* open = named(new QPushButton(tr("&Open a Class…")), "classOpen", tr("Shows a class here, to be changed."));
     open->setAutoDefault(false);
-    connect(open, &QPushButton::clicked, this, &ClassroomDialog::chooseClass);
+    connect(open, &QPushButton::clicked, this, [this] {
+        askForClass(this, m_path.isEmpty() ? m_startFolder : QFileInfo(m_path).absolutePath(),
+                    [this](const QString& path) { Q_EMIT openRequested(path); });
+    });
     QVBoxLayout* page = addScrolledPage(column);
     page->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
                                   "the work in the class's folder. "
                                   "Pupils cannot reach other files; leaving asks for your PIN."),
                                textWidth));
+    page->addWidget(m_waiting);
     page->addWidget(open, 0, Qt::AlignLeft);
     auto* form = new QFormLayout;
     form->setSpacing(dialogGap);
@@ -95,7 +98,12 @@ ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const 
     page->addWidget(choices(tr("Starting shapes"), actions, MenuId::New));
     page->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
     column->addWidget(foot());
-    addDialogButtons(this, tr("&Save…"));
+    m_save = addDialogButtons(this, tr("&Save…"));
+    m_saveAs = named(new QPushButton(tr("Save &As…")), "classSaveAs", tr("Keeps the class in another file."));
+    qobject_cast<QDialogButtonBox*>(m_save->parentWidget())->addButton(m_saveAs, QDialogButtonBox::ActionRole);
+    m_saveAs->setAutoDefault(false);
+    m_saveAs->hide();
+    connect(m_saveAs, &QPushButton::clicked, this, &ClassroomDialog::saveAs);
     m_title->setFocus();
 }
 
@@ -106,21 +114,24 @@ void ClassroomDialog::load(const Classroom& classroom, const QString& path)
     m_title->setText(classroom.title);
     m_folder->setText(QDir::toNativeSeparators(classroom.folder));
     for (const core::Starter starter : core::starters)
-        box(starterId(starter))->setChecked(classroom.starters.contains(starter));
+        boxOf(this, starterId(starter))->setChecked(classroom.starters.contains(starter));
     for (const std::string_view name : core::toolNames())
-        box(toolId(name))->setChecked(classroom.tools.contains(*core::named<core::Tool>(name)));
+        boxOf(this, toolId(name))->setChecked(classroom.tools.contains(*core::named<core::Tool>(name)));
     m_lesson->setLesson(classroom.lesson);
     m_turn->setValue(classroom.turnMinutes);
     m_warning->setValue(classroom.warningMinutes);
     m_fullScreen->setChecked(classroom.fullScreen);
     m_questions->setChecked(classroom.asksQuestions);
-    m_names->setPlainText(classroom.names.join(u'\n'));
+    m_names->setNames(classroom.names);
     m_others->setChecked(classroom.allowsOthers);
     m_language->setCurrentIndex(m_language->findData(static_cast<int>(classroom.language)));
     for (QLineEdit* field : {m_pin, m_pinRepeated}) {
         field->clear();
         field->setPlaceholderText(tr("unchanged"));
     }
+    m_save->setText(tr("&Save"));
+    m_save->setToolTip(QDir::toNativeSeparators(path));
+    m_saveAs->show();
     showFault({});
 }
 
@@ -132,26 +143,38 @@ void ClassroomDialog::showFault(const QString& sentence)
 
 void ClassroomDialog::accept()
 {
-    ClassroomDraft made = draft();
-    const Fault fault = faultIn(made);
-    showFault(fault.sentence);
-    m_makeFolder->setVisible(fault.field == m_folder && QDir::isAbsolutePath(folder()) && !QFileInfo::exists(folder()));
-    if (fault.field) {
-        fault.field->setFocus();
-        return;
+    if (m_path.isEmpty())
+        return saveAs();
+    if (std::optional<ClassroomDraft> made = checkedDraft()) {
+        made->path = m_path;
+        Q_EMIT drafted(*made);
     }
+}
+
+void ClassroomDialog::saveAs()
+{
+    const std::optional<ClassroomDraft> made = checkedDraft();
+    if (!made)
+        return;
     const QString start = m_path.isEmpty() ? m_startFolder : QFileInfo(m_path).absolutePath();
-    askForClassFile(this, start, m_path.isEmpty() ? made.classroom.title : QFileInfo(m_path).completeBaseName(),
-                    [this, made](const QString& path) mutable {
-                        made.path = path;
-                        Q_EMIT drafted(made);
+    askForClassFile(this, start, m_path.isEmpty() ? made->classroom.title : QFileInfo(m_path).completeBaseName(),
+                    [this, draft = *made](const QString& path) mutable {
+                        draft.path = path;
+                        Q_EMIT drafted(draft);
                     });
 }
 
-void ClassroomDialog::chooseClass()
+/// Returns nothing if something is missing, and says what.
+std::optional<ClassroomDraft> ClassroomDialog::checkedDraft()
 {
-    askForClass(this, m_path.isEmpty() ? m_startFolder : QFileInfo(m_path).absolutePath(),
-                [this](const QString& path) { Q_EMIT openRequested(path); });
+    const ClassroomDraft made = draft();
+    const Fault fault = faultIn(made);
+    showFault(fault.sentence);
+    m_makeFolder->setVisible(fault.field == m_folder && QDir::isAbsolutePath(folder()) && !QFileInfo::exists(folder()));
+    if (!fault.field)
+        return made;
+    fault.field->setFocus();
+    return std::nullopt;
 }
 
 void ClassroomDialog::makeFolder()
@@ -165,11 +188,6 @@ void ClassroomDialog::makeFolder()
 QString ClassroomDialog::folder() const
 {
     return QDir::cleanPath(QDir::fromNativeSeparators(m_folder->text().trimmed()));
-}
-
-QCheckBox* ClassroomDialog::box(const QString& id) const
-{
-    return findChild<QCheckBox*>(QStringLiteral("class.") + id);
 }
 
 /// The sentence that says what is missing, and what would help.
@@ -196,17 +214,17 @@ ClassroomDraft ClassroomDialog::draft() const
     classroom.title = m_title->text().simplified();
     classroom.folder = folder();
     for (const core::Starter starter : core::starters)
-        if (box(starterId(starter))->isChecked())
+        if (boxOf(this, starterId(starter))->isChecked())
             classroom.starters << starter;
     for (const std::string_view name : core::toolNames())
-        if (box(toolId(name))->isChecked())
+        if (boxOf(this, toolId(name))->isChecked())
             classroom.tools << *core::named<core::Tool>(name);
     classroom.lesson = m_lesson->lesson();
     classroom.turnMinutes = m_turn->value();
     classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
     classroom.fullScreen = m_fullScreen->isChecked();
     classroom.asksQuestions = m_questions->isChecked();
-    classroom.names = namesIn(m_names->toPlainText());
+    classroom.names = m_names->names();
     classroom.allowsOthers = m_others->isChecked() || classroom.names.isEmpty();
     classroom.language = static_cast<Language>(m_language->currentData().toInt());
     classroom.pin = m_pinRecord;
@@ -216,10 +234,10 @@ ClassroomDraft ClassroomDialog::draft() const
 
 void ClassroomDialog::addNames(QFormLayout* form)
 {
-    m_title = named(new QLineEdit, "classTitleField", tr("Stands in the topmost bar, such as the name of the class."));
+    m_title = named(new QLineEdit, "classTitleField", tr("Shown in the top bar, such as the name of the class."));
     form->addRow(tr("&Title:"), m_title);
-    m_folder =
-        named(new QLineEdit, "classFolderField", tr("There each turn gets a folder with model, picture and record."));
+    m_folder = named(new QLineEdit, "classFolderField",
+                     tr("Each turn gets a folder there, with model, picture and recording."));
     auto* choose = named(new QPushButton(tr("&Choose…")), "classFolderChoice", m_folder->toolTip());
     choose->setAutoDefault(false);
     connect(choose, &QPushButton::clicked, this, [this] {
@@ -237,13 +255,7 @@ void ClassroomDialog::addNames(QFormLayout* form)
 
 void ClassroomDialog::addPupils(QFormLayout* form)
 {
-    m_names =
-        named(new QPlainTextEdit, "classNames",
-              tr("A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn "
-                 "today is marked."));
-    m_names->setPlaceholderText(tr("One name in a line; none: pupils type theirs."));
-    m_names->setTabChangesFocus(true);
-    m_names->setFixedHeight(nameLines * m_names->fontMetrics().lineSpacing() + 2 * dialogGap);
+    m_names = new NamesField;
     m_others = named(new QCheckBox(tr("Other &names may be typed")), "classOthers",
                      tr("For guests, and for names that are not in the list."));
     m_others->setChecked(true);
@@ -263,17 +275,17 @@ void ClassroomDialog::addTimes(QFormLayout* form)
         return count;
     };
     m_turn = minutes("classTurn", defaults.turnMinutes, tr("no limit"),
-                     tr("So long is a turn. Nothing is taken away when it is over."));
+                     tr("The length of a turn. Nothing is lost when it is over."));
     m_warning = minutes("classWarning", defaults.warningMinutes, tr("none"),
-                        tr("So long before the end a notice appears, in the headset, too."));
+                        tr("How long before the end a notice appears, also in the headset."));
     m_fullScreen =
-        named(new QCheckBox(tr("Full &screen")), "classFullScreen", tr("Nothing else is to be seen on the screen."));
+        named(new QCheckBox(tr("Full &screen")), "classFullScreen", tr("Hides everything else on the screen."));
     m_fullScreen->setChecked(defaults.fullScreen);
     m_questions = named(new QCheckBox(tr("Six &questions after each turn")), "classQuestions",
                         tr("Next Pupil shows a form about the program first. Its answers are kept with the work and "
                            "summed in the class report; each may be left out."));
     m_questions->setChecked(defaults.asksQuestions);
-    m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
+    m_language = named(new QComboBox, "classLanguage", tr("The language of the window in this class."));
     for (const Named<Language>& row : languages)
         m_language->addItem(PreferencesDialog::words(row.value), static_cast<int>(row.value));
     form->addRow(tr("T&urn:"), beside(m_turn, tr("&Warning before the end:"), m_warning));
@@ -283,14 +295,14 @@ void ClassroomDialog::addTimes(QFormLayout* form)
 
 void ClassroomDialog::addPin(QFormLayout* form)
 {
-    const QString tip = tr("Leaving the class takes it. It is kept as a fingerprint, not as you type it.");
+    const QString tip = tr("Needed to leave the class. Stored as a hash, not as you type it.");
     m_pin = named(new QLineEdit, "classPin", tip);
     m_pinRepeated = named(new QLineEdit, "classPinAgain", tip);
     for (QLineEdit* field : {m_pin, m_pinRepeated}) {
         field->setEchoMode(QLineEdit::Password);
         field->setMaxLength(maxPinLength);
     }
-    form->addRow(tr("&PIN:"), beside(m_pin, tr("&Repeat PIN:"), m_pinRepeated));
+    form->addRow(tr("P&IN:"), beside(m_pin, tr("&Repeat PIN:"), m_pinRepeated));
 }
 
 QWidget* ClassroomDialog::choices(const QString& title, const Actions& actions, MenuId menu)
@@ -318,12 +330,14 @@ ClassroomDialog::Fault ClassroomDialog::faultIn(const ClassroomDraft& draft) con
     const Classroom& classroom = draft.classroom;
     const auto firstBox = [this](MenuId menu) {
         const auto row = std::ranges::find(actionTable(), menu, &ActionInfo::menu);
-        return box(QLatin1StringView(row->id));
+        return boxOf(this, QLatin1StringView(row->id));
     };
     if (classroom.title.isEmpty())
         return {tr("The class has no title yet."), m_title};
     if (!QDir::isAbsolutePath(classroom.folder) || !QFileInfo(classroom.folder).isDir())
         return {tr("This folder does not exist."), m_folder};
+    if (const QString fault = m_names->fault(); !fault.isEmpty())
+        return {fault, m_names};
     const bool keepsPin = !classroom.pin.isEmpty() && draft.pin.isEmpty();
     if (!keepsPin && draft.pin.size() < minPinLength)
         return {tr("The PIN needs at least %n characters.", nullptr, minPinLength), m_pin};

@@ -5,12 +5,13 @@
 
 #include <QDialog>
 
+#include <optional>
+
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
-class QPlainTextEdit;
 class QPushButton;
 class QSpinBox;
 
@@ -18,6 +19,8 @@ namespace ui
 {
 class Actions;
 class LessonChoice;
+class NamesField;
+class WaitingWorksNote;
 enum class MenuId;
 
 /// Draft that a teacher typed: the class, a new PIN, and the file that it is to be kept in.
@@ -28,7 +31,8 @@ struct ClassroomDraft
     QString path;
 };
 
-/// Asks what a class may do, then where to keep it, and stays open until the class is kept or given up. Thread: gui.
+/// Asks what a class may do, then where to keep it if it has no file yet, and stays open until the class is kept or
+/// given up. Thread: gui.
 class ClassroomDialog : public QDialog
 {
     Q_OBJECT
@@ -42,7 +46,9 @@ public:
     void load(const Classroom& classroom, const QString& path);
     /// Shows one sentence at the foot.
     void showFault(const QString& sentence);
-    /// Asks for a file, if all is there; else says what is missing.
+    WaitingWorksNote* waitingWorks() const { return m_waiting; }
+    /// Keeps the class in the file that it was loaded from, or asks for one, if all is there; else says what is
+    /// missing.
     void accept() override;
 
 Q_SIGNALS:
@@ -62,23 +68,24 @@ private:
     void addPin(QFormLayout* form);
     QWidget* choices(const QString& title, const Actions& actions, MenuId menu);
     QWidget* foot();
-    void chooseClass();
     void makeFolder();
+    std::optional<ClassroomDraft> checkedDraft();
+    void saveAs();
     QString folder() const;
-    QCheckBox* box(const QString& id) const;
     ClassroomDraft draft() const;
     Fault faultIn(const ClassroomDraft& draft) const;
 
     LessonChoice* m_lesson;
+    WaitingWorksNote* m_waiting;
     QString m_startFolder;
     QString m_path; ///< of the class that was loaded
     QString m_pinRecord;
     QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_pinRepeated = nullptr;
     QSpinBox *m_turn = nullptr, *m_warning = nullptr;
-    QPlainTextEdit* m_names = nullptr;
+    NamesField* m_names = nullptr;
     QCheckBox *m_fullScreen = nullptr, *m_questions = nullptr, *m_others = nullptr;
     QComboBox* m_language = nullptr;
     QLabel* m_word = nullptr;
-    QPushButton* m_makeFolder = nullptr;
+    QPushButton *m_makeFolder = nullptr, *m_save = nullptr, *m_saveAs = nullptr;
 };
 } // namespace ui

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QSet>
+#include <QShortcut>
 #include <QToolBar>
 
 #include <algorithm>
@@ -96,8 +97,9 @@ bool isAllowed(const ActionInfo& row, const Classroom& classroom)
     case MenuId::New:
     case MenuId::Files:
     case MenuId::Reference:
-    case MenuId::Help:
         return false;
+    case MenuId::Help: // the others lead to commands and to lessons
+        return std::string_view(row.id) == "help.guide";
     case MenuId::Tool:
         return isTool(row, classroom.tools);
     case MenuId::Mask:
@@ -143,6 +145,8 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
         dock->hide();
         close(dock->toggleViewAction());
     }
+    auto* help = new QShortcut(Qt::Key_F1, window); // outside a class it lists all commands
+    QObject::connect(help, &QShortcut::activated, actions.get(QStringLiteral("help.guide")), &QAction::trigger);
     window->findChild<LessonPanel*>()->lock();
     hideEmptyMenus(window, allowed);
     for (const QToolBar* bar : window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly))

@@ -12,7 +12,7 @@ struct ActionInfo;
 struct Classroom;
 
 /// Whether that action is there in a class. What asks for files, leads to other programs or to what a teacher has set
-/// is not; Quit is, because the window asks for the PIN then.
+/// is not; Quit is, because the window asks for the PIN then, and so is the guide, whose links lead to its own pages.
 bool isAllowed(const ActionInfo& row, const Classroom& classroom);
 
 /// Takes all else out of the window, keys included: what is not allowed can be neither seen nor done from now on.

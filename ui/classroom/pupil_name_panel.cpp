@@ -104,7 +104,7 @@ PupilNamePanel::PupilNamePanel(const Classroom& classroom, const Actions& action
 
 QWidget* PupilNamePanel::content(const Classroom& classroom, const Actions& actions)
 {
-    auto* title = new QLabel(tr("Whose turn is it?"));
+    auto* title = new QLabel(tr("Who is next?"));
     QFont font = title->font();
     font.setPointSizeF(font.pointSizeF() * headScale);
     title->setFont(font);

@@ -30,7 +30,7 @@ public:
     /// The starters look as their actions do, in the class's order.
     PupilNamePanel(const Classroom& classroom, const Actions& actions, QWidget* over);
 
-    /// Shows itself without a name, and with the lesson or the first starter.
+    /// Shows the panel with no name entered, and with the lesson, or else the first starter, chosen.
     void open();
     /// Offers a lesson, too: before the starters, and chosen at first.
     void offerLesson(const LessonCard& lesson);

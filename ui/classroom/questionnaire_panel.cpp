@@ -49,7 +49,7 @@ QWidget* QuestionnairePanel::content()
     column->addWidget(m_title);
     column->addSpacing(gap / 2);
     column->addWidget(sentence(
-        tr("Six questions about the program. Answer what you like: press a number, and once more to take it back.")));
+        tr("Six questions about the program. Answer what you like: press a number; press it again to clear it.")));
     column->addSpacing(gap / 2);
     for (std::size_t i = 0; i < questionCount; ++i) {
         const QuestionWords words = QuestionWords::of(static_cast<Question>(i));

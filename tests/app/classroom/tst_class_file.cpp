@@ -83,6 +83,10 @@ private Q_SLOTS:
         QVERIFY(File(whole() + "names = Anna; Anna\n").problem().contains(QStringLiteral("names: Anna stands there")));
         QVERIFY(File(whole() + "other_names = no\n").problem().contains(QStringLiteral("no names to choose from")));
         QVERIFY(File(whole() + "names = " + QByteArray(41, 'x') + '\n').problem().contains(QStringLiteral("at most")));
+        QByteArray tooMany = "names = ";
+        for (int i = 0; i <= ui::maxPupilNames; ++i)
+            tooMany += QByteArray::number(i) + ';';
+        QVERIFY(File(whole() + tooMany).problem().contains(QStringLiteral("line 13: names: at most 200 names")));
     }
 
     void whatIsWrittenIsReadAgain()

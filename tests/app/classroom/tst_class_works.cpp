@@ -1,4 +1,5 @@
 #include "app/classroom/class_works.h"
+#include "app/classroom/work_archive.h"
 #include "app/model/model_loader.h"
 #include "tests/support/test_main.h"
 
@@ -87,6 +88,7 @@ class TestClassWorks : public QObject
 
 private Q_SLOTS:
     void works_areByPupilAndOnceATurn();
+    void theTimeIsWhatWasUsed();
     void sameNames_areToldApart();
     void aWorkAlone_isOneToo();
     void theReport_namesPupilsAndTurns();
@@ -112,6 +114,20 @@ void TestClassWorks::works_areByPupilAndOnceATurn()
     QCOMPARE(found[0].turn.seconds().value_or(0), 240.0);
     QVERIFY(!found[3].turn.seconds());
     QVERIFY_THROWS_EXCEPTION(core::FileError, modelsAndWorks(toPath(works.root.filePath(QStringLiteral("no work")))));
+}
+
+/// Asks for the time without pauses, and of works of older versions for that from beginning to end.
+void TestClassWorks::theTimeIsWhatWasUsed()
+{
+    const ClassFolder works;
+    const QString folder = works.add(QStringLiteral("a"), QStringLiteral("Anna"), QStringLiteral("1"));
+    const QByteArray turn = contentOf(folder + QStringLiteral("/turn.json"));
+    for (const auto& [used, seconds] :
+         {std::pair("90", 90.0), std::pair("0", 0.0), std::pair("-1", 240.0), std::pair("\"long\"", 240.0)}) {
+        writeWork(folder + QStringLiteral("/turn.json"),
+                  QByteArray(turn).replace("{", QByteArray("{ \"used_seconds\": ") + used + ','));
+        QCOMPARE(WorkArchive::turnOf(folder).seconds(), std::optional(seconds));
+    }
 }
 
 void TestClassWorks::sameNames_areToldApart()

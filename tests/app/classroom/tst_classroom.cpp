@@ -16,6 +16,7 @@
 #include "core/io/stroke/stroke_file.h"
 #include "core/journal/journal.h"
 #include "core/lesson/checkpoint.h"
+#include "core/operations/starter_models.h"
 #include "core/sculpt/sculptor.h"
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_caption.h"
@@ -24,6 +25,9 @@
 #include "ui/classroom/pupil_name_panel.h"
 #include "ui/classroom/questionnaire_panel.h"
 #include "ui/classroom/waiting_works_dialog.h"
+#include "ui/classroom/waiting_works_note.h"
+#include "ui/help/help_text.h"
+#include "ui/util/format_filters.h"
 #include "ui/util/thread_mailbox.h"
 #include "ui/widgets/side_column.h"
 
@@ -48,6 +52,9 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QToolBar>
 #include <QToolButton>
 
 #include <fcntl.h>
@@ -218,6 +225,13 @@ struct Class
     ClassroomMode mode;
 };
 
+/// Returns what the dialog for the PIN asks; empty: it is not open.
+QString pinQuestion(const Class& c)
+{
+    const auto* dialog = c.part<QDialog>("pinDialog");
+    return dialog ? dialog->findChild<QLabel*>()->text() : QString();
+}
+
 /// The class with a lesson and the tools of it.
 ui::Classroom withLesson(ui::Classroom classroom, bool hasStarters)
 {
@@ -351,10 +365,13 @@ private Q_SLOTS:
     void noCommand_leadsOut_data();
     void noCommand_leadsOut();
     void menus_haveOnlyWhatIsAllowed();
+    void theGuide_leadsNowhereElse();
     void nothingCanBeDropped();
     void closing_takesThePin();
     void theTeachersDialog_writesTheFile();
+    void theTeachersDialog_changesAFile_data();
     void theTeachersDialog_changesAFile();
+    void theTeachersDialog_movesWhatWaits();
     void theClass_beginsWhenTheWindowIsClosed();
     void theClass_doesNotBeginForWhoStays();
     void questions_comeOnlyIfTheTeacherWants();
@@ -362,15 +379,18 @@ private Q_SLOTS:
     void skipping_keepsNothing();
     void keys_answerAndChooseNoTool();
     void aSmallWindow_hasAllInReach();
+    void aSmallWindow_hasAllBars();
     void stopping_keepsTheForm();
     void eachPanel_opensOnce();
     void aFailedAnswer_isWrittenAtDone();
     void aSlowDelivery_holdsNoAnswerBack();
     void resuming_fromTheQuestions();
     void leaving_saysWhatWaits();
+    void leaving_saysWhetherAWorkIsOpen();
     void leaving_doesNotWaitForEver();
     void leaving_keepsWhatWasAnswered();
     void aPowerCutInTheQuestions_losesNothing();
+    void aPowerCutInALesson_keepsItsResult();
     void aPowerCut_losesNobodysWork_data();
     void aPowerCut_losesNobodysWork();
 };
@@ -474,6 +494,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     QCOMPARE(c.text("classTime"), QStringLiteral("15 minutes left"));
     c.sculpt({-40, 30});
     const std::uint64_t later = c.hash();
+    c.now += minute;
     c.next();
     c.beginTurn(QStringLiteral("Ben"));
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
@@ -483,6 +504,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
                              longestWait); // what was kept stays
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
+    QCOMPARE(WorkArchive::turnOf(folder).seconds(), std::optional(6.0 * 60)); // without the pause
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
 }
 
@@ -546,10 +568,28 @@ void TestClassroom::theProjectorsClock_saysWhoIsNext()
     ui::Classroom classroom = home.classroom();
     classroom.names = {QStringLiteral("Anna"), QStringLiteral("Ben"), QStringLiteral("Cem")};
     Class c(home, classroom);
+    c.program.window.viewport()->setMaximumSize(Program::anyView);
     c.begin();
     QVERIFY(!c.part<QWidget>("classClock")->isVisible());
     c.press("classClockButton");
-    QTRY_VERIFY(c.part<QWidget>("classClock")->isVisible());
+    auto* clock = c.part<QWidget>("classClock");
+    QTRY_VERIFY(clock->isVisible());
+    QCOMPARE(clock->windowType(), Qt::Dialog); // else a click on the window below hides it
+    const QWidget* view = c.program.window.centralWidget();
+    QVERIFY(QRect(view->mapToGlobal(QPoint()), view->size()).contains(clock->frameGeometry()));
+    for (const char* used : {"beginTurn", "pupilName", "pupils", "turn.new.ball", "turn.new.torus"}) {
+        const auto* widget = c.part<QWidget>(used);
+        const QRect place(widget->mapToGlobal(QPoint()), widget->size());
+        QVERIFY2(!place.intersects(clock->geometry()), used);
+    }
+    const QPoint place = clock->pos();
+    sendMouse(clock, QEvent::MouseButtonPress, {20, 20}, Qt::LeftButton);
+    sendMouse(clock, QEvent::MouseMove, {50, 35}, Qt::LeftButton);
+    QTRY_COMPARE(clock->pos(), place + QPoint(30, 15));
+    for (const char* label : {"clockPupil", "clockTime", "clockNext"}) {
+        const auto* words = c.part<QLabel>(label);
+        QVERIFY2(words->fontMetrics().horizontalAdvance(words->text()) <= words->width(), label);
+    }
     QCOMPARE(c.text("clockNext"), QStringLiteral("Next: Anna"));
     c.program.window.activateWindow();
     c.sculptAs(QStringLiteral("Anna"));
@@ -879,8 +919,13 @@ void TestClassroom::noCommand_leadsOut()
         ++closed;
         action->setEnabled(true); // as others do when work ends
         QVERIFY2(!action->isEnabled() && !action->isVisible(), row.id);
-        for (const QKeySequence& key : action->shortcuts())
+        for (const QKeySequence& key : action->shortcuts()) {
             QTest::keySequence(&window, key);
+            if (key == QKeySequence(Qt::Key_F1)) { // is the guide's in a class
+                QTRY_VERIFY(c.part<QDialog>("guide") && c.part<QDialog>("guide")->isVisible());
+                c.part<QDialog>("guide")->reject();
+            }
+        }
         QTest::qWait(1);
         QVERIFY2(otherWindows(c).isEmpty(), row.id);
     }
@@ -937,6 +982,50 @@ void TestClassroom::menus_haveOnlyWhatIsAllowed()
     QContextMenuEvent wanted(QContextMenuEvent::Mouse, {5, 5}, window.mapToGlobal(QPoint(5, 5)));
     QApplication::sendEvent(window.menuBar(), &wanted);
     QVERIFY(!QApplication::activePopupWidget());
+}
+
+/// Asks that the guide's links, whatever they are, and its keys show its own pages and nothing else; the next turn
+/// begins without it.
+void TestClassroom::theGuide_leadsNowhereElse()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    const std::uint64_t hash = c.hash();
+    c.program.window.action(QStringLiteral("help.guide"))->trigger();
+    auto* guide = c.part<QDialog>("guide");
+    QVERIFY(guide && guide->isVisible());
+    auto* text = guide->findChild<QTextBrowser*>(QStringLiteral("guideText"));
+    auto* contents = guide->findChild<QListWidget*>(QStringLiteral("guideContents"));
+    QSet<QString> links, pages;
+    for (const ui::HelpPage& page : ui::helpPages())
+        pages << QLatin1StringView(page.id);
+    for (int row = 0; row < contents->count(); ++row) {
+        contents->setCurrentRow(row);
+        for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next())
+            for (auto part = block.begin(); !part.atEnd(); ++part)
+                if (part.fragment().charFormat().isAnchor())
+                    links << part.fragment().charFormat().anchorHref();
+    }
+    QVERIFY(!links.isEmpty() && pages.contains(links));
+    for (const char* link : {"https://example.org/", "file:///etc/hostname", "/etc/hostname", "edit.preferences",
+                             "file.open", "mailto:a@example.org", "../../icons/fettle.svg"}) {
+        Q_EMIT text->anchorClicked(QUrl(QLatin1StringView(link)));
+        QTest::qWait(1);
+        QVERIFY2(otherWindows(c) == QList<QWidget*>{guide} && text->source().isEmpty(), link);
+        QVERIFY2(contents->currentRow() == 0 && text->toPlainText().size() > 200, link);
+    }
+    for (const ui::ActionInfo& row : ui::actionTable())
+        if (!ui::isAllowed(row, home.classroom()))
+            for (const QKeySequence& key : c.program.window.action(QLatin1StringView(row.id))->shortcuts()) {
+                QTest::keySequence(guide, key);
+                QVERIFY2(otherWindows(c) == QList<QWidget*>{guide}, row.id);
+            }
+    QVERIFY(c.isIdle() && c.hash() == hash);
+    c.next();
+    QTRY_VERIFY(!guide->isVisible());
 }
 
 void TestClassroom::nothingCanBeDropped()
@@ -1001,6 +1090,8 @@ void TestClassroom::theTeachersDialog_writesTheFile()
         return dialog->findChild<QLabel*>(QStringLiteral("classroomWord"))->text();
     };
     const auto focus = [&dialog] { return dialog->focusWidget() ? dialog->focusWidget()->objectName() : QString(); };
+    for (const QLabel* label : dialog->findChildren<QLabel*>()) // else its & is seen
+        QVERIFY2(!label->text().contains(u'&') || label->buddy(), qPrintable(label->text()));
     QCOMPARE(fault(), QStringLiteral("The class has no title yet."));
     QCOMPARE(focus(), QStringLiteral("classTitleField"));
     type("classTitleField", QStringLiteral("5b"));
@@ -1015,6 +1106,12 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QVERIFY(make->isVisible());
     make->click();
     QVERIFY(QFileInfo(works).isDir() && !make->isVisible());
+    auto* names = dialog->findChild<QPlainTextEdit*>(QStringLiteral("classNames"));
+    const QString typed = names->toPlainText();
+    names->appendPlainText(QString(41, u'x'));
+    QVERIFY(fault().endsWith(QStringLiteral("is longer than 40 characters.")));
+    QCOMPARE(focus(), QStringLiteral("classNames"));
+    names->setPlainText(typed);
     QVERIFY(fault().startsWith(QStringLiteral("The PIN needs at least 4")));
     QCOMPARE(focus(), QStringLiteral("classPin"));
     type("classPin", pin);
@@ -1065,6 +1162,7 @@ void TestClassroom::leaving_saysWhatWaits()
     c.sculptAs(QStringLiteral("Ben"));
     c.press("classLeave");
     QVERIFY(!c.part<ui::WaitingWorksDialog>("waitingWorks"));
+    QVERIFY2(pinQuestion(c).contains(QStringLiteral("1 model")), qPrintable(pinQuestion(c)));
     c.typePin(pin);
     QPointer<ui::WaitingWorksDialog> dialog;
     QTRY_VERIFY_WITH_TIMEOUT((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible(),
@@ -1082,6 +1180,25 @@ void TestClassroom::leaving_saysWhatWaits()
     QCOMPARE(foldersIn(home.places.outbox).size(), 2);
     c.press("endClass");
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+}
+
+/// Asks that the question before the PIN says what is: a work that is open, or none.
+void TestClassroom::leaving_saysWhetherAWorkIsOpen()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    const auto question = [&c] {
+        c.press("classLeave");
+        const QString asked = pinQuestion(c);
+        c.part<QDialog>("pinDialog")->reject();
+        return asked;
+    };
+    QCOMPARE(question(), QStringLiteral("End the class? It is nobody's turn, and all works are saved."));
+    QTRY_VERIFY(!c.part<QDialog>("pinDialog"));
+    c.sculptAs(QStringLiteral("Anna"));
+    QCOMPARE(question(), QStringLiteral("End the class? The current pupil's work will be saved."));
 }
 
 /// A class's folder that does not answer, such as that of a lost server. It is nobody's turn meanwhile.
@@ -1116,18 +1233,29 @@ void TestClassroom::leaving_doesNotWaitForEver()
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
 }
 
-/// A class that is there is changed in the same dialog, with its PIN or with another.
+void TestClassroom::theTeachersDialog_changesAFile_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::newRow("as the dialog names it") << QStringLiteral("5b.fettleclass");
+    QTest::newRow("as an older one was named") << QStringLiteral("5b.ini");
+}
+
+/// A class that is there is changed in the same dialog, in the same file or in another, with its PIN or with another.
 void TestClassroom::theTeachersDialog_changesAFile()
 {
+    QFETCH(const QString, name);
     const QTemporaryDir root;
     const Home home(root.path());
-    const QString path = root.filePath(QStringLiteral("5b.fettleclass"));
+    const QString path = root.filePath(name), other = root.filePath(QStringLiteral("works/other.fettleclass"));
     QCOMPARE(ClassFile::write(path, home.classroom()), QString());
     Program program;
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     const auto change = [&](QPointer<QDialog>* dialog) {
-        Q_EMIT program.window.files()->openRequested(path);
+        if (ui::isClassFile(path))
+            Q_EMIT program.window.files()->openRequested(path);
+        else
+            program.window.findChild<ClassFileController*>()->offer(path);
         QPointer<QMessageBox> question;
         QTRY_VERIFY((question = program.window.findChild<QMessageBox*>(QStringLiteral("beginClass"))) &&
                     question->isVisible() && question->text().contains(QStringLiteral("5b")));
@@ -1138,21 +1266,26 @@ void TestClassroom::theTeachersDialog_changesAFile()
         QTRY_VERIFY((*dialog = program.window.findChild<QDialog*>(QStringLiteral("classroomDialog"))) &&
                     (*dialog)->isVisible());
     };
-    const auto save = [&](QPointer<QDialog>* dialog) {
-        QFile::remove(path); // else the system's dialog asks whether it may be replaced
-        (*dialog)->accept();
-        chooseFile(program, "classDialog", path);
-        QTRY_VERIFY(!*dialog);
+    const auto isKept = [&](const QPointer<QDialog>& dialog) {
+        QTRY_VERIFY(!dialog);
         auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("beginClass"));
         QVERIFY(question);
+        const bool isKnown = question->informativeText().contains(QStringLiteral("double click")); // to the desktop
         delete question;
+        QCOMPARE(isKnown, name.endsWith(QStringLiteral("class")) || QFile::exists(other));
+    };
+    const auto save = [&](const QPointer<QDialog>& dialog) {
+        QVERIFY(dialog->findChild<QPushButton*>(QStringLiteral("classSaveAs"))->isVisible());
+        dialog->accept();
+        QVERIFY(!dialog->findChild<QFileDialog*>(QStringLiteral("classDialog"))); // it is known where
+        isKept(dialog);
     };
     QPointer<QDialog> dialog;
     change(&dialog);
     if (QTest::currentTestFailed())
         return;
     dialog->findChild<QAbstractButton*>(QStringLiteral("class.tool.stamp"))->click();
-    save(&dialog);
+    save(dialog);
     ui::Classroom expected = home.classroom();
     expected.tools << core::Tool::Stamp;
     const ui::Classroom kept = ClassFile::read(path);
@@ -1161,8 +1294,61 @@ void TestClassroom::theTeachersDialog_changesAFile()
     change(&dialog);
     for (const char* field : {"classPin", "classPinAgain"})
         QTest::keyClicks(dialog->findChild<QLineEdit*>(QLatin1StringView(field)), QStringLiteral("13579"));
-    save(&dialog);
-    QVERIFY(isPin(QStringLiteral("13579"), ClassFile::read(path).pin));
+    save(dialog);
+    const ui::Classroom changed = ClassFile::read(path);
+    QVERIFY(isPin(QStringLiteral("13579"), changed.pin));
+    change(&dialog);
+    dialog->findChild<QAbstractButton*>(QStringLiteral("class.tool.stamp"))->click();
+    dialog->findChild<QPushButton*>(QStringLiteral("classSaveAs"))->click();
+    chooseFile(program, "classDialog", other);
+    isKept(dialog);
+    QCOMPARE(ClassFile::read(path), changed);
+    QVERIFY(!ClassFile::read(other).tools.contains(core::Tool::Stamp));
+}
+
+/// Asks that works whose class's folder is gone are said, and go where the teacher likes.
+void TestClassroom::theTeachersDialog_movesWhatWaits()
+{
+    const QTemporaryDir root;
+    const QByteArray before = qgetenv("XDG_DATA_HOME");
+    const auto setBack = qScopeGuard([&before] { qputenv("XDG_DATA_HOME", before); });
+    qputenv("XDG_DATA_HOME", QFile::encodeName(root.filePath(QStringLiteral("data"))));
+    const QString gone = root.filePath(QStringLiteral("gone")), stick = root.filePath(QStringLiteral("stick"));
+    QVERIFY(QDir().mkpath(stick));
+    TurnWork work{QStringLiteral("1"), QStringLiteral("Anna"), QDateTime::currentDateTime(),
+                  QDateTime::currentDateTime()};
+    work.mesh = std::make_shared<const core::TriangleMesh>(core::starterModel(core::Starter::Cube));
+    const QString classFile = root.filePath(QStringLiteral("5b.fettleclass"));
+    QCOMPARE(WorkArchive(gone, ClassPaths::prepare(classFile, gone).outbox).add(work).problem, QString());
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    QPointer<QDialog> dialog;
+    const auto open = [&] {
+        program.window.action(QStringLiteral("edit.classroom"))->trigger();
+        dialog = program.window.findChild<QDialog*>(QStringLiteral("classroomDialog"));
+        return dialog && dialog->isVisible();
+    };
+    QVERIFY(open());
+    const auto text = [&dialog](const char* label) {
+        const auto* found = dialog->findChild<QLabel*>(QLatin1StringView(label));
+        return found->isVisible() ? found->text() : QString();
+    };
+    const auto* move = dialog->findChild<QPushButton*>(QStringLiteral("moveWaiting"));
+    QVERIFY2(text("waitingModels").contains(QStringLiteral("1 models are still on this computer and not in ") + gone),
+             qPrintable(text("waitingModels")));
+    QVERIFY(move->isVisible());
+    auto* note = dialog->findChild<ui::WaitingWorksNote*>();
+    Q_EMIT note->moveRequested(root.filePath(QStringLiteral("none")));
+    QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(QStringLiteral("there is no folder")), longestWait);
+    QVERIFY(move->isVisible() && text("waitingModels").contains(gone)); // nothing is lost
+    Q_EMIT note->moveRequested(stick);
+    QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(stick), longestWait);
+    QVERIFY(WorkArchive::worksIn(stick).size() == 1 && ClassPaths::waiting().isEmpty());
+    QVERIFY(!move->isVisible() && text("waitingModels").isEmpty());
+    dialog->reject();
+    QTRY_VERIFY(!dialog);
+    QVERIFY(open() && text("movedModels").isEmpty());
 }
 
 /// The teacher's window goes first; a window that stays is no way to a class later.
@@ -1366,6 +1552,29 @@ void TestClassroom::aSmallWindow_hasAllInReach()
         QVERIFY2(isReached(QStringLiteral("questionnairePanel"), point), qPrintable(point->objectName()));
 }
 
+/// Asks that no bar puts a button away on a screen of 960 x 540: 1920 x 1080 shown at 200 %.
+void TestClassroom::aSmallWindow_hasAllBars()
+{
+    constexpr QSize small{960, 540};
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.program.window.resize(small);
+    QTRY_COMPARE(c.program.window.size(), small);
+    const auto verifyBars = [&c] {
+        for (const QToolBar* bar : c.program.window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly))
+            QTRY_VERIFY2(!bar->findChild<QWidget*>(QStringLiteral("qt_toolbar_ext_button"))->isVisible(),
+                         qPrintable(bar->objectName()));
+    };
+    verifyBars();
+    c.beginTurn(QStringLiteral("Anna"));
+    verifyBars();
+    c.sculpt();
+    c.next();
+    verifyBars();
+}
+
 /// Esc stops the clay for the next one, which is made below the form: it is made anew, and nobody is asked twice.
 void TestClassroom::stopping_keepsTheForm()
 {
@@ -1563,6 +1772,42 @@ void TestClassroom::aPowerCutInTheQuestions_losesNothing()
     QCOMPARE(answered, 1);
 }
 
+/// Asks that step, goals and time are those of the turn when it was interrupted, and that Resume goes on there.
+void TestClassroom::aPowerCutInALesson_keepsItsResult()
+{
+    const QTemporaryDir root;
+    QProcess victim;
+    victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    victim.start(QCoreApplication::applicationFilePath(),
+                 {test::runningClass(), QStringLiteral("--victim"), root.path(), QStringLiteral("lesson")});
+    QVERIFY(victim.waitForFinished(longestWait));
+    const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
+    QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);
+
+    const Home home(root.path());
+    Class c(home, withLesson(home.classroom(), true));
+    c.begin();
+    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
+    const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
+    const core::CheckpointVerdict verdict = core::evaluate(readLesson(QStringLiteral("first-clay")).steps[1].checkpoint,
+                                                           core::readMesh(toPath(WorkArchive::modelOf(work))), nullptr);
+    const TurnFacts turn = WorkArchive::turnOf(work);
+    QVERIFY(turn.lesson);
+    QCOMPARE(turn.lesson->lesson, QStringLiteral("first-clay"));
+    QCOMPARE(turn.lesson->step, 2);
+    QVERIFY(!turn.lesson->isTeachers);
+    QCOMPARE(turn.lesson->verdict.facts.size(), verdict.facts.size());
+    QVERIFY2(turn.seconds().value_or(0) >= 5 * 60 && turn.seconds().value_or(0) < 10 * 60,
+             qPrintable(QString::number(turn.seconds().value_or(0))));
+    QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
+    c.press("classResume");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QCOMPARE(c.hash(), hash);
+    QVERIFY(c.text("lessonTitle").contains(QStringLiteral("step 2 of")));
+    c.mode.tick();
+    QVERIFY(c.text("classTime") != QStringLiteral("20 minutes left"));
+}
+
 void TestClassroom::aPowerCut_losesNobodysWork_data()
 {
     QTest::addColumn<int>("afterNextMs");
@@ -1618,17 +1863,9 @@ int runVictimInQuestions(const QString& root)
     std::abort();
 }
 
-/// Tells the hash of a work, when that would survive, and ends as in a power cut.
-int runVictim(const QString& root, const QString& moment)
+/// Waits until a kill loses nothing of the model, and prints its hash.
+void printKept(Class& c)
 {
-    if (moment == QStringLiteral("questions"))
-        return runVictimInQuestions(root);
-    const int afterNextMs = moment.toInt();
-    const Home home(root);
-    Class c(home);
-    c.begin();
-    c.sculptAs(QStringLiteral("Anna"));
-    c.sculpt({-60, 40});
     const std::uint64_t hash = c.hash();
     bool isRecorded = false;
     ui::ThreadMailbox mail;
@@ -1636,6 +1873,38 @@ int runVictim(const QString& root, const QString& moment)
     while (!isRecorded)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     std::cout << hash << std::endl;
+}
+
+/// Prints the hash of a model in the second step of a lesson, after five minutes, and ends as in a power cut.
+int runVictimInLesson(const QString& root)
+{
+    const Home home(root);
+    Class c(home, withLesson(home.classroom(), true));
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"), "lesson");
+    c.now += 5 * minute;
+    c.press("lessonNext");
+    while (!c.text("lessonTitle").contains(QStringLiteral("step 2 of")))
+        QTest::qWait(1);
+    c.sculpt();
+    printKept(c);
+    std::abort();
+}
+
+/// Tells the hash of a work, when that would survive, and ends as in a power cut.
+int runVictim(const QString& root, const QString& moment)
+{
+    if (moment == QStringLiteral("questions"))
+        return runVictimInQuestions(root);
+    if (moment == QStringLiteral("lesson"))
+        return runVictimInLesson(root);
+    const int afterNextMs = moment.toInt();
+    const Home home(root);
+    Class c(home);
+    c.begin();
+    c.sculptAs(QStringLiteral("Anna"));
+    c.sculpt({-60, 40});
+    printKept(c);
     if (afterNextMs >= 0) {
         c.press("classNext");
         if (afterNextMs > 0)
