@@ -157,7 +157,7 @@ QString word(const Json& value)
     if (value.is_null())
         return QStringLiteral("-");
     if (value.is_boolean())
-        return value.get<bool>() ? QStringLiteral("yes") : QStringLiteral("no");
+        return value.get<bool>() ? CheckMessages::tr("yes") : CheckMessages::tr("no");
     if (value.is_number_float())
         return rounded(value.get<double>());
     if (value.is_array())
@@ -215,15 +215,64 @@ QString verdict(const CheckOptions& options, const QString& file, const Checked&
         return ui::ErrorMessages::refusal(file, checked.report);
     const QStringList found = checked.print ? obstacles(options, *checked.print) : QStringList();
     return found.isEmpty()
-               ? CheckMessages::tr("%1 is in fine fettle.").arg(file)
+               ? CheckMessages::tr("%1 is watertight.").arg(file)
                : CheckMessages::tr("%1 is watertight, but: %2.").arg(file, found.join(QStringLiteral("; ")));
+}
+
+bool isShare(const std::string& key)
+{
+    return key.ends_with("_share");
+}
+
+/// Says in words what the keys of the answer mean.
+QString labelOf(const std::string& key)
+{
+    static constexpr std::pair<std::string_view, const char*> labels[] = {
+        {"file", QT_TRANSLATE_NOOP("app::CheckCommand", "file")},
+        {"vertices", QT_TRANSLATE_NOOP("app::CheckCommand", "vertices")},
+        {"faces", QT_TRANSLATE_NOOP("app::CheckCommand", "triangles")},
+        {"closed", QT_TRANSLATE_NOOP("app::CheckCommand", "closed")},
+        {"manifold", QT_TRANSLATE_NOOP("app::CheckCommand", "two faces at each edge")},
+        {"oriented", QT_TRANSLATE_NOOP("app::CheckCommand", "faces turned alike")},
+        {"bounds_solid", QT_TRANSLATE_NOOP("app::CheckCommand", "bounds a solid")},
+        {"self_intersections", QT_TRANSLATE_NOOP("app::CheckCommand", "self-intersections")},
+        {"components", QT_TRANSLATE_NOOP("app::CheckCommand", "parts")},
+        {"genus", QT_TRANSLATE_NOOP("app::CheckCommand", "holes through it")},
+        {"volume_mm3", QT_TRANSLATE_NOOP("app::CheckCommand", "volume, mm³")},
+        {"area_mm2", QT_TRANSLATE_NOOP("app::CheckCommand", "surface, mm²")},
+        {"size_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "size, mm")},
+        {"min_edge_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "shortest edge, mm")},
+        {"max_edge_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "longest edge, mm")},
+        {"degenerate_faces", QT_TRANSLATE_NOOP("app::CheckCommand", "triangles without area")},
+        {"lattice_ok", QT_TRANSLATE_NOOP("app::CheckCommand", "stays sound when opened")},
+        {"print_ready", QT_TRANSLATE_NOOP("app::CheckCommand", "print-ready")},
+        {"strokes", QT_TRANSLATE_NOOP("app::CheckCommand", "strokes")},
+        {"time_spent_s", QT_TRANSLATE_NOOP("app::CheckCommand", "time of work, s")},
+        {"wall_limit_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall allowed, mm")},
+        {"min_wall_rays_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall by rays, mm")},
+        {"min_wall_balls_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall by balls, mm")},
+        {"thin_share", QT_TRANSLATE_NOOP("app::CheckCommand", "surface that is too thin")},
+        {"overhang_share", QT_TRANSLATE_NOOP("app::CheckCommand", "surface that overhangs")},
+        {"base_area_mm2", QT_TRANSLATE_NOOP("app::CheckCommand", "base, mm²")},
+        {"fits_bed", QT_TRANSLATE_NOOP("app::CheckCommand", "fits the bed")},
+        {"unit_doubt", QT_TRANSLATE_NOOP("app::CheckCommand", "perhaps made in")},
+        {"pupil", QT_TRANSLATE_NOOP("app::CheckCommand", "pupil")},
+        {"turn_begun", QT_TRANSLATE_NOOP("app::CheckCommand", "turn begun")},
+        {"turn_s", QT_TRANSLATE_NOOP("app::CheckCommand", "time of the turn, s")},
+    };
+    const auto* const found = std::ranges::find(labels, key, &std::pair<std::string_view, const char*>::first);
+    return found == std::end(labels) ? QString::fromStdString(key) : CheckMessages::tr(found->second);
 }
 
 QString page(const CheckOptions& options, const QString& file, const Json& json, const Checked& checked)
 {
     QString text;
+    int width = 0;
     for (const auto& [key, value] : json.items())
-        text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(word(value));
+        width = std::max(width, columnsOf(labelOf(key)));
+    for (const auto& [key, value] : json.items())
+        text += tableLine({labelOf(key), isShare(key) && !value.is_null() ? percent(value.get<double>()) : word(value)},
+                          {-width, 0});
     text += verdict(options, file, checked);
     if (checked.report.volume)
         if (const QString doubt = ui::ErrorMessages::unitDoubt(*checked.report.volume); !doubt.isEmpty())

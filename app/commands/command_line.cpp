@@ -34,7 +34,8 @@ constexpr CommandRow commandTable[] = {
      QT_TRANSLATE_NOOP("app::CommandLine",
                        "say whether models are in order, and will print; several files or a folder: a table")},
     {"convert", convertCommand, "convert IN OUT",
-     QT_TRANSLATE_NOOP("app::CommandLine", "write a model in another format or size, mended, or with fewer triangles")},
+     QT_TRANSLATE_NOOP("app::CommandLine",
+                       "write a model in another format or size, repaired, or with fewer triangles")},
     {"replay", replayCommand, "replay --strokes S.json",
      QT_TRANSLATE_NOOP("app::CommandLine", "play recorded strokes on a model")},
     {"report", reportCommand, "report FOLDER -o OUT",
@@ -334,7 +335,7 @@ QString CommandLine::help()
            "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters "
            "VR with it\n"
            "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse "
-           "and keys are head and wands\n"
+           "and keys are head and controllers\n"
            "  fettle [--vr] --classroom CLASS.fettleclass\n"
            "                                   begin a class in turns, as its teacher set it up (Edit > "
            "Classroom)\n");

@@ -5,7 +5,7 @@
 
 namespace app
 {
-/// The exit status of a subcommand (README.md, "Two commands").
+/// The exit status of a subcommand (resources/reference/command-line.md, "Exit status").
 enum ExitStatus { Done = 0, AnswerIsNo = 1, BadInput = 2 };
 
 /// Ends a subcommand: one sentence for stderr.

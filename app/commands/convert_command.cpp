@@ -29,7 +29,7 @@ class ConvertMessages
 
 constexpr double minSize = 0.001, maxSize = 1e6; ///< mm, of what is typed
 constexpr unsigned fewestTriangles = 4;          ///< of any solid
-const QString legalise = QStringLiteral("legalise"), wrap = QStringLiteral("wrap"),
+const QString repairOption = QStringLiteral("repair"), wrap = QStringLiteral("wrap"),
               largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts");
 
 struct ConvertOptions
@@ -76,16 +76,16 @@ void addConvertOptions(QCommandLineParser& parser)
           ConvertMessages::tr("Most triangles of OUT, 4 or more (default: as many as it has); they go where shape and "
                               "colors lose least."),
           QStringLiteral("N")},
-         {{legalise, QStringLiteral("legalize")},
-          ConvertMessages::tr("Mend a model that is not in order, and say what changed.")},
-         {wrap, ConvertMessages::tr("With --legalise: make the whole surface anew where nothing else keeps it; detail "
+         {{repairOption, QStringLiteral("legalise"), QStringLiteral("legalize")},
+          ConvertMessages::tr("Repair a model that is not watertight, and say what changed.")},
+         {wrap, ConvertMessages::tr("With --repair: make a new surface where nothing else keeps the model; detail "
                                     "is lost.")},
          {largeHoles,
-          ConvertMessages::tr("With --legalise: what to do with holes longer than a quarter of the model (default: "
+          ConvertMessages::tr("With --repair: what to do with holes longer than a quarter of the model (default: "
                               "fill)."),
           holeWords().join(u'|')},
          {innerParts,
-          ConvertMessages::tr("With --legalise: what to do with parts inside of others that face outwards (default: "
+          ConvertMessages::tr("With --repair: what to do with parts inside of others that face outwards (default: "
                               "fill)."),
           partWords().join(u'|')}});
     StandardFiles::addFrom(parser);
@@ -95,8 +95,8 @@ void addConvertOptions(QCommandLineParser& parser)
 
 std::optional<core::RepairOptions> repairFrom(const CommandOptions& given)
 {
-    given.requireWith({wrap, largeHoles, innerParts}, legalise);
-    if (!given.has(legalise))
+    given.requireWith({wrap, largeHoles, innerParts}, repairOption);
+    if (!given.has(repairOption))
         return std::nullopt;
     core::RepairOptions repair;
     repair.canWrap = given.has(wrap);
@@ -136,7 +136,7 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.printReady())
         throw CommandFailure{ui::ErrorMessages::refusal(file, report) + u' ' +
-                                 ConvertMessages::tr("--legalise may mend it."),
+                                 ConvertMessages::tr("--repair may make it watertight."),
                              AnswerIsNo};
 }
 
@@ -145,7 +145,7 @@ QString refusalText(const QString& file, const core::RepairResult& repaired, con
     const QString refusal = ui::RepairMessages::refusal(file, repaired);
     const bool mayWrap =
         repaired.refusal == core::RepairRefusal::Unresolved || repaired.refusal == core::RepairRefusal::TooMuchLost;
-    return mayWrap && !options.canWrap ? refusal + u' ' + ConvertMessages::tr("--wrap may make its surface anew.")
+    return mayWrap && !options.canWrap ? refusal + u' ' + ConvertMessages::tr("--wrap may make a new surface.")
                                        : refusal;
 }
 

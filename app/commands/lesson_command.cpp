@@ -79,7 +79,9 @@ void addLessonOptions(QCommandLineParser& parser)
           LessonCommandMessages::tr("File for a handout: what pupils read, with the pictures; instead of playing."),
           QStringLiteral("OUT.pdf")},
          {QStringLiteral("texts"), LessonCommandMessages::tr("Print what pupils read, instead of playing.")},
-         {QStringLiteral("json"), LessonCommandMessages::tr("One JSON object.")},
+         {QStringLiteral("json"),
+          LessonCommandMessages::tr("JSON: one object; of a folder of models, one for each, on a line of its own; "
+                                    "without a lesson, the list of the program's.")},
          {QStringLiteral("csv"),
           LessonCommandMessages::tr("CSV with a header row: a row for each goal; of a folder, for each model.")}});
     StandardFiles::addFrom(parser);

@@ -168,8 +168,8 @@ void readInserted(Entries& entries, const QString& strokes)
     }
 }
 
-/// Puts the strokes from `first` on, up to the next command, into the document's coordinates, and checks them against
-/// the model: a command may give it another place and lattice.
+/// Converts the strokes from `first` up to the next command to the document's coordinates, and checks that they fit the
+/// model: a command may have changed its place and lattice. Throws CommandFailure if one does not fit.
 void takeStrokes(const core::Mesh& mesh, const core::StrokeCoordinates& coordinates, Entries& entries,
                  std::size_t first, const QString& path)
 {

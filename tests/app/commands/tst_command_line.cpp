@@ -359,7 +359,7 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed_data()
     row("convert a.obj b.stl --legalise --large-holes all", "--large-holes must be one of fill, refuse, not \"all\".");
     row("convert a.obj b.stl --size 0", "convert: --size must be a number from 0.001 to 1000000, not \"0\".");
     row("convert a.obj b.stl --triangles 3", "convert: --triangles must be a whole number, 4 or more, not \"3\".");
-    row("convert a.obj b.stl --wrap", "convert: --wrap can only be used with --legalise.");
+    row("convert a.obj b.stl --wrap", "convert: --wrap can only be used with --repair.");
     row("convert a.obj b.xyz",
         "b.xyz: cannot tell the format: the ending must be one of stl, obj, ply, off, glb, 3mf.");
     row("convert a.obj", "convert: needs two files, IN and OUT; 1 was given.");
@@ -397,7 +397,7 @@ void TestCommandLine::spellings_ofBothKindsAreTaken()
     open.triangles.resize(open.triangles.size() - 3);
     core::writeMesh(at("open.ply").toStdString(), open);
     write(at("ball.obj"), cube);
-    for (const char* option : {"--legalise", "--legalize"})
+    for (const char* option : {"--repair", "--legalise", "--legalize"})
         QCOMPARE(fettle({QStringLiteral("convert"), at("open.ply"), at("out.stl"), QLatin1String(option)}).status, 0);
     QList<QByteArray> models;
     for (const QByteArray& centre : {QByteArrayLiteral("centre"), QByteArrayLiteral("center")}) {
@@ -627,9 +627,11 @@ void TestCommandLine::window_withADeadDisplaySaysSo()
 void TestCommandLine::check_cube()
 {
     write(at("cube.obj"), cube);
-    const Answer plain = fettle({QStringLiteral("check"), at("cube.obj")});
+    Answer plain = fettle({QStringLiteral("check"), at("cube.obj")});
     QCOMPARE(plain.status, 0);
-    QVERIFY(plain.err.isEmpty() && plain.out.contains("fine fettle"));
+    QVERIFY(plain.err.isEmpty() && plain.out.contains("is watertight."));
+    QVERIFY2(!plain.out.replace(at("cube.obj").toUtf8(), "").contains('_'), plain.out.constData()); // words, no keys
+    QVERIFY(plain.out.contains("bounds a solid") && plain.out.contains("holes through it"));
 
     const Answer answer = fettle({QStringLiteral("check"), at("cube.obj"), QStringLiteral("--json")});
     QCOMPARE(answer.status, 0);
@@ -846,7 +848,7 @@ void TestCommandLine::check_print()
                 .endsWith("plate.obj is watertight, but: it does not fit the bed."));
     QVERIFY(lastLine({QStringLiteral("--nozzle"), QStringLiteral("0.2"), QStringLiteral("--bed"),
                       QStringLiteral("25,25,10")})
-                .endsWith("plate.obj is in fine fettle."));
+                .endsWith("plate.obj is watertight."));
 
     const QJsonObject fine =
         fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--nozzle"), QStringLiteral("0.2")}).json();
@@ -1155,7 +1157,7 @@ void TestCommandLine::convert_wrap()
     convert << QStringLiteral("--wrap");
     const Answer anew = fettle(convert);
     QCOMPARE(anew.status, 1);
-    QVERIFY(anew.out.contains("Volume: ") && anew.err.contains("anew") && anew.err.count('\n') == 1);
+    QVERIFY(anew.out.contains("Volume: ") && anew.err.contains("rebuilt") && anew.err.count('\n') == 1);
     QVERIFY(core::checkMesh(core::readMesh(at("out.stl").toStdString())).printReady());
 }
 
@@ -1172,7 +1174,7 @@ void TestCommandLine::convert_tellsOfTheReducedModel()
     QVERIFY(written.printReady() && written.faces <= 40);
     const QByteArray area = "Surface: " + ui::areaText(written.area).toUtf8();
     QVERIFY2(answer.out.contains(area), answer.out.constData());
-    QVERIFY(answer.err.contains("anew") && answer.err.count('\n') == 1);
+    QVERIFY(answer.err.contains("rebuilt") && answer.err.count('\n') == 1);
 }
 
 void TestCommandLine::convert_leavesSheetsOut()
@@ -1418,6 +1420,24 @@ void TestCommandLine::replay_refusals_data()
                           << QStringLiteral("how: \"x\" is none of invert, clear, blur, ");
     QTest::newRow("alpha") << strokes(R"("tool":"pull","radius":1,"alpha":"bogus")")
                            << QStringLiteral("stroke 1 (strokes[0]): alpha: \"bogus\" is none of pores, scales, ");
+    QTest::newRow("radius by name") << strokes(R"("tool":"pull","radius":"x")")
+                                    << QStringLiteral("stroke 1 (strokes[0]): \"radius\" must be a number");
+    QTest::newRow("half a falloff") << strokes(R"("tool":"pull","radius":1,"falloff":3.5)")
+                                    << QStringLiteral("\"falloff\" must be a whole number");
+    QTest::newRow("tool by number") << strokes(R"("tool":5,"radius":1)")
+                                    << QStringLiteral("\"tool\" must be a word in quotation marks");
+    QTest::newRow("inverted by number") << strokes(R"("tool":"clay","radius":1,"invert":1)")
+                                        << QStringLiteral("\"invert\" must be true or false");
+    QTest::newRow("flat position") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,1]})")
+                                   << QStringLiteral(
+                                          "sample 1 (strokes[0].samples[0]): \"position\" must be three numbers");
+    QTest::newRow("flat rotation") << strokes(R"("tool":"pull","radius":1)",
+                                              R"({"position":[0,1,0],"rotation":[0,1,0]})")
+                                   << QStringLiteral("\"rotation\" must be four numbers, as in [0, 0, 0, 1]");
+    QTest::newRow("half a color") << strokes(R"("tool":"paint","radius":1,"color":[1,2,3.5])")
+                                  << QStringLiteral("\"color\" must be three whole numbers from 0 to 255");
+    QTest::newRow("strokes by name") << QByteArray(R"({"format":"fettle-strokes","version":1,"strokes":"pull"})")
+                                     << QStringLiteral("\"strokes\" must be a list of objects");
     QTest::newRow("version") << QByteArray(R"({"format":"fettle-strokes","version":2,"strokes":[]})")
                              << QStringLiteral("it has version 2; this program reads version 1");
     QTest::newRow("inserted file")

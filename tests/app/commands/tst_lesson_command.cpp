@@ -208,7 +208,7 @@ private Q_SLOTS:
     {
         const QStringList judge{QStringLiteral("first-clay"), QStringLiteral("--language")};
         for (const auto& [language, strokes, yes] : {std::tuple("de", "(Striche: 1; Werkzeuge: Ziehen)", "\n   ja "),
-                                                     std::tuple("zh_CN", "（笔触：1；工具：拉出）", "\n   是 "),
+                                                     std::tuple("zh_CN", "（笔画：1；工具：拉出）", "\n   是 "),
                                                      std::tuple("en", "(strokes: 1; tools: Pull)", "\n   yes ")}) {
             const QString out = lesson(judge + QStringList{QString::fromLatin1(language)}).out;
             QVERIFY2(out.contains(QString::fromUtf8(strokes)) && out.contains(QString::fromUtf8(yes)), qPrintable(out));
@@ -245,6 +245,18 @@ private Q_SLOTS:
         QTest::newRow("no JSON") << QByteArray("\"steps\":") << QByteArray("steps:") << QStringLiteral("not JSON");
         QTest::newRow("unknown") << QByteArray("\"summary\"") << QByteArray("\"sumary\"")
                                  << QStringLiteral("unknown key sumary");
+        const auto wrong = [](const char* from, const char* to, const char* with) {
+            QTest::newRow(to) << QByteArray(from) << QByteArray(to) << QString::fromUtf8(with);
+        };
+        wrong("\"version\": 1", "\"version\": 1.5", "\"version\" must be a whole number");
+        wrong("\"start\": \"ball\"", "\"start\": 1", "\"start\" must be a name in quotation marks");
+        wrong("\"picture\": \"step-2.png\"", "\"picture\": 2",
+              "step 2 (steps[1]): \"picture\" must be a name in quotation marks");
+        wrong("\"components\": 1", "\"components\": 1.5",
+              "\"components\" must be a whole number, or bounds, as in {\"least\": 1, \"most\": 2}");
+        wrong("\"least\": 125", "\"least\": \"tall\"", "\"height_mm\" must be a number, or bounds");
+        wrong("\"print_ready\": true", "\"print_ready\": 1", "\"print_ready\" must be true");
+        wrong("\"tools\": [\n    \"push\"\n   ]", "\"tools\": \"push\"", "\"tools\" must be a list of tools");
     }
     void badInput_isOneSentence()
     {
